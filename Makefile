@@ -32,7 +32,7 @@ help:
 	@echo "make docs-check  build it and open every page in headless Chromium"
 	@echo "make notebooks  the lessons as notebooks in docs/_build/notebooks, each run from top to bottom"
 	@echo "make package-check  build the packages and try them in empty environments"
-	@echo "make formal   compile the Coq proofs of the certificate checker, build it and compare it"
+	@echo "make formal   compile the Coq proofs of checker and counts, build the program and compare it"
 	@echo "make clean    remove what the targets made"
 	@echo "PYTHON=python3.12 picks the interpreter, ARGS='-k faces' goes to pytest."
 	@echo "Scripts are checked where npm is; JAVASCRIPT_CHECKS=1 demands it."
@@ -139,8 +139,9 @@ package-check: $(VENV)/.stamp-package
 formal: $(VENV)/.stamp-test
 	bash proofs_check/formal/build.sh
 	$(BIN)/python tests/formal_agreement.py proofs_check/formal/_build/proved-checker $(ARGS)
-	@cp proofs_check/formal/_build/proved-checker $(BIN)/equilibrium-proved-checker
-	@echo "$(BIN)/equilibrium-proved-checker"
+	@cp proofs_check/formal/_build/proved-checker $(BIN)/proved-checker
+	$(BIN)/python -m pytest -q tests/arrangement/test_proved.py
+	@echo "$(BIN)/proved-checker"
 
 clean:
 	rm -rf $(VENV) build dist report proofs_check/formal/_build docs/_build docs/_generated docs/reference .hypothesis .mypy_cache .pytest_cache .ruff_cache .import_linter_cache

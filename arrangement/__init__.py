@@ -3,8 +3,8 @@
 The names below are loaded when first used; `__init__.pyi` is their one list.
 """
 
-import lazy_loader
+from .console.entry import attach_stub
 
 __version__ = "0.1.0"
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

@@ -183,9 +183,13 @@ class Arrangement(Planes):
         """Return the great circles of a central arrangement in R^3, with their full incidence."""
         return sphere_arrangement(self)
 
-    def certify_complete(self) -> completeness.CompletenessEvidence:
-        """Compare `faces` with Zaslavsky's theorem, face by face and in number."""
-        return completeness.certify_complete(self, self.faces())
+    def certify_complete(self, *, proved: bool = False) -> completeness.CompletenessEvidence:
+        """Compare `faces` with Zaslavsky's theorem, face by face and in number.
+
+        Args:
+            proved: let the program that is proved in Coq count them and check the list.
+        """
+        return completeness.certify_complete(self, self.faces(), proved=proved)
 
     def lab(self) -> InlinePage:
         """Return a page in which these planes are dragged and counted; a notebook shows it.

@@ -47,7 +47,9 @@ def _parser() -> terminal.Parser:
         added.set_defaults(command=function)
         return added
 
-    add("count", _count, "count planes and faces")
+    proved = "count by the program that is proved in Coq (built by `make formal`)"
+    count = add("count", _count, "count planes and faces")
+    count.add_argument("--proved", action="store_true", help=proved)
 
     polynomial = add(
         "polynomial",
@@ -70,6 +72,7 @@ def _parser() -> terminal.Parser:
     ways.add_argument(
         "--primes", type=_primes, metavar="P,Q,...", help="count points modulo these primes instead"
     )
+    ways.add_argument("--proved", action="store_true", help=proved)
     terminal.add_worker_options(polynomial)
 
     faces = add("faces", _faces, "list sign vectors with dimension and witness")
@@ -132,13 +135,7 @@ def _read(arguments: argparse.Namespace) -> Arrangement:
 
 def _count(arguments: argparse.Namespace) -> int:
     arrangement = _read(arguments)
-    try:
-        faces = arrangement.faces()
-        f_vector, engine = faces.f_vector, faces.engine
-    except OutOfReachError as error:
-        if error.f_vector is None:
-            raise
-        f_vector, engine = error.f_vector, "none: counted by Zaslavsky's theorem, not listed"
+    f_vector, engine = _proved_count(arrangement) if arguments.proved else _listed(arrangement)
     counts = {
         "planes": len(arrangement),
         "distinct_planes": len(arrangement.distinct),
@@ -154,8 +151,32 @@ def _count(arguments: argparse.Namespace) -> int:
     field = {} if arrangement.field is None else {"entries in": repr(arrangement.field)}
     dimensions = {f"faces of dim {k}": number for k, number in enumerate(f_vector)}
     return _print_rows(
-        {**rows, "rank": arrangement.rank, **field, **dimensions, "states": sum(f_vector)}
+        {
+            **rows,
+            "rank": arrangement.rank,
+            **field,
+            **dimensions,
+            "states": sum(f_vector),
+            **({"counted by": "the proved program"} if arguments.proved else {}),
+        }
     )
+
+
+def _listed(arrangement: Arrangement) -> tuple[tuple[int, ...], str]:
+    """Return the f-vector and the engine that listed the faces, if they can be listed."""
+    try:
+        faces = arrangement.faces()
+        return faces.f_vector, faces.engine
+    except OutOfReachError as error:
+        if error.f_vector is None:
+            raise
+        return error.f_vector, "none: counted by Zaslavsky's theorem, not listed"
+
+
+def _proved_count(arrangement: Arrangement) -> tuple[tuple[int, ...], str]:
+    from .planes.proved import proved_f_vector
+
+    return proved_f_vector(arrangement), "none: counted by the proved program"
 
 
 def _print_rows(rows: Mapping[str, object]) -> int:
@@ -185,7 +206,8 @@ def _polynomial(arguments: argparse.Namespace) -> int:
     chi = Poly([*numbers, *zeros], Symbol("t"))
     rows = {"chi(t)": chi.as_expr(), "factors": chi.as_expr().factor()}
     names = ("regions", "bounded regions", "relatively bounded")
-    return _print_rows({**rows, **dict(zip(names, found.values(), strict=True))})
+    speaker = {"counted by": "the proved program"} if arguments.proved else {}
+    return _print_rows({**rows, **dict(zip(names, found.values(), strict=True)), **speaker})
 
 
 def _primes(text: str) -> list[int]:
@@ -208,6 +230,10 @@ def _whitney_numbers(arrangement: Arrangement, arguments: argparse.Namespace) ->
     shared = arguments.shard != (1, 1) or arguments.dask is not None
     if shared and arguments.store is None:
         raise InputError("--shard and --dask need --store, a folder that all machines see")
+    if arguments.proved:
+        from .planes.proved import proved_whitney_numbers
+
+        return proved_whitney_numbers(arrangement)
     if arguments.primes is not None:
         numbers = by_points(arrangement, arguments.primes).all_coeffs()
         return tuple(map(int, numbers[: arrangement.rank + 1]))

@@ -3,8 +3,7 @@
 The names below are loaded when first used; `__init__.pyi` is their one list.
 """
 
-import lazy_loader
-
 from arrangement import __version__ as __version__
+from arrangement.console.entry import attach_stub
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

@@ -23,7 +23,7 @@ import numpy as np
 
 from arrangement.console.number_form import Shown
 from arrangement.console.progress import watched
-from arrangement.counts.classes.symmetric import deadline_after
+from arrangement.counts.whitney import deadline_after
 from arrangement.enumeration.fan import Fan
 from arrangement.errors import OutOfTimeError
 from arrangement.numbers.exact import IntegerVector, primitive

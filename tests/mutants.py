@@ -222,18 +222,6 @@ for _target, _text, _changes, _reason in (
         "a grasp without contacts is one in the plane",
     ),
     (
-        "robust",
-        "near = Interval(interval(1 - turn * turn / 2).low, near.high)",
-        ("high -> low",),
-        "both ends are 1",
-    ),
-    (
-        "robust",
-        "if not pillars <= sticking or (pillars != sticking and len(pillars) != n):",
-        ("dropped: not pillars <= sticking",),
-        "fewer equations than unknowns then, and no box is mapped into itself",
-    ),
-    (
         "enclosure",
         "if square.low <= 0:",
         ("0 -> 1",),

@@ -1,12 +1,16 @@
 """The check of the packages finds what would be wrong with them."""
 
+import os
 import subprocess
 import sys
+from pathlib import Path
 from subprocess import CompletedProcess
 
 import pytest
 
+from tests.browser import Browser
 from tests.check_package import FILES, complaints, untried, wrong_files
+from tests.check_site import check_page
 from tests.package_commands import PROGRAMS, Command
 
 WHEEL = {
@@ -103,3 +107,86 @@ def test_an_absent_or_empty_file_is_found(tmp_path):
     assert complaints(command, done, tmp_path) != []
     (tmp_path / "dual.stl").write_bytes(b"solid")
     assert complaints(command, done, tmp_path) == []
+
+
+DOT = "data:image/gif;base64,R0lGODlhAQABAAAAACH5BAEKAAEALAAAAAABAAEAAAICTAEAOw=="
+
+
+@pytest.fixture
+def site(tmp_path: Path) -> Path:
+    (tmp_path / "site").mkdir()
+    return tmp_path / "site"
+
+
+def check(browser: Browser, site: Path, body: str) -> list[str]:
+    page = site / "page.html"
+    page.write_text(
+        f'<!DOCTYPE html><link rel="icon" href="data:,"><title>t</title>{body}', encoding="utf-8"
+    )
+    return check_page(browser, page, site)
+
+
+def test_a_page_that_holds_all_it_needs_is_right(browser, site):
+    (site / "own.js").write_text("document.title = 'own';", encoding="utf-8")
+    body = f'<img src="{DOT}"><script src="own.js"></script>'
+    assert check(browser, site, body) == []
+
+
+@pytest.mark.parametrize(
+    ("body", "complaint"),
+    [
+        ('<img src="http://127.0.0.1:9/x.png">', "request to http://127.0.0.1:9/x.png"),
+        ('<script src="https://127.0.0.1:9/x.js"></script>', "request to https://127.0.0.1:9/x.js"),
+        ("<script>fetch('http://127.0.0.1:9/').catch(() => 0)</script>", "request to http:"),
+        ("<script>new WebSocket('ws://127.0.0.1:9/')</script>", "request to ws:"),
+        ('<img src="../beside.png">', "request to file:"),
+        ('<img src="absent.png">', "a picture is missing: absent.png"),
+        ("<script>throw new Error('broken')</script>", "console:"),
+        ("<script>console.warn('odd')</script>", "console:"),
+        (r'<span class="math">\(x^2\)</span>', "mathematics is not typeset"),
+    ],
+)
+def test_each_defect_is_found(body, complaint, browser, site):
+    assert any(text.startswith(complaint) for text in check(browser, site, body))
+
+
+ROOT = Path(__file__).resolve().parent.parent
+PACKAGES = "apt-get install chromium chromium-driver"
+SUITE = (
+    "-m pytest -q -p no:cacheprovider"
+    " tests/test_check_package.py::test_a_page_that_holds_all_it_needs_is_right"
+    " tests/test_layers.py::test_counts_work_with_the_enumerators_out_of_reach"
+)
+CAMPAIGN = pytest.mark.campaign
+
+
+@pytest.mark.parametrize(
+    ("choice", "present", "command", "code", "said"),
+    [
+        pytest.param(None, False, SUITE, 0, ["1 passed, 1 deselected", PACKAGES], marks=CAMPAIGN),
+        pytest.param("1", False, SUITE, 1, ["1 passed, 1 error", PACKAGES], marks=CAMPAIGN),
+        (None, True, f"{SUITE} --collect-only", 0, ["2 tests collected"]),
+        ("0", True, f"{SUITE} --collect-only", 0, ["1/2 tests collected", "BROWSER_TESTS=0"]),
+        (None, False, "tests/check_site.py none", 0, [PACKAGES]),
+        ("0", True, "tests/check_site.py none", 0, ["BROWSER_TESTS=0"]),
+        ("1", False, "tests/check_site.py none", 1, [PACKAGES]),
+        (None, True, "tests/check_site.py none", 1, ["there are no pages"]),
+    ],
+)
+def test_what_is_left_out_is_said_and_what_is_demanded_must_be_there(
+    choice, present, command, code, said, tmp_path
+):
+    """The path of programs has one folder, with or without a browser in it."""
+    for name in ("chromium", "chromedriver") if present else ():
+        (tmp_path / name).write_text("#!/bin/sh\nexit 1\n")
+        (tmp_path / name).chmod(0o755)
+    environment = {k: v for k, v in os.environ.items() if not k.startswith(("PYTEST_", "BROWSER_"))}
+    environment |= {"PATH": str(tmp_path)} | ({"BROWSER_TESTS": choice} if choice else {})
+    done = subprocess.run(
+        [sys.executable, *command.split()], cwd=ROOT, env=environment, capture_output=True,
+        text=True, timeout=120, check=False,
+    )  # fmt: skip
+    printed = done.stdout + done.stderr
+    assert done.returncode == code, printed
+    assert all(text in printed for text in said), printed
+    assert ("left out" in printed) <= (PACKAGES in said or choice == "0")

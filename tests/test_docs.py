@@ -14,6 +14,7 @@ import pytest
 from arrangement import cli as arrangement_cli, read_arrangement
 from arrangement.enumeration.choose import ENGINES
 from arrangement.library.families import simplicial, simplicial_entries
+from arrangement.numbers import budget
 from arrangement.pictures.lab.lines import line_exercises
 from equilibrium.cli import program as equilibrium_cli
 from equilibrium.methods.registry import DECIDING
@@ -285,29 +286,26 @@ def test_numbers_on_pages_are_those_of_the_code():
         assert text.lower() in words.lower(), (page, text)
 
 
-#: The last words of a row of the table of limits: the constants that it names.
+#: The last words of a row of the table of limits: kinds of `budget.MOST`, or constants.
 LIMITS = {
-    "CSV file)": (
-        "arrangement.library.files.json_files:MAX_BYTES",
-        "equilibrium.grasps.inputs.csv_file:MAX_BYTES",
-    ),
-    "a certificate": ("equilibrium.grasps.files:MAX_CERTIFICATE_BYTES",),
+    "CSV file)": ("bytes of a file",),
+    "a certificate": ("bytes of a certificate",),
     "one number": ("arrangement.numbers.exact:MAX_TEXT_LENGTH",),
-    "space in a file": ("arrangement.library.files.documents:MAX_DIMENSION",),
-    "interactive page": (
-        "arrangement.pictures.sphere.globe:MAX_CIRCLES",
-        "arrangement.pictures.page.page:MAX_CIRCLES",
-    ),
-    "Hasse diagram": ("arrangement.pictures.diagrams.lattice:MAX_FLATS",),
+    "space in a file": ("coordinates",),
+    "planes in a picture": ("planes in a picture",),
+    "interactive page": ("great circles in a picture", "great circles on a page"),
+    "in a ball or cube": ("planes in a body", "cells in a picture"),
+    "Hasse diagram": ("flats of one rank in a picture",),
     "slip lab": ("equilibrium.pictures.lab.page:MAX_CONTACTS",),
     "arrangement lab": ("arrangement.pictures.lab.lines:MAX_PLANES",),
-    "is exponential": ("equilibrium.methods.contact_laws.frictionless_slip:MAX_CONTACTS",),
+    "is exponential": ("contacts with a choice of three states",),
+    "of one picture": ("directions in a picture", "wrenches in a picture"),
     "combinatorial types": ("arrangement.library.census.catalogue:MOST_PLANES",),
     "tables of types": (
         "arrangement.library.files.others.chirotope:MOST_ELEMENTS",
         "proofs_check.course.printed_table:MOST_PSEUDOLINES",
     ),
-    "in ``import``": ("arrangement.library.files.table:MAX_IMPORT_BYTES",),
+    "in ``import``; a record": ("bytes of a file of many arrangements", "bytes of a record"),
     "after the other": ("proofs_check.sweep.sweep:MOST", "arrangement.console.terminal:MOST"),
     "of a proof": ("equilibrium.certificate.checker:MAX_DEPTH",),
 }
@@ -317,6 +315,7 @@ def test_the_limits_on_the_page_are_those_of_the_code():
     text = (DOCS / "accuracy.rst").read_text(encoding="utf-8").partition("\nLimits of size\n")[2]
     rows = re.findall(r"   \* - (.+)\n     - (.+)", text.partition("There is no other")[0])[1:]
     assert len(rows) == len(LIMITS)
+    assert set(budget.MOST) == {x for names in LIMITS.values() for x in names if ":" not in x}
     for what, most in rows:
         (names,) = (names for end, names in LIMITS.items() if what.endswith(end))
         stated = [
@@ -324,5 +323,6 @@ def test_the_limits_on_the_page_are_those_of_the_code():
         ]
         for limit in names:
             module, _, constant = limit.partition(":")
-            value = getattr(importlib.import_module(module), constant)
+            held = vars(importlib.import_module(module)) if constant else budget.MOST
+            value = held[constant or limit]
             assert value in stated, (what, most, limit, value)

@@ -4,7 +4,7 @@ Options have forms, scenes know no format, labels cover nothing, legends have th
 keep what is told, TikZ shows the same items, and files repeat byte for byte.
 """
 
-import contextlib
+import json
 import os
 import re
 import subprocess
@@ -40,12 +40,11 @@ from arrangement.drawing.tikz.tikz import tikz
 from arrangement.pictures import DRAWINGS as OF_PLANES
 from arrangement.pictures.views import drawings_of, write_drawing
 from equilibrium import read_grasp
-from equilibrium.cli.program import main as draw_grasp
 from equilibrium.pictures import DRAWINGS as OF_GRASPS
 from tests.docpages import ROOT
 from tests.drawn import VIEWS, offences, scene
 from tests.instances import ARRANGEMENTS, PLANAR
-from tests.latex import RESOLUTION, Pixels, compiled, page_count, pages, unlike
+from tests.latex import RESOLUTION, Pixels, compiled, not_compiled, page_count, pages, unlike
 
 EVERY_VIEW = pytest.mark.parametrize(("drawings", "view"), VIEWS)
 
@@ -126,13 +125,6 @@ def test_a_page_of_normals_of_five_thousand_digits(tmp_path):
     assert "0" * 5000 in (tmp_path / "a.html").read_text(encoding="utf-8")
 
 
-def test_a_slice_takes_the_preload_of_its_last_part(tmp_path):
-    command = ["draw", "paper-three-contacts", "--view", "slice", "--preload", "2"]
-    assert draw_grasp([*command, "-o", str(tmp_path / "a.svg")]) == 0
-    made = scene(OF_GRASPS, "slice", "paper-three-contacts", preload=2)
-    assert "(c) preload 2" in {item.text for item in made.items if isinstance(item, Label)}
-
-
 @pytest.mark.parametrize(
     ("planes", "names"), [("braid-a3", "xyz"), ("paper-three-contacts", "xyr")]
 )
@@ -173,16 +165,8 @@ OTHER_OPTIONS: list[tuple[str, str, dict[str, Any]]] = [
 
 
 @pytest.mark.campaign
-@pytest.mark.parametrize("name", PLANAR)
-@pytest.mark.parametrize("view", OF_PLANES.views)
-def test_no_label_is_cut_off_or_covers_another_or_an_edge(view, name):
-    with contextlib.suppress(InputError):  # some views refuse affine planes, or other spaces
-        assert offences(laid_out(scene(OF_PLANES, view, name))) == []
-
-
-@pytest.mark.campaign
 @pytest.mark.parametrize(("view", "name", "options"), OTHER_OPTIONS)
-def test_nor_with_other_options(view, name, options):
+def test_no_label_is_cut_off_or_covers_another_or_an_edge(view, name, options):
     assert offences(laid_out(scene(OF_PLANES, view, name, **options))) == []
 
 
@@ -390,9 +374,9 @@ def test_styles_are_those_of_the_roles_and_all_is_plain_text(drawings, view):
     assert r"\documentclass" not in text
 
 
-def document(folder: Path, scenes: list[Scene], texts: list[str]) -> Path:
+def document(folder: Path, papers: Sequence[Any], texts: Sequence[str]) -> Path:
     """Return a document with fragments on pages of their own."""
-    width, height = (max(s.paper[k] for s in scenes) for k in (0, 1))
+    width, height = (max(paper[k] for paper in papers) for k in (0, 1))
     paper = f"paperwidth={width}mm,paperheight={height + 1}mm,margin=0mm"
     head = [
         r"\RequirePackage{fix-cm}\documentclass{article}",
@@ -406,7 +390,7 @@ def document(folder: Path, scenes: list[Scene], texts: list[str]) -> Path:
 
 def differences(folder: Path, scenes: list[Scene], texts: list[str]) -> Iterator[float]:
     """Compile fragments on pages of one document; yield how unlike they are to our own PDF."""
-    source = document(folder, scenes, texts)
+    source = document(folder, [made.paper for made in scenes], texts)
     for k, (made, drawn) in enumerate(zip(scenes, pages(compiled(source)), strict=True)):
         own = folder / f"own-{k}.pdf"
         own.write_bytes(picture_bytes(".pdf", lambda made=made: figure(made)))
@@ -496,25 +480,12 @@ def test_letters_of_every_view_are_where_ours_are(tmp_path):
     """On pages of one document, in the corner of each."""
     views = [scene(drawings, view) for drawings, view in VIEWS]
     scenes = [sheet for made in views for sheet in (made, without_labels(made))]
-    source = document(tmp_path, scenes, [tikz(sheet, fragment=True) for sheet in scenes])
+    texts = [tikz(sheet, fragment=True) for sheet in scenes]
+    source = document(tmp_path, [sheet.paper for sheet in scenes], texts)
     drawn = pages(compiled(source))
     for made, sheet, bare in zip(views, drawn[::2], drawn[1::2], strict=True):
         columns, rows = (round(length / 25.4 * RESOLUTION) for length in made.paper)
         check_letters(made, sheet[:rows, :columns], bare[:rows, :columns])
-
-
-@pytest.mark.campaign
-@pytest.mark.usefixtures("latex")
-@pytest.mark.parametrize("name", PLANAR)
-def test_all_pictures_of_all_instances_compile(name, tmp_path):
-    """On pages of one document; what a view refuses has no picture."""
-    found = []
-    for drawings, view in VIEWS:
-        with contextlib.suppress(InputError):
-            found.append(scene(drawings, view, name))
-    source = document(tmp_path, found, [tikz(made, fragment=True) for made in found])
-    assert found
-    assert page_count(compiled(source)) == len(found)
 
 
 # Repetition.
@@ -523,14 +494,16 @@ def test_all_pictures_of_all_instances_compile(name, tmp_path):
 #: Draws views of some instances and prints a digest of each file. What the second list names is
 #: drawn in all formats: writers read scenes alone, so a scene that is the same in SVG and TikZ is
 #: the same in all; the rest is drawn in these two. What the third list names is tried in the other
-#: formats as well, in few pixels: every warning is an error.
+#: formats as well, in few pixels: every warning is an error. If a file is named, the pictures as
+#: TikZ go there, with their sizes and what is wrong with labels of planes.
 SCRIPT = """
-import hashlib, io, sys
+import hashlib, io, json, pathlib, sys
 from arrangement import InputError
 from arrangement.drawing.figure import figure
 from arrangement.drawing.output import PICTURES, own_settings, picture_bytes
+from arrangement.drawing.scene.layout import laid_out
 from arrangement.drawing.tikz.tikz import tikz
-from tests.drawn import OF_PLANES, VIEWS, scene
+from tests.drawn import OF_PLANES, VIEWS, offences, scene
 
 def draw(name, drawings, view):
     with own_settings():
@@ -538,6 +511,9 @@ def draw(name, drawings, view):
             made = scene(drawings, view, name)
         except InputError:
             return
+        if kept:
+            wrong = offences(laid_out(made)) if drawings is OF_PLANES else []
+            found.append((name, view, made.paper, tikz(made, fragment=True), wrong))
         contents = {".tex": tikz(made).encode()}
         for end in ("pdf", "png") if drawings is OF_PLANES and name in tried else ():
             figure(made).savefig(io.BytesIO(), format=end, dpi=40)
@@ -546,19 +522,22 @@ def draw(name, drawings, view):
     for end, content in contents.items():
         print(name, view, end, hashlib.sha256(content).hexdigest())
 
-names, whole, tried = (set(given.split(",")) for given in sys.argv[1:])
+names, whole, tried = (set(given.split(",")) for given in sys.argv[1:4])
+kept, found = sys.argv[4], []
 for drawings, view in VIEWS:
     for name in names:
         draw(name, drawings, view)
+if kept:
+    pathlib.Path(kept).write_text(json.dumps(found), encoding="utf-8")
 """
 WHOLE = ["braid-a3", "shi-a2-affine", "paper-three-contacts-preload-1"]
 
 
-def digests(names: Sequence[str], tried: Sequence[str], seed: str) -> list[str]:
+def digests(names: Sequence[str], tried: Sequence[str], seed: str, kept: str = "") -> list[str]:
     """Return a line for each picture that there is, drawn with a seed of hashes."""
     lists = (names, WHOLE, tried)
     done = subprocess.run(
-        [sys.executable, "-W", "error", "-c", SCRIPT, *map(",".join, lists)],
+        [sys.executable, "-W", "error", "-c", SCRIPT, *map(",".join, lists), kept],
         env={**os.environ, "PYTHONHASHSEED": seed},
         cwd=ROOT,
         capture_output=True,
@@ -572,8 +551,14 @@ def digests(names: Sequence[str], tried: Sequence[str], seed: str) -> list[str]:
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("part", range(4))
-def test_all_pictures_of_all_instances_repeat(part):
-    names = PLANAR[part::4]
-    one, other = digests(names, ARRANGEMENTS, "3"), digests(names, [], "4")
+def test_all_pictures_of_all_instances_repeat_keep_labels_apart_and_compile(part, tmp_path):
+    """The pictures of each instance on pages of one document; what a view refuses has none."""
+    names, kept = PLANAR[part::4], tmp_path / "kept.json"
+    one = digests(names, ARRANGEMENTS, "3", str(kept))
     assert {line.split()[0] for line in one} == set(names)
-    assert one == other
+    assert one == digests(names, [], "4")
+    found = json.loads(kept.read_text(encoding="utf-8"))
+    assert [(name, view, wrong) for name, view, _, _, wrong in found if wrong] == []
+    for name in names if not_compiled() is None else ():
+        papers, texts = zip(*((x[2], x[3]) for x in found if x[0] == name), strict=True)
+        assert page_count(compiled(document(tmp_path, papers, texts))) == len(texts)

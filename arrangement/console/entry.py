@@ -3,9 +3,23 @@
 from __future__ import annotations
 
 import sys
-import traceback
 from collections.abc import Callable, Sequence
 from importlib import import_module
+from typing import Any
+
+try:
+    from lazy_loader import attach_stub as attach_stub
+except ModuleNotFoundError as missing:
+    _missing = missing
+
+    def attach_stub(package_name: str, filename: str) -> tuple[Any, Any, list[str]]:
+        """Without lazy_loader packages can be imported; their names say what is missing."""
+
+        def absent(name: str) -> None:
+            raise _missing
+
+        return absent, list, []
+
 
 #: EX_SOFTWARE of sysexits.h: a fault must never look like a "no".
 FAULT = 70
@@ -28,14 +42,18 @@ def entry(module: str) -> Callable[..., int]:
 def fault(error: Exception, argv: Sequence[str] | None) -> int:
     """Say in one line on stderr what was not expected, or with ``--traceback`` all; return 70."""
     if "--traceback" in (sys.argv if argv is None else argv):
+        import traceback
+
         traceback.print_exc()
     what = "".join(c if c.isprintable() else " " for c in str(error)[:120])
+    text = (
+        f"error: a fault of the program, no answer: {type(error).__name__}: {what}; please report "
+        "it with the command, as CONTRIBUTING.md says (--traceback shows where)"
+    )
+    if isinstance(error, ModuleNotFoundError):
+        text = f"error: no answer: the module {error.name} is missing; install slipstates again"
     if sys.stderr is not None:
-        print(
-            f"error: a fault of the program, no answer: {type(error).__name__}: {what}; please "
-            "report it with the command, as CONTRIBUTING.md says (--traceback shows where)",
-            file=sys.stderr,
-        )
+        print(text, file=sys.stderr)
     return FAULT
 
 

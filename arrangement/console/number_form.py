@@ -43,6 +43,25 @@ class Shown:
         return table(self, _names(self))
 
 
+class Documented(Shown):
+    """A value with a JSON form: the attributes that `in_document` names."""
+
+    __slots__ = ()
+    in_document: ClassVar[tuple[str, ...]]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form; exact numbers are strings, null means no end (or none)."""
+        return {name: _json_form(getattr(self, name)) for name in self.in_document}
+
+
+def _json_form(value: Any) -> Any:
+    if isinstance(value, Fraction):
+        return to_text(value)
+    if isinstance(value, tuple):
+        return [_json_form(entry) for entry in value]
+    return value.to_dict() if hasattr(value, "to_dict") else value
+
+
 def table(value: object, names: Iterable[str]) -> str:
     """Return attributes of a value as an HTML table, without those that are empty."""
     cells = "".join(

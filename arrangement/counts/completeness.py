@@ -14,6 +14,7 @@ from arrangement.console.number_form import Shown
 from arrangement.numbers.linear.rank import rank
 from arrangement.planes.faces import Face
 from arrangement.planes.planes import Planes
+from arrangement.planes.proved import proved_complete, proved_f_vector
 
 from . import f_vector
 
@@ -44,7 +45,9 @@ class CompletenessEvidence(Shown):
         return self.complete
 
 
-def certify_complete(arrangement: Planes, faces: Iterable[Face]) -> CompletenessEvidence:
+def certify_complete(
+    arrangement: Planes, faces: Iterable[Face], *, proved: bool = False
+) -> CompletenessEvidence:
     """Check that a list of faces is the whole list, each face once.
 
     For every face: its witness has its signs, and its dimension is d minus the rank of the
@@ -53,6 +56,8 @@ def certify_complete(arrangement: Planes, faces: Iterable[Face]) -> Completeness
     Args:
         arrangement: any arrangement.
         faces: the list to check, whoever made it.
+        proved: let the program that is proved in Coq (`make formal`) count the faces and check
+            the list too.
 
     Complexity: O(m d) exact operations for each face, and the count (`counts.f_vector`).
 
@@ -62,7 +67,8 @@ def certify_complete(arrangement: Planes, faces: Iterable[Face]) -> Completeness
     >>> evidence.complete, evidence.theorem
     (True, (1, 6, 6))
     """
-    theorem = f_vector(arrangement)
+    theorem = proved_f_vector(arrangement) if proved else f_vector(arrangement)
+    faces = list(faces) if proved else faces
     problems: list[str] = []
     counted = [0] * (arrangement.dimension + 1)
     ranks: dict[tuple[int, ...], int] = {}
@@ -79,6 +85,8 @@ def certify_complete(arrangement: Planes, faces: Iterable[Face]) -> Completeness
     for k, (here, there) in enumerate(zip(counted, theorem, strict=True)):
         if here != there:
             problems.append(f"{here} faces of dimension {k} hold; there are {there}")
+    if proved and not problems and not proved_complete(arrangement, faces):
+        problems.append("the proved program refuses the list")
     return CompletenessEvidence(tuple(counted), theorem, tuple(problems[:_MAX_PROBLEMS]))
 
 

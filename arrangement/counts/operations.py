@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from math import lcm
 from typing import Any, TypeVar
+
+import numpy as np
 
 from arrangement.errors import InputError
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
+    largest,
     one_way,
     primitive,
     quotient,
     rational_vector,
     unoriented,
 )
-from arrangement.numbers.linear.rank import ask_elimination, rank
+from arrangement.numbers.linear.rank import ask_elimination, echelon, rank
 from arrangement.numbers.real_entries import entry
 from arrangement.numbers.symbolic import entries, exact_matrix
 from arrangement.planes.planes import Planes
@@ -190,7 +193,7 @@ def flat_chart(arrangement: Planes, planes: Indices) -> Chart:
 
 def _on_flat(arrangement: Planes, chart: Chart) -> list[list[int]]:
     """Return a positive multiple of every plane ``(n, b)`` in the coordinates of a chart."""
-    scale = lcm(*(x.denominator for x in chart.origin))
+    scale = math.lcm(*(x.denominator for x in chart.origin))
     columns = [[*(scale * x for x in vector), 0] for vector in chart.basis]
     columns.append([*((-scale * x).numerator for x in chart.origin), scale])
     inserted = exact_matrix(columns, arrangement.dimension + 1).transpose()
@@ -226,26 +229,34 @@ def _parts(arrangement: Planes) -> list[list[IntegerVector]]:
         normal = unoriented(plane[:-1]) if plane[-1] else one_way(plane[:-1])
         parallel.setdefault(normal, []).append(plane)
     normals = list(parallel)
-    few = normals[: 4 * arrangement.dimension]
-    if arrangement.rank == len(normals):
-        parts = [{i} for i in range(len(normals))]
-    elif len(few) < len(normals) and rank(few) == arrangement.rank and len(_circuits(few)) == 1:
-        parts = [set(range(len(normals)))]  # each of the others is in a circuit with some of these
-    else:
-        parts = _circuits(normals)
+    independent = arrangement.rank == len(normals)
+    parts = [{i} for i in range(len(normals))] if independent else _circuits(normals)
     return [[plane for i in sorted(part) for plane in parallel[normals[i]]] for part in parts]
 
 
 def _circuits(normals: Sequence[IntegerVector]) -> list[set[int]]:
-    """Return the finest parts that split no circuit of normals."""
+    """Return the finest parts that split no circuit of normals.
+
+    Where the rank modulo a prime is the true one, parts are split there as well.
+    """
     columns = list(zip(*normals, strict=True))
+    if largest(normals) < math.inf:
+        rows, _ = echelon(columns)
+        parts = _joined(set(np.flatnonzero(row).tolist()) for row in rows)
+        if sum(rank([normals[i] for i in part]) for part in parts) == len(rows):
+            return parts
     ask_elimination(columns, len(normals))
+    exact = exact_matrix(columns, len(normals)).rref_den()[0].to_sparse().rep.values()
+    return _joined(set(row) for row in exact)
+
+
+def _joined(circuits: Iterable[set[int]]) -> list[set[int]]:
+    """Return the parts of rows: a plane and those that its column has are a circuit."""
     parts: list[set[int]] = []
-    for row in exact_matrix(columns, len(normals)).rref_den()[0].to_sparse().rep.values():
-        # a plane and those that its column has are a circuit
+    for row in circuits:
         joined = [part for part in parts if not part.isdisjoint(row)]
         parts = [part for part in parts if part.isdisjoint(row)]
-        parts.append(set(row).union(*joined))
+        parts.append(row.union(*joined))
     return parts
 
 

@@ -6,16 +6,19 @@ Everything here is read off one table: the sums of |mu(X, Y)| over flats X <= Y 
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from functools import partial
+from importlib import import_module
+from importlib.util import find_spec
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from arrangement.console.number_form import table
-from arrangement.counts.classes.symmetric import flats_and_faces
 from arrangement.errors import InputError
+from arrangement.numbers.exact import shown
 from arrangement.planes.planes import Planes
 
-from .classes.symmetric import first_whitney_numbers
-from .configuration import configuration
+from .configuration import Configuration, configuration
 from .lattice import intersection_lattice
 from .low_rank import MAX_RANK, WhitneyMatrix, whitney_matrix
 from .operations import over_factors
@@ -66,11 +69,77 @@ def whitney_numbers(arrangement: Planes) -> WhitneyNumbers:
         unsigned, second = table[0], tuple(row[k] for k, row in enumerate(table))
     else:
         first = first_whitney_numbers(arrangement)
-        by_classes = flats_and_faces(arrangement, config, faces=False)
-        if by_classes is not None:
+        if (by_classes := _flats_and_faces(arrangement, config, faces=False)) is not None:
             return WhitneyNumbers(first, by_classes[0])
         return WhitneyNumbers(first, tuple(map(len, intersection_lattice(arrangement).masks)))
     return WhitneyNumbers(tuple((-1) ** j * value for j, value in enumerate(unsigned)), second)
+
+
+def first_whitney_numbers(
+    arrangement: Planes,
+    *,
+    symmetry: Sequence[Sequence[int]] | None = None,
+    time_limit: float | None = None,
+) -> tuple[int, ...]:
+    """Return the sums of mu(X) over the flats X of rank 0, 1, ...: the coefficients of chi.
+
+    Linear symmetries of the normals (of the cone, if planes miss the origin) are found and used;
+    up to rank 4 (affine: 3) the formulas of `low_rank` are faster, unless symmetries are given.
+
+    Args:
+        symmetry: permutations of the planes to be used in place of those that a search finds;
+            plane i goes to entry i. An empty list means none.
+        time_limit: in seconds.
+
+    Raises:
+        InputError: a permutation that no linear map makes of the planes.
+        TimeLimitError: the time is over; its `known` has the numbers that are final.
+
+    Complexity: with m planes and c classes of flats of rank at most r - 2 (affine: r - 1), O(c m)
+    operations modulo primes, and as many images of sets as classes have covers.
+
+    Source: [Weisner1935]; [BrysiewiczEbleKuehne2023] for the use of symmetries.
+
+    >>> from arrangement.library import families
+    >>> first_whitney_numbers(families.resonance(6))
+    (1, -63, 1652, -22435, 159460, -510524, 371909)
+    """
+    deadline = deadline_after(time_limit)
+    if symmetry is None:
+        found = over_factors(arrangement, partial(first_whitney_numbers, time_limit=time_limit))
+        if found is not None:
+            return found
+    config = configuration(arrangement)
+    if (config.rank > MAX_RANK or (config.rank and symmetry is not None)) and (annex := _annex()):
+        found = annex.first_numbers(arrangement, config, symmetry, time_limit, deadline)
+        return tuple(found)
+    row = doubly_indexed_whitney_numbers(arrangement)[0]
+    return tuple((-1) ** k * value for k, value in enumerate(row))
+
+
+def deadline_after(time_limit: float | None) -> float:
+    """Return when so many seconds are over, by the monotonic clock."""
+    if time_limit is None:
+        return math.inf
+    if not time_limit > 0:
+        raise InputError(f"time_limit is {shown(time_limit)}; give a positive number of seconds")
+    return time.monotonic() + time_limit
+
+
+def _annex() -> Any:
+    """Return what counts one flat of each class under symmetries, or None if it was taken away."""
+    name = "arrangement.counts.classes"
+    return import_module(f"{name}.symmetric") if find_spec(name) else None
+
+
+def _flats_and_faces(
+    arrangement: Planes, config: Configuration, *, faces: bool
+) -> tuple[tuple[int, ...], tuple[int, ...]] | None:
+    if config.rank <= MAX_RANK or not (annex := _annex()):
+        return None
+    found: tuple[tuple[int, ...], tuple[int, ...]] | None
+    found = annex.flats_and_faces(arrangement, config, faces=faces)
+    return found
 
 
 def characteristic_polynomial(
@@ -146,10 +215,8 @@ def _faces_by_codimension(arrangement: Planes) -> tuple[int, ...]:
     if product is not None:
         return product
     config = configuration(arrangement)
-    if config.rank > MAX_RANK:
-        by_classes = flats_and_faces(arrangement, config, faces=True)
-        if by_classes is not None:
-            return by_classes[1]
+    if (by_classes := _flats_and_faces(arrangement, config, faces=True)) is not None:
+        return by_classes[1]
     return tuple(map(sum, doubly_indexed_whitney_numbers(arrangement)))
 
 

@@ -18,6 +18,7 @@ import numpy as np
 
 from arrangement.enumeration.choose import enumerate_faces
 from arrangement.errors import InputError, refusal
+from arrangement.numbers import budget
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
@@ -32,8 +33,6 @@ from arrangement.planes.planes import Planes
 
 #: The edges of the icosahedron are cut into so many parts; the ball has 10 n^2 + 2 corners.
 _FREQUENCY = 16
-#: Distinct planes beyond which neither a picture nor a model shows anything.
-_MAX_PLANES = 40
 
 Faces = tuple[tuple[int, ...], ...]
 
@@ -87,10 +86,7 @@ def body_around(
         raise InputError(
             f"the planes lie in R^{arrangement.dimension}; a ball or cube can show those of R^3"
         )
-    if len(arrangement.distinct) > _MAX_PLANES:
-        raise InputError(
-            f"{len(arrangement.distinct)} distinct planes; at most {_MAX_PLANES} can be shown"
-        )
+    budget.keep(len(arrangement.distinct), "planes in a body")
     middle, reach = _extent(arrangement)
     if centre is not None:
         middle = rational_vector(centre, "centre")

@@ -1,5 +1,5 @@
 """Arrangements by name: families with parameters, built-in instances, and the census of types."""
 
-import lazy_loader
+from arrangement.console.entry import attach_stub
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

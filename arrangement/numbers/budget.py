@@ -19,6 +19,23 @@ from arrangement.errors import InputError, OutOfReachError
 
 #: What a question may take; and the seconds of work that tells how far it is.
 FACES, BYTES, SECONDS, TOLD = 20_000_000, 400 * 2**20, 10, 300
+#: What is read, shown or tried at most.
+MOST = {
+    "bytes of a file": 4 * 2**20,
+    "bytes of a certificate": 64 * 2**20,
+    "bytes of a file of many arrangements": 64 * 2**20,
+    "bytes of a record": 256 * 2**20,
+    "coordinates": 1000,
+    "planes in a picture": 1000,
+    "great circles in a picture": 60,
+    "great circles on a page": 30,
+    "planes in a body": 40,
+    "cells in a picture": 400,
+    "flats of one rank in a picture": 500,
+    "contacts with a choice of three states": 12,
+    "directions in a picture": 720,
+    "wrenches in a picture": 24,
+}
 #: So many times.
 _times: ContextVar[float] = ContextVar("_times", default=1.0)
 
@@ -42,6 +59,27 @@ def limit(times: float) -> Iterator[None]:
 def times() -> float:
     """Return how many times the usual budget is allowed now."""
     return _times.get()
+
+
+def most(kind: str) -> int:
+    """Return how many are allowed now, of a kind of `MOST`."""
+    return int(min(MOST[kind] * times(), 1e18))
+
+
+def keep(number: int, kind: str, where: str = "") -> None:
+    """Refuse more of a kind than `MOST` has.
+
+    Args:
+        where: they are.
+
+    Raises:
+        OutOfReachError: with what allows them.
+    """
+    if number > most(kind):
+        raise OutOfReachError(
+            f"{where}{': ' * bool(where)}{number:,} {kind}; at most {most(kind):,} are allowed, or "
+            f"more with --limit {math.ceil(number / MOST[kind])}"
+        )
 
 
 def excess(*, faces: float = 0, bytes: float = 0, seconds: float = 0, told: float = 0) -> float:

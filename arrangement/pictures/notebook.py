@@ -7,8 +7,8 @@ from html import escape
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.output import require_matplotlib, svg_text
 from arrangement.errors import MissingExtraError
+from arrangement.numbers import budget
 
-from .sphere.globe import MAX_CIRCLES
 from .sphere.sphere import draw_sphere
 
 #: Faces are counted for a table only where that takes no time worth noticing.
@@ -47,4 +47,4 @@ def _has_picture(arrangement: Arrangement) -> bool:
         require_matplotlib()
     except MissingExtraError:
         return False
-    return len(arrangement.distinct) <= MAX_CIRCLES
+    return len(arrangement.distinct) <= budget.most("great circles in a picture")

@@ -57,6 +57,7 @@ from .reading import (
     read_question,
     read_range,
 )
+from .robust import Bounds, read_bounds, robust_problem
 from .space import SpatialQuestion, State, spatial_law_problem, spatial_leaf_problem, split_states
 
 #: A grasp and a wrench.
@@ -78,6 +79,7 @@ class Report(Shown):
         compared: whether the question that it is about was compared with one asked.
         grasp, wrench: that question.
         within: the range in which equilibria count.
+        bounds: of the grasps for all of which it holds; None: it is about one.
     """
 
     kind: str
@@ -88,6 +90,7 @@ class Report(Shown):
     grasp: Grasp = field(default_factory=Grasp)
     wrench: RationalVector = ()
     within: Range = NO_RANGE
+    bounds: Bounds | None = None
     shown_fields = ("kind", "problem", "leaves", "pyramid", "compared")
 
     def __bool__(self) -> bool:
@@ -118,6 +121,8 @@ class Report(Shown):
         if self.pyramid is not None:
             found["pyramid"] = self.pyramid
         found |= self.within.to_dict()
+        if self.bounds is not None:
+            found["bounds"] = self.bounds.to_dict()
         about = {"wrench": list(map(to_text, self.wrench)), "grasp": self.grasp.to_dict()}
         return {
             "valid": bool(self),
@@ -173,7 +178,10 @@ def check(
     """
     kind, grasp, wrench = read_question(document)
     bounds = read_range(document)
-    if kind == "resisted":
+    if "bounds" in document:
+        problem, leaves = robust_problem(document, grasp, wrench)
+        report = Report(kind, problem, leaves, bounds=read_bounds(document))
+    elif kind == "resisted":
         report = Report(kind, _equilibrium_problem(document, grasp, wrench, bounds))
     elif grasp.dimension == 3:
         report = _spatial_report(document, grasp, wrench, bounds)

@@ -92,6 +92,17 @@ def refuted_certificate(
     return _certificate("not resisted", grasp, wrench, pyramid, within, tree=tree)
 
 
+def bounded_certificate(
+    kind: str, grasp: Grasp, wrench: RationalVector, parts: dict[str, Any]
+) -> Certificate:
+    """Return the certificate of a verdict for all grasps within bounds.
+
+    Args:
+        parts: "bounds", "box" and "faces", in the form of `equilibrium.certificate.robust`.
+    """
+    return _certificate(kind, grasp, wrench, **parts)
+
+
 def _certificate(
     kind: str,
     grasp: Grasp,

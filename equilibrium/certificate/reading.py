@@ -28,6 +28,9 @@ the tree may be ``{"plane": [u, v], "tree": node}`` with two axes of the plane, 
 planar tree in coordinates along these. An equilibrium that has no
 rational numbers is shown by an "enclosure", see `equilibrium.certificate.enclosure`.
 
+With "bounds" in the certificate it is about all grasps within them, and in another form, that of
+`equilibrium.certificate.robust`.
+
 With "largest_turn" or "largest_force" in the certificate only equilibria in this range count, see
 `equilibrium.model.range`. Then a leaf ``{"virtual_motion": ..., "multipliers": ..., "range":
 {"turn": [v, u], "forces": {"4": rho}}}`` may use it; u has three numbers in space.
@@ -137,18 +140,23 @@ def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
         raise CertificateError(f"certificate is {shown(kind)}; known are {', '.join(_KEYS)}")
     common = ("schema_version", "certificate", "grasp", "wrench")
     shown_by = ("enclosure",) if "enclosure" in document else _KEYS[kind]
+    if "bounds" in document:
+        check_keys(document, (*common, "bounds", "box", "faces"), (), "the certificate")
+        return kind, *_grasp_and_wrench(document)
     check_keys(document, (*common, *shown_by), ("pyramid", *_RANGE), "the certificate")
-    if isinstance(document["grasp"], Mapping) and "outline" in document["grasp"]:
-        raise CertificateError("the grasp of a certificate has no outline; leave it out")
-    grasp = Grasp.from_dict(document["grasp"])
-    wrench = read_wrench(check_list(document["wrench"], "wrench"), grasp.dimension)
+    grasp, wrench = _grasp_and_wrench(document)
     if "enclosure" in document and (kind, grasp.dimension) != ("resisted", 3):
         raise CertificateError("an enclosure shows that a grasp in space resists")
     if "pyramid" in document and ("enclosure" in document or grasp.dimension != 3):
         raise CertificateError("a pyramid is for a grasp in space, and needs no enclosure")
-    if "pyramid" in document and read_range(document):
-        raise CertificateError("a pyramid has no largest turn and no largest force")
     return kind, grasp, wrench
+
+
+def _grasp_and_wrench(document: Mapping[str, Any]) -> tuple[Grasp, RationalVector]:
+    if isinstance(document["grasp"], Mapping) and "outline" in document["grasp"]:
+        raise CertificateError("the grasp of a certificate has no outline; leave it out")
+    grasp = Grasp.from_dict(document["grasp"])
+    return grasp, read_wrench(check_list(document["wrench"], "wrench"), grasp.dimension)
 
 
 def read_range(document: Mapping[str, Any]) -> Range:

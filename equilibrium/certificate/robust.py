@@ -1,36 +1,65 @@
-"""Proofs of a verdict for all grasps within bounds, in intervals that are rounded outwards.
+"""Proofs of a verdict for all grasps within bounds: nothing balances the load on a closed surface.
 
-Normals turn by an angle t up to a bound: ``n' = cos t n + sin t u`` for a unit vector u across n,
-and tangents turn along; here cosines and sines are taken as independent numbers of their ranges.
-Points, friction, stiffness and preload have ranges of their own.
+A grasp within bounds has each normal turned by an angle of at most t, each coordinate of a point
+moved, and friction, stiffness and preload changed by a share. The surface is cut into cells, each
+the hull of its corners. A leaf is a virtual motion lambda on which load and contacts do work above
+0 all over its cell, whatever the grasp is; each contact is bounded by itself, so nothing is lost
+but what its own numbers have in common beyond first order (`Affine`).
 
-"Not resisted": the regions of a tree do not depend on the grasp; its leaves must hold for all.
-"Resisted": unknowns are the motion d and friction forces z of some sticking contacts ("pillars"),
-equations are the balance and ``T . d = 0`` at pillars. If the test of Krawczyk (see
-`equilibrium.certificate.enclosure`) maps a box into itself for all grasps at once, each has a
-solution in it; the law must hold in the whole box. Other sticking contacts have fixed shares of
-their limits; then the pillars must be as many as motions have dimensions, so that d = 0.
+"Not resisted": homogeneous motions ``(y_0, s_1 y_1, ..., s_n y_n)``, ``y_0 >= 0``, with scales s;
+the surface is the part of the cube with ``y_0 = 1`` or some ``y_k = +-1``, which each ray meets.
+
+"Resisted": motions ``c + sum y_k a_k`` around a centre, and on the whole surface of the cube
+``|y_k| <= 1`` lambda does work above 0 on the loads ``-sum y_k b_k`` as well. What is left over of
+all forces is a set that is convex, and changes with the motion without a jump outwards. On the way
+from it to these loads nothing is 0 on the surface, so both have one degree there. That of the loads
+is 1 or -1, as they are linear and not 0 on the surface: inside there is an equilibrium. The same is
+said of friction forces ``f + sum y_k g_k`` of all contacts at rest, none of them above its limit.
+
+``{"schema_version": 3, "certificate": kind, "grasp": ..., "wrench": ..., "bounds": {"degrees":
+"1/2", ...}, "box": box, "faces": [nodes]}``. A box is ``{"scales": s}``, or ``{"centre": c, "axes":
+[a], "loads": [b]}``, or ``{"forces": f, "axes": [g], "loads": [b]}``; f and g have the tangential
+forces of all contacts in a row.
+Faces are ``y_0 = 1`` (if there are scales), ``y_1 = -1``, ``y_1 = 1``, ``y_2 = -1``, ... A node is
+lambda, or ``{"cut": k, "children": [low, high]}``, which halves the cell along y_k.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import product as choices
+from functools import cache
+from itertools import product
 from typing import Any, NamedTuple
 
 from arrangement.console.number_form import Shown
-from arrangement.numbers.exact import RationalVector, dot, rational, shown
-from equilibrium.model.contact import Contact
-from equilibrium.model.errors import GraspError
+from arrangement.library.files.json_files import check_keys, check_list
+from arrangement.numbers.exact import (
+    IntegerVector,
+    RationalVector,
+    dot,
+    primitive,
+    rational,
+    rational_vector,
+    shown,
+    to_text,
+)
+from arrangement.numbers.linear.rank import determinant
+from equilibrium.model.contact import VALUES, Contact, wrench_at
+from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp
 
-from .enclosure import BrokenLaw, Interval, Linear, interval, product, total, unit_slip
-from .reading import Split, read_node, read_plane
-
-_ZERO = Interval(0, 0)
+_BITS = 128
+_ONE = 1 << _BITS
+#: Halvings of one cell.
+MOST_CUTS = 200
+_NAMES: dict[str, Fraction | int] = {
+    "degrees": 45,
+    "length": 10**9,
+    **dict.fromkeys(VALUES, Fraction(99, 100)),
+}
 
 
 @dataclass(frozen=True, repr=False)
@@ -53,248 +82,369 @@ class Bounds(Shown):
     preload: Fraction = Fraction(0)
 
     def __init__(self, **given: Any) -> None:
-        most = {"degrees": 45, "length": 10**9}
-        for name in ("degrees", "length", "friction", "stiffness", "preload"):
+        for name, most in _NAMES.items():
             value = given.pop(name, 0)
             percent = isinstance(value, str) and value.endswith("%")
             found = rational(value.removesuffix("%") if percent else value, name)
             found /= 100 if percent else 1
-            if not 0 <= found <= most.get(name, Fraction(99, 100)):
+            if not 0 <= found <= most:
+                share = ", a share of the value as 0.05 or 5%" if name in VALUES else ""
                 raise GraspError(
-                    f"{name} is {shown(value)}; give a number from 0 to "
-                    f"{most.get(name, '0.99, a share of the value as 0.05 or 5%')}"
+                    f"{name} is {shown(value)}; give a number from 0 to {float(most):.12g}{share}"
                 )
             object.__setattr__(self, name, found)
         if given:
-            raise GraspError(
-                f"{shown(min(given))} is no bound; known are degrees, length, friction, stiffness "
-                "and preload"
-            )
+            raise GraspError(f"{shown(min(given))} is no bound; known are {', '.join(_NAMES)}")
 
     @property
     def angle(self) -> Fraction:
         """A little more than `degrees` in radians."""
         return self.degrees * Fraction(355, 113 * 180)
 
+    def to_dict(self) -> dict[str, str]:
+        """Return the file form."""
+        return {name: to_text(getattr(self, name)) for name in _NAMES}
+
     def __str__(self) -> str:
         angle, length = (f"{float(x):g}" for x in (self.degrees, self.length))
         words = [f"normals within {angle} degrees"] if self.degrees else []
         words += [f"points within {length}"] if self.length else []
-        for name in ("friction", "stiffness", "preload"):
+        for name in VALUES:
             if share := getattr(self, name):
                 words.append(f"{name} within {float(100 * share):g} per cent")
         return ", ".join(words) or "no change"
 
 
-class Ranges(NamedTuple):
-    """What a contact may be: wrenches of unit forces along normal and tangents, and values."""
+class Affine(NamedTuple):
+    """All numbers ``centre + sum parts[k] x_k + rest z``, with x_k and z from -1 to 1.
 
-    rows: tuple[tuple[Interval, ...], ...]
-    friction: Interval
-    stiffness: Interval
-    preload: Interval
-
-
-def _around(x: Fraction, away: Fraction) -> Interval:
-    return Interval(interval(x - away).low, interval(x + away).high)
-
-
-def ranges_of(contact: Contact, bounds: Bounds) -> Ranges:
-    """Return the ranges of a contact."""
-    axes, turn = (contact.normal, *contact.tangents), bounds.angle
-    near, away = _around(Fraction(1), Fraction(0)), _around(Fraction(0), turn)
-    near = Interval(interval(1 - turn * turn / 2).low, near.high)
-    slight = _around(Fraction(0), turn * turn / 2)
-    point = [_around(x, bounds.length) for x in contact.point]
-    rows = []
-    for j in range(len(axes)):
-        shares = [near if k == j else away if 0 in (j, k) else slight for k in range(len(axes))]
-        along = [
-            product(shares, [interval(x) for x in column]) for column in zip(*axes, strict=True)
-        ]
-        pairs = [(0, 1)] if len(point) == 2 else [(1, 2), (2, 0), (0, 1)]
-        torque = [
-            point[a].times(along[b]).plus(point[b].times(along[a]).negative()) for a, b in pairs
-        ]
-        rows.append((*along, *torque))
-    values = (
-        _around(x, x * share)
-        for x, share in (
-            (contact.friction, bounds.friction),
-            (contact.stiffness, bounds.stiffness),
-            (contact.preload, bounds.preload),
-        )
-    )
-    return Ranges(tuple(rows), *values)
-
-
-def refuted_within(grasp: Grasp, wrench: RationalVector, tree: Any, bounds: Bounds) -> str:
-    """Return why a tree does not show "not resisted" for all grasps within bounds, or nothing."""
-    if read_plane(tree) is not None:
-        return "tree: the contacts of other grasps are not in one plane"
-    contacts, n = [ranges_of(contact, bounds) for contact in grasp], len(wrench)
-    axes = [(0, 1), *choices(range(1, n + 1), (1, -1))]
-    region = [tuple(sign * (j == axis) for j in range(n + 1)) for axis, sign in axes]
-    waiting = [(tree, "tree", region)]
-    while waiting:
-        content, path, region = waiting.pop()
-        node = read_node(content, path, len(grasp), 2 if n == 3 else 3)
-        if not isinstance(node, Split):
-            if node.multipliers or not _holds(contacts, wrench, node.motion, region):
-                return f"{path}: the leaf does not hold for all grasps"
-        elif node.kind == "edge" and len(region) == 4:
-            j, k, p, q = node.at
-            pairs = zip(region[j], region[k], strict=True)
-            middle = tuple(p * x + q * y for x, y in pairs)
-            for old, (name, child) in zip((j, k), node.children, strict=True):
-                waiting.append((child, name, [*region[:old], middle, *region[old + 1 :]]))
-        elif node.kind == "orthants" and len(region) == 7:
-            corners = choices(region[1:3], region[3:5], region[5:7])
-            for corner, (name, child) in zip(corners, node.children, strict=True):
-                waiting.append((child, name, [region[0], *corner]))
-        else:
-            return f"{path}: splits of states are not checked for all grasps"
-    return ""
-
-
-def _holds(
-    contacts: Sequence[Ranges],
-    wrench: RationalVector,
-    virtual: RationalVector,
-    region: Sequence[Sequence[int]],
-) -> bool:
-    """Return whether a leaf holds for all contacts; see `equilibrium.certificate.checker`."""
-    motions = [[interval(x) for x in generator] for generator in region]
-    virtually = [interval(x) for x in virtual]
-    work = [interval(dot(wrench, virtual) * generator[0]).low for generator in region]
-    for contact in contacts:
-        normal, *across = (product(row, virtually) for row in contact.rows)
-        moved = [[product(row, g[1:]) for row in contact.rows] for g in motions]
-        springs = [
-            contact.preload.times(g[0]).plus(contact.stiffness.times(rows[0]).negative())
-            for g, rows in zip(motions, moved, strict=True)
-        ]
-        if all(e.high <= 0 for e in springs):
-            continue
-        largest = sum(max(map(abs, b)) ** 2 for b in across)
-        size = math.isqrt(largest) + 1 if largest else 0
-        rubs = Interval(-size, size)
-        if len(across) == 1 and all(rows[1].low > 0 for rows in moved):
-            rubs = across[0]
-        elif len(across) == 1 and all(rows[1].high < 0 for rows in moved):
-            rubs = across[0].negative()
-        kappa = normal.plus(contact.friction.times(rubs).negative()).low
-        if any(e.low < 0 for e in springs):
-            kappa = min(kappa, 0)
-            springs = [Interval(0, max(e.high, 0)) for e in springs]
-        least = Interval(kappa, kappa)
-        work = [
-            w + least.times(Interval(*[e.low if kappa > 0 else e.high] * 2)).low
-            for w, e in zip(work, springs, strict=True)
-        ]
-    return all(w > 0 or w == 0 == g[0] for w, g in zip(work, region, strict=True))
-
-
-class Steady(NamedTuple):
-    """What is claimed of an equilibrium for all grasps: for a motion in a box around `centre`.
-
-    Attributes:
-        states: None where a contact is detached, () where it slips, else the shares of its friction
-            limit along the tangents.
-        pillars: sticking contacts and tangents with an unknown force.
-        centre, inverse: of the box, and a matrix near the inverse of the derivative.
+    The x_k stand for one contact's own uncertain numbers: turns of the normal, coordinates of the
+    point, friction, stiffness, preload. All are integers over 2^128; what is rounded off is in the
+    rest.
     """
 
-    states: tuple[RationalVector | None, ...]
-    pillars: tuple[tuple[int, int], ...]
-    centre: RationalVector
-    inverse: tuple[RationalVector, ...]
+    centre: int
+    parts: tuple[int, ...]
+    rest: int = 0
+
+    @property
+    def radius(self) -> int:
+        """The largest distance from the centre."""
+        return sum(map(abs, self.parts)) + self.rest
+
+    @property
+    def low(self) -> int:
+        """The least of the numbers."""
+        return self.centre - self.radius
+
+    @property
+    def high(self) -> int:
+        """The largest."""
+        return self.centre + self.radius
+
+    @property
+    def size(self) -> int:
+        """The largest absolute value."""
+        return abs(self.centre) + self.radius
+
+    def plus(self, other: Affine) -> Affine:
+        """Return the sum."""
+        parts = tuple(x + y for x, y in zip(self.parts, other.parts, strict=True))
+        return Affine(self.centre + other.centre, parts, self.rest + other.rest)
+
+    def negative(self) -> Affine:
+        """Return all negatives."""
+        return Affine(-self.centre, tuple(-x for x in self.parts), self.rest)
+
+    def times(self, other: Affine) -> Affine:
+        """Return the product; what is of second order is in the rest."""
+        a, b = self.centre, other.centre
+        exact = [a * b, *(b * x + a * y for x, y in zip(self.parts, other.parts, strict=True))]
+        rest = abs(b) * self.rest + abs(a) * other.rest + self.radius * other.radius
+        centre, *parts = (x >> _BITS for x in exact)
+        lost = sum(1 for x in exact if x & (_ONE - 1))
+        return Affine(centre, tuple(parts), -(-rest >> _BITS) + lost)
 
 
-def resisted_within(grasp: Grasp, wrench: RationalVector, given: Steady, bounds: Bounds) -> str:
-    """Return why there may be no equilibrium for some grasp within bounds, or nothing."""
-    contacts = [ranges_of(contact, bounds) for contact in grasp]
-    pillars, n = set(given.pillars), len(wrench)
-    sticking = {
-        (i, j)
-        for i, share in enumerate(given.states)
-        for j in range(len(grasp.contacts[i].tangents))
-        if share
-    }
-    if not pillars <= sticking or (pillars != sticking and len(pillars) != n):
-        return "not all sticking contacts are known to stick"
-    if any(share and dot(share, share) > 1 for share in given.states):
-        return "a share of friction is above 1"
-    centre = [interval(x) for x in given.centre]
-    inverse = [[interval(x) for x in row] for row in given.inverse]
-    radius = [0] * len(centre)
-    try:
-        value = [row.value for row in _equations(contacts, wrench, given, centre)]
-        step = [product(row, value).negative() for row in inverse]
-        for _ in range(12):
-            box = [Interval(m.low - r, m.high + r) for m, r in zip(centre, radius, strict=True)]
-            slopes = [row.slopes for row in _equations(contacts, wrench, given, box)]
-            found = []
-            for j, row in enumerate(inverse):
-                rest = [
-                    interval(int(j == k)).plus(product(row, column).negative())
-                    for k, column in enumerate(zip(*slopes, strict=True))
-                ]
-                away = (Interval(-r, r) for r in radius)
-                found.append(total((step[j], product(rest, away))))
-            if all(-r < x.low <= x.high < r for x, r in zip(found, radius, strict=True)):
-                return ""
-            radius = [max(map(abs, x)) * 9 // 8 + 2**40 for x in found]
-            if max(radius) > 2**240:
-                break
-    except BrokenLaw as broken:
-        return str(broken)
-    return "no box of motions is mapped into itself"
+def _form(number: int, centre: Fraction | int, parts: Mapping[int, Fraction | int]) -> Affine:
+    """Return a form of so many parts, some of them given."""
+    row = [0] * (number + 1)
+    lost = 0
+    for k, x in [(-1, centre), *parts.items()]:
+        row[k], rest = divmod(x.numerator << _BITS, x.denominator)
+        lost += rest > 0
+    return Affine(row.pop(), tuple(row), lost)
 
 
-def _equations(
-    contacts: Sequence[Ranges], wrench: RationalVector, given: Steady, box: Sequence[Interval]
-) -> list[Linear]:
-    """Return balance and the slip of pillars over a box.
+class _Uncertain:
+    """A contact within bounds."""
+
+    def __init__(self, contact: Contact, bounds: Bounds) -> None:
+        n, turn = contact.dimension, bounds.angle
+        self.number = 2 * n + 2
+        values = enumerate((getattr(contact, name) for name in VALUES), 2 * n - 1)
+        self.friction, self.stiffness, self.preload = (
+            _form(self.number, x, {k: x * getattr(bounds, name)})
+            for name, (k, x) in zip(VALUES, values, strict=True)
+        )
+        self.turns = [_form(self.number, Fraction(0), {k: turn}) for k in range(n - 1)]
+        #: At least ``1 - cos``.
+        self.lost = _form(self.number, turn**2 / 2, {})
+        # Wrenches along the axes, and how they change with each coordinate of the point; integers.
+        units = [tuple(Fraction(j == k) for j in range(n)) for k in range(n * (bounds.length > 0))]
+        axes = (contact.normal, *contact.tangents)
+        rows = [[wrench_at(contact.point, axis)] for axis in axes]
+        for row, axis in zip(rows, axes, strict=True):
+            arms = (wrench_at(unit, axis)[n:] for unit in units)
+            row += [(*[Fraction(0)] * n, *(bounds.length * x for x in arm)) for arm in arms]
+        self.unit = math.lcm(*(x.denominator for row in rows for one in row for x in one))
+        self.rows = [[[int(x * self.unit) for x in one] for one in row] for row in rows]
+
+    def moved(self, motion: Sequence[int]) -> list[Affine]:
+        """Return how far a motion moves the contact along its normal and tangents.
+
+        The normal turns by an angle of sine s towards a unit tangent u, and the tangents with it:
+        ``n' = n + s u - (1 - cos) n`` and ``t' = t - s (t . u) n - (1 - cos) (t . u) u``.
+        """
+        first, still = len(self.turns), []
+        for row in self.rows:
+            centre, *more = (Fraction(dot(one, motion), self.unit) for one in row)
+            still.append(_form(self.number, centre, dict(enumerate(more, first))))
+        normal, *slips = still
+
+        def loose(form: Affine, size: int) -> Affine:
+            return form._replace(rest=form.rest - (-size * self.lost.size >> _BITS))
+
+        along, across = loose(normal, normal.size), sum(slip.size for slip in slips)
+        for turn, slip in zip(self.turns, slips, strict=True):
+            along = along.plus(turn.times(slip))
+        pairs = zip(self.turns, slips, strict=True)
+        return [along, *(loose(t, across).plus(s.times(normal).negative()) for s, t in pairs)]
+
+    def corner(self, motion: Sequence[int]) -> tuple[Affine, list[Affine]]:
+        """Return spring force and slip at a homogeneous motion."""
+        normal, *slips = self.moved(motion[1:])
+        spring = self.preload.times(_form(self.number, motion[0], {}))
+        return spring.plus(self.stiffness.times(normal).negative()), slips
+
+    def at_rest(self, friction: RationalVector) -> list[Affine] | None:
+        """Return a friction force at rest as forms; None where it may be above its limit."""
+        limit = max(self.friction.low, 0) * max(self.preload.low, 0) >> _BITS
+        if dot(friction, friction) * _ONE**2 > limit**2:
+            return None
+        return [_form(self.number, x, {}) for x in friction]
+
+    def rest_work(self, virtual: Sequence[int], friction: Sequence[Affine]) -> int:
+        """Return at least what the contact does at rest."""
+        normal, *across = self.moved(virtual)
+        work = self.preload.times(normal)
+        for force, way in zip(friction, across, strict=True):
+            work = work.plus(force.times(way))
+        return work.low
+
+    def works(
+        self, virtual: Sequence[int], corners: Sequence[tuple[Affine, list[Affine]]]
+    ) -> list[int]:
+        """Return at least what the contact does on a virtual motion, at each corner of a cell."""
+        springs = [spring for spring, _ in corners]
+        if all(e.high <= 0 for e in springs):
+            return [0] * len(corners)
+        normal, *across = self.moved(virtual)
+        slips = [slip for _, slip in corners]
+        if len(across) > 1:
+            rubs = [Affine(_largest(across, slips), (0,) * self.number)]
+        else:
+            one, other = across[0], across[0].negative()
+            rubs = [one] * any(s.high >= 0 for (s,) in slips)
+            rubs += [other] * any(s.low <= 0 for (s,) in slips)
+        factors = [normal.plus(self.friction.times(rub).negative()) for rub in rubs]
+        least, attached = min(x.low for x in factors), all(e.low >= 0 for e in springs)
+        found = []
+        for e in springs:
+            if e.low >= 0:
+                work = min(x.times(e).low for x in factors)
+            else:
+                work = min(least, 0) * max(e.high, 0) >> _BITS
+            found.append(work if attached else min(work, 0))
+        return found
+
+
+def _largest(b: Sequence[Affine], slips: Sequence[Sequence[Affine]]) -> int:
+    """Return at least the largest ``u . b`` for directions u of slips in the cone of the given.
+
+    With ``b . s_j <= g |s_j|`` and ``v . s_j >= c |s_j|`` for a unit vector v, a slip ``s = sum t_j
+    s_j`` has ``|s| <= sum t_j |s_j| <= |s| / c``, and ``b . s <= g sum t_j |s_j|``.
+    """
+    whole = _length(x.size for x in b)
+    ahead = [sum(form.centre for form in column) for column in zip(*slips, strict=True)]
+    size, steepest, nearest = _length(map(abs, ahead)), -whole, _ONE
+    for slip in slips:
+        low = math.isqrt(sum(max(abs(x.centre) - x.radius, 0) ** 2 for x in slip))
+        high = _length(x.size for x in slip)
+        pairs = zip(slip, ahead, strict=True)
+        before = sum(x.centre * y - x.radius * abs(y) for x, y in pairs)
+        if not low or before <= 0:
+            return whole
+        work = sum(x.times(y).high for x, y in zip(b, slip, strict=True))
+        steepest = max(steepest, -(-(work << _BITS) // (low if work > 0 else high)))
+        nearest = min(nearest, (before << _BITS) // (high * size))
+    if steepest > 0:
+        steepest = -(-(steepest << _BITS) // nearest) if nearest else whole
+    return min(whole, steepest)
+
+
+def _length(sizes: Iterable[int]) -> int:
+    """Return at least the length of a vector whose entries are at most that large."""
+    return math.isqrt(sum(x * x for x in sizes)) + 1
+
+
+class Box:
+    """What cells and leaves of a proof are about.
+
+    Args:
+        form: the "box" of the document.
+    """
+
+    def __init__(
+        self, grasp: Grasp, wrench: RationalVector, bounds: Bounds, form: Mapping[str, Any]
+    ) -> None:
+        self.wrench, n = primitive((1, *wrench)), len(wrench)
+        self.contacts = [_Uncertain(contact, bounds) for contact in grasp]
+        self.closed, self.rest = "loads" in form, "forces" in form
+        size = len(grasp) * (grasp.dimension - 1) if self.rest else n
+
+        def matrix(name: str, size: int) -> list[RationalVector]:
+            rows = enumerate(check_list(form[name], f"box.{name}", n))
+            return [_vector(row, size, f"box.{name}[{k}]") for k, row in rows]
+
+        rows: list[tuple[Fraction | int, ...]]
+        if self.closed:
+            middle, axes = "forces" if self.rest else "centre", matrix("axes", size)
+            if not self.rest and not determinant([primitive(row) for row in axes]):
+                raise CertificateError("box.axes do not span all motions")
+            rows = [(1, *_vector(form[middle], size, f"box.{middle}"))]
+            rows += [(0, *row) for row in axes]
+            self.loads = _whole([(Fraction(0),) * n, *matrix("loads", n)])
+        else:
+            scales = (Fraction(1), *_vector(form["scales"], n, "box.scales"))
+            if min(scales) <= 0:
+                raise CertificateError("box.scales must be above 0")
+            rows = [tuple(x * (j == k) for j in range(n + 1)) for k, x in enumerate(scales)]
+        self.rows = _whole(rows)
+        self.at = cache(self._at)
+
+    def faces(self) -> Iterator[tuple[int, list[RationalVector]]]:
+        """Yield the coordinate that a face fixes, and the ranges of all."""
+        n, half = len(self.wrench) - 1, not self.closed
+        ranges = [(Fraction(0), Fraction(1))] * half + [(Fraction(-1), Fraction(1))] * n
+        for k in range(n + half):
+            for end in ranges[k][::-1][:1] if half and not k else ranges[k]:
+                yield k, [(end, end) if j == k else range_ for j, range_ in enumerate(ranges)]
+
+    def motion(self, y: RationalVector) -> tuple[IntegerVector, IntegerVector]:
+        """Return a multiple of the homogeneous motion of a corner, and of the load besides."""
+        shares = primitive((1, *y)) if self.closed else primitive(y)
+        motion = tuple(dot(shares, column) for column in zip(*self.rows, strict=True))
+        if not self.closed:
+            return motion, ()
+        return motion, tuple(-dot(shares, column) for column in zip(*self.loads, strict=True))
+
+    def _at(self, y: RationalVector) -> tuple[int, IntegerVector, list[Any]]:
+        """Return the share of the load, the load besides, and the contacts at a corner."""
+        motion, load = self.motion(y)
+        if not self.rest:
+            return motion[0], load, [contact.corner(motion) for contact in self.contacts]
+        unit, *forces = motion
+        each = len(forces) // max(len(self.contacts), 1)
+        parts = [
+            [Fraction(x, unit) for x in forces[k : k + each]]
+            for k in range(0, len(forces), each or 1)
+        ]
+        return 1, load, [c.at_rest(tuple(x)) for c, x in zip(self.contacts, parts, strict=True)]
+
+    def holds(self, virtual: RationalVector, ranges: Sequence[RationalVector]) -> bool:
+        """Return whether a leaf holds for all grasps in the cell with these ranges."""
+        corners, way = [self.at(y) for y in corners_of(ranges)], primitive(virtual)
+        if self.closed and any(dot(way, load) <= 0 for _, load, _ in corners):
+            return False
+        unit, *wrench = self.wrench
+        load = dot(wrench, way) << _BITS
+        work = [load * share // unit for share, *_ in corners]
+        for i, contact in enumerate(self.contacts):
+            here = [contacts[i] for *_, contacts in corners]
+            if self.rest and None in here:
+                return False
+            if self.rest:
+                more = [contact.rest_work(way, forces) for forces in here]
+            else:
+                more = contact.works(way, here)
+            work = [x + y for x, y in zip(work, more, strict=True)]
+        return all(x > 0 or x == 0 == share for x, (share, *_) in zip(work, corners, strict=True))
+
+
+def _whole(rows: Sequence[Sequence[Fraction | int]]) -> list[list[int]]:
+    """Return one positive multiple of all rows in integers."""
+    unit = math.lcm(*(x.denominator for row in rows for x in row))
+    return [[int(x * unit) for x in row] for row in rows]
+
+
+def corners_of(ranges: Sequence[RationalVector]) -> Iterator[RationalVector]:
+    """Yield the corners of a cell."""
+    return product(*map(dict.fromkeys, ranges))
+
+
+def halves(ranges: Sequence[RationalVector], k: int) -> Iterator[list[RationalVector]]:
+    """Yield the two halves of a cell."""
+    low, high = ranges[k]
+    middle = (low + high) / 2
+    for half in ((low, middle), (middle, high)):
+        yield [*ranges[:k], half, *ranges[k + 1 :]]
+
+
+def robust_problem(
+    document: Mapping[str, Any], grasp: Grasp, wrench: RationalVector
+) -> tuple[str, int]:
+    """Return what is wrong with a proof for all grasps within bounds, or nothing; and its leaves.
 
     Raises:
-        BrokenLaw: a condition does not hold for all.
+        InputError: this is no such proof, whatever its numbers are.
     """
-    n, size = len(wrench), len(box)
-    sums = [Linear(interval(w), [_ZERO] * size) for w in wrench]
-    still = []
-    for i, (contact, share) in enumerate(zip(contacts, given.states, strict=True)):
-        moved = [
-            Linear(product(row, box[:n]), [*row, *[_ZERO] * (size - n)]) for row in contact.rows
-        ]
-        normal = _scaled(moved[0], contact.stiffness.negative())
-        normal = Linear(normal.value.plus(contact.preload), normal.slopes)
-        if share is None:
-            if normal.value.high > 0:
-                raise BrokenLaw(f"contact {i + 1} may touch")
+    yes = document["certificate"] == "resisted"
+    form = document["box"]
+    middle = "forces" if isinstance(form, Mapping) and "forces" in form else "centre"
+    check_keys(form, (middle, "axes", "loads") if yes else ("scales",), (), "box")
+    box = Box(grasp, wrench, read_bounds(document), form)
+    faces, n = list(box.faces()), len(wrench)
+    nodes = check_list(document["faces"], "faces", len(faces))
+    waiting = [
+        (node, f"faces[{i}]", 0, fixed, ranges)
+        for i, (node, (fixed, ranges)) in enumerate(zip(nodes, faces, strict=True))
+    ]
+    problem, leaves = "", 0
+    while waiting:
+        node, path, depth, fixed, ranges = waiting.pop()
+        if isinstance(node, (list, tuple)):
+            leaves += 1
+            virtual = _vector(node, n, path)
+            if not problem and not box.holds(virtual, ranges):
+                problem = f"{path}: the leaf does not hold for all grasps within the bounds"
             continue
-        if normal.value.low < 0:
-            raise BrokenLaw(f"contact {i + 1} may let go")
-        limit = _scaled(normal, contact.friction)
-        if share:
-            forces = [limit.by(x) for x in share]
-            for k, (pillar, j) in enumerate(given.pillars, n):
-                if pillar == i:
-                    unit = [interval(int(k == other)) for other in range(size)]
-                    forces[j] = forces[j].plus(Linear(box[k], unit))
-                    still.append(moved[1 + j])
-            if total(force.value.square() for force in forces).high > limit.value.square().low:
-                raise BrokenLaw(f"contact {i + 1} may slip")
-        elif len(moved) == 2:
-            if moved[1].value.low <= 0 <= moved[1].value.high:
-                raise BrokenLaw(f"contact {i + 1} may stick")
-            forces = [limit.by(-1 if moved[1].value.low > 0 else 1)]
-        else:
-            forces = [limit.times(x).by(-1) for x in unit_slip(i, moved[1:])]
-        for force, row in zip((normal, *forces), contact.rows, strict=True):
-            sums = [one.plus(_scaled(force, x)) for one, x in zip(sums, row, strict=True)]
-    return [*sums, *still]
+        check_keys(node, ("cut", "children"), (), path)
+        k, children = node["cut"], check_list(node["children"], f"{path}.children", 2)
+        if type(k) is not int or not 0 <= k < len(ranges) or k == fixed or depth == MOST_CUTS:
+            raise CertificateError(
+                f"{path}: a cell is cut up to {MOST_CUTS} times, along what it does not fix"
+            )
+        for i, (child, half) in enumerate(zip(children, halves(ranges, k), strict=True)):
+            waiting.append((child, f"{path}.children[{i}]", depth + 1, fixed, half))
+    return problem, leaves
 
 
-def _scaled(number: Linear, factor: Interval) -> Linear:
-    return Linear(number.value.times(factor), [x.times(factor) for x in number.slopes])
+def read_bounds(document: Mapping[str, Any]) -> Bounds:
+    """Return the bounds of a proof."""
+    check_keys(document["bounds"], (), tuple(_NAMES), "bounds")
+    return Bounds(**document["bounds"])
+
+
+def _vector(value: Any, length: int, where: str) -> RationalVector:
+    return rational_vector(check_list(value, where, length), where)

@@ -71,7 +71,11 @@ def _parser() -> terminal.Parser:
         "decide whether a grasp resists a wrench (exit 0 yes, 1 no, 3 undecided)",
     )
     add_applied(solve)
-    solve.add_argument("--certificate", metavar="OUT.json", help="write the certificate here")
+    solve.add_argument(
+        "--certificate",
+        metavar="OUT.json",
+        help="write the certificate here; with --robust the proof for all, if it holds",
+    )
     solve.add_argument(
         "--time-limit", metavar="SECONDS", type=seconds, help="give up then (exit 2; in space 3)"
     )
@@ -192,6 +196,9 @@ def _answer(
     yes: bool | None,
 ) -> int:
     """Print a verdict with what other grasps within the error or within bounds say."""
+    from equilibrium.grasps.files import write_certificate
+    from equilibrium.model.errors import GraspError
+
     lines = list(lines)
     if found.grasp.data_error is not None and arguments.robust is None:
         again = found.within_error()
@@ -200,9 +207,15 @@ def _answer(
         else:
             lines += again.lines()
     if arguments.robust is not None:
-        robust = found.robust(**dict(arguments.robust))
+        bounds = dict(arguments.robust)
+        if len(bounds) < len(arguments.robust):
+            raise GraspError("--robust has one bound twice; give each once")
+        robust = found.robust(**bounds)
         document["robust"] = robust.to_dict()
         lines += robust.lines()
+        if arguments.certificate is not None and robust.certificate is not None:
+            write_certificate(arguments.certificate, robust.certificate)
+            lines.append("the certificate written is the proof for all of them")
         yes = True if robust else None if robust.counterexample is None else False
     return show(arguments, document, lines, yes, found.grasp)
 
@@ -275,11 +288,12 @@ def _verify(arguments: argparse.Namespace) -> int:
         del document["wrench"], document["grasp"]
     proof = f"{report.kind}, {report.leaves} leaves" if report.leaves else report.kind
     proof += pyramid_words(report.pyramid, before=", with ") + str(report.within)
+    proof += f", for all {report.bounds}" if report.bounds is not None else ""
     said = f"valid: {proof}" if report else f"not valid: {terminal.printable(report.problem)}"
     lines = [f"{said} (by the {speaker} checker)", *report.question[: _MOST_LINES * known]]
     more = len(report.grasp) + 1 - _MOST_LINES
     lines += [f"... and {more} contacts more; --json has all"] * (more > 0)
-    if report.grasp.data_error is not None:
+    if report.grasp.data_error is not None and report.bounds is None:
         lines.append(
             "the data were converted; this is about the grasp as it was rounded, and solve asks "
             "about other roundings"

@@ -2,27 +2,25 @@
 
 For bounds that a user gives there are three answers: it holds, proved (`equilibrium.certificate.
 robust`); a grasp within the bounds for which it does not, with a proof of its own; undecided. For
-data that were converted (`Grasp.data_error`) some grasps within the error of the data are asked
-about, and what turns the verdict is shown.
+data that were converted (`Grasp.data_error`) the error of the data is such a bound. Where that is
+not proved some grasps within the error are asked about, and what turns the verdict is shown.
 """
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from itertools import islice
 from random import Random
 from typing import Any, TypeAlias
 
-import numpy as np
-
 from arrangement.console.number_form import Shown
-from arrangement.numbers.exact import RationalVector, dot, to_text
-from arrangement.numbers.linear.rank import cross
-from equilibrium.certificate.robust import Bounds, Steady, refuted_within, resisted_within
+from arrangement.numbers.exact import RationalVector, to_text
+from equilibrium.certificate.document import Certificate, bounded_certificate
+from equilibrium.certificate.robust import Bounds
 from equilibrium.grasps.inputs.incidences import other_rounding
 from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.errors import GraspError, TimeLimitError
@@ -30,6 +28,7 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
 
 from . import NOT_RESISTED, RESISTED, UNDECIDED
+from .closing import Closing
 
 #: A function of grasp, wrench and time_limit that returns a verdict.
 Solve: TypeAlias = Callable[..., Any]
@@ -38,8 +37,8 @@ HOLDS, FAILS, OPEN = "holds", "does not hold", UNDECIDED
 DEPENDS = "depends on the rounding"
 #: Other roundings and random grasps that are asked about.
 _ROUNDINGS, _RANDOM = 4, 4
-#: For each of them.
-_SECONDS = 3.0
+#: For each of them; of the processor for a proof within the error of data, and within bounds.
+_SECONDS, _PROOF, _SEARCH = 3.0, 0.5, 10.0
 #: Grasps that are tried on the way to one that turns a verdict.
 _STEPS = 12
 #: Virtual motions of one proof that are tried as a way to turn it.
@@ -56,7 +55,7 @@ class Robustness(Shown):
         bounds: of the grasps looked at.
         counterexample: the verdict on a grasp within the bounds, if it is another one, and how far
             that grasp is: `change`, see `_nearest`.
-        proof: what `refuted_within` (a tree) or `resisted_within` (a `Steady`) checks.
+        certificate: of the verdict for all grasps within the bounds, if it holds.
     """
 
     shown_fields = ("answer", "verdict", "bounds")
@@ -66,18 +65,16 @@ class Robustness(Shown):
     bounds: Bounds
     counterexample: Any = field(default=None, repr=False)
     change: dict[str, Fraction] = field(default_factory=dict, repr=False)
-    proof: Any = field(default=None, repr=False)
+    certificate: Certificate | None = field(default=None, repr=False)
 
     def __bool__(self) -> bool:
         return self.answer == HOLDS
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form."""
-        names = ("degrees", "length", "friction", "stiffness", "preload")
-        document: dict[str, Any] = {
-            "answer": self.answer,
-            "bounds": {name: to_text(getattr(self.bounds, name)) for name in names},
-        }
+        document: dict[str, Any] = {"answer": self.answer, "bounds": self.bounds.to_dict()}
+        if self.certificate is not None:
+            document["certificate"] = self.certificate.to_dict()
         if self.counterexample is not None:
             document["counterexample"] = self.counterexample.to_dict()
             document["change"] = {name: to_text(x) for name, x in self.change.items()}
@@ -103,19 +100,28 @@ class WithinError(Shown):
         asked: how many others were asked about; `open`: how many of them were undecided.
         turned: a verdict that is another one, if any, of the nearest such grasp found.
         change: how far that grasp is, see `_nearest`.
+        certificate: that the verdict is the same for all grasps within the error; friction and
+            preload that are 0 stay 0. Then no other was asked about.
     """
 
-    shown_fields = ("verdict", "asked", "open")
+    shown_fields = ("verdict", "asked", "open", "proved")
 
     verdict: str
     asked: int
     open: int
     turned: Any = field(default=None, repr=False)
     change: dict[str, Fraction] = field(default_factory=dict, repr=False)
+    certificate: Certificate | None = field(default=None, repr=False)
+
+    @property
+    def proved(self) -> bool:
+        """Whether the verdict is proved for all grasps within the error."""
+        return self.certificate is not None
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form."""
-        document = {"verdict": self.verdict, "asked": self.asked, "undecided": self.open}
+        document: dict[str, Any] = {"verdict": self.verdict, "proved": self.proved}
+        document |= {"asked": self.asked, "undecided": self.open}
         if self.turned is None:
             return document
         change = {name: to_text(x) for name, x in self.change.items()}
@@ -123,6 +129,9 @@ class WithinError(Shown):
 
     def lines(self) -> Iterator[str]:
         """Yield the answer in words."""
+        if self.proved:
+            yield f"{self.verdict} for all grasps within the error of the data: proved"
+            return
         if self.turned is None:
             left = f", {self.open} of them undecided" if self.open else ""
             yield f"{self.asked} other roundings of the data: no other verdict{left}"
@@ -139,6 +148,7 @@ def _change_lines(grasp: Grasp, change: dict[str, Fraction]) -> Iterator[str]:
     sizes = ", ".join(f"{k} by ≈{float(x):.2g}" for k, x in change.items() if k != "kept" and x)
     least = f"; ≈{float(change['kept']):.2g} times as much does not turn the verdict"
     yield f"    changed by up to: {sizes}{least if change['kept'] else ''}"
+    yield "    found by search: a smaller change may turn it, too"
 
 
 def _nearest(found: Any, turned: Any, solve: Solve) -> tuple[Any, dict[str, Fraction]]:
@@ -238,11 +248,16 @@ class AskedAgain:
 
 
 def within_error(found: Any, solve: Solve) -> WithinError:
-    """Ask again about a converted grasp: the grasps of `others`.
+    """Ask again about a converted grasp: prove the verdict for all, or ask about `others`.
 
     Raises:
         GraspError: the grasp was not converted.
     """
+    bounds, every = _error_bounds(found.grasp)
+    if every and not found.within and getattr(found, "pyramid", None) is None:
+        proof = _proof(found, Closing(found, bounds, _PROOF))
+        if proof is not None:
+            return WithinError(found.verdict, 0, 0, certificate=proof)
     asked = left = 0
     for grasp in others(found, solve):
         asked += 1
@@ -255,7 +270,7 @@ def within_error(found: Any, solve: Solve) -> WithinError:
 
 
 def others(found: Any, solve: Solve) -> Iterator[Grasp]:
-    """Yield grasps within the error of data: other roundings, and the change most against a yes.
+    """Yield grasps within the error of data: other roundings, and what is most against a yes.
 
     A no is about data whose incidences hold, so what breaks them does not speak against it, unless
     the data were taken as given.
@@ -265,9 +280,23 @@ def others(found: Any, solve: Solve) -> Iterator[Grasp]:
     """
     for seed in range(_ROUNDINGS):
         yield other_rounding(found.grasp, seed)
-    error = found.grasp.data_error
-    if found.verdict != NOT_RESISTED or error.as_given:
-        yield from _against(found, error.length, error.angle, Fraction(0), solve)
+    if found.verdict == RESISTED or found.grasp.data_error.as_given:
+        yield from _against(found, Closing(found, _error_bounds(found.grasp)[0], _PROOF), solve)
+
+
+def _error_bounds(grasp: Grasp) -> tuple[Bounds, bool]:
+    """Return bounds of the error of data, and whether they have all grasps within it."""
+    error = grasp.data_error
+    if error is None:
+        raise GraspError("the grasp was not rounded: it has no data_error")
+    least = {name: min((x for c in grasp if (x := getattr(c, name))), default=1) for name in VALUES}
+    wanted = {"degrees": error.angle * 113 * 180 / 355, "length": error.length}
+    wanted |= {name: error.value / x for name, x in least.items()}
+    given = {
+        name: min(x, Fraction(45 if name == "degrees" else "99/100")) for name, x in wanted.items()
+    }
+    given["length"] = error.length
+    return Bounds(**given), given == wanted
 
 
 def _in_time(solve: Solve, grasp: Grasp, wrench: RationalVector) -> Any:
@@ -283,129 +312,58 @@ def robust(found: Any, bounds: Bounds, solve: Solve) -> Robustness:
     """Decide, if possible, whether a verdict holds for all grasps within bounds.
 
     Raises:
-        GraspError: the verdict is about a range of motions and forces.
+        GraspError: the verdict is about a range of motions and forces, or about pyramids.
     """
-    if found.within:
+    if found.within or getattr(found, "pyramid", None) is not None:
         raise GraspError(
-            f"the verdict is {found.verdict}{found.within}; whether one holds for all grasps is "
-            "decided without a largest turn or force"
+            "whether a verdict holds for all grasps is decided without a largest turn or force, "
+            "and in space for round cones; leave these out"
         )
-    name, grasp, wrench = found.verdict, found.grasp, found.wrench
-    if name == RESISTED:
-        steady = _steady(found)
-        if steady is not None and not resisted_within(grasp, wrench, steady, bounds):
-            return Robustness(HOLDS, name, bounds, proof=steady)
-    elif name == NOT_RESISTED:
-        for tree in _trees(found, bounds, solve):
-            if not refuted_within(grasp, wrench, tree, bounds):
-                return Robustness(HOLDS, name, bounds, proof=tree)
-    else:
+    name, wrench = found.verdict, found.wrench
+    if name == OPEN:
         return Robustness(OPEN, name, bounds)
-    others = _against(found, bounds.length, bounds.angle, bounds.friction, solve)
-    for other in (*others, *(_drawn(grasp, bounds, seed) for seed in range(_RANDOM))):
+    search = Closing(found, bounds, _SEARCH)
+    proof = _proof(found, search)
+    if proof is not None:
+        return Robustness(HOLDS, name, bounds, certificate=proof)
+    for other in _against(found, search, solve):
         turned = _in_time(solve, other, wrench)
         if turned is not None and turned.verdict != name:
             return Robustness(FAILS, name, bounds, *_nearest(found, turned, solve))
     return Robustness(OPEN, name, bounds)
 
 
-def _trees(found: Any, bounds: Bounds, solve: Solve) -> Iterator[Any]:
-    """Yield trees that may hold for all: of the grasp itself, and of ones that hold more."""
-    yield found.certificate.to_dict()["tree"]
-    for factor in (1, 2, 4, 8):
-        more = [
-            replace(c, friction=c.friction * (1 + factor * bounds.friction) + factor * bounds.angle)
-            for c in found.grasp
-        ]
-        other = _in_time(solve, Grasp(more), found.wrench)
-        if other is None or other.verdict != NOT_RESISTED:
-            return
-        yield other.certificate.to_dict()["tree"]
+def _proof(found: Any, search: Closing) -> Certificate | None:
+    """Return the first proof for all grasps that the checker accepts."""
+    for parts in search.proofs():
+        proof = bounded_certificate(found.verdict, found.grasp, found.wrench, parts)
+        if proof.verify():
+            return proof
+    return None
 
 
-def _steady(found: Any) -> Steady | None:
-    """Return what may show that the equilibrium of a verdict stays; None where none is tried."""
-    grasp, n = found.grasp, len(found.wrench)
-    motion = np.array(found.solution.motion, float)
-    frames = [np.array([c.normal_wrench, *c.tangential_wrenches], float) for c in grasp]
-    left, limits = np.array(found.wrench, float), []
-    slopes, pillars, sticking = np.zeros((n, n)), [], []
-    basis = np.zeros((0, n))
-    for i, (c, rows, state) in enumerate(zip(grasp, frames, found.states, strict=True)):
-        stiffness, friction = float(c.stiffness), float(c.friction)
-        force = float(c.preload) - stiffness * rows[0] @ motion
-        limits.append(force * friction)
-        if state == "detached":
-            continue
-        along, slip = rows[0], rows[1:] @ motion
-        if state != "stick":
-            size = np.linalg.norm(slip)
-            if not size:
-                return None
-            unit = slip / size
-            along = rows[0] - friction * unit @ rows[1:]
-            bent = (np.eye(len(slip)) - np.outer(unit, unit)) / size
-            slopes -= force * friction * rows[1:].T @ bent @ rows[1:]
-        left += force * along
-        slopes -= stiffness * np.outer(along, rows[0])
-        if state != "stick":
-            continue
-        for j, row in enumerate(rows[1:]):
-            sticking.append((i, j))
-            if len(basis) < n and np.linalg.svd([*basis, row])[1][-1] > 1e-9 * np.linalg.norm(row):
-                basis = np.array([*basis, row])
-                pillars.append((i, j))
-    # Of the friction forces of sticking contacts, those that are the least shares of their limits.
-    shares: list[RationalVector | None] = [
-        None if state == "detached" else () for state in found.states
-    ]
-    if sticking:
-        columns = np.array([limits[i] * frames[i][1 + j] for i, j in sticking]).T
-        least = np.linalg.lstsq(columns, -left, rcond=None)[0]
-        for (i, _), x in zip(sticking, least.tolist(), strict=True):
-            share = shares[i] or ()
-            shares[i] = (*share, Fraction(x).limit_denominator(2**40))
-            c = grasp.contacts[i]
-            eased = float(c.stiffness * c.friction) * frames[i][0]
-            slopes -= x * np.outer(frames[i][len(share) + 1], eased)
-    whole = np.block([[slopes, basis.T], [basis, np.zeros((len(basis), len(basis)))]])
-    try:
-        inverse = np.linalg.inv(whole)
-    except np.linalg.LinAlgError:
-        return None
-    centre = (*map(_rational, motion), *[Fraction(0)] * len(pillars))
-    matrix = tuple(tuple(map(_rational, row)) for row in inverse)
-    return Steady(tuple(shares), tuple(pillars), centre, matrix)
+def _against(found: Any, search: Closing, solve: Solve) -> Iterator[Grasp]:
+    """Yield grasps within bounds that may have another verdict, the likeliest first.
 
-
-def _rational(x: float) -> Fraction:
-    return Fraction(float(x))
-
-
-def _against(
-    found: Any, length: Fraction, angle: Fraction, friction: Fraction, solve: Solve
-) -> Iterator[Grasp]:
-    """Yield grasps at the corner of bounds that is most against a verdict, for some motions.
-
-    On a virtual motion contacts do at least ``lambda . N - friction |lambda . T|`` times their
-    normal forces. Each contact is changed so that this is more, against a yes, or less.
+    They are those of cells that stayed open, those that do the most on virtual motions (for which
+    the equilibrium gives in, or of proofs for larger loads), and random ones.
     """
-    yes = found.verdict == RESISTED
-    motions: list[RationalVector] = []
-    if found.solution is not None:
-        motions.append(tuple(map(Fraction, found.solution.motion)))
-        loads = [tuple(x * (1 + more) for x in found.wrench) for more in (Fraction(1, 100), 1)]
-        proofs = [_in_time(solve, found.grasp, load) for load in loads]
-    else:
-        proofs = [found]
-    for proof in proofs:
-        if proof is not None and proof.verdict == NOT_RESISTED:
-            leaves = _leaves(proof.certificate.to_dict()["tree"], len(found.wrench))
-            motions += islice(leaves, _LEAVES)
-    for motion in motions:
-        if any(motion):
-            sign = 1 if yes else -1
-            yield Grasp(_corner(c, motion, sign, length, angle, friction) for c in found.grasp)
+    for shares in search.against[: -_LEAVES - 1 : -1]:
+        yield search.grasp_at(shares)
+    if found.verdict == RESISTED:
+        for way in search.weakest():
+            yield search.worst(way)
+        for more in (Fraction(1, 100), 1):
+            proof = _in_time(solve, found.grasp, tuple(x * (1 + more) for x in found.wrench))
+            if proof is not None and proof.verdict == NOT_RESISTED:
+                tree = proof.certificate.to_dict()["tree"]
+                for motion in islice(_leaves(tree, len(found.wrench)), _LEAVES):
+                    yield search.worst([*map(float, motion)])
+    source = Random("robust")
+    for _ in range(_RANDOM):
+        yield search.grasp_at(
+            [[source.uniform(-1, 1) for _ in search.signs[0]] for _ in found.grasp]
+        )
 
 
 def _leaves(node: Any, n: int) -> Iterator[RationalVector]:
@@ -417,55 +375,3 @@ def _leaves(node: Any, n: int) -> Iterator[RationalVector]:
     elif isinstance(node, (dict, list)):
         for child in node.values() if isinstance(node, dict) else node:
             yield from _leaves(child, n)
-
-
-def _corner(
-    c: Contact,
-    motion: RationalVector,
-    sign: int,
-    length: Fraction,
-    angle: Fraction,
-    friction: Fraction,
-) -> Contact:
-    slips = [sign * dot(row, motion) for row in c.tangential_wrenches]
-    turned, place = c.normal, c.point
-    largest = max(map(abs, slips))
-    if angle and largest:
-        shares = [Fraction(x / largest).limit_denominator(100) for x in slips]
-        turn = angle * Fraction(9, 10)
-        if len(shares) == 2:
-            turn /= Fraction(3, 2) if all(shares) else 1
-        away = [dot(shares, column) for column in zip(*c.tangents, strict=True)]
-        wanted = [x + turn * y for x, y in zip(c.normal, away, strict=True)]
-        turned = unit_normal(wanted, angle / 20).normal
-    if length:
-        omega = motion[3:] if c.dimension == 3 else (Fraction(0), Fraction(0), motion[2])
-        grows = cross((*c.normal, *[Fraction(0)] * (3 - c.dimension)), omega)
-        place = tuple(
-            x + sign * length * ((g > 0) - (g < 0)) for x, g in zip(place, grows, strict=False)
-        )
-    return Contact(place, turned, c.friction * (1 - sign * friction), c.stiffness, c.preload)
-
-
-def _drawn(grasp: Grasp, bounds: Bounds, seed: int) -> Grasp:
-    """Return a random grasp within bounds, the same for the same seed."""
-    source = Random(f"robust {seed}")
-
-    def share() -> Fraction:
-        return Fraction(source.randint(-8, 8), 8)
-
-    found = []
-    for c in grasp:
-        normal = c.normal
-        if bounds.angle:
-            turns = [share() * bounds.angle * Fraction(3, 5) for _ in c.tangents]
-            across = [dot(turns, column) for column in zip(*c.tangents, strict=True)]
-            wanted = [x + y for x, y in zip(normal, across, strict=True)]
-            normal = unit_normal(wanted, bounds.angle / 20).normal
-        place = [x + share() * bounds.length for x in c.point]
-        values = [
-            getattr(c, name) * (1 + share() * getattr(bounds, name))
-            for name in ("friction", "stiffness", "preload")
-        ]
-        found.append(Contact(place, normal, *values))
-    return Grasp(found)

@@ -31,12 +31,12 @@ from equilibrium.decide import (
     UNDECIDED as UNDECIDED,
 )
 from equilibrium.model.contact import pyramid_edges, pyramid_words
-from equilibrium.model.errors import GraspError, UndecidedError
+from equilibrium.model.errors import UndecidedError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.range import NO_RANGE, Range, usual_range, warning
 from equilibrium.plane.contacts import SpatialContacts
+from equilibrium.space.cones import Pyramids
 from equilibrium.space.equilibria import Proposal, SpatialSolution
-from equilibrium.space.pyramid import PyramidSearch
 from equilibrium.space.tree import NODES, Open, SpatialSearch
 
 from .robustness import AskedAgain, Solve
@@ -182,8 +182,8 @@ def solve_in_space(
         time_limit: in seconds; when it is over the verdict is undecided.
         nodes: of a tree; when they do not do the verdict is undecided.
         pyramid: edges of a friction pyramid in place of the round cone, see `pyramid_edges`; then
-            the verdict is always decided, exactly, if there is time.
-        largest_turn, largest_force: see `equilibrium.solve`; for round cones only.
+            every verdict is decided, exactly, if nodes and time do.
+        largest_turn, largest_force: see `equilibrium.solve`.
 
     >>> from equilibrium.grasps.files import read_grasp
     >>> solve_in_space(read_grasp("two-opposed-fingers"), [0, "3/5", "4/5", 0, 0, 0]).verdict
@@ -192,21 +192,14 @@ def solve_in_space(
     applied = read_wrench(wrench, grasp.dimension)
     within = Range.of(largest_turn, largest_force)
     deadline = math.inf if time_limit is None else time.monotonic() + time_limit
-    if pyramid is not None:
-        if within:
-            raise GraspError(
-                "a largest turn or force goes with round cones; leave it out, or the pyramid"
-            )
-        edges = pyramid_edges(pyramid)
-        return _verdict(
-            grasp, applied, PyramidSearch(grasp, applied, edges, deadline).decide(), pyramid
-        )
+    cones = None if pyramid is None else Pyramids(pyramid_edges(pyramid))
 
     def accept(found: Proposal) -> bool:
-        return bool(_certificate(grasp, applied, found, within=within).verify())
+        return bool(_certificate(grasp, applied, found, pyramid, within).verify())
 
-    search = SpatialSearch(SpatialContacts(grasp), applied, accept, deadline, nodes, within)
-    return _verdict(grasp, applied, search.decide(), within=within)
+    contacts = SpatialContacts(grasp)
+    search = SpatialSearch(contacts, applied, accept, deadline, nodes, within, cones)
+    return _verdict(grasp, applied, search.decide(), pyramid, within)
 
 
 def _verdict(

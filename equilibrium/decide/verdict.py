@@ -227,7 +227,7 @@ class Solver(Shown):
     def __init__(self, grasp: Grasp, largest_turn: Any = None, largest_force: Any = None) -> None:
         grasp.require_plane()
         self.grasp, self.within = grasp, Range.of(largest_turn, largest_force)
-        self._scaled: dict[SearchUnits, IntegerContacts] = {}
+        self._scaled: dict[Range, IntegerContacts] = {}
 
     @cached_property
     def _codes(self) -> Codes:
@@ -249,10 +249,13 @@ class Solver(Shown):
         """Decide one wrench; see the function `solve`."""
         applied = read_wrench(wrench)
         units = SearchUnits.of(self.grasp, applied)
-        scaled = self._scaled.get(units)
+        # Without preload no number of the contacts depends on the unit of force, with it that is
+        # the grasp's own; so all wrenches share them but for the range.
+        within = units.range(self.within)
+        scaled = self._scaled.get(within)
         if scaled is None:
-            scaled = IntegerContacts(units.grasp(self.grasp), units.range(self.within))
-            self._scaled = {units: scaled}
+            scaled = IntegerContacts(units.grasp(self.grasp), within)
+            self._scaled = {within: scaled}
         found = resistance(scaled, units.wrench(applied), time_limit, shorten)
         if isinstance(found, Solution):
             found = units.solution_back(found)

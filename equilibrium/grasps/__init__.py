@@ -1,5 +1,5 @@
 """Where grasps come from: files, schemas, built-in instances, shapes and float data."""
 
-import lazy_loader
+from arrangement.console.entry import attach_stub
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

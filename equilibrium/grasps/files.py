@@ -19,9 +19,6 @@ from equilibrium.model.range import NO_RANGE, Range
 if TYPE_CHECKING:
     from arrangement import Arrangement
 
-#: Equilibria of a thousand contacts have long numbers.
-MAX_CERTIFICATE_BYTES = 64 * 2**20
-
 
 def read_grasp(source: Source) -> Grasp:
     """Read a grasp from a path, ``"-"`` (stdin), a built-in name or a mapping.
@@ -49,9 +46,7 @@ def read_certificate(source: Source) -> dict[str, Any]:
     """Return the document of a certificate, strictly read but not yet checked."""
     # Of old versions the checker says what they are.
     versions = range(1, SCHEMA_VERSION + 1)
-    return read_document(
-        source, ("certificate",), max_bytes=MAX_CERTIFICATE_BYTES, versions=versions
-    )
+    return read_document(source, ("certificate",), kind="bytes of a certificate", versions=versions)
 
 
 def verify(

@@ -5,22 +5,12 @@ Signs follow the package: the grasp resists the wrench w when contact forces c e
 is their table, `compare` asks all of them, `survey` counts how often they disagree.
 """
 
-from .compare import Answer, Comparison, ask, compare
-from .friction_cones.grasp_wrench_space import GraspWrenchSpace
-from .method import Method
-from .registry import METHODS, method_named
-from .survey import resistance_figure, smallest_examples, survey
-
-__all__ = [
-    "METHODS",
-    "Answer",
-    "Comparison",
-    "GraspWrenchSpace",
-    "Method",
-    "ask",
-    "compare",
-    "method_named",
-    "resistance_figure",
-    "smallest_examples",
-    "survey",
-]
+from .compare import Answer as Answer, Comparison as Comparison, ask as ask, compare as compare
+from .friction_cones.grasp_wrench_space import GraspWrenchSpace as GraspWrenchSpace
+from .method import Method as Method
+from .registry import METHODS as METHODS, method_named as method_named
+from .survey import (
+    resistance_figure as resistance_figure,
+    smallest_examples as smallest_examples,
+    survey as survey,
+)

@@ -14,6 +14,7 @@ from fractions import Fraction
 from random import Random
 from typing import Any
 
+from arrangement.console.number_form import Documented
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector, to_text
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
@@ -28,7 +29,7 @@ OTHERS = DECIDING[1:]
 
 
 @dataclass(frozen=True)
-class Example:
+class Example(Documented):
     """A question on which a method and the complete model disagree.
 
     Attributes:
@@ -36,19 +37,12 @@ class Example:
         accepts: what the method says; the complete model says the opposite.
     """
 
+    in_document = ("method", "accepts", "wrench", "grasp")
+
     method: str
     accepts: bool
     grasp: Grasp
     wrench: RationalVector
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form."""
-        return {
-            "method": self.method,
-            "accepts": self.accepts,
-            "wrench": [to_text(x) for x in self.wrench],
-            "grasp": self.grasp.to_dict(),
-        }
 
 
 @dataclass

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, ClassVar, TypeAlias
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import Documented, Shown
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.exact import RationalVector, rational, rational_vector, shown, to_text
 
@@ -42,13 +42,15 @@ class Polygon(Shown):
 
 
 @dataclass(frozen=True, repr=False)
-class Circle(Shown):
+class Circle(Documented):
     """A round object.
 
     Args:
         centre: point (length).
         radius: above 0 (length).
     """
+
+    in_document = ("centre", "radius")
 
     dimension: ClassVar = 2
     centre: RationalVector
@@ -65,19 +67,17 @@ class Circle(Shown):
         """Points whose bounding box is that of the object."""
         return tuple(tuple(x + side * self.radius for x in self.centre) for side in (-1, 1))
 
-    def to_dict(self) -> dict[str, Any]:
-        """Return the file form."""
-        return {"centre": [to_text(x) for x in self.centre], "radius": to_text(self.radius)}
-
 
 @dataclass(frozen=True, repr=False)
-class Mesh(Shown):
+class Mesh(Documented):
     """An object in space with flat faces.
 
     Args:
         vertices: points (length).
         faces: at least three numbers of vertices each, counter-clockwise seen from outside.
     """
+
+    in_document = ("vertices", "faces")
 
     dimension: ClassVar = 3
     vertices: tuple[RationalVector, ...]
@@ -99,11 +99,6 @@ class Mesh(Shown):
     def extremes(self) -> tuple[RationalVector, ...]:
         """Points whose bounding box is that of the object."""
         return self.vertices
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return the file form."""
-        vertices = [[to_text(x) for x in vertex] for vertex in self.vertices]
-        return {"vertices": vertices, "faces": [list(face) for face in self.faces]}
 
 
 Outline: TypeAlias = Polygon | Circle | Mesh

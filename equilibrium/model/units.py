@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import Documented
 from arrangement.library.files.json_files import check_keys
 from arrangement.numbers.exact import shown
 
@@ -19,12 +19,14 @@ _MAX_LENGTH = 20
 
 
 @dataclass(frozen=True, repr=False)
-class Units(Shown):
+class Units(Documented):
     """The units of length and of force, in the user's words.
 
     >>> Units("mm", "N").torque
     'N mm'
     """
+
+    in_document = ("length", "force")
 
     length: str
     force: str
@@ -47,10 +49,6 @@ class Units(Shown):
     def torque(self) -> str:
         """The unit of torques."""
         return f"{self.force} {self.length}"
-
-    def to_dict(self) -> dict[str, str]:
-        """Return the file form."""
-        return {"length": self.length, "force": self.force}
 
     @classmethod
     def from_dict(cls, document: Any) -> Units:

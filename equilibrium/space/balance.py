@@ -1,7 +1,8 @@
 """The search for an equilibrium in space: contacts made smooth, then sharper step by step.
 
 As in the plane (`equilibrium.plane.search.continuation`), with the friction force
-``-mu c_n s / sqrt(|s|^2 + eps^2)`` in the tangent plane: balance is an equation in the six unknowns
+``-mu c_n s / sqrt(|s|^2 + eps^2)`` in the tangent plane, or with pyramids a mean of their edges, of
+the weights ``exp(e . s / eps)``: balance is an equation in the six unknowns
 of the motion, whatever the number of contacts.
 """
 
@@ -16,37 +17,36 @@ from arrangement.numbers.float_filter import Floats
 from equilibrium.plane.contacts import SpatialContacts, nearest
 from equilibrium.plane.search.continuation import Continuation, motion_scale
 
+from .cones import Cones
+
 
 class SpatialContinuation(Continuation):
     """The smoothed balance of one question in space."""
 
-    def __init__(self, contacts: SpatialContacts, wrench: RationalVector) -> None:
-        self.points = contacts
+    def __init__(self, contacts: SpatialContacts, wrench: RationalVector, cones: Cones) -> None:
+        self.points, self.cones = contacts, cones
         self.load = np.array([nearest(w) for w in wrench])
         self.scale = motion_scale(contacts, self.load)
-        self.size = float(np.abs(self.load).max() + np.abs(contacts.preload).max(initial=0.0))
+        #: Torques count as forces at a typical distance.
+        self.arms = self.scale / self.scale[0]
+        most = np.abs(self.load * self.arms).max()
+        self.size = float(most + np.abs(contacts.preload).max(initial=0.0))
 
     def _balance(self, motion: Floats, eps: float) -> tuple[Floats, Floats]:
-        """Return the sum of all wrenches, and its derivative."""
+        """Return the sum of all wrenches, in units of force, and its derivative."""
         c = self.points
         force = c.spring[:, 0] + c.spring[:, 1:] @ motion
-        slip = c.tangents @ motion
-        root = np.sqrt((slip * slip).sum(axis=1) + eps * eps)
-        ratio = -slip / root[:, None]
+        ratio, change = self.cones.smooth(c.tangents @ motion, eps)
         soft = eps * c.stiffness
         smooth = np.sqrt(force * force + soft * soft)
         touching = (1 + force / smooth) / 2
         force = (force + smooth) / 2
-        pull = np.einsum("mi,mij->mj", ratio * c.friction[:, None], c.tangents)
-        arm = c.normal + pull
-        # The derivative of s / root is (T - ratio (ratio . T)) / root.
-        along = np.einsum("mi,mij->mj", ratio, c.tangents)
-        turned = c.tangents - ratio[:, :, None] * along[:, None, :]
-        weight = -c.friction * force / root
+        arm = c.normal + np.einsum("mi,mij->mj", ratio * c.friction[:, None], c.tangents)
+        turned = change @ c.tangents
         value = self.load + force @ arm
         jacobian = (arm * touching[:, None]).T @ c.spring[:, 1:]
-        jacobian += np.einsum("m,mij,mik->jk", weight, c.tangents, turned)
-        return value, jacobian
+        jacobian += np.einsum("m,mij,mik->jk", -c.friction * force, c.tangents, turned)
+        return value * self.arms, jacobian * self.arms[:, None]
 
     def starts(self, count: int) -> Iterator[Floats]:
         """Yield motions to start from: none, then small random ones, the same on every run."""

@@ -19,8 +19,8 @@ from arrangement.numbers.float_filter import Floats
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.plane.contacts import SpatialContacts
 
+from .cones import Pyramids, Slip, State
 from .equilibria import SpatialSolution
-from .relaxation import State
 from .state_program import ConeRow, Ends, StateProgram
 from .states import States, rational_direction
 
@@ -28,6 +28,8 @@ from .states import States, rational_direction
 _SIDES, _CUTS, _SIMPLE, _LONG = 8, 3, 64, 2**20
 #: What is taken off the least product of a middle direction with the arc of a sector.
 _LESS = Fraction(1, 2**40)
+#: Up to this sine of the angle a slip is along a direction.
+_ALONG = 1e-6
 
 
 class ExactParts:
@@ -47,13 +49,14 @@ class ExactParts:
         Args:
             towards: (m, 2), directions of friction that are likely to matter.
         """
+        ends: list[Any] = list(states)
         around = [[*self.base, *_near(*pair)] for pair in towards.tolist()]
         for _ in range(_CUTS):
             cones = [
                 _outside(contact.friction, state, directions)
                 for contact, state, directions in zip(self.grasp, states, around, strict=True)
             ]
-            found = self._solve(states, cones)
+            found = self._solve(ends, cones)
             if not isinstance(found, SpatialSolution):
                 return found
             cut = False
@@ -95,6 +98,69 @@ class ExactParts:
             return leaf
         forces = tuple(found[6 + 3 * i : 9 + 3 * i] for i in range(len(self.grasp)))
         return SpatialSolution(found[:6], forces)
+
+
+class PyramidParts(ExactParts):
+    """The same with pyramids, of which states and their programs are the law itself."""
+
+    def __init__(
+        self, contacts: SpatialContacts, wrench: RationalVector, deadline: float, cones: Pyramids
+    ) -> None:
+        super().__init__(contacts, wrench, deadline)
+        self.cones = cones
+
+    def part(self, states: Sequence[State], towards: Floats) -> SpatialSolution | dict[str, Any]:
+        """Return a leaf, or a point that obeys the relaxed law."""
+        ends: list[Ends] = [s.ends if isinstance(s, Slip) else s for s in states]
+        cones = [
+            [] if state == "detached" else self._cone(contact.friction, state)
+            for contact, state in zip(self.grasp, states, strict=True)
+        ]
+        return self._solve(ends, cones)
+
+    def holds(self, states: Sequence[State]) -> SpatialSolution | None:
+        """Return an equilibrium with all states decided, if there is one."""
+        found = self.part(states, np.zeros((0, 2)))
+        return found if isinstance(found, SpatialSolution) else None
+
+    def near(self, normal: Floats, slips: Floats) -> tuple[State, ...]:
+        """Return the states of normal forces and slips in floats, 0 where there is none."""
+        return tuple(
+            "detached"
+            if not force > 0
+            else "attached"
+            if not contact.friction
+            else self._slip(slip)
+            if slip.any()
+            else "stick"
+            for contact, force, slip in zip(self.grasp, normal.tolist(), slips, strict=True)
+        )
+
+    def _slip(self, slip: Floats) -> Slip:
+        """Return the slip in a direction: along the normal of a side, or between two."""
+        for part in self.cones.all:
+            ends = np.array(part.ends, dtype=float)
+            sines = (ends[:, 0] * slip[1] - ends[:, 1] * slip[0]) / np.hypot(*slip)
+            if (ends @ slip > 0).all() and (
+                abs(sines[0]) < _ALONG if len(ends) == 1 else sines[0] > 0 > sines[1]
+            ):
+                return part
+        raise AssertionError("the sectors of a pyramid cover all directions")
+
+    def _cone(self, mu: Fraction, state: State) -> list[ConeRow]:
+        """Return the conditions on the forces of a contact, (normal, friction)."""
+        rows: list[ConeRow] = [
+            (False, (mu * dot(normal, edge), *(-x for x in normal)))
+            for normal, edge in zip(self.cones.normals, self.cones.edges, strict=True)
+        ]
+        if not isinstance(state, Slip):
+            return rows
+        if len(state.ends) == 1:
+            # On the side of the polygon that is opposite.
+            (end,) = state.ends
+            return [*rows, (True, (mu * dot(end, state.edges[0]), *end))]
+        (corner,) = state.edges
+        return [*rows, *((True, (mu * corner[j], j == 0, j == 1)) for j in range(2))]
 
 
 def _near(x: float, y: float) -> list[RationalVector]:

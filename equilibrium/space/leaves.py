@@ -9,91 +9,203 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from arrangement.numbers.exact import RationalVector, primitive, to_text
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, to_text
 from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.plane.contacts import SpatialContacts
 
-from .relaxation import Ray, State
+from .cones import Cones, State
+from .relaxation import Ray
 
 #: Roots are rounded up to multiples of one over this.
 _ROOTS = 2**30
 #: Numbers are rounded to multiples of one over the first, multipliers below the second left out.
 _FINE = ((2**10, 1e-6), (2**20, 1e-6), (2**34, 1e-9), (2**48, 1e-12))
+#: So many multipliers, those with most room, mostly do for what has to cancel.
+_FIRST = 9
 
 
-def exact_leaf(
-    contacts: SpatialContacts,
-    wrench: RationalVector,
-    states: Sequence[State],
-    ray: Ray,
-    within: Range = NO_RANGE,
-) -> Any | None:
-    """Return a leaf near a dual ray, or None where rounding finds none."""
-    largest = float(np.abs(ray.virtual).max())
-    if not 0 < largest < math.inf or not np.isfinite(ray.multipliers).all():
-        return None
-    grasp, kept = contacts.grasp, None
-    turns: list[RationalVector] = []
-    if ray.turn.any():
-        turns = [tuple(Fraction(int(j == k)) for j in range(6)) for k in (3, 4, 5)]
-    for fine, nothing in _FINE:
-        if kept is None or not np.array_equal(kept, ray.sizes > nothing):
-            kept = ray.sizes > nothing
-            places = list(zip(*map(list, np.nonzero(kept)), strict=True))
-            places.sort(key=lambda place: -ray.room[place])
-            columns: list[RationalVector] = [
-                contacts.springs[i][1:] if j == 0 else grasp.contacts[i].tangential_wrenches[j - 1]
-                for i, j in places
-            ]
-            columns = turns + columns
-            reduced, pivots, scale = gauss_jordan(list(zip(*columns, strict=True)))
-        unit = fine / largest
-        pinned = _pinned(contacts, states, ray, kept, nothing)
-        motion = _rounded(pinned, [float(x) * unit for x in ray.virtual])
-        listed = [*(ray.turn if turns else ()), *(ray.multipliers[place] for place in places)]
-        values = [Fraction(round(float(x) * unit)) for x in listed]
-        for row, pivot in zip(reduced, pivots, strict=False):
-            others = sum(row[k] * values[k] for k in range(len(values)) if k not in pivots)
-            values[pivot] = Fraction(-others) / scale
-        given: dict[int, list[Fraction]] = {}
-        for (i, j), value in zip(places, values[len(turns) :], strict=True):
-            given.setdefault(int(i), [Fraction(0)] * 3)[j] = value
-        turn = values[: len(turns)]
-        if turn:
-            turn = [_root_above(sum(x * x for x in turn)), *turn]
-        pushed = np.flatnonzero(ray.forces > nothing * largest).tolist()
-        rho = {i: Fraction(math.ceil(float(ray.forces[i]) * unit)) for i in pushed}
-        if _holds(contacts, wrench, states, motion, given, within, turn, rho):
-            return _node(motion, given, turn, rho)
-    return None
+class _WholeContact(NamedTuple):
+    """A contact in integers: wrenches of the frame times `unit`.
 
-
-def _pinned(
-    contacts: SpatialContacts, states: Sequence[State], ray: Ray, kept: Any, nothing: float
-) -> list[RationalVector]:
-    """Return the wrenches of contacts that the virtual motion leaves where they are.
-
-    The conditions of such a contact have no room, as of one on an axis of a rotation.
+    Attributes:
+        columns: what alpha and h add to what depends on the motion, times a number for all.
+        preload: times a number for all.
     """
-    scale = ray.virtual * np.array([1.0] * 3 + [contacts.length] * 3)
-    limit = max(nothing, 1e-9) * float(np.abs(scale).max())
-    rows: list[RationalVector] = []
-    for i, state in enumerate(states):
-        moved = np.append(contacts.tangents[i] @ ray.virtual, contacts.normal[i] @ ray.virtual)
-        if state != "detached" and not kept[i, 0] and np.abs(moved).max() <= limit:
-            contact = contacts.grasp.contacts[i]
-            rows += [contact.normal_wrench, *contact.tangential_wrenches]
-    return rows
+
+    frame: tuple[IntegerVector, ...]
+    unit: int
+    columns: tuple[IntegerVector, ...]
+    preload: int
+    friction: Fraction
 
 
-def _rounded(rows: list[RationalVector], motion: list[float]) -> list[Fraction]:
-    """Return a motion near a given one on which all rows are exactly 0."""
-    found = [Fraction(round(x)) for x in motion]
+class _Numbers(NamedTuple):
+    """The integers of a leaf, all times the same."""
+
+    motion: Sequence[int]
+    given: dict[int, Sequence[int]]
+    turn: Sequence[Any]
+    rho: dict[int, int]
+
+
+class Leaves:
+    """The leaves of one question."""
+
+    def __init__(
+        self,
+        contacts: SpatialContacts,
+        wrench: RationalVector,
+        cones: Cones,
+        within: Range = NO_RANGE,
+    ) -> None:
+        self.contacts, self.cones = contacts, cones
+        grasp = contacts.grasp
+        bounds = [within.largest_turn or Fraction(0), within.largest_force or Fraction(0)]
+        given = [*wrench, *bounds, *(c.preload for c in grasp)]
+        unit = math.lcm(*(x.denominator for x in given))
+        self.load, self.bounds = _whole(wrench, unit), _whole(bounds, unit)
+        frames = [(c.normal_wrench, *c.tangential_wrenches) for c in grasp]
+        units = [math.lcm(*(x.denominator for row in frame for x in row)) for frame in frames]
+        pairs = list(zip(grasp, units, strict=True))
+        self.motions = math.lcm(*(c.stiffness.denominator * unit for c, unit in pairs))
+        self.each = []
+        for (c, own), frame in zip(pairs, frames, strict=True):
+            rows = tuple(_whole(row, own) for row in frame)
+            factors = int(-c.stiffness * (self.motions // own)), *[self.motions // own] * 2
+            columns = [
+                tuple(factor * x for x in row) for factor, row in zip(factors, rows, strict=True)
+            ]
+            preload = int(c.preload * unit)
+            self.each.append(_WholeContact(rows, own, tuple(columns), preload, c.friction))
+
+    def leaf(self, states: Sequence[State], ray: Ray) -> Any | None:
+        """Return a leaf near a dual ray, or None where rounding finds none."""
+        arm = 2.0 ** round(math.log2(self.contacts.length))
+        largest = float(np.abs(ray.virtual * [1, 1, 1, arm, arm, arm]).max())
+        if not 0 < largest < math.inf or not np.isfinite(ray.multipliers).all():
+            return None
+        turns: list[IntegerVector] = []
+        if ray.turn.any():
+            turns = [tuple(self.motions * (j == k) for j in range(6)) for k in (3, 4, 5)]
+        kept = None
+        for fine, nothing in _FINE:
+            if kept is None or not np.array_equal(kept, ray.sizes > nothing):
+                kept = ray.sizes > nothing
+                places = list(zip(*np.nonzero(kept), strict=True))
+                places.sort(key=lambda place: -ray.room[place])
+                places = [(int(i), int(j)) for i, j in places]
+                columns = turns + [self.each[i].columns[j] for i, j in places]
+                pinned = self._pinned(states, ray, kept, nothing)
+            unit = fine / largest
+            # Turns are multiples of one over the length: the unit of length makes no difference.
+            unit, steps = unit * max(1.0, arm), [max(1.0, arm)] * 3 + [max(1.0, 1 / arm)] * 3
+            motion = _rounded(pinned, [x * unit for x in ray.virtual.tolist()], steps)
+            listed = [*(ray.turn if turns else ()), *(ray.multipliers[place] for place in places)]
+            values, scale = _cancelled(columns, [round(float(x) * unit) for x in listed])
+            pushed = np.flatnonzero(ray.forces > nothing * largest).tolist()
+            rho = {i: scale * math.ceil(float(ray.forces[i]) * unit) for i in pushed}
+            given: dict[int, list[int]] = {}
+            for (i, j), value in zip(places, values[len(turns) :], strict=True):
+                given.setdefault(i, [0] * 3)[j] = value
+            turn: list[Any] = values[: len(turns)]
+            if turn:
+                turn = [_root_above(sum(x * x for x in turn)), *turn]
+            own, common = _common(motion)
+            found = _Numbers(
+                [scale * x for x in own],
+                {i: [common * x for x in row] for i, row in given.items()},
+                [common * x for x in turn],
+                {i: common * x for i, x in rho.items()},
+            )
+            if self._holds(states, found):
+                return _node(found)
+        return None
+
+    def _pinned(
+        self, states: Sequence[State], ray: Ray, kept: Any, nothing: float
+    ) -> list[IntegerVector]:
+        """Return the wrenches of contacts that the virtual motion leaves where they are.
+
+        The conditions of such a contact have no room, as of one on an axis of a rotation.
+        """
+        c = self.contacts
+        scale = ray.virtual * np.array([1.0] * 3 + [c.length] * 3)
+        limit = max(nothing, 1e-9) * float(np.abs(scale).max())
+        moved = np.abs(np.column_stack([c.tangents @ ray.virtual, c.normal @ ray.virtual]))
+        still = (moved.max(axis=1) <= limit) & ~kept[:, 0]
+        return [
+            row
+            for i in np.flatnonzero(still).tolist()
+            if states[i] != "detached"
+            for row in self.each[i].frame
+        ]
+
+    def _holds(self, states: Sequence[State], leaf: _Numbers) -> bool:
+        """Return whether a leaf whose linear terms cancel shows what it has to."""
+        turn, force = self.bounds
+        work: Any = dot(self.load, leaf.motion) - sum(leaf.rho.values()) * force
+        work -= leaf.turn[0] * turn if leaf.turn else 0
+        for i, (contact, state) in enumerate(zip(self.each, states, strict=True)):
+            alpha, *h = leaf.given.get(i, (0, 0, 0))
+            work += alpha * contact.preload
+            if alpha < 0 and state in ("undecided", "detached"):
+                return False
+            if any(dot(h, end) > 0 for end in self.cones.ends(state)):
+                return False
+            if state == "detached":
+                continue
+            a, s, t = (dot(row, leaf.motion) for row in contact.frame)
+            room = a + (leaf.rho.get(i, 0) - alpha) * contact.unit
+            if not self.cones.below(room, contact.friction, (s, t), state):
+                return False
+        return bool(work > 0)
+
+
+def _whole(row: Sequence[Fraction], unit: int) -> IntegerVector:
+    return tuple([x.numerator * (unit // x.denominator) for x in row])
+
+
+def _common(row: Sequence[Fraction | int]) -> tuple[list[int], int]:
+    """Return integers and their common denominator."""
+    unit = math.lcm(*(x.denominator for x in row))
+    return [x.numerator * (unit // x.denominator) for x in row], unit
+
+
+def _cancelled(columns: Sequence[IntegerVector], values: list[int]) -> tuple[list[int], int]:
+    """Return multiples of columns near given ones that add up to 0, and the scale of both.
+
+    Those that come first are changed.
+    """
+    for count in (6, _FIRST, len(columns)):
+        others = [0] * 6
+        for column, value in zip(columns[count:], values[count:], strict=True):
+            if value:
+                others = [x + value * y for x, y in zip(others, column, strict=True)]
+        rows = list(zip(*columns[:count], others, strict=True))
+        reduced, pivots, scale = gauss_jordan(rows)
+        if len(rows[0]) - 1 in pivots:
+            continue
+        sign = 1 if scale > 0 else -1
+        found = [abs(scale) * value for value in values]
+        free = [k for k in range(len(rows[0]) - 1) if k not in pivots]
+        for row, pivot in zip(reduced, pivots, strict=False):
+            found[pivot] = -sign * (row[-1] + sum(row[k] * values[k] for k in free))
+        return found, abs(scale)
+    raise AssertionError("nothing is left over where all columns are in use")
+
+
+def _rounded(
+    rows: list[IntegerVector], motion: list[float], steps: list[float]
+) -> Sequence[Fraction | int]:
+    """Return a motion of multiples of steps near a given one, on which all rows are exactly 0."""
+    found: list[Fraction | int] = [
+        int(step) * round(x / step) for x, step in zip(motion, steps, strict=True)
+    ]
     # Pivots go to the entries that come first: the largest stay as they are.
     order = sorted(range(6), key=lambda j: abs(motion[j]))
     reduced, pivots, scale = gauss_jordan([[row[j] for j in order] for row in rows])
@@ -103,81 +215,23 @@ def _rounded(rows: list[RationalVector], motion: list[float]) -> list[Fraction]:
     return found
 
 
-def _root_above(square: Fraction | int) -> Fraction:
+def _root_above(square: int) -> Fraction:
     """Return a number just above a square root, or 0 for 0."""
-    return (
-        Fraction(math.isqrt(math.ceil(square * _ROOTS**2)) + 1, _ROOTS) if square else Fraction(0)
-    )
+    return Fraction(math.isqrt(square * _ROOTS**2) + 1, _ROOTS) if square else Fraction(0)
 
 
-def _node(
-    motion: list[Fraction],
-    given: dict[int, list[Fraction]],
-    turn: list[Fraction],
-    rho: dict[int, Fraction],
-) -> Any:
+def _node(leaf: _Numbers) -> Any:
     """Return the form of a leaf, in coprime integers."""
+    motion, given, turn, rho = leaf
     every = [*motion, *(x for row in given.values() for x in row), *turn, *rho.values()]
     whole = [to_text(x) for x in primitive(every)]
     if not (given or turn or rho):
         return whole
     rows = {str(i): whole[6 + 3 * k : 9 + 3 * k] for k, i in enumerate(given)}
     short = {i: row[:1] if row[1:] == ["0", "0"] else row for i, row in rows.items()}
-    leaf: dict[str, Any] = {"virtual_motion": whole[:6], "multipliers": short}
+    found: dict[str, Any] = {"virtual_motion": whole[:6], "multipliers": short}
     end = 6 + 3 * len(given) + len(turn)
     used: dict[str, Any] = {"turn": whole[end - len(turn) : end]} if turn else {}
     if rho:
         used["forces"] = dict(zip(map(str, rho), whole[end:], strict=True))
-    return {**leaf, "range": used} if used else leaf
-
-
-def _holds(
-    contacts: SpatialContacts,
-    wrench: RationalVector,
-    states: Sequence[State],
-    motion: list[Fraction],
-    given: dict[int, list[Fraction]],
-    within: Range,
-    turn: list[Fraction],
-    rho: dict[int, Fraction],
-) -> bool:
-    """Return whether a leaf whose linear terms cancel shows what it has to."""
-    work = sum((w * x for w, x in zip(wrench, motion, strict=True)), Fraction(0))
-    work -= turn[0] * (within.largest_turn or 0) if turn else 0
-    work -= sum(rho.values()) * (within.largest_force or 0)
-    for i, (contact, state) in enumerate(zip(contacts.grasp, states, strict=True)):
-        alpha, *h = given.get(i, (Fraction(0),) * 3)
-        work += alpha * contact.preload
-        if (state == "undecided" or state == "detached") and alpha < 0:
-            return False
-        if isinstance(state, tuple) and any(h[0] * x + h[1] * y > 0 for x, y in state):
-            return False
-        if state == "detached":
-            continue
-        a, s, t = (
-            sum((x * y for x, y in zip(row, motion, strict=True) if y), Fraction(0))
-            for row in (contact.normal_wrench, *contact.tangential_wrenches)
-        )
-        if not _within(a + rho.get(i, 0) - alpha, contact.friction, (s, t), state):
-            return False
-    return work > 0
-
-
-def _within(room: Fraction, friction: Fraction, b: tuple[Fraction, Fraction], state: State) -> bool:
-    """Return whether ``room >= friction x . b`` for all unit vectors x that the state allows."""
-    s, t = b
-    if isinstance(state, tuple):
-        (p, q), (v, w) = state
-        if not (p * t - q * s >= 0 and s * w - t * v >= 0):
-            return all(_above(room, friction * (x * s + y * t), x * x + y * y) for x, y in state)
-    return room >= 0 and room * room >= friction * friction * (s * s + t * t)
-
-
-def _above(room: Fraction, product: Fraction, square: int) -> bool:
-    """Return whether ``room >= product / sqrt(square)``."""
-    if room >= 0 >= product:
-        return True
-    if room < 0 <= product:
-        return False
-    larger = room * room * square >= product * product
-    return larger if room >= 0 else room * room * square <= product * product
+    return {**found, "range": used} if used else found

@@ -21,6 +21,7 @@ from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.plane.contacts import IntegerContacts
 from equilibrium.plane.search.motion_regions import resistance
 from equilibrium.plane.search.state_equilibrium import Solution
+from equilibrium.plane.search.units import SearchUnits
 
 from .equilibria import SpatialSolution
 
@@ -42,12 +43,17 @@ def decide_in_plane(
         return None
     limit = None if deadline == math.inf else deadline - time.monotonic()
     try:
-        found = resistance(IntegerContacts(flat, within), load, limit)
+        units = SearchUnits.of(flat, load)
+        scaled = IntegerContacts(units.grasp(flat), units.range(within))
+        found = resistance(scaled, units.wrench(load), limit)
     except TimeLimitError:
         raise TimeoutError("the time is over") from None
     if not isinstance(found, Solution):
-        return {"plane": [list(map(to_text, axis)) for axis in axes], "tree": found}
-    return _lifted(grasp, flat, axes, found)
+        return {
+            "plane": [list(map(to_text, axis)) for axis in axes],
+            "tree": units.tree_back(found),
+        }
+    return _lifted(grasp, flat, axes, units.solution_back(found))
 
 
 def _axes(grasp: Grasp, wrench: RationalVector) -> tuple[RationalVector, RationalVector]:

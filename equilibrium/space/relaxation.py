@@ -2,13 +2,13 @@
 
 Unknowns are the motion and a force at each contact. The relaxed law, by the state of a contact:
 
-* undecided: ``c_n >= 0``, ``c_n >= q - k N . d``, ``|c_t| <= mu c_n``;
+* loose: a force in the cone, without a spring;
+* undecided: ``c_n >= q - k N . d``, and in the cone;
 * detached: no force, ``q - k N . d <= 0``;
-* attached: ``c_n = q - k N . d``, ``|c_t| <= mu c_n``;
+* attached: ``c_n = q - k N . d``, and in the cone;
 * stick: attached, and ``T d = 0``;
-* in a range: ``c_n <= F``, and ``|r| <= Q`` for the rotation r of d;
-* slip in the sector from u to v: attached, T d in the sector, and c_t in the convex hull of
-  ``-mu c_n`` times the arc from u to v.
+* slip in a sector: attached, T d in the sector, and c_t in the convex hull of what it allows;
+* in a range: ``c_n <= F``, and ``|r| <= Q`` for the rotation r of d.
 
 Where nothing satisfies it together with balance, the dual ray has a virtual motion and multipliers:
 a leaf. Otherwise its solution says which contact to split.
@@ -17,7 +17,9 @@ a leaf. Otherwise its solution says which contact to split.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple, TypeAlias
+from functools import cache
+from itertools import pairwise
+from typing import Any, NamedTuple
 
 import clarabel
 import numpy as np
@@ -29,12 +31,7 @@ from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.plane.contacts import SpatialContacts, nearest
 
 from .balance import SpatialContinuation
-
-#: Integer directions in the frame of the tangents; a sector has two, counter-clockwise.
-Direction: TypeAlias = tuple[int, int]
-Sector: TypeAlias = tuple[Direction, Direction]
-#: "undecided", "detached", "attached", "stick", or a sector of slip.
-State: TypeAlias = str | Sector
+from .cones import Cones, State
 
 #: Weight of the square of the motion beside the forces, in scaled units.
 _SMALL_MOTION = 1e-3
@@ -42,6 +39,11 @@ _SMALL_MOTION = 1e-3
 _NO_ROOM = 1e-6
 #: Whether a contact touches is asked before how it slips, by this factor.
 _FIRST = 3.0
+_KINDS = {
+    "zero": clarabel.ZeroConeT,
+    "plus": clarabel.NonnegativeConeT,
+    "round": clarabel.SecondOrderConeT,
+}
 
 
 class Ray(NamedTuple):
@@ -69,6 +71,39 @@ class Point(NamedTuple):
     forces: Floats
 
 
+class _Block(NamedTuple):
+    """The rows of one contact in one state: minus what they give, and `right`, is in the cones.
+
+    Attributes:
+        rows, motion: the rows (k,) with coefficients (k, 6) of the motion.
+        data, index, own: coefficients of the forces by columns, their rows, and whether these are
+            rows of the block, not of balance; counts: how many in each column.
+        dual: (4, rows), what multipliers of the rows are of alpha, h and rho.
+        room: (rows,), where there has to be room in a leaf.
+    """
+
+    rows: Any
+    motion: Floats
+    data: Floats
+    index: Any
+    own: Any
+    counts: list[int]
+    right: Floats
+    kinds: list[Any]
+    dual: Floats
+    room: Floats
+
+
+class _Columns(NamedTuple):
+    """A sparse matrix by columns: what Clarabel reads of SciPy's, which is slow to make."""
+
+    data: Floats
+    indices: Any
+    indptr: Any
+    shape: tuple[int, int]
+    has_canonical_format: bool = True
+
+
 class Relaxation:
     """All relaxations of one question, in scaled units.
 
@@ -77,10 +112,14 @@ class Relaxation:
     """
 
     def __init__(
-        self, contacts: SpatialContacts, wrench: RationalVector, within: Range = NO_RANGE
+        self,
+        contacts: SpatialContacts,
+        wrench: RationalVector,
+        cones: Cones,
+        within: Range = NO_RANGE,
     ) -> None:
-        c, search = contacts, SpatialContinuation(contacts, wrench)
-        self.contacts, self.m = c, len(c.grasp)
+        c, search = contacts, SpatialContinuation(contacts, wrench, cones)
+        self.contacts, self.m, self.cones = c, len(c.grasp), cones
         self.arms = np.array([1.0] * 3 + [1 / c.length] * 3)
         self.force, self.step = search.size or 1.0, float(search.scale[0])
         self.scale = self.step * self.arms
@@ -96,261 +135,191 @@ class Relaxation:
         self.settings.verbose = False
         self.settings.presolve_enable = False
         self.settings.max_threads = 1
+        self._block = cache(self._new_block)
+
+    def _new_block(self, i: int, state: State) -> _Block:
+        """Return the rows of a contact in a state."""
+        # Of each row: the motion, the force, the end; alpha, h, rho of a leaf; its room.
+        cones: list[tuple[str, Floats]] = []
+        if state != "loose":
+            row = np.zeros((1, 15))
+            row[0, :6] = -self.stiffness[i] * self.normal[i]
+            row[0, [6, 9, 10]] = -float(state != "detached"), -self.preload[i], 1.0
+            cones.append(("plus" if state in ("undecided", "detached") else "zero", row))
+        if state != "detached":
+            for kind, slips, forces in self.cones.conditions(self.friction[i], state):
+                rows = np.zeros((len(slips), 15))
+                rows[:, :6], rows[:, 6:9] = slips @ self.tangents[i], forces
+                rows[:, 11:13] = slips
+                cones.append((kind, rows))
+            cones[-1][1][: 1 if cones[-1][0] == "round" else None, 14] = 1.0
+            if self.most < np.inf:
+                row = np.zeros((1, 15))
+                row[0, [6, 9, 13]] = 1.0, self.most, 1.0
+                cones.append(("plus", row))
+        table = np.concatenate([rows for _, rows in cones])
+        felt = np.flatnonzero(table[:, :6].any(axis=1))
+        # A contact without friction has no unknown but its normal force.
+        count = 0 if state == "detached" else 3 if self.friction[i] else 1
+        along = np.array([self.normal[i], *self.tangents[i]])[:count]
+        columns = np.concatenate([-along, table[:, 6 : 6 + count].T], axis=1)
+        column, place = np.nonzero(columns)
+        return _Block(
+            felt,
+            table[felt, :6],
+            columns[column, place],
+            place - 6 * (place >= 6),
+            place >= 6,
+            np.bincount(column, minlength=count).tolist(),
+            table[:, 9],
+            [_KINDS[kind](len(rows)) for kind, rows in cones],
+            table[:, 10:14].T,
+            table[:, 14],
+        )
+
+    def _program(
+        self, states: Sequence[State]
+    ) -> tuple[list[_Block], list[int], _Columns, Floats, list[Any]]:
+        """Return blocks, where they begin and the last ends, and the matrix, end and cones."""
+        blocks = list(map(self._block, range(self.m), states))
+        starts = [6]
+        for block in blocks:
+            starts.append(starts[-1] + len(block.right))
+        rows = starts[-1] + len(self.turn)
+        felt = [block.rows + start for block, start in zip(blocks, starts, strict=False)]
+        place = np.concatenate(felt or [np.zeros(0, int)])
+        motion = np.concatenate([block.motion for block in blocks] or [np.zeros((0, 6))])
+        data, index = [motion.T.ravel()], [np.tile(place, 6)]
+        counts = [len(place)] * 6
+        if self.turn:
+            # The rotation is in a cone of its own, in the last rows.
+            data = [*motion.T[:3], *(np.append(column, -1.0) for column in motion.T[3:])]
+            index = [place] * 3 + [np.append(place, rows + k) for k in (-3, -2, -1)]
+            counts = [*counts[:3], *(count + 1 for count in counts[3:])]
+        for block, start in zip(blocks, starts, strict=False):
+            data.append(block.data)
+            index.append(block.index + start * block.own)
+            counts += block.counts
+        pointer = np.concatenate([[0], np.cumsum(counts)])
+        entries = np.concatenate(data), np.concatenate(index), pointer
+        matrix = _Columns(*entries, (rows, len(counts)))
+        ends = [self.load, *(block.right for block in blocks), self.turn]
+        kinds = [clarabel.ZeroConeT(6), *(kind for block in blocks for kind in block.kinds)]
+        kinds += [clarabel.SecondOrderConeT(4)] * bool(self.turn)
+        return blocks, starts, matrix, np.concatenate(ends), kinds
 
     def solve(self, states: Sequence[State]) -> Ray | Point | None:
         """Return a ray or a point for one node; None where the program solver fails."""
-        free = [i for i, state in enumerate(states) if state != "detached"]
-        n = 6 + 3 * len(free)
-        column = {i: 6 + 3 * k for k, i in enumerate(free)}
-        zero, plus = _Rows(n, 6 + 4 * self.m), _Rows(n, 5 * self.m)
-        zero.matrix[:6, 6:] = (
-            -np.concatenate(
-                [self.normal[free, :, None], self.tangents[free].transpose(0, 2, 1)], axis=2
-            )
-            .transpose(1, 0, 2)
-            .reshape(6, -1)
-        )
-        zero.right[:6], zero.used = self.load, 6
-        place: list[int] = []
-        cost = np.zeros(n)
-        for i, state in enumerate(states):
-            gap = self.stiffness[i] * self.normal[i]
-            # q - k N . d is at most, or equal to, the normal force.
-            rows = plus if state in ("undecided", "detached") else zero
-            place.append(rows.used)
-            if state == "detached":
-                plus.add(-gap, -self.preload[i])
-                continue
-            j = column[i]
-            rows.add(-gap, -self.preload[i], (j, -1.0))
+        blocks, starts, matrix, right, kinds = self._program(states)
+        n = matrix.shape[1]
+        cost, j = np.zeros(n), 6
+        places = []
+        for block, state in zip(blocks, states, strict=True):
+            places.append(j)
             if state == "undecided":
                 cost[j] = 1.0
-            elif state == "stick":
-                for tangent in self.tangents[i]:
-                    zero.add(tangent, 0.0)
-            elif isinstance(state, tuple):
-                u, v = _ends(state)
-                for side in _sides(u, v):
-                    plus.add(-(side @ self.tangents[i]), 0.0)
-                middle = (u + v) / np.hypot(*(u + v))
-                limit = self.friction[i] * float(u @ middle)
-                plus.add(np.zeros(6), 0.0, (j, limit), (j + 1, middle[0]), (j + 2, middle[1]))
-        bounded = list(column.values()) * (self.most < np.inf)
-        for j in bounded:
-            plus.add(np.zeros(6), self.most, (j, 1.0))
-        cones = np.zeros((3 * len(free), n))
-        index = np.arange(6, n)
-        cones[index - 6, index] = np.where(
-            (index - 6) % 3 == 0, -self.friction[free].repeat(3), -1.0
-        )
-        turns = np.zeros((len(self.turn), n))
-        turns[1:, 3:6] = -np.eye(3)[: len(turns) and 3]
-        matrix = np.concatenate([zero.rows, plus.rows, cones, turns])
-        right = np.concatenate([zero.ends, plus.ends, np.zeros(3 * len(free)), self.turn])
-        kinds = [clarabel.ZeroConeT(zero.used)]
-        if plus.used:
-            kinds.append(clarabel.NonnegativeConeT(plus.used))
-        kinds += [clarabel.SecondOrderConeT(3)] * len(free)
-        kinds += [clarabel.SecondOrderConeT(4)] * (len(turns) // 4)
-        quadratic = csc_matrix((np.full(6, _SMALL_MOTION), (range(6), range(6))), shape=(n, n))
-        solver = clarabel.DefaultSolver(
-            quadratic, cost, csc_matrix(matrix), right, kinds, self.settings
-        )
-        found = solver.solve()
+            j += len(block.counts)
+        found = clarabel.DefaultSolver(
+            _squares(n), cost, matrix, right, kinds, self.settings
+        ).solve()
         status = str(found.status)
         if status in ("PrimalInfeasible", "AlmostPrimalInfeasible"):
-            dual, rho = np.array(found.z), np.zeros(self.m)
-            end = zero.used + plus.used
-            rho[free] = dual[end - len(free) : end] * bool(bounded)
-            return self._ray(states, place, zero.used, dual)._replace(
-                turn=-dual[-3:] * self.force / self.scale[3] * bool(self.turn),
-                forces=rho,
-            )
+            return self._ray(states, blocks, starts, np.array(found.z))
         if status not in ("Solved", "AlmostSolved"):
             return None
         x = np.array(found.x)
         forces = np.zeros((self.m, 3))
-        forces[free] = x[6:].reshape(-1, 3)
+        for i, (block, j) in enumerate(zip(blocks, places, strict=True)):
+            forces[i, : len(block.counts)] = x[j : j + len(block.counts)]
         return Point(x[:6], forces)
 
     def _ray(
-        self, states: Sequence[State], place: Sequence[int], equalities: int, dual: Floats
+        self,
+        states: Sequence[State],
+        blocks: Sequence[_Block],
+        starts: Sequence[int],
+        dual: Floats,
     ) -> Ray:
-        """Read a virtual motion and multipliers off a dual ray."""
-        multipliers = np.zeros((self.m, 3))
-        for i, state in enumerate(states):
-            row = place[i] + (equalities if state in ("undecided", "detached") else 0)
-            multipliers[i, 0] = dual[row]
-            if state == "stick":
-                multipliers[i, 1:] = dual[row + 1 : row + 3]
-            elif isinstance(state, tuple):
-                j = equalities + self._sector_rows(states, i)
-                multipliers[i, 1:] = -dual[j : j + 2] @ _sides(*_ends(state))
-        return self._in_units(states, -dual[:6], multipliers)
-
-    def _in_units(self, states: Sequence[State], virtual: Floats, multipliers: Floats) -> Ray:
-        """Return a ray in the units of the grasp, with the room of its multipliers."""
-        room = np.zeros((self.m, 3))
+        """Read a virtual motion and multipliers off a dual ray, in the units of the grasp."""
+        virtual = -dual[:6]
+        found = [
+            block.dual @ dual[start:end]
+            for block, (start, end) in zip(blocks, pairwise(starts), strict=True)
+        ]
+        numbers = np.array(found).reshape(self.m, 4)
+        multipliers, room = numbers[:, :3], np.zeros((self.m, 3))
+        along, across = self.normal @ virtual, self.tangents @ virtual
         for i, state in enumerate(states):
             alpha, h = multipliers[i, 0], multipliers[i, 1:]
-            a, b = self.normal[i] @ virtual, self.tangents[i] @ virtual
-            slack = a - alpha - self.friction[i] * np.hypot(*b)
-            if state in ("undecided", "detached", "attached"):
-                multipliers[i, 1:] = 0.0
-            room[i, 0] = {"undecided": min(alpha, slack), "detached": alpha}.get(str(state), slack)
+            if state == "detached":
+                room[i, 0] = alpha
+                continue
+            most = self.friction[i] * self.cones.support(state, across[i])
+            slack = along[i] - alpha - most
+            room[i, 0] = min(alpha, slack) if state == "undecided" else slack
             if state == "stick":
                 room[i, 1:] = np.inf
             elif isinstance(state, tuple):
-                u, v = _ends(state)
-                room[i, 0] = a - alpha - self.friction[i] * _largest(u, v, b)
-                room[i, 1:] = min(-h @ u, -h @ v)
+                ends = np.array(self.cones.ends(state), dtype=float)
+                room[i, 1:] = min(-(ends @ h) / np.hypot(*ends.T))
         sizes = np.abs(multipliers) / max(float(np.abs(virtual).max()), 1e-300)
         units = np.array([1.0, *[self.force / self.step] * 2])
-        unused = np.zeros(3), np.zeros(self.m)
-        return Ray(virtual * self.arms, multipliers * units, room, sizes, *unused)
+        turn = -dual[-3:] * self.force / self.scale[3] * bool(self.turn)
+        return Ray(virtual * self.arms, multipliers * units, room, sizes, turn, numbers[:, 3])
 
-    def cone_ray(self) -> Ray | None:
-        """Return a virtual motion on which the load works and no force in a cone does less.
+    def inner_ray(self, states: Sequence[State], room: float = 1.0) -> Ray | None:
+        """Return the ray with the most work, and room in the cones, if any has some.
 
-        It needs no springs, and sees loads that are tiny beside the preloads.
+        Unknowns are the multipliers of all rows and the room, of which `room` is a part in cones.
+        Of states that are all loose it needs no springs, and sees loads tiny beside preloads.
         """
-        load = self.load / (np.abs(self.load).max() or 1.0)
-        cones = np.zeros((3 * self.m, 6))
-        cones[::3] = -self.normal
-        cones[1::3] = -self.friction[:, None] * self.tangents[:, 0]
-        cones[2::3] = -self.friction[:, None] * self.tangents[:, 1]
-        matrix = csc_matrix(np.concatenate([np.eye(6), -np.eye(6), cones]))
-        right = np.concatenate([np.ones(12), np.zeros(3 * self.m)])
-        kinds = [clarabel.NonnegativeConeT(12), *[clarabel.SecondOrderConeT(3)] * self.m]
-        program = (csc_matrix((6, 6)), -load, matrix, right, kinds)
-        found = np.array(clarabel.DefaultSolver(*program, self.settings).solve().x)
-        if not load @ found > _NO_ROOM:
-            return None
-        return self._in_units(["undecided"] * self.m, found, np.zeros((self.m, 3)))
-
-    def inner_ray(self, states: Sequence[State]) -> Ray | None:
-        """Return the ray with the most room in the conditions of a leaf, if any has some.
-
-        Unknowns are the virtual motion, alpha and h of each contact, one more of each sector, and
-        the room.
-        """
-        m, n = self.m, 6 + 4 * self.m + 1
-        equal = np.zeros((6, n))
-        plus, cones = _Rows(n, 12 + 4 * m), np.zeros((3 * m, n))
-        fixed = []
-        for i, state in enumerate(states):
-            j = 6 + 4 * i
-            equal[:, j] = -self.stiffness[i] * self.normal[i]
-            equal[:, j + 1 : j + 3] = self.tangents[i].T
-            if state in ("undecided", "detached"):
-                plus.add(np.zeros(6), 0.0, (j, -1.0))
-            if isinstance(state, tuple):
-                u, v = _ends(state)
-                for end in (u, v):
-                    plus.add(np.zeros(6), 0.0, (j + 1, end[0]), (j + 2, end[1]))
-                plus.add(np.zeros(6), 0.0, (j + 3, -1.0))
-            else:
-                fixed += [j + 3] if state == "stick" else [j + 1, j + 2, j + 3]
-            if state == "detached":
-                continue
-            cone = cones[3 * i : 3 * i + 3]
-            cone[0, :6], cone[0, j], cone[0, -1] = -self.normal[i], 1.0, 1.0
-            cone[1:, :6] = -self.friction[i] * self.tangents[i]
-            if isinstance(state, tuple):
-                middle = (u + v) / np.hypot(*(u + v))
-                cone[:, j + 3] = -self.friction[i] * np.array([u @ middle, *middle])
-        rows = plus.rows
-        work = np.zeros(n)
-        work[:6], work[6:-1:4], work[-1] = -self.load, -self.preload, 1.0
-        bounds = np.eye(n)[[*range(6), n - 1]]
-        zeros = np.eye(n)[fixed].reshape(-1, n)
-        matrix = np.concatenate([equal, zeros, rows, [work], bounds, -bounds[:6], cones])
-        right = np.concatenate(
-            [np.zeros(6 + len(fixed) + len(rows) + 1), np.ones(13), np.zeros(3 * m)]
+        blocks, starts, matrix, right, kinds = self._program(states)
+        right = right / (np.abs(right).max() or 1.0)
+        rows, columns = matrix.shape
+        inside = np.zeros(rows)
+        for block, (start, end) in zip(blocks, pairwise(starts), strict=True):
+            inside[start:end] = room * block.room
+        last = np.append(np.zeros(rows), 1.0)
+        bounds = np.eye(rows + 1)[[*range(6), rows]]
+        table = np.concatenate(
+            [
+                np.column_stack(
+                    [csc_matrix(matrix[:3], matrix.shape).toarray().T, np.zeros(columns)]
+                ),
+                [np.append(right, 1.0)],
+                bounds,
+                -bounds[:6],
+                np.column_stack([-np.eye(rows)[6:], inside[6:]]),
+            ]
         )
-        kinds = [
-            clarabel.ZeroConeT(6 + len(fixed)),
-            clarabel.NonnegativeConeT(len(rows) + 14),
-            *[clarabel.SecondOrderConeT(3)] * m,
-        ]
-        cost = np.zeros(n)
-        cost[-1] = -1.0
-        program = (csc_matrix((n, n)), cost, csc_matrix(matrix), right, kinds)
+        ends = np.concatenate([np.zeros(columns + 1), np.ones(13), np.zeros(rows - 6)])
+        kept = [clarabel.ZeroConeT(columns), clarabel.NonnegativeConeT(14)]
+        free, k = [], columns + 14
+        for kind in kinds[1:]:
+            # Multipliers of equations are free.
+            free += [*range(k, k + kind.dim)] if isinstance(kind, clarabel.ZeroConeT) else []
+            kept += [] if isinstance(kind, clarabel.ZeroConeT) else [kind]
+            k += kind.dim
+        table, ends = np.delete(table, free, axis=0), np.delete(ends, free)
+        program = (csc_matrix((rows + 1, rows + 1)), -last, csc_matrix(table), ends, kept)
         found = np.array(clarabel.DefaultSolver(*program, self.settings).solve().x)
-        if not found[-1] > -_NO_ROOM:
-            return None
-        return self._in_units(states, found[:6], found[6:-1].reshape(m, 4)[:, :3])
-
-    def _sector_rows(self, states: Sequence[State], i: int) -> int:
-        """Return how many inequalities come before those of the sector of a contact."""
-        counts = (
-            3 if isinstance(state, tuple) else int(state in ("undecided", "detached"))
-            for state in states[:i]
-        )
-        return sum(counts)
+        return self._ray(states, blocks, starts, found[:-1]) if found[-1] > -_NO_ROOM else None
 
     def violations(self, states: Sequence[State], found: Point) -> Floats:
         """Return how far each contact is from the law: the change of force that it would take."""
         d, f = found
         spring = self.preload - self.stiffness * (self.normal @ d)
         slip = self.tangents @ d
-        size = np.hypot(slip[:, 0], slip[:, 1])
-        miss = (
-            f[:, 1:] + (self.friction * f[:, 0])[:, None] * slip / np.maximum(size, 1e-300)[:, None]
-        )
-        rubs = np.minimum(self.stiffness * size, np.hypot(miss[:, 0], miss[:, 1]))
+        missed = self.cones.misses(self.friction * f[:, 0], f[:, 1:], slip)
+        rubs = np.minimum(self.stiffness * np.hypot(*slip.T), missed)
         lifts = f[:, 0] - np.maximum(0.0, spring)
-        value = [
-            _FIRST * lifts[i] + rubs[i]
-            if state == "undecided"
-            else 0.0
-            if state in ("detached", "stick")
-            else rubs[i]
-            for i, state in enumerate(states)
-        ]
-        return np.array(value)
+        open_ = np.array([state not in ("detached", "stick") for state in states], dtype=bool)
+        first = np.array([state == "undecided" for state in states], dtype=bool)
+        values: Floats = np.where(open_, rubs + np.where(first, _FIRST * lifts, 0.0), 0.0)
+        return values
 
 
-class _Rows:
-    """Rows of a matrix that grows, and their right-hand sides."""
-
-    def __init__(self, n: int, most: int) -> None:
-        self.matrix, self.right, self.used = np.zeros((most, n)), np.zeros(most), 0
-
-    def add(self, motion: Floats, right: float, *entries: tuple[int, float]) -> None:
-        """Add a row: coefficients of the motion, and of other unknowns."""
-        row = self.matrix[self.used]
-        row[:6] = motion
-        for j, x in entries:
-            row[j] = x
-        self.right[self.used] = right
-        self.used += 1
-
-    @property
-    def rows(self) -> Floats:
-        """The rows in use."""
-        return self.matrix[: self.used]
-
-    @property
-    def ends(self) -> Floats:
-        """Their right-hand sides."""
-        return self.right[: self.used]
-
-
-def _ends(sector: Sector) -> Floats:
-    """Return the unit vectors of the ends of a sector."""
-    ends = np.array(sector, dtype=float)
-    units: Floats = ends / np.hypot(ends[:, 0], ends[:, 1])[:, None]
-    return units
-
-
-def _sides(u: Floats, v: Floats) -> Floats:
-    """Return two directions: all between u and v have products with them of at least 0."""
-    return np.array([(-u[1], u[0]), (v[1], -v[0])])
-
-
-def _largest(u: Floats, v: Floats, b: Floats) -> float:
-    """Return the largest product of b with a unit vector between u and v."""
-    if u[0] * b[1] >= u[1] * b[0] and b[0] * v[1] >= b[1] * v[0]:
-        return float(np.hypot(*b))
-    return float(max(u @ b, v @ b))
+@cache
+def _squares(n: int) -> Any:
+    """Return the weights of squares: small motions are preferred."""
+    return csc_matrix((np.full(6, _SMALL_MOTION), (range(6), range(6))), shape=(n, n))

@@ -1,4 +1,8 @@
-"""The decision in space: a tree of contact states, and equilibria near where it does not close."""
+"""The decision in space: a tree of contact states, and equilibria near where it does not close.
+
+With pyramids for round cones the law is piecewise linear: with all states decided the relaxation of
+a node is the law, and exact programs decide what floats leave open, so the search ends.
+"""
 
 from __future__ import annotations
 
@@ -6,8 +10,9 @@ import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from itertools import chain
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -17,12 +22,13 @@ from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.plane.contacts import SpatialContacts, nearest
 
 from .balance import SpatialContinuation
+from .cones import OpenSplit, Pyramids, RoundCones, State, split_of
 from .enclosures import Enclosed
 from .equilibria import Proposal, SpatialSolution, proposals
-from .exact_parts import ExactParts
-from .leaves import exact_leaf
+from .exact_parts import ExactParts, PyramidParts
+from .leaves import Leaves
 from .plane import decide_in_plane
-from .relaxation import Point, Ray, Relaxation, Sector, State
+from .relaxation import Point, Ray, Relaxation
 from .states import States, smooth_states
 
 #: Nodes of a tree, if not told otherwise, and random starts of the first search.
@@ -35,13 +41,15 @@ _PATIENCE = 6
 _OBEYS = 1e-7
 #: The same for trying its states, and normal forces that count as none.
 _ALMOST, _LOOSE = 1e-3, 1e-6
-#: Sectors are cut down to this sine of their angle; directions are multiples of one over these.
-_NARROW, _COARSE, _DIRECTIONS = 1e-4, 8, 64
 #: Contacts this close to the law (in shares of the load) are not split; sectors of less than this
 #: sine of their angle are split last.
 _NOTHING, _THIN = 1e-9, 0.3
 #: The sharpness of contacts for a search that starts near an equilibrium.
 _NEAR = 1e-3
+#: States that are not split further.
+_DECIDED = ("detached", "stick")
+#: Exact programs of more contacts take seconds, and are asked last.
+_SMALL = 6
 #: Parts that stay open before the search ends.
 _HOLES = 8
 
@@ -59,18 +67,11 @@ class Open:
     residual: float
 
 
-class _OpenSplit(NamedTuple):
-    """A node that splits one contact, its children still open, and their states."""
-
-    node: Any
-    children: list[Any]
-    parts: list[tuple[State, ...]]
-
-
 class SpatialSearch:
     """The search for one question.
 
     Args:
+        cones: of friction.
         accept: whether a proposal is proved to be an equilibrium.
         deadline: of `time.monotonic`.
         nodes: of a tree, at most.
@@ -85,23 +86,29 @@ class SpatialSearch:
         deadline: float = math.inf,
         nodes: int = NODES,
         within: Range = NO_RANGE,
+        cones: RoundCones | Pyramids | None = None,
     ) -> None:
-        self.within = within
+        self.within, self.cones = within, cones or RoundCones()
         self.contacts, self.wrench = contacts, wrench
         self.accept, self.deadline, self.nodes = accept, deadline, nodes
-        self.relaxation = Relaxation(contacts, wrench, within)
+        self.relaxation = Relaxation(contacts, wrench, self.cones, within)
+        self.leaves = Leaves(contacts, wrench, self.cones, within)
         if math.isfinite(deadline):
             self.relaxation.settings.time_limit = max(0.01, deadline - time.monotonic())
-        self.smooth = SpatialContinuation(contacts, wrench)
+        self.smooth = SpatialContinuation(contacts, wrench, self.cones)
         self.tried: set[object] = set()
         #: Whether exact programs are tried where floats end; other ways are tried before.
         self.exactly = False
-        self.exact = ExactParts(contacts, wrench, deadline)
+        self.exact: ExactParts | PyramidParts
+        if isinstance(self.cones, Pyramids):
+            self.exact = PyramidParts(contacts, wrench, deadline, self.cones)
+        else:
+            self.exact = ExactParts(contacts, wrench, deadline)
         #: States that an equilibrium was looked for in, the latest last.
         self.states: list[States] = []
         self.residual = 1.0
         #: Nodes since the last leaf, and how many of them are borne.
-        self.idle, self.patience = 0, _PATIENCE
+        self.idle, self.patience = 0, max(_PATIENCE, 2 * len(contacts.grasp))
 
     def decide(self) -> Proposal | Any | Open:
         """Return an accepted equilibrium, a tree that refutes all, or what is open."""
@@ -116,8 +123,8 @@ class SpatialSearch:
 
     def _decide(self) -> Proposal | Any | Open:
         root: tuple[State, ...] = ("undecided",) * len(self.contacts.grasp)
-        ray = self.relaxation.cone_ray()
-        leaf = ray and exact_leaf(self.contacts, self.wrench, root, ray)
+        ray = self.relaxation.inner_ray(["loose"] * len(root), 0.0)
+        leaf = ray and self.leaves.leaf(root, ray)
         leaf = leaf or self._leaf(root, self.relaxation.solve(root))
         if leaf is not None:
             return leaf
@@ -128,7 +135,7 @@ class SpatialSearch:
                 return near
             if not i:
                 found = self._tree(root, min(_FEW, self.nodes))
-                if isinstance(found, Open):
+                if isinstance(found, Open) and isinstance(self.cones, RoundCones):
                     question = self.contacts.grasp, self.wrench, self.deadline, self.within
                     found = decide_in_plane(*question) or found
                 if isinstance(found, Open):
@@ -155,7 +162,11 @@ class SpatialSearch:
         for end, eps in self.smooth.path(motion, sharpness):
             if time.monotonic() > self.deadline:
                 break
-            found = self._equilibrium(end, smooth_states(self.contacts, end, eps))
+            found = (
+                self._smooth_pyramids(self.exact, end, eps)
+                if isinstance(self.exact, PyramidParts)
+                else self._equilibrium(end, smooth_states(self.contacts, end, eps))
+            )
             if found is not None:
                 return found
         self.residual = min(self.residual, self.smooth.reached / (self.smooth.size or 1.0))
@@ -169,22 +180,40 @@ class SpatialSearch:
                 return found
         return None
 
+    def _smooth_pyramids(self, exact: PyramidParts, end: Floats, eps: float) -> Proposal | None:
+        """Return an equilibrium of the states of pyramids at a motion of the smooth balance."""
+        c = self.contacts
+        normal = np.maximum(0.0, c.spring[:, 0] + c.spring[:, 1:] @ end)
+        return self._of(exact, exact.near(normal, exact.cones.directions(c.tangents @ end, eps)))
+
+    def _of(self, exact: PyramidParts, states: tuple[State, ...]) -> Proposal | None:
+        """Return the equilibrium of decided states, asked for once."""
+        found = None if states in self.tried else exact.holds(states)
+        self.tried.add(states)
+        return found if found is not None and self.accept(found) else None
+
     def _near_point(self, found: Point) -> Proposal | None:
         """Return an equilibrium with the states of a relaxation that nearly obeys the law."""
         normal = found.forces[:, 0]
         normal = np.where(normal * np.maximum(1.0, self.contacts.friction) > _LOOSE, normal, 0.0)
+        if isinstance(self.exact, PyramidParts):
+            slips = self.relaxation.tangents @ found.motion
+            still = self.relaxation.stiffness * np.hypot(*slips.T) <= _LOOSE
+            return self._of(
+                self.exact, self.exact.near(normal, np.where(still[:, None], 0.0, slips))
+            )
         limits = np.maximum(self.contacts.friction * normal, 1e-12)
-        states = States(self.contacts, normal, found.forces[:, 1:] / limits[:, None])
-        return self._equilibrium(found.motion * self.relaxation.scale, states)
+        round_ = States(self.contacts, normal, found.forces[:, 1:] / limits[:, None])
+        return self._equilibrium(found.motion * self.relaxation.scale, round_)
 
     def _leaf(self, states: tuple[State, ...], found: Ray | Point | None) -> Any | None:
         """Return a leaf where a relaxation has no solution, or where its program failed."""
         if isinstance(found, Point):
             return None
-        leaf = found and exact_leaf(self.contacts, self.wrench, states, found, self.within)
+        leaf = found and self.leaves.leaf(states, found)
         if leaf is None:
             inner = self.relaxation.inner_ray(states)
-            leaf = inner and exact_leaf(self.contacts, self.wrench, states, inner)
+            leaf = inner and self.leaves.leaf(states, inner)
         return leaf
 
     def _tree(self, root: tuple[State, ...], most: int) -> Proposal | Any | Open:
@@ -192,7 +221,7 @@ class SpatialSearch:
         top: list[Any] = [None]
         waiting: list[tuple[tuple[State, ...], list[Any], int]] = [(root, top, 0)]
         nodes, leaves, holes = 0, 0, 0
-        self.idle, self.patience = 0, _PATIENCE
+        self.idle, self.patience = 0, max(_PATIENCE, 2 * len(root))
         while waiting and holes < _HOLES:
             if nodes == most:
                 return Open(f"after {nodes} nodes the tree is not closed", self.residual)
@@ -203,7 +232,7 @@ class SpatialSearch:
             found = self._node(states)
             if isinstance(found, (SpatialSolution, Enclosed)):
                 return found
-            if isinstance(found, _OpenSplit):
+            if isinstance(found, OpenSplit):
                 parent[position] = found.node
                 waiting += reversed([(x, found.children, k) for k, x in enumerate(found.parts)])
             elif found is not None:
@@ -215,7 +244,7 @@ class SpatialSearch:
             return Open("a relaxation neither closes nor splits further", self.residual)
         return _finished(top[0])
 
-    def _node(self, states: tuple[State, ...]) -> Proposal | Any | _OpenSplit | None:
+    def _node(self, states: tuple[State, ...]) -> Proposal | Any | OpenSplit | None:
         """Return an equilibrium, a leaf, a cut, or None where there is none of them."""
         found = self.relaxation.solve(states)
         leaf = self._leaf(states, found)
@@ -226,14 +255,16 @@ class SpatialSearch:
             answer = self._equilibrium_or_cut(states, found)
             if answer is not None:
                 return answer
-        if not self.exactly:
-            return self._any_split(states)
+        soon = self.exactly and (len(states) <= _SMALL or self.idle >= self.patience)
+        split = None if soon else self._any_split(states, found)
+        if split is not None or not self.exactly:
+            return split
         exact = self.exact.part(states, self._towards(found))
         if not isinstance(exact, SpatialSolution):
             return exact
         point = self._point(exact)
         near = exact if self.accept(exact) else self._exact_equilibrium()
-        return near or self._equilibrium_or_cut(states, point) or self._any_split(states)
+        return near or self._equilibrium_or_cut(states, point) or self._any_split(states, point)
 
     def _point(self, found: SpatialSolution) -> Point:
         """Return a solution in scaled units."""
@@ -243,7 +274,7 @@ class SpatialSearch:
 
     def _equilibrium_or_cut(
         self, states: tuple[State, ...], found: Point
-    ) -> Proposal | _OpenSplit | None:
+    ) -> Proposal | OpenSplit | None:
         """Return an equilibrium near a point of a relaxation, or a cut where it fails the law."""
         values = self.relaxation.violations(states, found)
         worst = float(values.max(initial=0.0))
@@ -263,15 +294,15 @@ class SpatialSearch:
         towards: Floats = -(self.contacts.tangents @ found.virtual)
         return towards
 
-    def _split(self, states: tuple[State, ...], values: Floats, found: Point) -> _OpenSplit | None:
+    def _split(self, states: tuple[State, ...], values: Floats, found: Point) -> OpenSplit | None:
         """Return the node that splits the contact furthest from the law, its children and parts."""
         order = [int(i) for i in np.argsort(-values) if values[i] > _NOTHING]
         order = [i for i in order if self._splits(states, i)]
         # Of narrow sectors more is learnt when all others are decided.
-        order.sort(key=lambda i: _sine(states[i]) < _THIN)
+        order.sort(key=lambda i: self.cones.sine(states[i]) < _THIN)
         for i in order:
             slip = self.relaxation.tangents[i] @ found.motion
-            split = _parts(states, i, slip)
+            split = self._parts(states, i, slip)
             if split is not None:
                 return split
         return None
@@ -280,64 +311,29 @@ class SpatialSearch:
         """Return whether a contact is not decided: one without friction does not slip."""
         return states[i] != "attached" or bool(self.contacts.grasp.contacts[i].friction)
 
-    def _any_split(self, states: tuple[State, ...]) -> _OpenSplit | None:
-        """Return a split of the contact that is decided least."""
-        for kind in ("undecided", "attached"):
-            for i, state in enumerate(states):
-                if state == kind and self._splits(states, i):
-                    return _parts(states, i, np.array([1.0, 0.0]))
-        sectors = [(_sine(state), i) for i, state in enumerate(states) if isinstance(state, tuple)]
-        return _parts(states, max(sectors)[1], np.array([1.0, 0.0])) if sectors else None
+    def _any_split(self, states: tuple[State, ...], found: Ray | Point | None) -> OpenSplit | None:
+        """Return a split of the contact that is decided least; of a ray, with the least room."""
+        room = found.room[:, 0] if isinstance(found, Ray) else np.zeros(len(states))
+        towards = self._towards(found)
+        kinds = {"undecided": 0, "attached": 1}
 
+        def least(i: int) -> tuple[float, ...]:
+            return kinds.get(str(states[i]), 2), -self.cones.sine(states[i]), room[i]
 
-def _parts(states: tuple[State, ...], i: int, slip: Floats) -> _OpenSplit | None:
-    """Return the node that splits one contact; None if its sector is too narrow."""
-    state = states[i]
-    parts: list[State]
-    if state == "undecided":
-        parts = ["detached", "attached"]
+        for i in sorted(filter(partial(self._splits, states), range(len(states))), key=least):
+            slip = -towards[i] if towards[i].any() else np.array([1.0, 0.0])
+            split = self._parts(states, i, slip)
+            if split is not None:
+                return split
+        return None
+
+    def _parts(self, states: tuple[State, ...], i: int, slip: Floats) -> OpenSplit | None:
+        """Return the split of one contact; None if its sector is too narrow."""
+        if states[i] != "undecided":
+            return None if states[i] in _DECIDED else self.cones.slips(states, i, slip)
         children: list[Any] = [None, None]
-        node: Any = {"contact": i, "attachment": children}
-    elif state == "attached":
-        ends = [_turned(slip, turn, _COARSE) for turn in (-60, 60, 180)]
-        parts = ["stick", *((ends[k - 1], ends[k]) for k in (1, 2, 0))]
-        children = [None] * 4
-        node = {"contact": i, "directions": ends, "children": children}
-    elif isinstance(state, tuple):
-        middle = _middle(state)
-        if middle is None:
-            return None
-        parts = [(state[0], middle), (middle, state[1])]
-        children = [None, None]
-        node = {"contact": i, "directions": [middle], "children": children}
-    else:
-        return None
-    return _OpenSplit(node, children, [(*states[:i], part, *states[i + 1 :]) for part in parts])
-
-
-def _turned(direction: Floats, degrees: float, size: int) -> tuple[int, int]:
-    """Return integers near a direction, turned."""
-    angle = math.atan2(direction[1], direction[0]) + math.radians(degrees)
-    return round(size * math.cos(angle)), round(size * math.sin(angle))
-
-
-def _sine(sector: State) -> float:
-    """Return the sine of the angle of a sector, 1 for wide ones and other states."""
-    if isinstance(sector, str):
-        return 1.0
-    (p, q), (u, v) = sector
-    return (p * v - q * u) / math.hypot(p, q) / math.hypot(u, v) if p * u + q * v > 0 else 1.0
-
-
-def _middle(sector: Sector) -> tuple[int, int] | None:
-    """Return integers near the middle of a sector; None if it is narrow."""
-    sine, ((p, q), (u, v)) = _sine(sector), sector
-    if sine < _NARROW:
-        return None
-    one, other = math.hypot(p, q), math.hypot(u, v)
-    x, y = p / one + u / other, q / one + v / other
-    scale = (_COARSE if sine == 1.0 else _DIRECTIONS / sine) / math.hypot(x, y)
-    return round(x * scale), round(y * scale)
+        node = {"contact": i, "attachment": children}
+        return split_of(node, children, states, i, ["detached", "attached"])
 
 
 def _finished(node: Any) -> Any:
@@ -345,8 +341,7 @@ def _finished(node: Any) -> Any:
     if isinstance(node, dict) and "attachment" in node:
         detached, attached = map(_finished, node["attachment"])
         return {**node, "attachment": {"detached": detached, "attached": attached}}
-    if isinstance(node, dict) and "directions" in node:
-        directions = [list(direction) for direction in node["directions"]]
-        children = [_finished(child) for child in node["children"]]
-        return {**node, "directions": directions, "children": children}
+    for key in ("children", "faces"):
+        if isinstance(node, dict) and key in node:
+            return {**node, key: list(map(_finished, node[key]))}
     return node

@@ -7,36 +7,26 @@
 * below them: `images` of one choice of contact states, `directions` in a plane.
 """
 
-from arrangement.numbers.linear.polyhedron import Polyhedron
+from arrangement.numbers.linear.polyhedron import Polyhedron as Polyhedron
 
-from .friction import FrictionBracket, least_friction
-from .line import Gap, Magnitudes, gaps, resisted_magnitudes
-from .margin import Margin, Preloads, margin, sufficient_preloads
-from .outline import Outline, Segment
-from .plane import Region, polygon_cycle, resisted_region
-from .search_map import SearchMap, search_map
-from .space import Piece, ResistedSet, resisted_set
-
-__all__ = [
-    "FrictionBracket",
-    "Gap",
-    "Magnitudes",
-    "Margin",
-    "Outline",
-    "Piece",
-    "Polyhedron",
-    "Preloads",
-    "Region",
-    "ResistedSet",
-    "SearchMap",
-    "Segment",
-    "gaps",
-    "least_friction",
-    "margin",
-    "polygon_cycle",
-    "resisted_magnitudes",
-    "resisted_region",
-    "resisted_set",
-    "search_map",
-    "sufficient_preloads",
-]
+from .friction import FrictionBracket as FrictionBracket, least_friction as least_friction
+from .line import (
+    Gap as Gap,
+    Magnitudes as Magnitudes,
+    gaps as gaps,
+    resisted_magnitudes as resisted_magnitudes,
+)
+from .margin import (
+    Margin as Margin,
+    Preloads as Preloads,
+    margin as margin,
+    sufficient_preloads as sufficient_preloads,
+)
+from .outline import Outline as Outline, Segment as Segment
+from .plane import (
+    Region as Region,
+    polygon_cycle as polygon_cycle,
+    resisted_region as resisted_region,
+)
+from .search_map import SearchMap as SearchMap, search_map as search_map
+from .space import Piece as Piece, ResistedSet as ResistedSet, resisted_set as resisted_set

@@ -14,11 +14,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import Documented
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector, rational, shown
 from arrangement.numbers.linear import programs
-from arrangement.numbers.linear.intervals import end_text
 from equilibrium.decide.verdict import Solver, prepare
 from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.errors import GraspError
@@ -45,7 +44,7 @@ _LEAST_WIDTH = Fraction(1, 2**100)
 
 
 @dataclass(frozen=True, repr=False)
-class FrictionBracket(Shown):
+class FrictionBracket(Documented):
     """Where the least sufficient coefficient lies.
 
     Attributes:
@@ -54,6 +53,8 @@ class FrictionBracket(Shown):
             the last range; None when none was found, see `impossible`.
         impossible: whether it is proved that no coefficient at all resists the wrench.
     """
+
+    in_document = ("low", "high", "width", "impossible")
 
     wrench: RationalVector
     low: Fraction | None
@@ -68,12 +69,6 @@ class FrictionBracket(Shown):
     def width(self) -> Fraction | None:
         """The length of the bracket; 0 when the least coefficient is exactly `high`."""
         return None if self.low is None or self.high is None else self.high - self.low
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form; numbers are strings, null means none."""
-        numbers = {"low": self.low, "high": self.high, "width": self.width}
-        texts = {name: end_text(x) for name, x in numbers.items()}
-        return {**texts, "impossible": self.impossible}
 
 
 def least_friction(

@@ -14,9 +14,9 @@ from fractions import Fraction
 from random import Random
 from typing import Any
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import Documented, Shown
 from arrangement.console.progress import watched
-from arrangement.numbers.exact import RationalVector, dot, to_text
+from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.linear import programs
 from arrangement.numbers.linear.intervals import (
     Interval,
@@ -41,13 +41,15 @@ _MAGNITUDES: Interval = (Fraction(0), None)
 
 
 @dataclass(frozen=True, repr=False)
-class Magnitudes(Shown):
+class Magnitudes(Documented):
     """All t >= 0 with ``base + t direction`` resisted.
 
     Attributes:
         base, direction: wrenches ``(f_x, f_y, tau)``.
         intervals: disjoint, closed, increasing; an upper end None means no end.
     """
+
+    in_document = ("intervals",)
 
     base: RationalVector
     direction: RationalVector
@@ -66,10 +68,6 @@ class Magnitudes(Shown):
     def contains(self, magnitude: Fraction) -> bool:
         """Return whether this magnitude is resisted."""
         return holds(self.intervals, magnitude)
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return ``{"intervals": [["0", "1"], ["3/2", null]]}``; null means no end."""
-        return {"intervals": list(map(texts, self.intervals))}
 
 
 def resisted_magnitudes(
@@ -211,20 +209,14 @@ _AXES: tuple[RationalVector, ...] = tuple(
 
 
 @dataclass(frozen=True)
-class Gap:
+class Gap(Documented):
     """A grasp with a direction along which its resisted magnitudes are not one interval from 0."""
+
+    in_document = ("grasp", "direction", "intervals")
 
     grasp: Grasp
     direction: RationalVector
     intervals: tuple[Interval, ...]
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form; numbers are strings, null means no end."""
-        return {
-            "grasp": self.grasp.to_dict(),
-            "direction": [to_text(x) for x in self.direction],
-            "intervals": list(map(texts, self.intervals)),
-        }
 
 
 def gaps(contacts: int, seed: int, tries: int) -> Iterator[Gap]:

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import Documented
 from arrangement.numbers.exact import RationalVector
-from arrangement.numbers.linear.intervals import Interval, end_text, holds, texts, union
+from arrangement.numbers.linear.intervals import Interval, holds, union
 from equilibrium.decide.verdict import Solver, prepare
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.states.contact_states import states_of_code
@@ -27,13 +27,15 @@ _ALL: Interval = (Fraction(0), None)
 
 
 @dataclass(frozen=True, repr=False)
-class Margin(Shown):
+class Margin(Documented):
     """How a wrench may be scaled.
 
     Attributes:
         resisted: whether the wrench itself is resisted.
         intervals: all s >= 0 with s times the wrench resisted, disjoint, closed, increasing.
     """
+
+    in_document = ("resisted", "around", "nearest", "intervals")
 
     wrench: RationalVector
     resisted: bool
@@ -65,15 +67,6 @@ class Margin(Shown):
         """The factors as magnitudes of the wrench."""
         return Magnitudes((Fraction(0),) * len(self.wrench), self.wrench, self.intervals)
 
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form; numbers are strings, null means no end (or none)."""
-        return {
-            "resisted": self.resisted,
-            "around": None if self.around is None else texts(self.around),
-            "nearest": end_text(self.nearest),
-            "intervals": list(map(texts, self.intervals)),
-        }
-
 
 def margin(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Margin:
     """Return the exact factors by which a wrench may be scaled.
@@ -92,12 +85,14 @@ def margin(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Margin:
 
 
 @dataclass(frozen=True)
-class Preloads:
+class Preloads(Documented):
     """All p >= 0 for which a grasp resists a wrench when every preload is p.
 
     Attributes:
         intervals: disjoint, closed, increasing; an upper end None means no end.
     """
+
+    in_document = ("least", "intervals")
 
     wrench: RationalVector
     intervals: tuple[Interval, ...]
@@ -106,13 +101,6 @@ class Preloads:
     def least(self) -> Fraction | None:
         """The least uniform preload; None when none is enough."""
         return self.intervals[0][0] if self.intervals else None
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form; numbers are strings, null means no end (or none)."""
-        return {
-            "least": end_text(self.least),
-            "intervals": list(map(texts, self.intervals)),
-        }
 
 
 def sufficient_preloads(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Preloads:

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import Documented
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, to_text
 from arrangement.numbers.linear.intervals import Interval, is_long, remainder, union
@@ -54,7 +54,7 @@ class Segment:
 
 
 @dataclass(frozen=True, repr=False)
-class Outline(Shown):
+class Outline(Documented):
     """The boundary of a union of polygons.
 
     Attributes:
@@ -63,17 +63,11 @@ class Outline(Shown):
         points: isolated points.
     """
 
+    in_document = ("border", "whiskers", "points")
+
     border: tuple[Segment, ...]
     whiskers: tuple[Segment, ...]
     points: tuple[RationalVector, ...]
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form; numbers are strings of rationals."""
-        return {
-            "border": [segment.to_dict() for segment in self.border],
-            "whiskers": [segment.to_dict() for segment in self.whiskers],
-            "points": [_point_text(point) for point in self.points],
-        }
 
 
 def outline_of(polygons: Sequence[Polyhedron]) -> Outline:

@@ -13,15 +13,14 @@ from fractions import Fraction
 from math import cos, pi, sin
 from typing import Any
 
+from arrangement.console.number_form import Documented
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector, rational, shown, to_text
 from arrangement.numbers.linear.intervals import (
     Interval,
-    end_text,
     holds,
     intersection,
     remainder,
-    texts,
     union,
 )
 from equilibrium.model.errors import GraspError
@@ -32,7 +31,7 @@ from .plane import FORCES, resisted_region
 
 
 @dataclass(frozen=True)
-class Entry:
+class Entry(Documented):
     """One direction of the map.
 
     Attributes:
@@ -44,6 +43,8 @@ class Entry:
         missed: resisted magnitudes above the answer by more than the tolerance, up to the limit.
     """
 
+    in_document = ("direction", "found", "agrees", "exact", "wrongly_claimed", "missed")
+
     direction: RationalVector
     found: Fraction | None
     exact: tuple[Interval, ...]
@@ -54,20 +55,6 @@ class Entry:
     def agrees(self) -> bool:
         """Whether the answer of the search is right within the tolerance, up to the limit."""
         return not self.wrongly_claimed and not self.missed
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form; numbers are strings, null means no end."""
-        parts = {
-            "exact": self.exact,
-            "wrongly_claimed": self.wrongly_claimed,
-            "missed": self.missed,
-        }
-        return {
-            "direction": [to_text(x) for x in self.direction],
-            "found": end_text(self.found),
-            "agrees": self.agrees,
-            **{name: list(map(texts, part)) for name, part in parts.items()},
-        }
 
 
 @dataclass(frozen=True)

@@ -19,8 +19,6 @@ from proofs_check.sweep.sweep import merge, plan_sweep, sweep
 
 from .run import file_record
 
-#: A record of all claims with every case is large; a limit there is nevertheless.
-MAX_RECORD_BYTES = 256 * 2**20
 _SQLITE = b"SQLite format 3\x00"
 
 
@@ -118,7 +116,7 @@ def _read(source: str) -> dict[str, Any]:
     if is_store:
         with store.read(source) as opened:
             return sweepreport.record(opened)
-    return read_document(source, ("results",), max_bytes=MAX_RECORD_BYTES)
+    return read_document(source, ("results",), kind="bytes of a record")
 
 
 def _made(make: Any, record: dict[str, Any], source: str) -> str:

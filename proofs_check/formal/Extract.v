@@ -1,12 +1,20 @@
-(** The checker as an OCaml program, its integers those of zarith. *)
+(** The checker and the counts as an OCaml program, its integers those of zarith. *)
 
 Require Import ZArith Extraction ExtrOcamlZBigInt.
-Require Import Checker Soundness.
+Require Import Checker Soundness Counting.
 
 (** One line beyond the standard library's: without it, gcd counts down bits one by one. *)
 Extract Constant Z.gcd => "Big_int_Z.gcd_big_int".
 
-Extraction "checker.ml" check.
+Extraction "checker.ml" check
+  count_regions count_faces characteristic_polynomial code complete_regions complete_faces.
 
 Print Assumptions not_resisted.
 Print Assumptions resisted.
+Print Assumptions regions_counted.
+Print Assumptions faces_counted.
+Print Assumptions all_faces_counted.
+Print Assumptions zaslavsky.
+Print Assumptions euler.
+Print Assumptions regions_complete.
+Print Assumptions faces_complete.

@@ -175,9 +175,7 @@ def test_integers_decide_what_floats_cannot(exact_work, monkeypatch):
     sorted_again = []
     exact_order = PlaneTable.exact_parameters
     monkeypatch.setattr(
-        PlaneTable,
-        "exact_parameters",
-        lambda *args: sorted_again.append(1) or exact_order(*args),
+        PlaneTable, "exact_parameters", lambda *args: sorted_again.append(1) or exact_order(*args)
     )
     assert_same_as_the_general_engine(hair_apart(30))
     assert sum(exact_work) > 100

@@ -176,7 +176,7 @@ def test_a_hostile_question_is_answered_or_refused_soon(number, tmp_path):
 
 
 @pytest.mark.campaign
-@pytest.mark.parametrize("number", range(100, 1000, 11))
+@pytest.mark.parametrize("number", range(100, 1000, 27))
 def test_hostile_questions_are_answered_or_refused_soon(number, tmp_path):
     check(number, tmp_path)
 
@@ -207,11 +207,6 @@ def test_planes_of_independent_parts_are_counted_part_by_part():
     )
     assert [len(part) for part in counts.irreducible_factors(skew)] == [3, 2]
     assert counts.f_vector(skew) == skew.f_vector
-
-
-def test_lines_in_two_directions_fill_a_grid():
-    grid = Arrangement([[1, 0]] * 200 + [[0, 1]] * 200, [*range(200), *range(200)])
-    assert grid.f_vector == (200**2, 2 * 200 * 201, 201**2) == counts.f_vector(grid)
 
 
 def test_a_basis_of_many_rows_is_found_where_they_span_little():

@@ -47,12 +47,6 @@ def test_count_in_json(capsys):
     assert out.count("\n") == 1
 
 
-def test_count_for_people(capsys):
-    code, out, _ = call(capsys, "count", "three-generic-planes")
-    assert code == 0
-    assert [line.split()[-1] for line in out.splitlines()] == [*"333", "1", "6", "12", "8", "27"]
-
-
 def test_faces_in_json_are_one_object_a_line(capsys):
     code, out, _ = call(capsys, "faces", "shi-a2-affine", "--json")
     faces = [json.loads(line) for line in out.splitlines()]
@@ -76,17 +70,6 @@ def test_faces_of_one_dimension(capsys):
     assert sorted(line.split()[0] for line in out.splitlines()) == sorted(
         a + b + c for a in "+-" for b in "+-" for c in "+-"
     )
-
-
-def test_list_names_the_built_in_documents(capsys):
-    code, out, _ = call(capsys, "list", "--json")
-    assert code == 0
-    entries = json.loads(out)["names"]
-    names = [entry["name"] for entry in entries]
-    assert names == sorted(names)
-    assert "reflection-b3" in names
-    code, out, _ = call(capsys, "list")
-    assert [line.split()[0] for line in out.splitlines()] == names
 
 
 def test_standard_input_is_read():

@@ -83,12 +83,6 @@ def test_what_is_symmetric_or_has_no_symmetry_stays_as_it_is():
     assert in_coordinates("symmetric", affine)[0] is affine
 
 
-def test_narrow_planes_without_symmetry_are_spread_unless_given_is_asked_for():
-    planes = read_arrangement("nine-generic-planes")
-    assert in_coordinates(None, planes)[0] != planes
-    assert in_coordinates("given", planes)[0] is planes
-
-
 def test_planes_of_motions_keep_their_coordinates_unless_asked():
     planes = read_arrangement("paper-three-contacts")
     assert planes.axes == ("x", "y", "r")

@@ -73,7 +73,7 @@ def agree(planes: Arrangement) -> None:
 @pytest.mark.campaign
 @pytest.mark.parametrize("seed", range(9))
 def test_classes_agree_with_all_other_routes(seed):
-    for planes in random_planes(seed, 250):
+    for planes in random_planes(seed, 80):
         agree(planes)
         chi = counts.characteristic_polynomial(planes, symmetry=[])
         assert abs(chi.eval(-1)) == planes.f_vector[-1]

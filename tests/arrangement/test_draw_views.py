@@ -2,7 +2,6 @@
 
 import math
 import re
-import sys
 from collections import Counter
 from fractions import Fraction
 from itertools import combinations, pairwise
@@ -13,7 +12,7 @@ import pytest
 from hypothesis import assume, given, strategies as st
 from matplotlib.image import imread
 
-from arrangement import Arrangement, MissingExtraError
+from arrangement import Arrangement
 from arrangement.counts import bounded_region_count, f_vector, whitney_numbers
 from arrangement.drawing.colours import PALETTE, DrawnRegion, colouring
 from arrangement.drawing.figure import figure
@@ -320,13 +319,6 @@ def test_colouring_by_a_function_of_the_region():
     assert fills == {"red", "blue"}
 
 
-@pytest.mark.parametrize("library", ["matplotlib", "shapely"])
-def test_missing_library_names_the_extra(library, monkeypatch, tmp_path):
-    monkeypatch.setitem(sys.modules, library, None)
-    with pytest.raises(MissingExtraError, match=r"slipstates\[figures\]"):
-        write_drawing(read_arrangement("pencil"), tmp_path / "a.svg")
-
-
 @pytest.mark.parametrize("antipodes", [None, "same", "opposite"])
 @pytest.mark.parametrize("name", [*FEW, "coordinate-planes", "nine-generic-planes"])
 def test_neighbours_differ_and_opposite_regions_are_as_asked(name, antipodes):
@@ -518,12 +510,6 @@ def test_all_nineteen_faces_of_three_lines_have_their_labels():
         signs = ["".join("−0+"[s + 1] for s in face.signs) for face in LESSON.faces()]
         assert len(signs) == 19
         assert sorted(text for text in found if text in signs) == sorted(signs)
-
-
-def test_a_line_has_one_name_in_the_window_and_two_in_the_projective_plane():
-    assert [written(scene_of(LESSON)).count(str(k)) for k in (1, 2, 3)] == [1, 1, 1]
-    whole = written(scene_of(LESSON, projective=True))
-    assert [whole.count(str(k)) for k in (1, 2, 3)] == [2, 2, 2]
 
 
 @pytest.mark.parametrize("normal", [(0, 1), (1, 0), (1, 1), (-1, 2), (-3, -1), (5, -7)])

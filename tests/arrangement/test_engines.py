@@ -16,9 +16,7 @@ from arrangement.enumeration.choose import ENGINES, enumerate_faces
 from arrangement.enumeration.sequence import FaceSequence
 
 from . import oracle
-from .strategies import (
-    arrangements,
-)
+from .strategies import arrangements
 
 FOUR = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]])
 
@@ -198,8 +196,7 @@ HUGE = 10**30
 
 
 @pytest.mark.parametrize(
-    ("last", "expected"),
-    [((1, 1, 2 * HUGE), (0, 1, 6, 6)), ((1, 1, 2 * HUGE + 1), (1, 6, 12, 8))],
+    ("last", "expected"), [((1, 1, 2 * HUGE), (0, 1, 6, 6)), ((1, 1, 2 * HUGE + 1), (1, 6, 12, 8))]
 )
 def test_a_difference_of_one_in_thirty_digits_counts(last, expected):
     assert Arrangement([(1, 0, HUGE), (0, 1, HUGE), last]).f_vector == expected

@@ -59,42 +59,13 @@ def test_what_is_not_an_exact_number_is_refused(value):
         rational(value, "friction")
 
 
-BAD_TEXTS = [
-    "",
-    " ",
-    "1 ",
-    " 1",
-    "1/ 2",
-    "1/0",
-    "1/-2",
-    "1//2",
-    "1/2/3",
-    "1.5/2",
-    ".",
-    "-",
-    "--1",
-    "1e",
-    "e5",
-    "1/2e3",
-    "1e+-5",
-    "1e0.5",
-    "1e10000",
-    "1e999999999",
-    "0x10",
-    "1_000",
-    "nan",
-    "inf",
-    "2**3",
-    "1+1",
-    "１２",
-    "٣",
-    "1\n",
-    "__import__('os').system('false')",
-]
+#: Between bars.
+BAD_TEXTS = " |1 | 1|1/ 2|1/0|1/-2|1//2|1/2/3|1.5/2|.|-|--1|1e|e5|1/2e3|1e+-5|1e0.5|1e10000"
+BAD_TEXTS += "|1e999999999|0x10|1_000|nan|inf|2**3|1+1|１２|٣|1\n|__import__('os').system('false')|"
 
 
 @pytest.mark.parametrize(
-    "text", [*BAD_TEXTS, "9" * (MAX_TEXT_LENGTH + 1), "0." + "3" * MAX_TEXT_LENGTH]
+    "text", [*BAD_TEXTS.split("|"), "9" * (MAX_TEXT_LENGTH + 1), "0." + "3" * MAX_TEXT_LENGTH]
 )
 def test_text_that_is_no_plain_number_is_refused(text):
     with pytest.raises(InputError) as caught:

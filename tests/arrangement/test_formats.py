@@ -233,7 +233,7 @@ REFUSED = {
     ),
     "no ring": ("A = arrangement {x, y}", "no ring"),
     "a finite field": ("R = ZZ/7[x]\nA = arrangement {x}", "ZZ/7"),
-    "endless variables": ("R = QQ[x_1..x_999999]\nA = arrangement {x_1}", "write x, y, z"),
+    "endless variables": ("R = QQ[x_1..x_999999]\nA = arrangement {x_1}", "999,999 coordinates"),
     "ragged columns": ("A = arrangement matrix {{1,0},{1}}", "one length"),
     "a fan": (
         '{"_ns": {"polymake": []}, "_type": "fan::PolyhedralFan<Rational>"}',

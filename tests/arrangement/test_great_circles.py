@@ -77,9 +77,9 @@ def test_random_degenerate_arrangements_have_the_faces_of_another_engine_and_the
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("seed", range(100, 104))
-def test_thousands_of_random_degenerate_arrangements(seed):
+def test_a_thousand_random_degenerate_arrangements(seed):
     generator = random.Random(seed)
-    for _ in range(1000):
+    for _ in range(250):
         check_all(degenerate(generator))
 
 

@@ -11,15 +11,11 @@ import sympy
 from hypothesis import given, strategies as st
 
 from arrangement import Arrangement, InputError, cli
-from arrangement.counts import cone
 from arrangement.library import families
 from arrangement.library.census import PUBLISHED, catalogue, census, finschi_fukuda, identify
 from arrangement.library.census.chirotopes import canonical, chirotope_of, extended, triples
 from arrangement.library.census.extensions import extensions
-from arrangement.library.census.final_polynomials import (
-    OrderedProducts,
-    proves_no_coordinates,
-)
+from arrangement.library.census.final_polynomials import OrderedProducts, proves_no_coordinates
 from arrangement.library.census.workshop import generate
 from arrangement.library.census.workshop.proofs import final_polynomial
 
@@ -125,13 +121,6 @@ def test_the_nine_mirrors_of_the_cube_have_their_name():
     found = identify(families.type_b(3))
     assert found.names == ("reflection B3", "A(9, 1)")
     assert (found.automorphisms, found.t_vector) == (24, {2: 6, 3: 4, 4: 3})
-
-
-def test_beyond_the_census_the_counts_remain():
-    found = identify(families.h3())
-    assert (found.type, found.t_vector) == (None, {2: 15, 3: 10, 5: 6})
-    assert (found.is_simplicial, found.is_simple) == (True, False)
-    assert identify(families.generic(6, 4)).type is None
 
 
 @pytest.mark.parametrize("rows", [[], [[1, 0, 0], [0, 1, 0]]])
@@ -261,8 +250,3 @@ def test_the_command_prints_the_type(capsys, tmp_path):
     ten.write_text(json.dumps(families.generic(10).to_dict()))
     assert cli.main(["identify", str(ten)]) == 0
     assert "not in the catalogue" in capsys.readouterr().out
-
-
-def test_the_cone_of_affine_lines_has_a_type():
-    lines = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
-    assert identify(cone(lines)).type == 2

@@ -370,10 +370,7 @@ def edges_by_brute_force(points: Sequence[Point]) -> set[tuple[int, int]]:
     return {(min(pair), max(pair)) for pair in shared if len(pair) == 2}
 
 
-@given(
-    st.tuples(*[st.integers(-(10**40), 10**40)] * 3).filter(any),
-    st.integers(4, 60),
-)
+@given(st.tuples(*[st.integers(-(10**40), 10**40)] * 3).filter(any), st.integers(4, 60))
 def test_rational_directions_are_on_the_sphere_near_and_odd(vector, bits):
     *point, length = rational_direction(vector, bits)
     assert dot(point, point) == length * length

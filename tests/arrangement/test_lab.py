@@ -18,7 +18,7 @@ from arrangement.library.census import census
 from arrangement.library.files.table import read_arrangement
 from arrangement.pictures.lab.lines import MAX_PLANES, lab_page
 from tests.browser import Browser
-from tests.labs import checked, choose, enter, invalid, open_file, problem
+from tests.labs import checked, choose
 
 Rows = Sequence[Sequence[int]]
 
@@ -268,63 +268,6 @@ def test_what_is_under_the_pointer_is_marked_in_all_views(opened):
     assert said.endswith(f"{signs}.")
 
 
-def test_what_is_no_number_is_marked_and_changes_nothing(opened):
-    before = shown(opened)
-    for text in ["1/0", "abc", "", "0x1", "1.5/2", "-"]:
-        enter(opened, "row-a", text)
-        assert invalid(opened) == 1
-        assert "3/4" in problem(opened)
-        assert shown(opened) == before
-    enter(opened, "row-a", "-1e-3")
-    assert invalid(opened) == 0
-    assert shown(opened) == Arrangement([["-1/1000", 1, -1], *before.normals[1:]])
-    assert_right(opened)
-
-
-def test_a_normal_of_zeros_is_refused(opened):
-    before = shown(opened)
-    enter(opened, "row-c", "0")
-    enter(opened, "row-b", "0")
-    assert "zeros" in problem(opened)
-    assert shown(opened) == Arrangement([[0, 1, 0], *before.normals[1:]])
-
-
-def test_a_wrong_address_is_explained_and_the_page_still_works(browser, page):
-    for address, why in [
-        ("2|3|1,0,0", "version 2"),
-        ("1|4|1,0,0", "whole"),
-        ("1|3|1,0", "three numbers"),
-        ("1|3|<b>,0,1", "three numbers"),
-        ("1|2|0,0,1", "zeros"),
-        ("1|3|" + ";".join(["1,0,0"] * (MAX_PLANES + 1)), "21 planes"),
-        ("%E0%A4%A", "Not taken"),
-    ]:
-        browser.open(f"{page.as_uri()}#{address}")
-        browser.settled()
-        assert why in problem(browser)
-        assert fact(browser, "f-vector") == "(1, 20, 40, 22)"
-        assert browser.messages() == []
-
-
-def test_a_file_that_is_no_arrangement_is_explained(opened):
-    before = shown(opened)
-    for text, why in [
-        ("{", "JSON"),
-        ('{"contacts": []}', "no arrangement"),
-        ('{"schema_version": 1, "planes": [["1", "0", "0", "1"]]}', "two entries"),
-        ('{"schema_version": 1, "planes": [["0.5", 0.5, "0"]]}', "plane 1"),
-        ('{"schema_version": 1, "planes": [["1", "0", "0"]], "offsets": ["1"]}', "origin"),
-    ]:
-        open_file(opened, text)
-        assert why in problem(opened)
-        assert shown(opened) == before
-    lines = read_arrangement("shi-a2-affine")
-    open_file(opened, json.dumps(lines.to_dict()))
-    assert shown(opened) == lines
-    assert_right(opened)
-    assert fact(opened, "regions") == "16, 4 bounded"
-
-
 def test_one_plane_after_another_with_deletion_and_restriction(opened):
     choose(opened, "algorithm", "planes")
     planes = shown(opened)
@@ -380,16 +323,6 @@ def test_a_theorem_that_closes_closes_for_every_attempt(name, opened):
     opened.run("location.hash = arguments[0]", solutions()[name])
     opened.settled()
     assert "meet in a point again" in checked(opened)
-
-
-def test_its_command_line_repeats_the_counts(opened, tmp_path, capsys):
-    opened.run("document.getElementById('copy-command').click()")
-    command = opened.run("return document.getElementById('kept').textContent")
-    document, _, rest = command.removeprefix("echo '").partition("' | arrangement ")
-    path = tmp_path / "planes.json"
-    path.write_text(document)
-    assert main([*rest.replace(" -", f" {path}").split(), "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["f_vector"] == [1, 20, 40, 22]
 
 
 def link(planes: Arrangement) -> str:
@@ -461,23 +394,6 @@ def exchanged(text: str) -> str:
     head, _, rows = text.rpartition("|")
     first, second, *others = rows.split(";")
     return f"{head}|{';'.join([second, first, *others])}"
-
-
-def test_a_notebook_shows_it_in_a_frame(browser, tmp_path):
-    shown_there = read_arrangement("braid-a3").lab()._repr_html_()
-    path = tmp_path / "notebook.html"
-    path.write_text(f"<!DOCTYPE html><title>N</title>{shown_there}", encoding="utf-8")
-    browser.open(path)
-    browser.driver.switch_to.frame(0)
-    try:
-        assert fact(browser, "type") == "6.3, braid arrangement A₃"
-        browser.run("document.getElementById('add').click()")
-        browser.settled()
-        assert fact(browser, "planes") == "7"
-    finally:
-        browser.driver.switch_to.default_content()
-    assert browser.messages() == []
-    assert browser.outside() == []
 
 
 def test_planes_of_other_spaces_are_shown_by_their_essentialisation():

@@ -10,11 +10,9 @@ import pytest
 
 from arrangement import Arrangement, InputError
 from arrangement.cli import main
-from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.library import families
 from arrangement.library.files.table import read_arrangement
 from arrangement.pictures import arrangement_page, cells_page
-from arrangement.pictures.page.page import MAX_CIRCLES
 from arrangement.pictures.parts.names import equation
 from tests.browser import Browser
 
@@ -134,29 +132,6 @@ def test_pointing_at_a_region_tells_its_signs_and_an_inner_point(browser, opened
     assert facts(browser) == {}
 
 
-@pytest.mark.campaign
-@pytest.mark.parametrize("name", ["braid-a3", "pencil", "coincident-planes"])
-def test_every_region_of_the_list_is_told_exactly(name, browser, opened):
-    planes = read_arrangement(name)
-    opened(planes)
-    told = {}
-    for k in range(KNOWN[name][0]):
-        browser.run(
-            "const list = document.getElementById('regions'); list.value = String(arguments[0]);"
-            "list.dispatchEvent(new Event('change'))",
-            k,
-        )
-        browser.settled()
-        fact = facts(browser)
-        told[signs(fact["signs"])] = fact
-        assert planes.signs_at(vector(fact["a point inside"])) == signs(fact["signs"])
-    assert set(told) == {face.signs for face in planes.regions()}
-    if planes.rank == 3:
-        dual = dual_polyhedron(planes)
-        for row, vertex in zip(dual.signs.tolist(), dual.vertices, strict=True):
-            assert vector(told[tuple(row)]["dual vertex, normals as given"]) == vertex
-
-
 def test_a_click_on_a_vertex_keeps_its_region(browser, opened):
     opened("braid-a3")
     place = centre(browser, "#dual .vertex:not(.back)")
@@ -169,14 +144,6 @@ def test_a_click_on_a_vertex_keeps_its_region(browser, opened):
     browser.click_at(*place)
     browser.pointer("mouseMoved", 3, 3)
     assert browser.run("return document.querySelectorAll('.lit').length") == 0
-
-
-def test_a_click_on_a_region_lights_its_vertex(browser, opened):
-    opened("coordinate-planes", direction=(1, 1, 1))
-    browser.click_at(*centre(browser, "#sphere .ball"))
-    lit = browser.run("return [...document.querySelectorAll('.lit')].map(e => e.dataset.id)")
-    assert len(lit) == 2
-    assert len(set(lit)) == 1
 
 
 def untick(browser: Browser, plane: int) -> None:
@@ -202,15 +169,6 @@ def test_a_plane_taken_away_leaves_the_arrangement_of_the_others(name, browser, 
     browser.run("document.getElementById('all').click()")
     assert counts(browser)[0] == len(planes.regions())
     assert browser.messages() == []
-
-
-def test_signs_of_absent_planes_are_dots(browser, opened):
-    opened("coordinate-planes", direction=(1, 1, 1))
-    untick(browser, 1)
-    browser.pointer("mouseMoved", *centre(browser, "#sphere .ball"))
-    told = facts(browser)
-    assert told["signs"] == "+·+"
-    assert vector(told["dual vertex, normals as given"]) == (1, 0, 1)
 
 
 def shapes(browser: Browser) -> list[str]:
@@ -277,30 +235,6 @@ def test_a_region_brought_to_the_front_is_under_the_middle(browser, opened):
         browser.pointer("mouseMoved", 3, 3)
 
 
-def test_text_of_a_title_stays_text(browser, opened):
-    title = "</script><script>document.title = 'gone'</script><b>&amp;"
-    opened("pencil", title=title)
-    assert browser.run("return document.querySelector('h1').textContent") == title
-    assert browser.run("return document.title") == title
-    assert browser.run("return document.querySelectorAll('h1 *').length") == 0
-
-
-def test_the_page_cannot_load_or_send_anything(browser, opened):
-    opened("pencil")
-    browser.run("const image = new Image(); image.src = 'http://127.0.0.1:9/x.png'")
-    browser.settled()
-    assert any("Content Security Policy" in message for message in browser.messages())
-
-
-@pytest.mark.parametrize("width", [390, 1280])
-def test_nothing_sticks_out_of_the_window(width, browser, tmp_path):
-    path = tmp_path / "page.html"
-    path.write_text(arrangement_page(read_arrangement("reflection-b3")), encoding="utf-8")
-    browser.open(path, width=width)
-    browser.settled()
-    assert browser.run("return document.documentElement.scrollWidth") <= width
-
-
 @pytest.mark.parametrize(
     "planes",
     [
@@ -320,7 +254,7 @@ def test_what_cannot_be_shown_is_refused(tmp_path):
     for name in ("parallel-planes-affine", "generic-lines-affine"):
         with pytest.raises(InputError):
             arrangement_page(read_arrangement(name))
-    many = Arrangement([[1, k, k * k] for k in range(MAX_CIRCLES + 1)])
+    many = Arrangement([[1, k, k * k] for k in range(31)])
     with pytest.raises(InputError, match="at most"):
         arrangement_page(many)
     with pytest.raises(InputError, match="colouring"):
@@ -329,15 +263,6 @@ def test_what_cannot_be_shown_is_refused(tmp_path):
     assert main(["draw", "pencil", "-o", target, "--view", "sphere"]) == 2
     assert main(["draw", "pencil", "-o", target, "--body", "cube"]) == 2
     assert list(tmp_path.iterdir()) == []
-
-
-def test_the_command_writes_the_same_small_page_each_time(tmp_path):
-    paths = [tmp_path / "a.html", tmp_path / "b.html"]
-    for path in paths:
-        assert main(["draw", "nine-generic-planes", "-o", str(path), "--title", "Nine"]) == 0
-    first, second = (path.read_bytes() for path in paths)
-    assert first == second
-    assert len(first) < 300_000
 
 
 def test_symmetric_coordinates_change_places_and_nothing_else(browser, opened):

@@ -29,11 +29,6 @@ def test_without_symbols_the_coordinates_are_those_that_occur_by_name():
     assert Arrangement.from_equations([z - a], (z, a)) == Arrangement([[1, -1]])
 
 
-def test_terms_that_cancel_are_no_terms():
-    equation = Eq((x + 1) * (x - y), x**2 - x * y + sqrt(2) * y - sqrt(2) * y)
-    assert Arrangement.from_equations([equation], (x, y)) == Arrangement([[1, -1]])
-
-
 @given(arrangements())
 def test_equations_return_the_same_planes(planes):
     names = sympy.symbols(f"t:{planes.dimension}", positive=True)

@@ -345,36 +345,13 @@ def sign_vectors_topes(planes: int) -> Work:
     return lambda: len(OrientedMatroid(columns).topes())
 
 
+#: The public functions above, and the questions over fields.
 JOBS: dict[str, Callable[[int], Work]] = {
-    job.__name__: job
-    for job in (
-        incidence,
-        bare_sort,
-        region_signs,
-        all_signs,
-        thirty_digits,
-        facade_count,
-        facade_faces,
-        facade_signs,
-        count_command,
-        lines_in_the_plane,
-        six_dimensions,
-        affine_faces,
-        affine_faces_any_dimension,
-        counted,
-        foretold,
-        counting,
-        polynomial,
-        published,
-        published_step_1,
-        published_step_2,
-        published_step_3,
-        networkx_cycle_basis,
-        igraph_cycle_basis,
-        sage_regions,
-        sage_polynomial,
-        sign_vectors_topes,
-    )
+    name: job
+    for name, job in list(globals().items())
+    if name.islower()
+    and name[0] != "_"
+    and getattr(job, "__annotations__", {}).get("return") == Work
 } | {
     f"{question} {square}": partial(_asked, question, square)
     for question in FIELD_QUESTIONS

@@ -510,7 +510,7 @@ def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
     values |= {"equilibrium.model.contact", "arrangement.console.number_form"}
     values |= {"equilibrium.model.errors", "equilibrium.model.contact", "collections.abc"}
     values |= {"equilibrium.model.plane", "equilibrium.model.range"}
-    values |= {"enclosure", "law", "reading", "space"}
+    values |= {"enclosure", "law", "reading", "robust", "space"}
     assert imported <= standard | values
     for node in ast.walk(tree):
         assert not (isinstance(node, ast.Constant) and isinstance(node.value, float))

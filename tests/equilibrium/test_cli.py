@@ -4,13 +4,10 @@ import json
 
 import pytest
 
-from arrangement.cli import main as arrangement_main
 from arrangement.numbers.exact import number_text
 from equilibrium import read_grasp, solve
 from equilibrium.cli.program import main
 from equilibrium.grasps.inputs.random import random_grasp
-
-from .test_resistance import hard
 
 THREE = "paper-three-contacts"
 
@@ -50,13 +47,6 @@ def test_of_many_contacts_all_equilibria_are_listed_only_when_asked_for(capsys, 
         assert text.count("contact ") == contacts
 
 
-def test_preload_option_is_the_preloaded_instance(capsys):
-    wrench = ("--wrench", "0", "1.0", "-0.0", "--json")
-    one = call(capsys, "solve", THREE, "--preload", "1", *wrench)
-    assert one[0] == 0
-    assert one == call(capsys, "solve", f"{THREE}-preload-1", *wrench)
-
-
 @pytest.mark.parametrize(("wrench", "code"), [("-1", 0), ("1", 1)])
 def test_certificate_is_written_and_verified(capsys, tmp_path, wrench, code):
     path = tmp_path / "certificate.json"
@@ -77,27 +67,6 @@ def test_certificate_is_written_and_verified(capsys, tmp_path, wrench, code):
         call(capsys, *asked[:-1])[0] == call(capsys, "verify", str(path), "--at", "0", "0")[0] == 2
     )
     assert [p.name for p in tmp_path.iterdir()] == [path.name]
-
-
-def test_a_time_limit_says_what_is_open(capsys, tmp_path):
-    grasp, wrench = hard()
-    path = tmp_path / "grasp.json"
-    path.write_text(json.dumps(grasp.to_dict()))
-    arguments = ("solve", str(path), "--wrench", *map(str, wrench))
-    code, out, err = call(capsys, *arguments, "--time-limit", "1/1000000000")
-    assert (code, out) == (2, "")
-    assert "regions of motions open" in err
-
-
-def test_a_shortened_proof_is_valid_and_not_longer(capsys, tmp_path):
-    sizes = []
-    for name, options in (("plain", ()), ("short", ("--shorten",))):
-        path = tmp_path / name
-        arguments = ("solve", THREE, "--wrench", "3", "3", "1", "--certificate", str(path))
-        assert call(capsys, *arguments, *options)[0] == 1
-        assert call(capsys, "verify", str(path))[0] == 0
-        sizes.append(path.stat().st_size)
-    assert sizes[1] <= sizes[0]
 
 
 def test_a_changed_certificate_says_what_fails(capsys, tmp_path):
@@ -137,20 +106,6 @@ def test_contacts_at_the_edge_of_their_cones_are_not_called_slipping(capsys):
     _, out, _ = call(capsys, "solve", *slipping, "--wrench", "0,1,0")
     assert "slip+" in out
     assert "not slipping" not in out
-
-
-def test_grasp_counts_as_its_tangential_planes(capsys):
-    assert arrangement_main(["count", "paper-four-contacts", "--json"]) == 0
-    document = json.loads(capsys.readouterr().out)
-    assert document["f_vector"] == [0, 1, 4, 4]
-    assert document["distinct_planes"] == 2
-
-
-def test_literal_reading_in_json(capsys):
-    arguments = ("--wrench", "0", "0", "3", "--literal", "detachment", "cell-check", "--json")
-    code, out, _ = call(capsys, "solve", "paper-four-contacts", *arguments)
-    assert json.loads(out)["literal"] == ["detachment", "cell-check"]
-    assert code == (0 if json.loads(out)["stable"] else 1)
 
 
 def test_long_numbers_are_rounded_unless_they_are_wanted_exactly(capsys):

@@ -1,15 +1,25 @@
 """The contact states that are enough: every solution and every face has some."""
 
-import pytest
-from hypothesis import given
+from dataclasses import replace
+from fractions import Fraction
 
-from equilibrium import Grasp, Solver, contact_states, read_grasp
-from equilibrium.grasps.inputs.random import random_grasp
-from equilibrium.plane.states.contact_states import states_at
+import numpy as np
+import pytest
+from hypothesis import given, settings, strategies as st
+
+from arrangement.numbers.linear.programs import Infeasible, Optimal, feasible_point, minimize
+from equilibrium import Contact, Grasp, Solver, contact_states, read_grasp, solve
+from equilibrium.grasps.inputs.random import random_grasp, random_wrench
+from equilibrium.plane.states.contact_states import states_at, states_of_code
+from equilibrium.plane.states.equilibrium import equilibrium_of
+from equilibrium.plane.states.interval_filter import Screen
+from equilibrium.plane.states.min_norm_point import least_point
+from equilibrium.plane.states.state_system import state_system
+from equilibrium.wrench_sets.line import interval_between, resisted_magnitudes
 
 from . import oracle
 from .awkward import question
-from .strategies import grasps, wrenches
+from .strategies import directions, grasps, wrenches
 
 
 def fits(states: tuple[str, ...], grasp: Grasp, motion: tuple) -> bool:
@@ -64,3 +74,134 @@ def test_no_contact_has_the_one_empty_choice():
 def test_all_stick_is_among_the_states_of_a_preloaded_grasp():
     assert ("stick",) * 3 in contact_states(read_grasp("paper-three-contacts-preload-1"))
     assert ("stick",) * 3 not in contact_states(read_grasp("paper-three-contacts"))
+
+
+ZERO = (Fraction(0),) * 3
+W = (Fraction(1), Fraction(-1, 2), Fraction(1, 3))
+
+
+def assert_true(grasp: Grasp, wrench: tuple, direction: tuple = ()) -> float:
+    """Check each choice ruled out by elimination in rationals; return the share of these."""
+    screen = Solver(grasp).screen
+    possible = screen.possible(wrench, *[direction] * bool(direction))
+    for row in screen.codes[~possible].tolist():
+        system = state_system(grasp, states_of_code(row), wrench)
+        if direction:
+            end = tuple(a + b for a, b in zip(wrench, direction, strict=True))
+            last = state_system(grasp, states_of_code(row), end)
+            assert interval_between(system, last) in (None, (0, 0))
+        else:
+            assert equilibrium_of(system) is None
+    return float((~possible).mean())
+
+
+@given(grasps(4), wrenches, directions)
+def test_a_choice_ruled_out_has_no_equilibrium(grasp, wrench, direction):
+    wrench = tuple(map(Fraction, wrench))
+    assert_true(grasp, wrench)
+    assert_true(grasp, wrench, tuple(map(Fraction, direction)))
+
+
+@pytest.mark.parametrize("seed", range(0, 60, 3))
+def test_a_choice_ruled_out_of_an_awkward_question_has_no_equilibrium(seed):
+    asked, direction = question(seed), random_wrench(seed)
+    assert_true(asked.grasp, asked.wrench)
+    assert_true(asked.grasp, asked.wrench, direction)
+    assert_true(asked.grasp, ZERO, asked.wrench if any(asked.wrench) else direction)
+
+
+@pytest.mark.parametrize("digits", [3, 6, 9, 12, 15, 18, 30])
+def test_nearly_coincident_contacts(digits):
+    grasp, shift = random_grasp(3, seed=1), Fraction(1, 10**digits)
+    moved = (replace(c, point=(c.point[0] + shift, c.point[1])) for c in grasp)
+    twice = Grasp([*grasp, *moved])
+    assert_true(twice, W)
+    if digits in (12, 18):
+        assert_true(twice, ZERO, W)
+
+
+@pytest.mark.parametrize("power", [-25, -12, 12, 25])
+def test_stiffness_and_size_of_very_different_scale(power):
+    scale = Fraction(10) ** power
+    first, second, *others = random_grasp(4, seed=1)
+    far = replace(second, point=[x * scale for x in second.point])
+    stiff = replace(first, stiffness=first.stiffness * scale)
+    assert_true(Grasp([stiff, far, *others]), W)
+
+
+@pytest.mark.parametrize("power", [-400, -40, 40, 400])
+def test_numbers_that_floats_should_not_see_are_left_to_rationals(power):
+    (c,) = random_grasp(1, seed=1)
+    scale = Fraction(10) ** power
+    grasp = Grasp([replace(c, stiffness=c.stiffness * scale, preload=0)] * 2)
+    assert Solver(grasp).screen.possible(W).all()
+    assert Solver(grasp).screen.possible(ZERO, W).all()
+    for wrench in (W, tuple(-2 * x for x in (*c.normal, c.normal_wrench[2]))):
+        assert solve(grasp, wrench).stable == oracle.is_stable(grasp, wrench)
+    other = Solver(random_grasp(3, seed=1)).screen
+    assert other.possible((scale, *W[1:])).all()
+    assert other.possible(ZERO, (scale, *W[1:])).all()
+    assert Solver(Grasp()).screen.possible(ZERO, W).all()
+
+
+@pytest.mark.parametrize("seed", [1, 3])
+def test_a_choice_that_touches_the_line_in_one_point_is_kept(seed):
+    """The line is laid through an end of what the grasp resists, along another direction."""
+    grasp, direction = random_grasp(4, seed), random_wrench(seed)
+    low, high = resisted_magnitudes(grasp, direction).intervals[0]
+    end = high if high is not None else low
+    # At t = 1 the new line is exactly at the border.
+    base = tuple(end * b - u for b, u in zip(direction, W, strict=True))
+    assert_true(grasp, base, W)
+    assert resisted_magnitudes(grasp, W, base).contains(Fraction(1))
+
+
+@pytest.mark.parametrize("seed", [1, 3, pytest.param(0, marks=pytest.mark.campaign)])
+def test_most_choices_are_decided_in_floating_point(seed):
+    grasp = random_grasp(7, seed)
+    if seed:
+        assert assert_true(grasp, W) > 0.9
+    else:
+        assert assert_true(grasp, ZERO, W) > 0.7
+
+
+@given(grasps(3), wrenches, directions)
+def test_without_floats_the_answers_are_the_same(grasp, wrench, direction):
+    pieces = solve(grasp, wrench).equilibria
+    found = resisted_magnitudes(grasp, direction, wrench).intervals
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Screen, "possible", lambda self, *_: np.ones(len(self.codes), dtype=bool))
+        assert solve(grasp, wrench).equilibria == pieces
+        assert resisted_magnitudes(grasp, direction, wrench).intervals == found
+
+
+@settings(max_examples=20)
+@given(directions, st.integers(1, 3))
+def test_frictionless_contacts_at_one_point_resist_their_normal_only(direction, count):
+    """Contacts that only touch from one side leave their own normal direction open."""
+    grasp = Grasp([Contact((0, 0), (1, 0), 0, 1, 0)] * count)
+    pushes = direction[0] < 0 and direction[1:] == (0, 0)
+    resisted = resisted_magnitudes(grasp, direction).intervals
+    assert resisted == (((0, None),) if pushes else ((0, 0),))
+
+
+def rows(*entries):
+    return [tuple(map(Fraction, row)) for row in entries]
+
+
+row = st.tuples(*[st.integers(-3, 3)] * 3, st.integers(-4, 4))
+
+
+@given(st.lists(row, max_size=6), st.lists(row, max_size=1))
+def test_no_point_lies_beyond_the_supporting_plane(inequalities, equalities):
+    least, equal = rows(*inequalities), rows(*equalities)
+    if isinstance(feasible_point(3, least, equal), Infeasible):
+        return
+    image = rows((1, 0, 0, 0), (0, 1, 0, 0))
+    x, y = least_point(3, least, equal, image)
+    # x is least exactly when it is attained and <x, v> >= <x, x> for every v.
+    reached = [*equal, *rows((1, 0, 0, -x), (0, 1, 0, -y))]
+    assert not isinstance(feasible_point(3, least, reached), Infeasible)
+    answer = minimize((x, y, 0), least, equal)
+    assert isinstance(answer, Optimal)
+    assert answer.value == x * x + y * y

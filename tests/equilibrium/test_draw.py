@@ -1,7 +1,6 @@
 """Pictures: what is drawn is what was computed, labels keep apart, files repeat."""
 
 import re
-import sys
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -15,14 +14,12 @@ from arrangement.drawing.scene.labels import flattened
 from arrangement.drawing.scene.layout import laid_out
 from arrangement.drawing.scene.scene import Label, Scene, measure
 from equilibrium import Contact, Grasp, read_grasp, solve
-from equilibrium.cli.program import main
 from equilibrium.grasps.inputs import random_grasp, star_outline
 from equilibrium.methods import METHODS, resistance_figure
 from equilibrium.methods.compare import compare
 from equilibrium.methods.registry import WITH_REGION
 from equilibrium.model.outline import Circle, Polygon
 from equilibrium.pictures import (
-    DRAWINGS,
     draw_compare,
     draw_grasp,
     draw_methods,
@@ -34,7 +31,7 @@ from equilibrium.pictures import (
 from equilibrium.pictures.grasp.layout import Layout
 from equilibrium.pictures.grasp.proof_page import proof_page
 from equilibrium.pictures.parts.body import body, frame_of
-from equilibrium.pictures.parts.style import nice, number
+from equilibrium.pictures.parts.style import nice
 from equilibrium.pictures.wrenches.forces import slices
 from equilibrium.wrench_sets import gaps, resisted_region, search_map
 from tests.drawn import offences
@@ -201,20 +198,6 @@ def test_a_slice_keeps_the_preloads_of_the_grasp():
     assert region.polygons == resisted_region(own).polygons
 
 
-@pytest.mark.parametrize("factor", [1, 1000, "1/1000"])
-def test_polar_maps_grow_with_preloads(factor):
-    """Ten times the preloads, ten times all forces: the same picture but for its numbers."""
-    ends = []
-    for load in (1, Fraction(factor)):
-        items = named(draw_polar.scene(THREE.with_preload(load), directions=12))
-        ends.append(np.array([items[f"direction-{i}"].place for i in range(12)]))
-    np.testing.assert_allclose(ends[0], ends[1], atol=0.2)
-
-
-def test_a_polar_map_without_border_is_as_wide_as_the_preloads():
-    assert "1000" in texts(draw_polar.scene(COINCIDENT.with_preload(1000), directions=4))
-
-
 def test_of_many_contacts_the_one_equilibrium_found_is_shown_and_said():
     grasp = random_grasp(24, 4)
     verdict = solve(grasp, (0, "-1/2", 0))
@@ -288,8 +271,7 @@ def test_lines_of_resisted_forces_tell_their_states():
 
 
 @pytest.mark.parametrize(
-    "grasp",
-    [THREE, THREE.with_preload(1), FOUR, FOUR.with_preload(1), COINCIDENT, HUGE, Grasp([])],
+    "grasp", [THREE, THREE.with_preload(1), FOUR, FOUR.with_preload(1), COINCIDENT, HUGE, Grasp([])]
 )
 def test_region_elements_are_the_exact_pieces_and_borders(grasp):
     region = resisted_region(grasp)
@@ -369,30 +351,6 @@ def test_methods_and_wrenches_are_a_table_of_the_comparisons():
         for i, entry in enumerate(answer.answers):
             assert drawn[f"cell-{i}-{j}"].sign == markers[entry.accepts]
             assert (f"differs-{i}-{j}" in drawn) == (entry.method in answer.disagreeing)
-
-
-def test_missing_library_names_the_extra(monkeypatch, tmp_path, capsys):
-    monkeypatch.setitem(sys.modules, "matplotlib", None)
-    for view in DRAWINGS.views:
-        target = str(tmp_path / "a.svg")
-        wrench = ["--wrench", "0", "1", "0"] if view in ("methods", "proof") else []
-        assert main(["draw", "paper-three-contacts", "-o", target, "--view", view, *wrench]) == 2
-        assert "slipstates[figures]" in capsys.readouterr().err
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_the_command_says_what_it_wrote(tmp_path, capsys):
-    target = str(tmp_path / "a.svg")
-    arguments = ["draw", "paper-three-contacts", "-o", target, "--preload", "1", "--json"]
-    assert main([*arguments, "--view", "resist", "--wrench", "0", "1", "0"]) == 0
-    assert capsys.readouterr().out == f'{{"output": "{target}", "view": "resist"}}\n'
-
-
-def test_numbers_on_labels_say_when_they_are_rounded():
-    assert number(Fraction(-11, 10)) == "−11/10"
-    assert number(10**30) == "1e+30"
-    assert number(Fraction(1, 3 * 10**9)).startswith("≈3.333e")
-    assert number(Fraction(10) ** 5000) == "1e+5000"
 
 
 @pytest.mark.parametrize("value", [1.0, 1.9, 2.0, 4.999, 5.0, 9.99, 0.002, 3e7])

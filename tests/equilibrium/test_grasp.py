@@ -1,15 +1,20 @@
 """Contacts, grasps and unit normals: conventions, validation, identity."""
 
+import json
 from fractions import Fraction
 
 import pytest
 import sympy
-from hypothesis import given, strategies as st
+from hypothesis import given, settings, strategies as st
 
 from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, GraspError, read_grasp, solve, unit_normal
+from equilibrium.cli.program import LITERAL
+from equilibrium.grasps.instances import paths
+from equilibrium.methods.contact_laws.printed_model import OPTIONS, solve_literal
+from equilibrium.wrench_sets import resisted_magnitudes
 
-from .strategies import contacts, grasps
+from .strategies import contacts, grasps, wrenches
 
 
 def test_tangent_is_the_normal_turned_left_and_torque_is_counter_clockwise():
@@ -111,3 +116,138 @@ def test_a_saved_grasp_is_read_back(tmp_path):
     found = read_grasp(tmp_path / "grasp.json")
     assert found == grasp
     assert found.units == grasp.units
+
+
+@pytest.mark.parametrize("name", paths())
+def test_every_built_in_grasp_reads_and_describes_itself(name):
+    assert len(read_grasp(name)) > 0
+    description = json.loads(paths()[name].read_bytes())["description"]
+    assert ("preload 1" in description) == any(c.preload == 1 for c in read_grasp(name))
+    assert ("no preload" in description) <= all(c.preload == 0 for c in read_grasp(name))
+
+
+def test_resistance_is_interrupted_and_goes_on():
+    found = resisted_magnitudes(read_grasp("interrupted-resistance"), (0, 1, 0))
+    assert found.intervals == ((0, Fraction(5, 2)), (4, None))
+
+
+def test_several_equilibria_have_different_normal_forces():
+    verdict = solve(read_grasp("several-equilibria"), (-1, 0, 0))
+    assert len({piece.forces[0][0] for piece in verdict.equilibria}) > 1
+
+
+def test_friction_along_the_slip_is_found_by_the_printed_algorithm_alone():
+    question = read_grasp("friction-along-slip"), (0, 0, 1)
+    assert not solve(*question).stable
+    (found,) = solve_literal(*question, ["cell-check", "detachment"]).equilibria
+    pushed = [
+        sum(a * b for a, b in zip(contact.tangential_wrench, found.motion, strict=True))
+        * tangential
+        for contact, (_, tangential) in zip(question[0], found.forces, strict=True)
+    ]
+    assert max(pushed) > 0
+
+
+def test_one_contact_has_to_let_go():
+    question = read_grasp("one-contact-lets-go"), (-1, 0, 0)
+    assert all(piece.states[1] == "detached" for piece in solve(*question).equilibria)
+    assert solve(*question).stable
+    assert not solve_literal(*question, ["detachment"]).stable
+
+
+def test_all_contacts_stick_in_the_only_equilibrium():
+    (found,) = solve(read_grasp("all-contacts-stick"), (0, 0, 0)).equilibria
+    assert found.unique
+    assert found.motion == (0, 0, 0)
+    assert found.states == ("stick",) * 3
+
+
+def test_the_normals_of_the_offset_grasp_meet_in_no_point():
+    rows = [contact.normal_wrench for contact in read_grasp("offset-three-contacts")]
+    (a, b, c), (d, e, f), (g, h, i) = rows
+    assert a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g) != 0
+
+
+THREE = read_grasp("paper-three-contacts")
+FOUR = read_grasp("paper-four-contacts")
+
+
+@given(grasps(), wrenches)
+def test_no_option_is_the_complete_model(grasp, wrench):
+    assert solve_literal(grasp, wrench).equilibria == solve(grasp, wrench).equilibria
+
+
+def verdicts(grasp, wrench, option):
+    return solve(grasp, wrench).stable, solve_literal(grasp, wrench, [option]).stable
+
+
+LOADED = THREE.with_preload(1)
+
+
+@pytest.mark.parametrize(
+    ("grasp", "wrench", "option"),
+    [
+        (FOUR, (0, 0, 3), "detachment"),
+        (FOUR, (0, 0, -3), "detachment"),
+        (LOADED, (0, 1, 0), "preload"),
+        (LOADED, (0, 1, 0), "signs"),
+        (LOADED, (0, -1, 0), "all-stick"),
+    ],
+)
+def test_a_row_of_the_tables_is_lost(grasp, wrench, option):
+    assert verdicts(grasp, wrench, option) == (True, False)
+
+
+def test_without_the_cell_check_an_unstable_grasp_passes():
+    assert verdicts(read_grasp("unchecked-cell"), (2, 0, 2), "cell-check") == (False, True)
+
+
+def test_without_merging_coincident_planes_a_facet_is_lost():
+    # Motion (0, 1/4, 1/4): contacts 0 and 1 stick, 2 and 3 slip; forces chosen inside the cones.
+    grasp = FOUR.with_preload(1)
+    motion = (Fraction(0), Fraction(1, 4), Fraction(1, 4))
+    forces = []
+    for contact in grasp:
+        gap = sum(a * b for a, b in zip(contact.normal_wrench, motion, strict=True))
+        slip = sum(a * b for a, b in zip(contact.tangential_wrench, motion, strict=True))
+        normal = contact.preload - gap
+        forces.append((normal, Fraction(0) if slip == 0 else -normal / 2 * (1 if slip > 0 else -1)))
+    wrench = [
+        -sum(
+            n * c.normal_wrench[axis] + t * c.tangential_wrench[axis]
+            for c, (n, t) in zip(grasp, forces, strict=True)
+        )
+        for axis in range(3)
+    ]
+    assert verdicts(grasp, wrench, "coincident-planes") == (True, False)
+
+
+def test_stopping_at_the_first_solution_misses_the_second():
+    question = read_grasp("several-equilibria"), (-1, 0, 0)
+    assert len(solve(*question).equilibria) == 2
+    assert len(solve_literal(*question, ["single-solution"]).equilibria) == 1
+
+
+@given(grasps(), wrenches)
+def test_options_that_drop_states_accept_no_more_and_conditions_no_less(grasp, wrench):
+    stable = solve(grasp, wrench).stable
+    for option in ("detachment", "all-stick", "coincident-planes"):
+        assert solve_literal(grasp, wrench, [option]).stable <= stable
+    assert stable <= solve_literal(grasp, wrench, ["cell-check"]).stable
+
+
+@settings(max_examples=20)
+@given(grasps(), wrenches)
+def test_options_combine_in_any_order(grasp, wrench):
+    forward = solve_literal(grasp, wrench, list(OPTIONS))
+    assert forward == solve_literal(grasp, wrench, list(OPTIONS)[::-1])
+    assert forward.options == tuple(OPTIONS)
+
+
+def test_unknown_option_is_refused():
+    with pytest.raises(GraspError, match="cell-check"):
+        solve_literal(THREE, (0, 0, 0), ["cellcheck"])
+
+
+def test_command_line_knows_every_option():
+    assert tuple(OPTIONS) == LITERAL

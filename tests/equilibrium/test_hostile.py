@@ -231,7 +231,7 @@ CASES += [
 ]
 CASES += [
     (equilibrium, "make csv a.csv", "UTF-8", {"a.csv": b"x,y\xff"}),
-    (equilibrium, "make csv a.csv", "longer", {"a.csv": b"0" * (4 * 2**20 + 1)}),
+    (equilibrium, "make csv a.csv", "bytes of a file", {"a.csv": b"0" * (4 * 2**20 + 1)}),
     (
         equilibrium,
         "make csv a.csv --outline 0,0 1,1",

@@ -53,10 +53,6 @@ class TestSnapping:
     def test_tolerance_zero_keeps_the_binary_value(self):
         assert snapped(0.1, 0) == (Fraction(0.1), 0)
 
-    def test_an_empty_interval_is_refused(self):
-        with pytest.raises(GraspError, match="empty"):
-            simplest_between(Fraction(1), Fraction(0))
-
 
 class TestFloatData:
     def test_numbers_normals_and_errors(self):
@@ -137,14 +133,6 @@ class TestPolygon:
         # The tangent of the angle from (-1, -1) to (x, y), by its definition.
         assert found.angle_errors == ((x - y) / (-x - y),)
         assert 0 < abs(found.angle_errors[0]) <= Fraction(1, 10**6)
-
-    def test_a_reflex_corner_keeps_normals_inward(self):
-        chevron = [(0, 0), (4, 0), (4, 4), (2, 2), (0, 4)]
-        found = from_polygon(chevron, [(3, 3), (1, 3)], 1, angle_tolerance="1/1000")
-        assert [(c.normal[0] > 0, c.normal[1] < 0) for c in found.grasp] == [
-            (True, True),
-            (False, True),
-        ]
 
     @pytest.mark.parametrize(
         ("vertices", "word"),
@@ -250,10 +238,6 @@ class TestRandom:
         quadrants = {tuple(x > 0 for x in c.point) for c in random_grasp(40, 1)}
         assert len(quadrants) == 4
 
-    def test_negative_numbers_are_refused(self):
-        with pytest.raises(GraspError, match="contacts"):
-            random_grasp(-1)
-
 
 class TestCsv:
     def test_columns_in_any_order(self, tmp_path):
@@ -286,10 +270,6 @@ class TestCsv:
         assert read_float_data(tmp_path / "data.csv").grasp == found
         assert read_float_data({"schema_version": 1, **measured}).grasp == found
 
-    def test_irrational_normals_report_their_angle(self):
-        found = parse_csv(f"{HEADER}\n0,0,1,1,1\n")
-        assert 0 < abs(found.angle_errors[0]) <= Fraction(1, 10**6)
-
 
 class TestOutlines:
     def test_polygons_and_circles_are_the_outlines(self):
@@ -314,9 +294,6 @@ class TestOutlines:
                 and sum((y - x) * n for x, y, n in zip(a, b, contact.normal, strict=True)) == 0
                 for a, b in edges
             )
-
-    def test_most_random_objects_have_one(self):
-        assert sum(star_outline(random_grasp(5, seed)) is not None for seed in range(40)) > 20
 
     def test_the_command_takes_one_for_csv_files(self, tmp_path, capsys):
         path = tmp_path / "a.csv"

@@ -1,6 +1,5 @@
 """The slip lab, opened in headless Chromium: its answers against the solver and the checker."""
 
-import html
 import json
 import random
 import time
@@ -14,7 +13,6 @@ from arrangement import InputError
 from equilibrium import Contact, Grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.law import law_problem
-from equilibrium.cli.program import main
 from equilibrium.decide.verdict import Solver
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.instances import paths
@@ -23,7 +21,7 @@ from equilibrium.plane.states.contact_states import contact_states
 from equilibrium.wrench_sets import resisted_set
 from tests.browser import Browser
 from tests.instances import is_in_space
-from tests.labs import choose, enter, invalid, open_file, problem
+from tests.labs import choose, enter
 
 NORMALS = [(1, 0), (0, 1), (-1, 0), (0, -1), ("3/5", "4/5"), ("-5/13", "12/13"), ("-3/5", "-4/5")]
 Question = tuple[Grasp, list[Fraction]]
@@ -241,50 +239,6 @@ def test_all_can_be_done_with_keys(opened):
     assert opened.run("return document.getElementById('said').textContent")
 
 
-def test_undo_and_redo_lead_through_all_states(opened):
-    seen = [question(opened)]
-    for name, text in [("c-friction", "3/4"), ("c-x", "-1e0"), ("c-y", ".25"), ("w-t", "-1/3")]:
-        enter(opened, name, text)
-        if question(opened) != seen[-1]:
-            seen.append(question(opened))
-    assert len(seen) == 4
-    for expected in reversed(seen[:-1]):
-        opened.run("document.getElementById('undo').click()")
-        assert question(opened) == expected
-        assert_right(opened)
-    for expected in seen[1:]:
-        opened.run("document.getElementById('redo').click()")
-        assert question(opened) == expected
-
-
-UNUSUAL = ["", "0x1", "1e", "--1", ".", "1.5/2", "-"]
-
-
-@pytest.mark.parametrize(
-    "text", ["1/0", "abc", *(pytest.param(text, marks=pytest.mark.campaign) for text in UNUSUAL)]
-)
-def test_what_is_no_number_is_marked_and_changes_nothing(text, opened):
-    before = question(opened)
-    enter(opened, "c-x", text)
-    assert invalid(opened) == 1
-    assert "3/4" in problem(opened)
-    assert question(opened) == before
-    enter(opened, "c-x", "-3/4")
-    assert invalid(opened) == 0
-    assert question(opened)[0].contacts[0].point[0] == Fraction(-3, 4)
-
-
-@pytest.mark.parametrize(
-    ("name", "text", "why"),
-    [("c-friction", "-1", "friction"), ("c-stiffness", "0", "stiffness"), ("c-n", "1, 1", "3/5")],
-)
-def test_numbers_out_of_range_are_refused(name, text, why, opened):
-    before = question(opened)
-    enter(opened, name, text)
-    assert why in problem(opened)
-    assert question(opened) == before
-
-
 def test_the_address_holds_the_state(opened, tmp_path):
     url = (tmp_path / "lab.html").as_uri()
     opened.open(f"{url}#1|0,0,3/5,4/5,1/3,2,1;0,1,0,-1,0,1,0|-1/2,1,1e-3")
@@ -294,48 +248,6 @@ def test_the_address_holds_the_state(opened, tmp_path):
         [Contact([0, 0], ["3/5", "4/5"], "1/3", 2, 1), Contact([0, 1], [0, -1], 0)]
     )
     assert wrench == [Fraction(-1, 2), 1, Fraction(1, 1000)]
-    assert_right(opened)
-
-
-@pytest.mark.campaign
-@pytest.mark.parametrize(
-    ("address", "why"),
-    [
-        ("2|0,0,1,0,1,1,0|0,0,0", "version 2"),
-        ("1|0,0,1,1,1,1,0|0,0,0", "length 1"),
-        ("1|<b>,0,1,0,1,1,0|0,0,0", "point"),
-        ("1|0,0,1,0,1,1,0", "whole"),
-        ("1||0,0", "three numbers"),
-        ("1|" + ";".join(["0,0,1,0,1,1,0"] * 9) + "|0,0,0", "9 contacts"),
-    ],
-)
-def test_a_wrong_address_is_explained_and_the_page_still_works(address, why, opened, tmp_path):
-    opened.open(f"{(tmp_path / 'lab.html').as_uri()}#{address}")
-    opened.settled()
-    assert why in problem(opened)
-    assert verdict(opened).startswith("Resisted")
-    assert opened.messages() == []
-
-
-@pytest.mark.campaign
-@pytest.mark.parametrize(
-    ("text", "why"),
-    [
-        ("{", "JSON"),
-        ('{"planes": []}', "no grasp"),
-        ('{"schema_version": 1, "contacts": [{"point": [0.5, 0]}]}', "point"),
-        ('{"schema_version": 1, "contacts": [], "outline": [["0", "0"]]}', "outline"),
-    ],
-)
-def test_a_file_that_is_no_grasp_is_explained(text, why, opened):
-    before = question(opened)
-    open_file(opened, text)
-    assert why in problem(opened)
-    assert question(opened) == before
-    grasp = read_grasp("several-equilibria")
-    open_file(opened, json.dumps(grasp.to_dict()))
-    assert question(opened)[0] == grasp
-    assert not problem(opened)
     assert_right(opened)
 
 
@@ -405,17 +317,6 @@ def test_a_refuted_load_shows_its_proof(opened):
     assert opened.run("return document.querySelectorAll('#grasp .ghost').length") == 1
 
 
-def test_its_command_line_repeats_the_answer(opened, tmp_path, capsys):
-    opened.run("document.getElementById('copy-command').click()")
-    command = opened.run("return document.getElementById('kept').textContent")
-    grasp, _, rest = command.removeprefix("echo '").partition("' | equilibrium ")
-    path = tmp_path / "grasp.json"
-    path.write_text(grasp)
-    words = rest.replace(" - ", f" {path} ").split()
-    assert main([*words, "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["stable"]
-
-
 @pytest.mark.campaign
 @pytest.mark.parametrize(
     "grasp",
@@ -473,22 +374,6 @@ def test_it_answers_in_a_worker_and_without_one(broken, browser, tmp_path):
         browser.driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", name)
     assert any(url.startswith("blob:") for url in browser.requests()) == (not broken)
     assert browser.messages() == []
-
-
-def test_a_notebook_shows_it_in_a_frame(browser, tmp_path):
-    grasp = read_grasp("several-equilibria")
-    cell = grasp.lab()._repr_html_()
-    assert html.unescape(cell).count(lab_page(grasp)) == 1
-    path = tmp_path / "cell.html"
-    path.write_text(f"<!DOCTYPE html><title>cell</title>{cell}", encoding="utf-8")
-    browser.open(path)
-    browser.driver.switch_to.frame(0)
-    try:
-        assert verdict(browser)
-    finally:
-        browser.driver.switch_to.default_content()
-    assert browser.messages() == []
-    assert browser.outside() == []
 
 
 def test_a_grasp_in_space_is_refused():

@@ -156,11 +156,6 @@ def test_nothing_asked_for_and_directions_that_nothing_faces(cube):
         on_mesh(cube, 1, random=1, facing=(1, 1, 1))
 
 
-def test_large_meshes_are_no_outlines(tmp_path):
-    path = written(trimesh.creation.icosphere(subdivisions=4), tmp_path / "ball.ply")
-    assert on_mesh(path, 1, random=1).grasp.outline is None
-
-
 def test_the_command(cube, capsys):
     call = ["make", "mesh", str(cube), "--friction", "1/2", "--at"]
     assert main([*call, "1", "1/5", "0", "1/3", "1.01", "0", "--units", "mm", "N"]) == 0

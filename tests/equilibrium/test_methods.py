@@ -1,20 +1,48 @@
 """The other methods on the paper's two grasps: what the paper says of each, and known values."""
 
+import importlib
+import json
 from fractions import Fraction
+from itertools import pairwise
+from pkgutil import iter_modules
 
+import numpy as np
 import pytest
+from hypothesis import example, given, settings, strategies as st
+from scipy.spatial import ConvexHull
 
+from arrangement.numbers.exact import RationalVector, dot
+from equilibrium import methods, solve, solve_literal
+from equilibrium.cli.program import main
 from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs.random import random_grasp
+from equilibrium.methods.compare import ask, compare
 from equilibrium.methods.contact_laws.frictionless_slip import frictionless_slip
 from equilibrium.methods.contact_laws.linear_compliance import linear_compliance
 from equilibrium.methods.contact_laws.springs import balancing_friction
 from equilibrium.methods.friction_cones.cones import cones
 from equilibrium.methods.friction_cones.form_closure import form_closure
 from equilibrium.methods.friction_cones.grasp_wrench_space import GraspWrenchSpace
+from equilibrium.methods.friction_cones.round_cones import round_cones
 from equilibrium.methods.friction_cones.weak_strong import weak_strong
+from equilibrium.methods.method import Method
+from equilibrium.methods.registry import (
+    DECIDING,
+    DECIDING_IN_SPACE,
+    METHODS,
+    WITH_REGION,
+    method_named,
+)
+from equilibrium.methods.survey import shrunk, size, smallest_examples, survey
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
+from equilibrium.pictures.wrenches.methods import draw_methods
+from equilibrium.plane.contact_rows import friction_edges
+from equilibrium.wrench_sets import Region
+from equilibrium.wrench_sets.margin import margin
+
+from .strategies import grasps
 
 HALF = Fraction(1, 2)
 THREE, FOUR = read_grasp("paper-three-contacts"), read_grasp("paper-four-contacts")
@@ -40,13 +68,7 @@ def wrench_space(grasp, wrench):
             for k in ("1/1000", 1, 1000)
         ),
         # Section VI: better than linear compliance, and still too conservative.
-        (
-            frictionless_slip,
-            THREE,
-            [(0, -1, 0), (0, -100, 0), (3, -1, 0), (-7, 0, 0)],
-            {},
-            True,
-        ),
+        (frictionless_slip, THREE, [(0, -1, 0), (0, -100, 0), (3, -1, 0), (-7, 0, 0)], {}, True),
         # The refusal of the preloaded grasp needs that a pressed contact is not detached.
         (frictionless_slip, LOADED, [(0, 1, 0)], {**REST, "gap": False}, True),
         # Without friction at rest soft tangential springs hold.
@@ -76,9 +98,6 @@ def square(friction=0):
 
 
 class TestGraspWrenchSpace:
-    def test_preload_and_stiffness_change_nothing(self):
-        assert GraspWrenchSpace(THREE.with_preload(1)).polytope == GraspWrenchSpace(THREE).polytope
-
     def test_slice_of_the_figure(self):
         # Upwards the side contacts give 1/2 with total normal force 1; downwards contact 2 gives 1.
         corners = GraspWrenchSpace(THREE).slice()
@@ -100,13 +119,6 @@ class TestGraspWrenchSpace:
         assert space.volume == Fraction(8, 3)
         assert space.epsilon_squared == Fraction(1, 3)
         assert GraspWrenchSpace(squeeze, length=2).volume == Fraction(4, 3)
-
-    def test_two_frictionless_fingers_have_no_force_closure(self):
-        space = GraspWrenchSpace(read_grasp("frictionless-opposed-contacts"))
-        assert not space.force_closure
-        assert (space.volume, space.epsilon_squared) == (0, 0)
-        assert space.polytope.dimension == 1
-        assert space.slice() == ((-1, 0), (1, 0))
 
     @pytest.mark.parametrize("options", [{"norm": "L2"}, {"length": 0}, {"length": 0.5}])
     def test_bad_options_are_refused(self, options):
@@ -182,3 +194,312 @@ class TestWeakStrong:
     def test_mass_must_be_positive(self):
         with pytest.raises(GraspError, match="mass"):
             weak_strong(THREE, (0, 1, 0), mass=0)
+
+
+def test_an_answer_that_is_neither_yes_nor_no_has_no_truth_value():
+    grasp = read_grasp("paper-three-contacts")
+    found = compare(grasp, (0, 1, 0))
+    assert not found
+    assert not found["complete"]
+    assert found["weak"]
+    with pytest.raises(GraspError, match="neither yes nor no"):
+        bool(found["form-closure"])
+    with pytest.raises(GraspError, match="weak"):
+        bool(weak_strong(grasp, (0, 1, 0)))
+
+
+@pytest.mark.parametrize(
+    ("name", "preload", "wrench", "stable", "disagreeing"),
+    [
+        # Without preload nothing holds an upward force; cones and closure methods say otherwise.
+        ("paper-three-contacts", 0, (0, 1, 0), False, {"wrench-space", "weak"}),
+        ("paper-three-contacts", 0, (0, -1, 0), True, {"linear-compliance"}),
+        (
+            "paper-three-contacts",
+            1,
+            (0, 1, 0),
+            True,
+            {"printed", "strong", "frictionless", "linear-compliance", "frictionless-slip"},
+        ),
+        ("paper-three-contacts", 1, (0, "11/10", 0), False, {"wrench-space", "weak"}),
+        ("paper-four-contacts", 0, (0, 2, 0), False, {"wrench-space", "weak"}),
+    ],
+)
+def test_rows_of_the_papers_tables(name, preload, wrench, stable, disagreeing):
+    found = compare(read_grasp(name).with_preload(preload), wrench)
+    assert found.stable is stable
+    assert set(found.disagreeing) - {"printed"} == disagreeing - {"printed"}
+    assert found["form-closure"].accepts is None
+    assert [answer.method for answer in found.answers] == list(DECIDING)
+
+
+@pytest.mark.parametrize(("wrench", "yes"), [((0, -1, 0), True), ((0, 1, 0), False)])
+def test_a_result_is_true_exactly_when_it_says_yes(wrench, yes):
+    grasp = read_grasp("paper-three-contacts")
+    compared = compare(grasp, wrench)
+    for found in (
+        solve(grasp, wrench),
+        solve_literal(grasp, wrench, ["single-solution"]),
+        margin(grasp, wrench),
+        frictionless_slip(grasp, wrench),
+        compared,
+        compared["complete"],
+    ):
+        assert bool(found) is yes
+    for answer in compared.answers:
+        if answer.accepts is not None:
+            assert bool(answer) is answer.accepts
+    assert compared["form-closure"].accepts is None
+
+
+def test_every_file_of_a_method_is_in_the_table():
+    files = (f"{methods.__name__}.{file.name}" for file in iter_modules(methods.__path__))
+    values = [value for file in files for value in vars(importlib.import_module(file)).values()]
+    written = {id(value) for value in values if isinstance(value, Method)}
+    # Two methods with one key would leave one of them out.
+    assert {id(method) for method in METHODS.values()} == written
+
+
+class TestSurvey:
+    def test_every_question_is_counted_once(self):
+        found = survey(4, contacts=(2, 3), seed=3)
+        assert found.questions == 4
+        for count in found.counts.values():
+            assert sum(vars(count).values()) == 4
+        assert found.to_dict() == survey(4, contacts=(2, 3), seed=3).to_dict()
+
+    def test_methods_that_relax_the_model_never_refuse_wrongly(self):
+        counts = survey(8, contacts=(2,)).counts
+        for method in ("cones", "wrench-space", "weak"):
+            assert counts[method].refuses_wrongly == 0
+
+    def test_examples_disagree_and_cannot_be_made_smaller(self):
+        listed = smallest_examples(methods=("frictionless", "wrench-space"), tries=20)
+        assert listed
+        for found in listed:
+            assert ask(found.method, found.grasp, found.wrench) is found.accepts
+            assert ask("complete", found.grasp, found.wrench) is not found.accepts
+            again = shrunk(found)
+            assert size(again.grasp, again.wrench) == size(found.grasp, found.wrench)
+        kinds = [(found.method, found.accepts) for found in listed]
+        assert len(set(kinds)) == len(kinds)
+        # One contact pressed and pushed along its edge holds by friction alone.
+        assert len(next(e for e in listed if e.method == "frictionless").grasp) == 1
+
+
+class TestCommands:
+    def test_compare(self, capsys):
+        arguments = ["compare", "paper-three-contacts", "--wrench", "0", "-1", "0"]
+        assert main([*arguments, "--json"]) == 0
+        document = json.loads(capsys.readouterr().out)
+        agreeing = {row["method"]: row["agrees"] for row in document["methods"]}
+        assert agreeing.pop("linear-compliance") is False
+        assert agreeing.pop("form-closure") is None
+        assert agreeing.pop("printed") in (True, False)
+        assert set(agreeing.values()) == {True}
+        assert main(arguments) == 0
+        lines = capsys.readouterr().out.splitlines()
+        assert [line for line in lines if line.startswith("!") and "linear compliance" in line]
+
+    def test_wrench_space(self, capsys):
+        assert main(["wrench-space", "paper-three-contacts", "--json"]) == 0
+        document = json.loads(capsys.readouterr().out)
+        assert document["force_closure"] is True
+        # One row of four integers or rationals for each of the eight triangles of an octahedron.
+        assert [len(row) for row in document["facets"]] == [4] * 8
+        assert ["0", "1/2"] in document["slice"]["corners"]
+        assert main(["wrench-space", "paper-three-contacts", "--norm", "Linf"]) == 0
+        assert "volume" in capsys.readouterr().out
+
+
+LOADS = [(0, 1, 0), (1, 1, 0), (-3, 7, 1), (0, -5, 2)]
+
+
+def on_a_table(x, y, z):
+    return (x, y, z, 0, 0, 0)
+
+
+@pytest.mark.parametrize("name", ["three-fingers-on-a-ball", "box-held-by-four"])
+def test_the_exact_hull_has_the_radius_of_scipys(name):
+    grasp = read_grasp(name)
+    edges = [edge for contact in grasp for edge in friction_edges(contact)]
+    hull = ConvexHull(np.array([[0] * 6, *edges], dtype=float))
+    assert GraspWrenchSpace(grasp).epsilon == pytest.approx(min(-hull.equations[:, -1]))
+
+
+def test_torques_over_a_length_change_the_radius_alone():
+    grasp = read_grasp("box-held-by-four")
+    one, other = GraspWrenchSpace(grasp), GraspWrenchSpace(grasp, length=Fraction(1, 10))
+    assert one.force_closure
+    assert other.force_closure
+    assert one.epsilon_squared != other.epsilon_squared
+
+
+@pytest.mark.parametrize("name", ["paper-three-contacts", "paper-four-contacts"])
+@pytest.mark.parametrize("wrench", LOADS)
+def test_planar_grasps_answer_as_in_the_plane(name, wrench):
+    grasp, (x, y, torque) = read_grasp(name), wrench
+    flat, solid = compare(grasp, wrench), compare(grasp.in_space(), (x, y, 0, 0, 0, torque))
+    assert tuple(answer.method for answer in solid.answers) == DECIDING_IN_SPACE
+    for key in ("complete", "wrench-space", "weak", "frictionless"):
+        assert solid[key].accepts is flat[key].accepts
+
+
+def test_a_round_cone_holds_what_its_pyramid_lets_go():
+    table = read_grasp("box-on-a-table")
+    assert len({contact.friction for contact in table}) == 1
+    push = table.contacts[0].friction * Fraction(7, 10)
+    found = compare(table, on_a_table(push, push, -1))
+    assert found["weak"].accepts is True
+    assert found["wrench-space"].accepts is False
+    beyond = table.contacts[0].friction * Fraction(71, 100)
+    assert compare(table, on_a_table(beyond, beyond, -1))["weak"].accepts is False
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_both_answers_of_round_cones_are_proofs(seed):
+    grasp = random_grasp(4, seed=seed, dimension=3)
+    load = tuple(map(Fraction, (1, -2, 1, 0, 1, 1)))
+    found = round_cones(grasp, load)
+    assert found.accepts is not None
+    if found.accepts:
+        total = list(load)
+        for contact, force in zip(grasp, found.forces, strict=True):
+            normal, *friction = force
+            assert normal >= 0
+            assert sum(x * x for x in friction) <= (contact.friction * normal) ** 2
+            rows = (contact.normal_wrench, *contact.tangential_wrenches)
+            for factor, row in zip(force, rows, strict=True):
+                total = [a + factor * b for a, b in zip(total, row, strict=True)]
+        assert not any(total)
+    else:
+        motion = found.separating_motion
+        assert dot(load, motion) > 0
+        for contact in grasp:
+            push = dot(contact.normal_wrench, motion)
+            slip = sum(dot(row, motion) ** 2 for row in contact.tangential_wrenches)
+            assert push >= 0
+            assert push**2 >= contact.friction**2 * slip
+
+
+def test_form_closure_in_space_takes_seven_contacts():
+    """Twelve fingers off the middles of the sides of a box stop every turn; six of them do not."""
+    contacts = []
+    for axis in range(3):
+        for side in (1, -1):
+            for shift in (1, -1):
+                point, normal = [Fraction(0)] * 3, [0] * 3
+                point[axis], normal[axis] = Fraction(side), -side
+                point[(axis + 1) % 3] = Fraction(shift, 2)
+                contacts.append(Contact(point, normal, 0))
+    closed = form_closure(Grasp(contacts))
+    assert closed.accepts is True
+    for row in zip(*(c.normal_wrench for c in contacts), strict=True):
+        assert dot(row, closed.multipliers) == 0
+    free = form_closure(Grasp(contacts[:6]))
+    assert free.accepts is None
+    assert all(dot(c.normal_wrench, free.free_motion) >= 0 for c in contacts[:6])
+
+
+def test_the_command_takes_a_grasp_in_space(capsys):
+    load = ["--wrench", "0", "0", "0", "1", "0", "0"]
+    assert main(["compare", "two-opposed-fingers", *load, "--json"]) == 1
+    found = json.loads(capsys.readouterr().out)
+    assert found["stable"] is False
+    assert [entry["method"] for entry in found["methods"]] == list(DECIDING_IN_SPACE)
+
+
+def test_pyramids_are_for_all_methods_with_friction(capsys):
+    between = ["--wrench", "0", "7/10", "7/10", "0", "0", "0"]
+    assert main(["compare", "two-opposed-fingers", *between]) == 0
+    capsys.readouterr()
+    assert main(["compare", "two-opposed-fingers", *between, "--cone", "pyramid:4", "--json"]) == 1
+    found = json.loads(capsys.readouterr().out)
+    assert (found["pyramid"], found["stable"]) == (4, False)
+    fingers, load = read_grasp("two-opposed-fingers"), (0, "7/10", "7/10", 0, 0, 0)
+    assert compare(fingers, load, pyramid=16).stable
+    assert compare(fingers, load, pyramid=16)["weak"].accepts
+    for name, options in (("two-opposed-fingers", between), ("paper-three-contacts", "123")):
+        edges = "pyramid:7" if options == between else "pyramid:8"
+        wrench = between if options == between else ["--wrench", "0", "1", "0"]
+        assert main(["compare", name, *wrench, "--cone", edges]) == 2
+        assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_the_wrench_space_in_space_has_a_radius_and_no_slice(capsys):
+    assert main(["wrench-space", "box-held-by-four", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert (found["epsilon_squared"], found["pyramid"]) == ("4/25", 4)
+    assert not {"volume", "slice"} & set(found)
+    for options in (["--torque", "1"], ["--cone", "pyramid:6"]):
+        assert main(["wrench-space", "box-held-by-four", *options]) == 2
+        assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_the_table_of_methods_is_drawn_in_space_too():
+    questions = [(0, 1, 0, 0, 0, 0), (0, 0, 0, 1, 0, 0)]
+    scene = draw_methods.scene(read_grasp("two-opposed-fingers"), wrenches=questions)
+    cells = {item.name for item in scene.items if item.name.startswith("cell")}
+    assert len(cells) == 2 * len(DECIDING_IN_SPACE)
+
+
+STEP = Fraction(1, 7)
+
+
+def accepts(method: str, grasp: Grasp, wrench: tuple[Fraction, ...]) -> bool | None:
+    """The verdict on one wrench, by the linear programs of the methods."""
+    if not method.startswith("wrench-space"):
+        return ask(method, grasp, wrench)
+    norm = "L1" if method.endswith("L1") else "Linf"
+    least = GraspWrenchSpace(grasp, norm).verdict(wrench).least_force
+    return least is not None and least <= 1
+
+
+def probes(region: Region) -> list[RationalVector]:
+    """Points of the plane near which the answer changes: corners, middles, and close by."""
+    corners = [p for piece in region.polygons for p in piece.polyhedron.points][:5]
+    corners += [(Fraction(0), Fraction(0))]
+    middles = [tuple((x + y) / 2 for x, y in zip(p, q, strict=True)) for p, q in pairwise(corners)]
+    steps = [(0, 0), (STEP, 0), (-STEP, STEP), (0, -STEP)]
+    near = [(p[0] + a, p[1] + b) for p in corners for a, b in steps]
+    return [*near, *middles]
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("method", WITH_REGION)
+@settings(max_examples=12)
+@given(grasp=grasps(), torque=st.sampled_from([0, 0, HALF, -1]))
+@example(grasp=read_grasp("paper-three-contacts-preload-1"), torque=0)
+@example(grasp=read_grasp("offset-three-contacts").with_preload(1), torque=1)
+@example(
+    grasp=Grasp(
+        [
+            Contact((0, 0), (1, 0), 1, 1, 1),
+            Contact((0, 0), (-1, 0), 0),
+            Contact((1, 0), (0, 1), HALF, 1, 2),
+        ]
+    ),
+    torque=0,
+)
+def test_region_and_single_verdicts_agree(method, grasp, torque):
+    region = METHODS[method].region(grasp, origin=(0, 0, torque))
+    for x, y in probes(region):
+        load = (x, y, Fraction(torque))
+        assert region.contains((x, y)) is accepts(method, grasp, load), load
+
+
+@pytest.mark.parametrize("norm", ["L1", "Linf"])
+def test_wrench_space_region_has_the_corners_of_its_slice(norm):
+    grasp = read_grasp("paper-three-contacts")
+    (piece,) = METHODS[f"wrench-space-{norm}"].region(grasp).polygons
+    corners = GraspWrenchSpace(grasp, "L1" if norm == "L1" else "Linf").slice()
+    assert set(piece.polyhedron.points) == set(corners)
+
+
+def test_unknown_methods_and_too_many_contacts_are_refused():
+    with pytest.raises(GraspError, match="known are complete"):
+        method_named("guess")
+    with pytest.raises(GraspError, match="at most 8"):
+        METHODS["frictionless-slip"].region(Grasp([Contact((0, 0), (1, 0), 0)] * 9))
+    with pytest.raises(GraspError, match="no region"):
+        METHODS["strong"].region(Grasp())

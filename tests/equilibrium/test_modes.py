@@ -114,22 +114,6 @@ def test_they_are_the_faces_of_all_planes_on_the_right_side(grasp):
     assert (len(kept), len(listed)) == counts(modes) == recounted(modes)
 
 
-def test_the_motion_of_a_mode_is_in_it():
-    modes = ContactModes.of_grasp(read_grasp("box-1-wall"))
-
-    def sign(row, motion):
-        value = sum(a * b for a, b in zip(row, motion, strict=True))
-        return (value > 0) - (value < 0)
-
-    for mode in modes.contacting_separating:
-        assert mode.signs == tuple(sign(row, mode.motion) for row in modes.normals)
-    for slid in modes.sliding_sticking():
-        assert slid.signs == tuple(
-            None if sign(row, slid.motion) else tuple(sign(t, slid.motion) for t in pair)
-            for row, pair in zip(modes.normals, modes.tangents, strict=True)
-        )
-
-
 def test_the_command_counts_and_lists(capsys):
     assert main(["modes", "box-1-wall", "--count", "--json", "--time-limit", "600"]) == 0
     assert json.loads(capsys.readouterr().out) == {

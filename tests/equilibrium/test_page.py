@@ -9,13 +9,13 @@ from typing import Any
 
 import pytest
 
-from arrangement import InputError
 from equilibrium import solve
-from equilibrium.cli.program import main
+from equilibrium.certificate.leaves import parts, works
 from equilibrium.grasps.files import read_grasp
-from equilibrium.model.contact import Contact
+from equilibrium.grasps.inputs import random_grasp
 from equilibrium.model.grasp import Grasp
-from equilibrium.pictures import resist_page
+from equilibrium.pictures import proof_page, resist_page
+from equilibrium.pictures.parts.style import number, vector
 from tests.browser import Browser
 from tests.labs import enter
 
@@ -141,42 +141,109 @@ def test_the_map_stands_first_and_large(width, browser, opened):
         assert (map_[0], map_[1]) <= (other[0], other[1]) or map_[1] < other[1]
 
 
-@pytest.mark.parametrize(
-    "grasp",
-    [
-        Grasp(),
-        Grasp([Contact([0, 0], [0, 1], 0)]),
-        Grasp([Contact([10**30, 0], [-1, 0], "1/3", 1, 1), Contact([-(10**30), 0], [1, 0], 1)]),
-    ],
-    ids=["none", "frictionless", "far"],
-)
-def test_unusual_grasps_are_shown(grasp, browser, opened):
-    opened(grasp)
-    for y in ("0", "-1/3"):
-        enter(browser, "w-y", y)
-        settled(browser)
-        stable = solve(grasp, [0, y, 0]).stable
-        assert text_of(browser, "verdict").startswith("Resisted" if stable else "Not resisted")
-        dots = browser.run("return document.querySelectorAll('#plane .here.dot').length")
-        assert dots == int(stable)
-    assert browser.messages() == []
+BELOW = [c for c in random_grasp(150, 7) if c.normal[1] > 0]
+GRASP, WRENCH = Grasp(BELOW[:8]).with_preload(1), (8, 320, 24)
+PATHS = "[...document.querySelectorAll('#map-0 .part')]"
 
 
-def test_the_command_writes_the_page(tmp_path):
-    target = tmp_path / "a.html"
-    options = ["--view", "resist", "--wrench", "0", "-1", "0", "--title", "Three"]
-    assert main(["draw", "paper-three-contacts", "-o", str(target), *options]) == 0
-    text = target.read_text(encoding="utf-8")
-    assert "<title>Three</title>" in text
-    assert '"wrench":["0","-1","0"]' in text
-    assert len(text) < 300_000
-    target.unlink()
-    assert main(["draw", "paper-three-contacts", "-o", str(target), "--width", "90"]) == 2
-    assert not target.exists()
+@pytest.fixture
+def opened_proof(browser: Browser, tmp_path: Path) -> Browser:
+    path = tmp_path / "proof.html"
+    path.write_text(proof_page(GRASP, wrench=WRENCH), encoding="utf-8")
+    browser.open(path)
+    browser.settled()
+    return browser
 
 
-def test_what_the_lab_cannot_take_is_refused():
-    with pytest.raises(InputError, match="at most 8"):
-        resist_page(Grasp([Contact([0, 0], [0, 1], 0)] * 9))
-    with pytest.raises(InputError, match="in space"):
-        resist_page(read_grasp("two-opposed-fingers"))
+def said(browser: Browser) -> str:
+    text: str = browser.run("return document.getElementById('said').textContent")
+    return text
+
+
+def expected(index: int) -> tuple[str, list[str]]:
+    """What the page must say of a part: its sentence, and the works of the contacts."""
+    verdict = solve(GRASP, WRENCH)
+    found = list(parts(verdict.certificate.to_dict()))
+    part = found[index]
+    done = works(GRASP, verdict.wrench, [part])
+    load, least, total = map(number, (done.load, done.least, done.load + done.least))
+    rows = [
+        "no force in this part" if factor is None else f"at least {number(factor)} c"
+        for factor in done.factors
+    ]
+    words = (
+        f"Part {index + 1} of {len(found)}. The virtual motion λ = {vector(part.leaf.motion)} ",
+        f"the load does work {load}, the contacts at least {least}: together at least {total}, ",
+    )
+    return "|".join(words), rows
+
+
+def assert_shown(browser: Browser, index: int) -> None:
+    words, rows = expected(index)
+    assert all(word in said(browser) for word in words.split("|")), (words, said(browser))
+    cells = "return [...document.querySelectorAll('#works td:last-child')].map(e => e.textContent)"
+    assert browser.run(cells) == rows
+
+
+def middle(browser: Browser, k: int) -> tuple[int, float, float]:
+    """The part of a region of the first map, and a place of the window where its number stands."""
+    found: Any = browser.run(
+        f"const path = {PATHS}[arguments[0]], box = path.getBoundingClientRect();"
+        "return [Number(path.dataset.part), box.x + box.width / 2, box.y + box.height / 2]", k
+    )  # fmt: skip
+    part, x, y = found
+    return int(part), x, y
+
+
+def test_the_region_under_the_pointer_is_told_until_it_leaves(opened_proof):
+    first = said(opened_proof)
+    seen = set()
+    for k in range(opened_proof.run(f"return {PATHS}.length")):
+        part, x, y = middle(opened_proof, k)
+        opened_proof.pointer("mouseMoved", x, y)
+        opened_proof.settled()
+        assert_shown(opened_proof, part)
+        seen.add(said(opened_proof))
+    assert len(seen) > 2
+    opened_proof.pointer("mouseMoved", 5, 5)
+    opened_proof.settled()
+    assert said(opened_proof) == first
+
+
+def test_a_tap_keeps_a_region(opened_proof):
+    part, x, y = middle(opened_proof, 1)
+    opened_proof.fingers([(x, y)])
+    opened_proof.click_at(x, y)
+    opened_proof.pointer("mouseMoved", 5, 5)
+    opened_proof.settled()
+    assert_shown(opened_proof, part)
+
+
+def test_keys_lead_through_the_regions_and_all_parts_can_be_chosen(opened_proof):
+    assert opened_proof.run("return document.querySelectorAll('.part[tabindex=\"0\"]').length") == 2
+    opened_proof.run("document.querySelector('#map-0 .part[tabindex=\"0\"]').focus()")
+    for _ in range(2):
+        opened_proof.key("ArrowRight")
+        opened_proof.settled()
+        held = "return Number(document.activeElement.dataset.part)"
+        assert_shown(opened_proof, opened_proof.run(held))
+    for index in range(opened_proof.run("return document.querySelectorAll('#part option').length")):
+        opened_proof.run(
+            "const box = document.getElementById('part'); box.value = arguments[0];"
+            "box.dispatchEvent(new Event('change'))",
+            index,
+        )
+        opened_proof.settled()
+        assert_shown(opened_proof, index)
+
+
+def test_it_needs_nothing_from_outside_and_fits_a_phone(opened_proof, tmp_path):
+    assert opened_proof.messages() == []
+    assert opened_proof.outside() == []
+    assert opened_proof.run("return document.getElementById('said').getAttribute('aria-live')")
+    question = opened_proof.run("return document.getElementById('question').innerText").splitlines()
+    assert question[0] == "wrench (8, 320, 24)"
+    assert [line[10:] for line in question[1:]] == [contact.words for contact in GRASP]
+    opened_proof.open(tmp_path / "proof.html", 390, 800)
+    opened_proof.settled()
+    assert opened_proof.run("return document.documentElement.scrollWidth") <= 390

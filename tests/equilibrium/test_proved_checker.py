@@ -5,18 +5,19 @@ from pathlib import Path
 
 import pytest
 
+from arrangement.console import proved_program
+from arrangement.console.proved_program import PROGRAM
 from equilibrium import read_grasp, solve
 from equilibrium.cli import main
-from equilibrium.grasps import proved_checker
 from equilibrium.grasps.files import write_certificate
-from equilibrium.grasps.proved_checker import PROGRAM, verify_proved
+from equilibrium.grasps.proved_checker import verify_proved
 from equilibrium.model.errors import CertificateError
 
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Return the only folder in which programs are looked for."""
-    monkeypatch.setattr(proved_checker.sys, "executable", str(tmp_path / "python"))
+    monkeypatch.setattr(proved_program.sys, "executable", str(tmp_path / "python"))
     monkeypatch.setenv("PATH", str(tmp_path))
     return tmp_path
 
@@ -53,6 +54,12 @@ def test_answers(folder, kind):
 def test_no_other_answer_is_taken(folder, line, code):
     program(folder, line, code)
     with pytest.raises(CertificateError, match="cannot read"):
+        verify_proved("certificate.json")
+
+
+def test_a_certificate_of_planes_is_none_of_a_grasp(folder):
+    program(folder, "accepted: all faces", 0)
+    with pytest.raises(CertificateError, match="all faces, not of a grasp"):
         verify_proved("certificate.json")
 
 

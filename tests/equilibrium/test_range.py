@@ -11,7 +11,6 @@ from equilibrium import Contact, Grasp, Solver, check, read_grasp, solve
 from equilibrium.cli.program import main
 from equilibrium.decide.spatial_verdict import solve_in_space
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
-from equilibrium.model.errors import GraspError
 from equilibrium.model.range import Range
 from equilibrium.pictures.lab.page import DECIDES
 from equilibrium.plane.search.units import unit_of
@@ -157,8 +156,24 @@ def test_a_range_in_space_bounds_magnitudes():
     less = spatial_magnitudes(grasp, along, width="1/100", largest_force=most / 2)
     assert less.verdict == "not resisted"
     assert spatial_magnitudes(grasp, along, width="1/100", largest_force=most).borders
-    with pytest.raises(GraspError, match="round cones"):
-        solve_in_space(grasp, along, pyramid=4, largest_turn=1)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_pyramids_have_a_range_too(seed):
+    grasp, wrench = random_grasp(3, seed, dimension=3), random_wrench(seed, dimension=3, bound=1)
+    free = solve_in_space(grasp, wrench, pyramid=4)
+    if not free.stable:
+        assert solve_in_space(grasp, wrench, pyramid=4, largest_force=9).verdict == free.verdict
+        return
+    turn = sum(x * x for x in free.solution.motion[3:])
+    force = max(x for x, *_ in free.solution.forces)
+    for largest in ({"largest_turn": turn + 1}, {"largest_force": force}):
+        assert solve_in_space(grasp, wrench, pyramid=4, **largest).stable
+    size = max(map(abs, wrench[:3]))
+    none = solve_in_space(grasp, wrench, pyramid=4, largest_force=size / 100)
+    assert none.verdict == "not resisted"
+    assert none.verify()
+    assert not check({**none.certificate.to_dict(), "largest_force": str(10 * force)})
 
 
 def test_only_large_motions_have_a_warning(capsys):
@@ -212,24 +227,29 @@ def test_the_checker_of_the_page_refuses_a_range():
     assert "knows no range" in done.stdout
 
 
+@pytest.mark.parametrize("dimension", [2, 3])
 @pytest.mark.parametrize("length", [Fraction(3, 100), Fraction(1, 3), Fraction(1000)])
-def test_units_change_no_verdict_and_little_of_the_proof(length):
-    for seed in (1, 2, 7):
-        grasp, wrench = random_grasp(4, seed), random_wrench(seed)
+def test_units_change_no_verdict_and_no_size_of_the_proof(length, dimension):
+    for seed in (0, 1, 2, 7):
+        grasp = random_grasp(4 if dimension == 2 else 6, seed, dimension=dimension)
+        wrench = random_wrench(seed, dimension=dimension, bound=1)
         points = [tuple(length * x for x in c.point) for c in grasp]
         moved = Grasp(
             Contact(p, c.normal, c.friction, 100 * c.stiffness, 10 * c.preload)
             for p, c in zip(points, grasp, strict=True)
         )
-        x, y, torque = (10 * w for w in wrench)
-        one, other = solve(grasp, wrench), solve(moved, (x, y, length * torque))
+        load = [10 * w * (1 if j < dimension else length) for j, w in enumerate(wrench)]
+        one, other = solve(grasp, wrench), solve(moved, load)
         assert one.stable == other.stable
+        assert 0 <= one.verify().leaves == other.verify().leaves
         assert one.verify()
         assert other.verify()
 
 
-def test_a_unit_is_a_power_of_two():
+def test_a_unit_is_the_largest_number_or_a_power_of_two_near_a_long_one():
     for number in (Fraction(1), Fraction(3, 100), Fraction(-7, 5), Fraction(10**9, 7)):
+        assert unit_of([number, number / 3]) == abs(number)
+        number += Fraction(1, 3**50)
         unit = unit_of([number, number / 3])
         assert 1 <= abs(number) / unit < 2
         assert (

@@ -189,7 +189,7 @@ def test_planar_grasps_answer_as_in_the_plane():
 
 @pytest.mark.campaign
 def test_many_planar_grasps_answer_as_in_the_plane():
-    assert embedded(range(1000, 1120)) == 120
+    assert embedded(range(1000, 1060)) == 60
 
 
 def decided(kind, seeds):
@@ -225,9 +225,8 @@ def test_what_floats_leave_open_is_decided(kind, seed):
 @pytest.mark.campaign
 @pytest.mark.parametrize("kind", exotic.KINDS)
 def test_most_questions_that_are_not_in_general_position_are_decided(kind):
-    harder = {"huge friction": 95, "unequal stiffness": 95, "line": 95, "box": 95}
-    share = harder.get(kind, 98)
-    assert decided(kind, range(100, 200)) >= share
+    harder = ("huge friction", "unequal stiffness", "line", "box")
+    assert decided(kind, range(100, 140)) >= 39 - (kind in harder)
 
 
 def test_without_friction_a_load_is_resisted_if_normals_alone_balance_it():
@@ -250,7 +249,7 @@ class TestPlanes:
 
     @pytest.mark.campaign
     def test_many_in_any_plane_of_space_answer_as_in_the_plane(self):
-        for seed in range(1000, 1200):
+        for seed in range(1000, 1080):
             self.test_in_any_plane_of_space_they_answer_as_in_the_plane(seed)
 
     def proof(self):
@@ -272,10 +271,7 @@ class TestPlanes:
             (lambda d: d["wrench"].__setitem__(3, "1"), "load does not lie"),
             (lambda d: d["wrench"].__setitem__(4, "1"), "load does not lie"),
             (lambda d: d["grasp"]["contacts"][0]["point"].__setitem__(2, "1"), "contacts do not"),
-            (
-                lambda d: d["grasp"]["contacts"][0].update(normal=["0", "0", "1"]),
-                "contacts do not",
-            ),
+            (lambda d: d["grasp"]["contacts"][0].update(normal=["0", "0", "1"]), "contacts do not"),
         ],
     )
     def test_a_proof_of_another_plane_is_refused(self, change, words):
@@ -562,10 +558,7 @@ def states_of_pyramid(contact, edges):
         face = (none, (mu * side @ edges[j], *side), 0)
         yield (
             [spring, (across @ along, (0, 0, 0), 0), face],
-            [
-                *attached,
-                (side @ along, (0, 0, 0), 0),
-            ],
+            [*attached, (side @ along, (0, 0, 0), 0)],
         )
         before, edge = sides[j - 1], edges[j]
         turned = [np.array([-before[1], before[0]]), np.array([side[1], -side[0]])]
@@ -654,15 +647,15 @@ def test_verdicts_on_round_cones_are_those_of_narrow_sectors():
 def test_many_verdicts_on_round_cones_are_those_of_narrow_sectors():
     found = sum(
         (
-            agrees_with_sectors(2, range(100, 230), balanced),
+            agrees_with_sectors(2, range(100, 160), balanced),
             agrees_with_sectors(2, range(230, 250), loaded),
-            agrees_with_sectors(3, range(100, 124), balanced),
-            agrees_with_sectors(3, range(124, 142), loaded),
+            agrees_with_sectors(3, range(100, 112), balanced),
+            agrees_with_sectors(3, range(124, 133), loaded),
         ),
         Counter(),
     )
-    assert min(found["resisted"], found["not resisted"]) > 20
-    assert found["undecided"] <= 4
+    assert min(found["resisted"], found["not resisted"]) > 9
+    assert found["undecided"] <= 2
 
 
 def agrees_with_all_states(contacts, seeds):
@@ -685,7 +678,7 @@ def test_verdicts_on_pyramids_are_those_of_all_states():
 
 @pytest.mark.campaign
 @pytest.mark.parametrize(
-    ("m", "seeds"), [(2, range(100, 250)), *((3, range(k, k + 10)) for k in range(0, 50, 10))]
+    ("m", "seeds"), [(2, range(100, 160)), *((3, range(k, k + 10)) for k in range(0, 30, 10))]
 )
 def test_many_verdicts_on_pyramids_are_those_of_all_states(m, seeds):
     # No load of these on two contacts is resisted.
@@ -693,10 +686,17 @@ def test_many_verdicts_on_pyramids_are_those_of_all_states(m, seeds):
 
 
 class TestPyramids:
-    def test_six_contacts_on_a_ball_that_hold_a_load_are_decided(self):
+    @pytest.mark.parametrize("slanted", [False, True])
+    def test_six_contacts_on_a_ball_that_hold_a_load_are_decided(self, slanted):
         normals = [tuple(s * int(j == k) for j in range(3)) for k in range(3) for s in (1, -1)]
+        if slanted:
+            thirds = [(1, 2, 2), (2, -2, 1), (-2, -1, 2)]
+            normals = [(Fraction(3, 5), Fraction(4, 5), 0), (Fraction(-4, 5), Fraction(3, 5), 0)]
+            normals += [tuple(Fraction(x, 3) for x in n) for n in thirds]
+            normals.append((Fraction(2, 7), Fraction(3, 7), Fraction(-6, 7)))
         ball = Grasp(Contact([-x for x in n], n, "1/2", 1, 1) for n in normals)
-        for load in [(0, 0, -1, 0, 0, 0), ("1/2", "1/3", -1, "1/5", 0, "1/4")]:
+        loads = [(0, 0, -1, 0, 0, 0), ("1/2", "1/3", 1, 0, "1/5", 0), (1, 2, 3, "1/2", -1, 1)]
+        for load in loads:
             for edges in (4, 6, 8):
                 found = solve_in_space(ball, load, pyramid=edges)
                 assert found.stable

@@ -1,11 +1,14 @@
 import json
 import re
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 
+from arrangement.console import progress
 from equilibrium.cli.program import main
 from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs import random_grasp
 
 THREE = "paper-three-contacts-preload-1"
 
@@ -146,3 +149,31 @@ def test_borders_with_thousands_of_digits_are_written(capsys):
     code, region = answer(capsys, "region", "opposed-contacts", "--preload", "1." + "1" * 4400)
     assert code == 0
     assert max(len(x) for border in region["outline"]["border"] for x in border["direction"]) > 4300
+
+
+LONG = WITH_UNITS | {"solve": ("--wrench", "-1", "0", "0")}
+del LONG["wrench-space"]  # answers at once
+ALONE = {"gaps": ("--tries", "2"), "survey": ("--number", "2")}
+
+
+def arguments(command: str, tmp_path: Path) -> list[str]:
+    if command in ALONE:
+        return [command, *ALONE[command], "--json"]
+    path = tmp_path / "grasp.json"
+    path.write_text(json.dumps(random_grasp(3, seed=1).to_dict()))
+    return [command, str(path), *LONG[command], "--json"]
+
+
+@pytest.mark.parametrize("command", [*LONG, *ALONE])
+def test_the_line_is_on_stderr_of_a_terminal_only(command, tmp_path, capsys, monkeypatch):
+    words = arguments(command, tmp_path)
+    main(words)
+    piped = capsys.readouterr()
+    assert piped.err == ""
+    monkeypatch.setattr(progress, "on_terminal", lambda: True)
+    monkeypatch.setattr(progress, "_PATIENCE", 0.0)
+    main(words)
+    seen = capsys.readouterr()
+    assert seen.out == piped.out
+    assert "left" in seen.err
+    assert seen.err.endswith("\r\x1b[K")

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from equilibrium import solve
-from proofs_check.claims import registry, space as certificates
+from proofs_check.claims import space as certificates
 from proofs_check.instances.grasps import grasp_of
 from proofs_check.routes.leaves import leaf_count
 
@@ -68,13 +68,3 @@ def test_an_edge_is_cut_between_two_ends():
         node = {"orthants": [{"children": below, **change}] + [["0", "1", "0"]] * 7}
         with pytest.raises(ValueError, match="between its ends"):
             leaf_count(QUESTION, node)
-
-
-def test_three_equal_contacts_are_the_fewest_whose_closed_states_are_too_many():
-    claim = registry()["state-tree-closed"]
-    assert claim.search is not None
-    counted = [
-        (claim(case.subject), claim.judge(case.subject, claim(case.subject)))
-        for case in claim.search()
-    ]
-    assert counted == [(6, True), (26, True), (106, False)]

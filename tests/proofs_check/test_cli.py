@@ -20,15 +20,6 @@ def test_list_names_every_claim(capsys):
     assert all(len(set(claim["routes"])) == 2 for claim in claims)
 
 
-def test_show_says_statement_routes_and_meaning(capsys):
-    assert main(["show", "step-1-square-bound"]) == 0
-    text = capsys.readouterr().out
-    assert "at most m^2" in text
-    assert "holds when  m >= 2" in text
-    assert main(["show", "step-1-square-bound", "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["saving_hypothesis"] == "m >= 2"
-
-
 def test_run_prints_every_row_of_a_table(capsys):
     assert main(["run", *QUICK]) == 0
     captured = capsys.readouterr()
@@ -78,12 +69,6 @@ def test_exit_code_one_when_a_verdict_is_not_the_expected_one(monkeypatch, capsy
     monkeypatch.setattr(proofs_check.claims, "registry", lambda: Registry([wrong]))
     assert main(["run"]) == 1
     assert "not as expected: step-1-square-bound" in capsys.readouterr().out
-
-
-def test_a_report_that_cannot_be_written_is_bad_input(tmp_path, capsys):
-    path = tmp_path / "nowhere" / "verdicts.json"
-    assert main(["run", "step-1-square-bound", "--report", str(path)]) == 2
-    assert "cannot write" in capsys.readouterr().err
 
 
 def test_text_keeps_to_the_width(monkeypatch, capsys):

@@ -7,11 +7,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement.arrangement import Arrangement
-from proofs_check.instances.arrangements import (
-    mixed_cases,
-    random_arrangement,
-    smallest_arrangements,
-)
+from proofs_check.instances.arrangements import mixed_cases, random_arrangement
 from proofs_check.routes.dual_graph import (
     DualGraph,
     from_covectors,
@@ -74,9 +70,3 @@ def test_a_sphere_with_a_face_left_out_is_none():
     graph = from_faces(random_arrangement(Random(1), 4))
     assert is_sphere(graph)
     assert not is_sphere(DualGraph(graph.vertices, graph.edges, graph.faces[1:]))
-
-
-def test_small_arrangements_come_in_order_of_size():
-    cases = [case.subject for case in smallest_arrangements(range(1, 4), 1)]
-    assert [len(planes) for planes in cases] == sorted(len(planes) for planes in cases)
-    assert len([p for p in cases if len(p) == 1]) == 13

@@ -4,11 +4,16 @@ from dataclasses import replace
 from random import Random
 
 import pytest
+from hypothesis import given, settings, strategies as st
 
+import arrangement.library.census
 from arrangement.arrangement import Arrangement
+from arrangement.enumeration.paper_steps import published_enumeration
 from arrangement.library.census import PUBLISHED, PUBLISHED_SIMPLE, census
 from proofs_check import Kind, Verdict, evaluate, registry
-from proofs_check.instances.arrangements import census_cases
+from proofs_check.claims import counting as steps, others as types
+from proofs_check.instances.arrangements import census_cases, simple_arrangement
+from proofs_check.routes.dual_graph import from_covectors
 from proofs_check.statements.statement import exhaustive
 
 #: Text in `over` -> the types it promises.
@@ -66,3 +71,51 @@ def test_a_claim_that_fails_on_one_type_alone_is_refuted_by_it():
     result = evaluate(claim)
     assert result.verdict is Verdict.REFUTED
     assert [record.label for record in result.evidence.failures] == ["m = 7, type 101 of 143"]
+
+
+@pytest.mark.parametrize("m", [1, 2, 3, 4])
+def test_step_1_tests_the_regions_of_all_beginnings(m):
+    planes = simple_arrangement(Random(m), m)
+    starts = (Arrangement(planes.normals[:i]) for i in range(1, m))
+    found = [1, *(len(published_enumeration(start).regions) for start in starts)]
+    assert steps._tests_by_signs(planes) == sum(found)
+
+
+def test_the_counts_grow_about_as_stated():
+    cases = [case.subject for case in steps._counted_cases(Random(0))][-3:]
+    for id, power in {"step-1-time": 3, "step-2-time": 4, "step-3-time": 6}.items():
+        claim = registry()[id]
+        notes = [claim.explain(planes, None) for planes in cases]
+        exponents = [float(note.split("^")[1].split(" ")[0]) for note in notes]
+        assert all(power - 1 < exponent < power + 1 for exponent in exponents)
+        assert abs(exponents[-1] - power) < 0.6
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("id", ["step-1-time", "step-2-time", "step-3-time", "census-types"])
+def test_each_holds(id):
+    assert evaluate(registry()[id], seed=2).verdict is Verdict.HOLDS
+
+
+@given(st.integers(0, 16), st.randoms(use_true_random=False))
+@settings(max_examples=20)
+def test_the_code_does_not_see_labels_and_sides(index, rng):
+    normals = [list(map(int, n)) for n in arrangement.library.census.census(6)[index].normals]
+    rng.shuffle(normals)
+    turned = [rng.choice((1, -1)) for _ in normals]
+    changed = Arrangement([[s * x for x in n] for s, n in zip(turned, normals, strict=True)])
+    plain = Arrangement(arrangement.library.census.census(6)[index].normals)
+    assert types._code(from_covectors(changed)) == types._code(from_covectors(plain))
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("change", [lambda found: found[1:], lambda found: (*found[1:], found[1])])
+def test_a_missing_or_repeated_type_is_caught(change, monkeypatch):
+    right = arrangement.library.census.census
+
+    def wrong(planes):
+        found = right(planes)
+        return change(found) if planes == 6 else found
+
+    monkeypatch.setattr(types, "census", wrong)
+    assert evaluate(registry()["census-types"]).verdict is Verdict.REFUTED

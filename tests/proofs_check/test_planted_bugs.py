@@ -9,13 +9,18 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given, settings, strategies as st
 from numpy.typing import NDArray
 
 from arrangement.enumeration import choose
 from arrangement.enumeration.sequence import Level
 from arrangement.planes.planes import Planes
-from proofs_check import evaluate, registry
-from proofs_check.claims import dual, tables
+from equilibrium.grasps.files import read_grasp
+from equilibrium.methods.compare import ask as right
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
+from proofs_check import Verdict, evaluate, registry
+from proofs_check.claims import dual, methods, model, tables
 from proofs_check.routes import oracle
 
 #: The signs of the faces of dimension 0, 1, ..., d, and points of them.
@@ -110,3 +115,86 @@ def test_a_changed_printed_number_is_caught():
             wrong = replace(row, forces=tuple(map(tuple, forces)))
             assert tables._substituted(wrong) == "Yes, numbers do not fit"
             assert tables._solved(wrong) == "Yes, numbers do not fit"
+
+
+IDS = (
+    "model-faces-without-preload",
+    "model-faces-with-preload",
+    "model-linear-by-regions",
+    "model-states",
+)
+
+
+@pytest.mark.parametrize("id", IDS)
+def test_the_theorem_holds_on_another_seed(id):
+    assert evaluate(registry()[id], seed=1).verdict is Verdict.HOLDS
+
+
+@given(st.integers(1, 40))
+def test_without_preload_the_maximum_adds_up_to_the_closed_form(m):
+    assert sum(model.most_faces(m, preload=False)) == 16 * m * m - 8 * m + 3
+
+
+@given(st.integers(3, 40))
+def test_with_preload_regions_are_whitney_numbers_added_up(m):
+    """1 + planes + lines + points, the origin with the Moebius number of m generic planes."""
+    f = model.most_faces(m, preload=True)
+    origin = (m - 1) * (m - 2) // 2
+    assert f[3] == 1 + 2 * m + m * (2 * m - 1) + (f[0] - 1) + origin
+
+
+@given(st.integers(0, 10**6), st.integers(1, 2), st.booleans())
+@settings(max_examples=15)
+def test_states_are_counted_alike_by_faces_and_by_elimination(seed, m, preload):
+    grasp = model._random_grasp(Random(seed), m, preload=preload)
+    assert model._states_of_faces(grasp) == model._by_elimination(grasp)[1]
+
+
+def test_one_contact_has_four_states():
+    grasp = Grasp([Contact((0, 0), (0, 1), 1, 1, 1)])
+    assert model._by_elimination(grasp) == (6, 4)
+
+
+def test_the_grasps_of_the_paper_are_not_in_general_position():
+    assert not model.in_general_position(read_grasp("paper-four-contacts-preload-1"))
+
+
+def test_a_dropped_region_is_caught(monkeypatch):
+    plant(dropped_region, monkeypatch)
+    assert evaluate(registry()["model-faces-with-preload"]).verdict is None
+
+
+OF_METHODS = [claim.id for claim in methods.CLAIMS]
+
+
+@pytest.mark.parametrize("id", OF_METHODS)
+def test_each_verdict_is_the_expected_one(id):
+    assert evaluate(registry()[id]).as_expected
+
+
+@pytest.mark.parametrize("id", OF_METHODS)
+@pytest.mark.parametrize("wrench", [(0, 0, 0), (1, 0, 0), (0, "1/3", "-1/2"), (-1, 2, 1)])
+def test_both_routes_agree_on_other_wrenches(id, wrench):
+    asked = next(iter(registry()[id].cases(Random(0)))).subject
+    question = replace(asked.question, wrench=tuple(map(Fraction, wrench)))
+    other = replace(asked, question=question)
+    assert methods._by_packages(other) == methods._by_elimination(other)
+
+
+@pytest.mark.parametrize("friction", ["1", "101/100"])
+def test_cones_need_friction_above_one(friction):
+    asked = next(iter(registry()["method-cones-only"].cases(Random(0)))).subject
+    rows = tuple((*row[:4], Fraction(friction), *row[5:]) for row in asked.question.contacts)
+    turned = replace(asked, question=replace(asked.question, contacts=rows))
+    assert methods._by_elimination(turned)[0] is (Fraction(friction) > 1)
+
+
+def test_a_method_that_says_the_opposite_is_caught(monkeypatch):
+    monkeypatch.setattr(methods, "ask", lambda *question: not right(*question))
+    assert all(evaluate(registry()[id]).verdict is None for id in OF_METHODS)
+
+
+def test_a_statement_turned_round_is_refuted():
+    claim = registry()["method-frictionless-slip-up"]
+    wrong = replace(claim, judge=lambda asked, found: found == (True, True))
+    assert evaluate(wrong).verdict is Verdict.REFUTED

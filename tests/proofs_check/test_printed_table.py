@@ -1,13 +1,20 @@
 """Numbers in print against computed ones: what agrees, differs, or is beyond the computer."""
 
 import json
+import re
+from collections import Counter
+from fractions import Fraction
 from importlib.resources import files
 from pathlib import Path
 
 import pytest
 
+from equilibrium.grasps.files import read_grasp
+from proofs_check import Verdict, evaluate, registry
 from proofs_check.cli.program import main
 from proofs_check.course.printed_table import check_table
+from proofs_check.instances import printed
+from proofs_check.instances.grasps import grasp_of, paper_question
 
 EXAMPLES = files("proofs_check.examples")
 
@@ -51,3 +58,71 @@ def test_both_values_are_printed_and_the_exit_code_is_no(tmp_path, capsys):
         "4,pseudolines n=6,simple-types",
     )
     assert main(["table", path]) == 0
+
+
+def test_there_are_seven_and_ten_rows_and_eight_counts():
+    assert len(printed.THREE_CONTACTS) == 7
+    assert len(printed.FOUR_CONTACTS) == 10
+    assert sorted(printed.STATE_COUNTS) == list(range(2, 10))
+
+
+def test_stable_rows_have_a_force_for_each_contact_and_others_have_none():
+    for size, rows in ((3, printed.THREE_CONTACTS), (4, printed.FOUR_CONTACTS)):
+        for row in rows:
+            assert len(row.forces) == (size if row.stable == "Yes" else 0)
+            assert bool(row.motion) == (row.stable == "Yes")
+
+
+def test_only_one_cell_is_a_misprint():
+    rows = printed.THREE_CONTACTS + printed.FOUR_CONTACTS
+    cells = [c for row in rows for c in (row.wrench, row.motion, *row.forces) if c]
+    assert [c for c in cells if printed.read_vector(c)[1]] == ["(0,0.0.25,-0.25)"]
+
+
+def test_text_that_is_no_number_is_refused():
+    with pytest.raises(ValueError, match="cannot be read"):
+        printed.read_vector("(1,two)")
+
+
+@pytest.mark.parametrize(
+    ("contacts", "preload", "name"),
+    [
+        (printed.THREE_CONTACT_GRASP, 0, "paper-three-contacts"),
+        (printed.THREE_CONTACT_GRASP, 1, "paper-three-contacts-preload-1"),
+        (printed.FOUR_CONTACT_GRASP, 0, "paper-four-contacts"),
+        (printed.FOUR_CONTACT_GRASP, 1, "paper-four-contacts-preload-1"),
+    ],
+)
+def test_the_grasps_are_the_built_in_ones(contacts, preload, name):
+    question = paper_question(contacts, [Fraction(0)] * 3, preload)
+    assert grasp_of(question) == read_grasp(name)
+
+
+@pytest.mark.parametrize("id", ["table-three-contacts", "table-four-contacts"])
+def test_every_row_reads_as_printed(id):
+    assert evaluate(registry()[id]).as_expected
+
+
+LESSON = Path(__file__).parents[2] / "docs" / "lessons" / "10-paper-and-truth.rst"
+_ENTRY = re.compile(r"^\*\*([a-z0-9-]+)\*\* \(\*(.+?)\*\)\n {3}\S", re.MULTILINE)
+
+
+def test_the_lesson_has_every_claim_once_with_its_verdict():
+    found = _ENTRY.findall(LESSON.read_text(encoding="utf-8"))
+    assert len(found) == len(dict(found))
+    assert dict(found) == {claim.id: claim.expected.value for claim in registry()}
+
+
+def test_the_table_of_the_lesson_counts_the_verdicts_by_section():
+    text = LESSON.read_text(encoding="utf-8")
+    table = text.partition(".. list-table:: The verdicts")[2].partition("\n\nSo most")[0]
+    table = table.replace("\\", "")  # before a number that would begin a list
+    rows = [row.split("\n     - ") for row in table.strip().split("   * - ")[1:]]
+    head, *found = [[cell.strip() for cell in row] for row in rows]
+    counts = Counter((claim.section, claim.expected.value) for claim in registry())
+    sections = dict.fromkeys(claim.section for claim in registry())
+    assert head == ["section", *(verdict.value for verdict in Verdict)]
+    assert found == [
+        [section, *(str(counts[section, verdict.value]) for verdict in Verdict)]
+        for section in sections
+    ]

@@ -7,21 +7,26 @@ import io
 import json
 import re
 import runpy
+import shutil
+import subprocess
 import sys
+import xml.etree.ElementTree as ET
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
-from xml.etree import ElementTree as ET
 
 import pytest
 
 from arrangement import Arrangement
 from arrangement.errors import InputError
+from arrangement.library.families import generic
+from equilibrium.grasps.files import read_grasp
 from proofs_check.claims import registry
 from proofs_check.cli.program import main
 from proofs_check.reports import forms as pages, report
 from proofs_check.reports.formula import mathml
 from proofs_check.reports.page import pictures, python_lines
+from proofs_check.reports.report import commit
 from proofs_check.reports.text import value_text
 from proofs_check.statements.evidence import evaluate
 from proofs_check.statements.statement import Kind
@@ -134,17 +139,6 @@ def test_a_report_made_later_from_the_file_is_the_same(tmp_path, record, ending)
         assert id in plain
     assert "holds under a hypothesis" in plain
     assert "refuted" in plain
-
-
-@pytest.mark.parametrize("ending", [".json", ".md", ".html", ".tex", ".txt"])
-def test_run_writes_each_form(tmp_path, capsys, ending):
-    path = tmp_path / f"r{ending}"
-    assert main(["run", "step-1-square-bound", "--report", str(path)]) == 0
-    text = path.read_text(encoding="utf-8")
-    assert "step-1-square-bound" in text
-    starts = {".json": "{", ".md": "# ", ".html": "<!DOCTYPE html>", ".tex": "% "}
-    assert text.startswith(starts.get(ending, "step-1"))
-    assert "step-1-square-bound" in capsys.readouterr().out
 
 
 def test_the_page_asks_for_nothing_from_outside(record):
@@ -294,15 +288,6 @@ def test_what_is_no_formula_is_refused_and_stays_text(text):
     assert f"${text}$" not in pages.markdown(changed)
 
 
-def test_a_formula_is_mathml():
-    made = mathml(r"f_k \le \sum_{i=0}^{k} \binom{n}{i}")
-    names = [element.tag.rpartition("}")[2] for element in ET.fromstring(made).iter()]
-    expected = (
-        "math mrow msub mi mi mo munderover mo mrow mi mo mn mrow mi mo mfrac mrow mi mrow mi mo"
-    )
-    assert " ".join(names) == expected
-
-
 @pytest.mark.parametrize("text", ["a|b", "a\n| b |\n\n# c", "a\\|b", "`x` <b>"])
 def test_texts_of_a_record_do_not_break_a_markdown_table(text):
     lines = pages.markdown(hostile(text)).splitlines()
@@ -347,3 +332,61 @@ def test_hostile_numbers_in_a_record_are_refused_at_once(tmp_path, capsys):
     assert main(["report", str(path), "--output", str(tmp_path / "r.html")]) == 2
     assert capsys.readouterr().err.startswith("error: ")
     assert not (tmp_path / "r.html").exists()
+
+
+def drawn(instance: dict[str, Any] | None) -> list[str]:
+    """Return the names of the elements of each picture of a counterexample."""
+    counterexample = {"instance": instance} if instance else None
+    result = {"id": "some-id", "counterexample": counterexample}
+    names = []
+    for svg, _ in pictures(result):
+        ET.fromstring(svg.replace("xlink:", ""))
+        found = re.findall(r' id="([^"]*)"', svg)
+        assert all(name.startswith("some-id-0-") for name in found)
+        names.append(" ".join(name.removeprefix("some-id-0-") for name in found))
+    return names
+
+
+def test_planes_are_drawn_with_their_dual():
+    for planes in (generic(5), Arrangement([[3, -4, 6], [10**40, 1, 0], [0, 0, -1]])):
+        (names,) = drawn(dict(planes.to_dict()))
+        edges = re.findall(r"edge-\d+", names)
+        assert len(edges) == planes.f_vector[2]
+
+
+def test_a_grasp_is_drawn_with_its_equilibrium_or_the_proof_that_there_is_none():
+    document = dict(read_grasp("paper-three-contacts").to_dict())
+    (alone,) = drawn(document)
+    assert "cone-3" in alone
+    assert "force-" not in alone
+    (held,) = drawn({**document, "wrench": ["0", "-1", "0"]})
+    assert "force-2" in held
+    (refused,) = drawn({**document, "wrench": ["0", "1", "0"]})
+    assert "1-region-0" in refused
+    assert "force-2" not in refused
+
+
+@pytest.mark.skipif(shutil.which("git") is None, reason="needs git")
+def test_the_commit_is_that_of_the_checkout_itself_and_of_no_other(tmp_path, monkeypatch):
+    monkeypatch.delenv("GIT_DIR", raising=False)
+
+    def git(*arguments):
+        who = ["-c", "user.name=n", "-c", "user.email=e@example.org"]
+        done = subprocess.run(
+            ["git", "-C", str(tmp_path), *who, *arguments],
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        return done.stdout.strip()
+
+    assert commit(tmp_path) is None
+    git("init", "-q")
+    (tmp_path / "inside").mkdir()
+    (tmp_path / "inside" / "f").write_text("1", encoding="utf-8")
+    git("add", ".")
+    git("commit", "-q", "-m", "m")
+    assert commit(tmp_path) == git("rev-parse", "HEAD")
+    assert commit(tmp_path / "inside") is None
+    (tmp_path / "inside" / "f").write_text("2", encoding="utf-8")
+    assert commit(tmp_path) == f"{git('rev-parse', 'HEAD')}+changes"

@@ -106,12 +106,6 @@ def test_progress_counts_instances_and_begins_with_what_is_there(tmp_path):
     assert len(seen) == 7
 
 
-def test_instances_depend_on_seed_and_number_alone():
-    drawn = [[instance(small_plan(seed=seed), k) for k in range(12)] for seed in (3, 3, 4)]
-    assert drawn[0] == drawn[1] != drawn[2]
-    assert [len(planes) for planes in drawn[0]] == [1, 2, 3, 4] * 3
-
-
 def test_a_chunk_counts_once_and_another_result_for_it_is_refused(tmp_path):
     plan = small_plan()
     path = str(tmp_path / "s.sqlite")

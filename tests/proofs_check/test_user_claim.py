@@ -9,13 +9,13 @@ from random import Random
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from arrangement import Arrangement, dual_polyhedron, read_arrangement
+from arrangement import Arrangement, read_arrangement
 from arrangement.library.census import census
 from equilibrium.grasps.files import read_grasp
 from proofs_check import claim
 from proofs_check.cli.program import main
 from proofs_check.instances.domains import DOMAINS, domain, known_families, size
-from proofs_check.own_claims.shrink import shrink, smaller_instances
+from proofs_check.own_claims.shrink import shrink
 from proofs_check.statements.evidence import evaluate
 from proofs_check.statements.statement import Verdict
 
@@ -113,24 +113,6 @@ def test_an_error_in_the_function_gives_no_verdict(write, capsys):
     assert "ZeroDivisionError" in result["counterexample"]["note"]
 
 
-def test_a_failed_assertion_is_a_reason(write, capsys):
-    path = write(
-        '@claim("s", census=3)\ndef f(p):\n    assert p.rank < 3, "rank 3"\n    return True\n'
-    )
-    assert main(["run", path, "--json"]) == 1
-    (result,) = json.loads(capsys.readouterr().out)["results"]
-    assert result["verdict"] == "refuted"
-    assert result["counterexample"]["note"] == "rank 3"
-
-
-def test_a_decorated_function_can_still_be_called():
-    @claim("s")
-    def rank_3(planes):
-        return planes.rank == 3
-
-    assert rank_3(Arrangement([[1, 0, 0]])) is False
-
-
 def test_instances_outside_the_hypothesis_are_passed_over_and_counted():
     @claim("s", when=lambda p: p.is_simple, census=5, families=False, samples=0)
     def all_simple(planes):
@@ -153,18 +135,6 @@ def test_a_claim_that_is_checked_on_nothing_has_no_verdict(write, capsys):
     assert main(["run", path, "--json"]) == 1
     (result,) = json.loads(capsys.readouterr().out)["results"]
     assert (result["verdict"], result["evidence"]) == (None, "no case was checked")
-
-
-def test_a_dual_claim_gets_the_dual_polyhedron():
-    seen = []
-
-    @claim("s", of="dual", census=3, families=False, samples=0)
-    def cube(dual):
-        seen.append(dual)
-        return True
-
-    assert evaluate(cube).verdict is Verdict.HOLDS
-    assert [type(d) for d in seen] == [type(dual_polyhedron(census(3)[0]))]
 
 
 def test_the_same_seed_gives_the_same_result_and_another_seed_other_instances():
@@ -228,14 +198,6 @@ def test_what_a_domain_draws_belongs_to_it(name):
             assert chosen.contains(subject)
             assert subject == chosen.draw(Random(seed), m)
     assert all(chosen.contains(case.subject) for case in known_families(chosen))
-
-
-def test_smaller_instances_hold_every_type_and_come_in_order_of_size():
-    found = list(smaller_instances(6))
-    sizes = [len(planes) for planes in found]
-    assert sizes == sorted(sizes)
-    assert max(sizes) == 5
-    assert set(census(5)) <= set(found)
 
 
 def test_a_new_file_runs_and_is_never_written_over(tmp_path, monkeypatch, capsys):

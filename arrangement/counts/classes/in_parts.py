@@ -31,6 +31,7 @@ from arrangement.console import workers
 from arrangement.console.progress import note, watched
 from arrangement.console.writing import reason, write_bytes_atomically
 from arrangement.counts.configuration import Configuration, configuration
+from arrangement.counts.whitney import deadline_after
 from arrangement.errors import InputError, OutOfTimeError, UnfinishedError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
@@ -38,7 +39,7 @@ from arrangement.numbers.number_field import NumberField, field_of, written
 from arrangement.planes.planes import Planes
 
 from .automorphisms import Automorphisms
-from .symmetric import Classes, Flats, classes, deadline_after
+from .symmetric import Classes, Flats, classes
 
 #: Parts of a rank in the upper half. More take less memory each; fewer see more repeats at once.
 PARTS = 64

@@ -13,7 +13,6 @@ import math
 import time
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 from math import comb, prod
 
 import numpy as np
@@ -22,10 +21,10 @@ from numpy.typing import NDArray
 from arrangement.console.progress import watched
 from arrangement.counts.classes.automorphisms import Automorphisms, Permutations
 from arrangement.counts.classes.images import Images, Words, groups, packed, unpacked
-from arrangement.counts.configuration import Configuration, configuration
-from arrangement.counts.low_rank import MAX_RANK, whitney_matrix
+from arrangement.counts.configuration import Configuration
 from arrangement.counts.modular import Integers, ModularVectors
-from arrangement.counts.operations import localization, over_factors, restriction
+from arrangement.counts.operations import localization, restriction
+from arrangement.counts.whitney import first_whitney_numbers
 from arrangement.errors import InputError, OutOfTimeError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
@@ -68,45 +67,14 @@ class Flats:
         return Flats(self.bases[part], self.members[part], self.images[part], self.values[:, part])
 
 
-def first_whitney_numbers(
+def first_numbers(
     arrangement: Planes,
-    *,
-    symmetry: Sequence[Sequence[int]] | None = None,
-    time_limit: float | None = None,
+    config: Configuration,
+    symmetry: Sequence[Sequence[int]] | None,
+    time_limit: float | None,
+    deadline: float,
 ) -> tuple[int, ...]:
-    """Return the sums of mu(X) over the flats X of rank 0, 1, ...: the coefficients of chi.
-
-    Linear symmetries of the normals (of the cone, if planes miss the origin) are found and used;
-    up to rank 4 (affine: 3) the formulas of `low_rank` are faster, unless symmetries are given.
-
-    Args:
-        symmetry: permutations of the planes to be used in place of those that a search finds;
-            plane i goes to entry i. An empty list means none.
-        time_limit: in seconds.
-
-    Raises:
-        InputError: a permutation that no linear map makes of the planes.
-        TimeLimitError: the time is over; its `known` has the numbers that are final.
-
-    Complexity: with m planes and c classes of flats of rank at most r - 2 (affine: r - 1), O(c m)
-    operations modulo primes, and as many images of sets as classes have covers.
-
-    Source: [Weisner1935]; [BrysiewiczEbleKuehne2023] for the use of symmetries.
-
-    >>> from arrangement.library import families
-    >>> first_whitney_numbers(families.resonance(6))
-    (1, -63, 1652, -22435, 159460, -510524, 371909)
-    """
-    deadline = deadline_after(time_limit)
-    if symmetry is None:
-        found = over_factors(arrangement, partial(first_whitney_numbers, time_limit=time_limit))
-        if found is not None:
-            return found
-    config = configuration(arrangement)
-    if config.rank <= MAX_RANK and symmetry is None:
-        return tuple((-1) ** k * value for k, value in enumerate(whitney_matrix(config)[0]))
-    if config.rank == 0:
-        return (1,)
+    """Return the first Whitney numbers of `config`; arguments: `counts.first_whitney_numbers`."""
     automorphisms = Automorphisms(config)
     if symmetry is None:
         generators = automorphisms.generators()
@@ -122,15 +90,6 @@ def first_whitney_numbers(
         message = f"after {time_limit} seconds the first Whitney numbers {known} are final"
         raise OutOfTimeError(f"{message}; give more time for the others", tuple(numbers)) from None
     return tuple(numbers)
-
-
-def deadline_after(time_limit: float | None) -> float:
-    """Return when so many seconds are over, by the monotonic clock."""
-    if time_limit is None:
-        return math.inf
-    if not time_limit > 0:
-        raise InputError(f"time_limit is {shown(time_limit)}; give a positive number of seconds")
-    return time.monotonic() + time_limit
 
 
 def _of_classes(planes: Planes, symmetry: Sequence[Sequence[int]]) -> list[list[int]]:

@@ -8,15 +8,11 @@ them apart by other codes. Of nine planes `workshop.build` finds the types witho
 then coordinates for each, or a proof that there are none.
 """
 
-from .catalogue import MOST_PLANES, PSEUDOLINES, PUBLISHED, PUBLISHED_SIMPLE, census
-from .identify import Identification, identify
-
-__all__ = [
-    "MOST_PLANES",
-    "PSEUDOLINES",
-    "PUBLISHED",
-    "PUBLISHED_SIMPLE",
-    "Identification",
-    "census",
-    "identify",
-]
+from .catalogue import (
+    MOST_PLANES as MOST_PLANES,
+    PSEUDOLINES as PSEUDOLINES,
+    PUBLISHED as PUBLISHED,
+    PUBLISHED_SIMPLE as PUBLISHED_SIMPLE,
+    census as census,
+)
+from .identify import Identification as Identification, identify as identify

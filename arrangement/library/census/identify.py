@@ -77,7 +77,7 @@ def identify(arrangement: Planes) -> Identification:
     if not len(arrangement):
         raise InputError("the arrangement has no plane; an empty one has no type in the census")
     firsts = arrangement.firsts
-    distinct = Arrangement([arrangement.normals[k] for k in firsts])
+    distinct = Arrangement([plane[:-1] for plane in arrangement.distinct_planes])
     m, rank, f_vector = len(firsts), distinct.rank, distinct.f_vector
     facets, regions = f_vector[-2], f_vector[-1]
     is_simplicial = 2 * facets == rank * regions

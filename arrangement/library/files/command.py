@@ -43,10 +43,10 @@ def _import(arguments: argparse.Namespace) -> int:
     from arrangement.library.census import identify
     from arrangement.library.files.json_files import read_text
 
-    from .table import MAX_IMPORT_BYTES, Entries, format_named
+    from .table import Entries, format_named
 
     form = format_named(arguments.format)
-    found = Entries(form, *read_text(arguments.file, MAX_IMPORT_BYTES))
+    found = Entries(form, *read_text(arguments.file, "bytes of a file of many arrangements"))
     if arguments.number is not None or arguments.output is not None:
         number = arguments.number
         return _give(arguments, lambda: (found[number] if number is not None else found.only(), ""))

@@ -33,6 +33,7 @@ from arrangement.library.files.json_files import (
     kind_of,
     parse_json,
 )
+from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, rational_vector
 from arrangement.numbers.number_field import NumberField
 
@@ -50,8 +51,6 @@ def arrangement_schema() -> dict[str, Any]:
 
 #: Of a document of the kind "planes"; the first two are needed.
 KEYS = ("schema_version", "planes", "offsets", "dimension", "description", "field")
-#: Largest dimension that a file may name for an arrangement (rows of planes speak for themselves).
-MAX_DIMENSION = 1000
 
 
 def arrangement_of(document: Any, name: str) -> Arrangement:
@@ -113,10 +112,9 @@ def _of_field(value: Any, field: NumberField | None, where: str) -> Any:
 
 
 def _dimension(value: Any) -> int:
-    if type(value) is not int or not 0 <= value <= MAX_DIMENSION:
-        raise InputError(
-            f"dimension is {kind_of(value)}; expected an integer from 0 to {MAX_DIMENSION}"
-        )
+    most = budget.most("coordinates")
+    if type(value) is not int or not 0 <= value <= most:
+        raise InputError(f"dimension is {kind_of(value)}; expected an integer from 0 to {most}")
     return value
 
 

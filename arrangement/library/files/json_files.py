@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
 from arrangement.console.plugins import added, named
 from arrangement.console.writing import reason
 from arrangement.errors import InputError
+from arrangement.numbers import budget
 from arrangement.numbers.exact import MAX_TEXT_LENGTH, integer, shown
 
 if TYPE_CHECKING:
@@ -31,8 +32,6 @@ if TYPE_CHECKING:
 Source: TypeAlias = "str | os.PathLike[str] | Mapping[str, Any]"
 
 SCHEMA_VERSION = 1
-#: Largest file that is read, unless a caller allows more.
-MAX_BYTES = 4 * 2**20
 
 _NAME = re.compile(r"[a-z0-9]+(?:-[a-z0-9]+)*")
 
@@ -41,7 +40,7 @@ def read_document(
     source: Source,
     kinds: Collection[str],
     *,
-    max_bytes: int = MAX_BYTES,
+    kind: str = "bytes of a file",
     floats: bool = False,
     versions: Collection[int] = (SCHEMA_VERSION,),
 ) -> dict[str, Any]:
@@ -55,14 +54,14 @@ def read_document(
             whose conversion is the purpose.
 
     Raises:
-        InputError: a file that cannot be read, is longer than `max_bytes`, is not UTF-8, is not
-            strict JSON (duplicate keys, NaN, floats, deep nesting), or is no such document.
+        InputError: a file that cannot be read, is too long, is not UTF-8, is not strict JSON
+             (duplicate keys, NaN, floats, deep nesting), or is no such document.
     """
     if isinstance(source, Mapping):
         document: Any = dict(source)
         name = "the document"
     else:
-        text, name = read_text(source, max_bytes)
+        text, name = read_text(source, kind)
         document = parse_json(text, name, floats=floats)
     return check_document(document, kinds, name, versions)
 
@@ -134,32 +133,32 @@ def _path_text(source: Any) -> str:
     return os.fsdecode(source)
 
 
-def read_text(source: str | os.PathLike[str], max_bytes: int = MAX_BYTES) -> tuple[str, str]:
+def read_text(source: str | os.PathLike[str], kind: str = "bytes of a file") -> tuple[str, str]:
     """Return the UTF-8 text of stdin, a built-in document or a file, and its name for messages.
 
     Raises:
-        InputError: it cannot be read, is longer than `max_bytes`, or is not UTF-8.
+        InputError: it cannot be read, is longer than `budget.MOST` says, or is not UTF-8.
     """
     name = "standard input" if source == "-" else shown(_path_text(source))
     try:
-        return _read_bytes(source, name, max_bytes).decode("utf-8-sig"), name
+        return _read_bytes(source, name, kind).decode("utf-8-sig"), name
     except UnicodeDecodeError as error:
         raise InputError(f"{name} is not UTF-8 text (byte {error.start} is wrong)") from None
 
 
-def _read_bytes(source: str | os.PathLike[str], name: str, max_bytes: int) -> bytes:
+def _read_bytes(source: str | os.PathLike[str], name: str, kind: str) -> bytes:
     """Return the content of stdin, a built-in document or a file, with a limit on its length."""
     try:
         if source == "-":
             if sys.stdin is None:
                 raise InputError("standard input is closed; give a path or a built-in name")
-            return _limited(sys.stdin.buffer, name, max_bytes)
+            return _limited(sys.stdin.buffer, name, kind)
         if isinstance(source, str) and _NAME.fullmatch(source):
             built_in = _built_in(source)
             if built_in is not None:
                 return built_in.read_bytes()
         with Path(source).open("rb") as stream:
-            return _limited(stream, name, max_bytes)
+            return _limited(stream, name, kind)
     except (OSError, ValueError) as error:
         if isinstance(error, InputError):
             raise
@@ -170,10 +169,9 @@ def _read_bytes(source: str | os.PathLike[str], name: str, max_bytes: int) -> by
         raise InputError(f"cannot read {name}: {reason(error)}{meant}") from None
 
 
-def _limited(stream: BinaryIO, name: str, max_bytes: int) -> bytes:
-    content = stream.read(max_bytes + 1)
-    if len(content) > max_bytes:
-        raise InputError(f"{name} is longer than {max_bytes} bytes, the most that is read")
+def _limited(stream: BinaryIO, name: str, kind: str) -> bytes:
+    content = stream.read(budget.most(kind) + 1)
+    budget.keep(len(content), kind, name)
     return content
 
 

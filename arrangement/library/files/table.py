@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
-import re
-from collections.abc import Callable, Mapping
+from collections.abc import Iterable, Mapping
+from importlib import import_module
+from importlib.util import find_spec
 from pathlib import Path
 from typing import cast
 
@@ -17,15 +18,14 @@ from arrangement.library.files.json_files import Source, parse_json, read_text
 from arrangement.numbers.exact import shown
 
 from . import documents
-from .others import chirotope, christ, graphs, macaulay2, matrix, polymake, sage
 
 
-def _names(program: str) -> Callable[[str], object]:
-    """Return whether a text is JSON with the namespace of a program."""
-    return re.compile(rf'(?s)\s*\{{(?=.*"_ns")(?=.*"{program}")').match
+def _of_others() -> Iterable[Format]:
+    """Return the formats of other programs, unless that annex was taken away."""
+    name = "arrangement.library.files.others"
+    return import_module(name).formats() if find_spec(name) else ()
 
 
-_GRAPH = "the planes themselves; it cannot be read back"
 #: By name. On reading the first that recognises a text is taken; what none does is a document.
 FORMATS: dict[str, Format] = {
     form.name: form
@@ -36,46 +36,10 @@ FORMATS: dict[str, Format] = {
             read=lambda text: documents.arrangement_of(parse_json(text, "it"), "it"),
             write=lambda arrangement: document_text(arrangement.to_dict()),
         ),
-        Format("polymake", (".hyar",), _names("polymake"), polymake.read, polymake.write),
-        Format("oscar", (".mrdi",), _names("Oscar"), polymake.read_oscar, polymake.write_oscar),
-        Format("sage", (".sage",), sage.SAGE.search, sage.read, sage.write, loses=sage.loses),
-        Format(
-            "macaulay2", (".m2",), macaulay2.ARRANGEMENT.search, macaulay2.read, macaulay2.write
-        ),
-        Format(
-            "chirotope",
-            (".chi",),
-            chirotope.recognises,
-            chirotope.read,
-            chirotope.write,
-            chirotope.split,
-            chirotope.loses,
-        ),
-        Format(
-            "topcom",
-            (),
-            chirotope.TOPCOM.fullmatch,
-            chirotope.read_topcom,
-            chirotope.write_topcom,
-            loses=chirotope.loses,
-        ),
-        Format("christ", (), christ.recognises, christ.read, split=christ.split),
-        Format("matrix", (".txt", ".csv"), matrix.recognises, matrix.read, matrix.write),
-        *(
-            Format(name, endings, write=write, loses=lambda _: _GRAPH)
-            for name, endings, write in (
-                ("off", (".off",), graphs.off),
-                ("dot", (".dot", ".gv"), lambda planes: graphs.dot(graphs.dual(planes))),
-                ("graphml", (".graphml",), lambda planes: graphs.graphml(graphs.dual(planes))),
-                ("lattice-dot", (), lambda planes: graphs.dot(graphs.lattice(planes))),
-                ("lattice-graphml", (), lambda planes: graphs.graphml(graphs.lattice(planes))),
-            )
-        ),
+        *_of_others(),
     )
 }
 _BY_ENDING = {ending: form for form in FORMATS.values() for ending in form.endings}
-#: Largest file of many arrangements that is read.
-MAX_IMPORT_BYTES = 64 * 2**20
 
 
 def read_arrangement(source: Source) -> Arrangement:

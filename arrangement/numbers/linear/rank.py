@@ -62,26 +62,32 @@ def spanning(rows: Sequence[IntegerVector]) -> Sequence[IntegerVector]:
 
 def _independent(rows: Sequence[Sequence[int]]) -> list[int]:
     """Return which rows are independent of those before, modulo a prime."""
+    return echelon(list(zip(*rows, strict=True)))[1]
+
+
+def echelon(rows: Sequence[Sequence[int]]) -> tuple[Any, list[int]]:
+    """Return the reduced echelon form of integer rows modulo a prime, and its pivot columns.
+
+    These columns are independent over the integers too, but there may be more that are.
+    """
     import numpy as np
 
     budget.ask(
-        f"the rank of {len(rows)} rows",
+        f"elimination in a matrix of {len(rows)} rows",
         seconds=len(rows) * len(rows[0]) * min(len(rows), len(rows[0])) * 1e-8,
     )
     left = np.array([[x % _PRIME for x in row] for row in rows], dtype=np.int64)
-    found: list[int] = []
-    i = 0
-    while len(found) < left.shape[1] and left[i:].any():
-        i += int(left[i:].any(axis=1).argmax())
-        found.append(i)
-        column = int((left[i] != 0).argmax())
-        row = left[i] * pow(int(left[i, column]), -1, _PRIME) % _PRIME
-        i += 1
-        below = left[i:]
-        changed = np.flatnonzero(below[:, column])
-        factors = below[changed, column]
-        below[changed] = (below[changed] - factors[:, None] * row) % _PRIME
-    return found
+    pivots: list[int] = []
+    while len(pivots) < len(left) and (rest := left[len(pivots) :].any(axis=0)).any():
+        done, column = len(pivots), int(rest.argmax())
+        swap = done + int((left[done:, column] != 0).argmax())
+        left[[done, swap]] = left[[swap, done]]
+        left[done] = left[done] * pow(int(left[done, column]), -1, _PRIME) % _PRIME
+        changed = np.flatnonzero(left[:, column])
+        changed = changed[changed != done]
+        left[changed] = (left[changed] - left[changed, column, None] * left[done]) % _PRIME
+        pivots.append(column)
+    return left[: len(pivots)], pivots
 
 
 def ask_elimination(rows: Sequence[Sequence[Any]], width: int) -> None:
@@ -94,7 +100,7 @@ def ask_elimination(rows: Sequence[Sequence[Any]], width: int) -> None:
     budget.ask(
         f"elimination in a matrix of {len(rows)} rows with {width} entries",
         "leave out planes or coordinates",
-        seconds=3e-7 * digits * filled**2 * order / max(1, len(rows) * width),
+        seconds=6e-7 * digits * filled**2 * order / max(1, len(rows) * width),
     )
 
 

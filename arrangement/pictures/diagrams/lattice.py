@@ -13,12 +13,10 @@ from arrangement.console.number_form import counted
 from arrangement.counts import Flat, IntersectionLattice, intersection_lattice
 from arrangement.drawing.figure import picture
 from arrangement.drawing.scene.scene import GAP, POINTS, Floats, Scene
-from arrangement.errors import InputError
+from arrangement.numbers import budget
 from arrangement.pictures.parts.essential import RAISED
 from arrangement.pictures.parts.names import plane_names
 
-#: Flats of one rank beyond which a picture of one page shows nothing.
-MAX_FLATS = 500
 _INK = "#882255"
 
 
@@ -44,8 +42,7 @@ def draw_lattice(arrangement: Arrangement, *, width: float = 88.0, moebius: bool
     """
     lattice = intersection_lattice(arrangement)
     largest = max(map(len, lattice.flats))
-    if largest > MAX_FLATS:
-        raise InputError(f"{largest} flats of one rank; a picture shows at most {MAX_FLATS}")
+    budget.keep(largest, "flats of one rank in a picture")
     return _HasseDiagram(lattice, width, moebius).draw()
 
 

@@ -25,12 +25,11 @@ from arrangement.drawing.scene.labels import SIZES, keep_off, tried, write_along
 from arrangement.drawing.scene.scene import Floats, Scene, area
 from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.duals.zonohedron import dual_polygon, dual_polyhedron, dual_segment
-from arrangement.errors import InputError
+from arrangement.numbers import budget
 from arrangement.numbers.linear.rank import cycle_edges
 from arrangement.pictures.parts.coordinates import symmetry
 from arrangement.pictures.parts.essential import shown_as
 from arrangement.pictures.parts.names import RegionLabels, dot, explain_regions, plane_names
-from arrangement.pictures.sphere.globe import MAX_CIRCLES
 
 from .solids import edges_of, flat_edges
 
@@ -112,10 +111,7 @@ def planar_graph(arrangement: Arrangement) -> PlanarGraph:
     Raises:
         InputError: as for `draw_graph`.
     """
-    if len(arrangement.distinct) > MAX_CIRCLES:
-        raise InputError(
-            f"{len(arrangement.distinct)} planes; a picture shows at most {MAX_CIRCLES}"
-        )
+    budget.keep(len(arrangement.distinct), "great circles in a picture")
     if arrangement.is_central and arrangement.rank in (1, 2):
         return _cycle(arrangement)
     dual = dual_polyhedron(arrangement)

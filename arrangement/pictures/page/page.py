@@ -17,15 +17,14 @@ from arrangement.drawing.registry import Vector
 from arrangement.drawing.solids.sight import picture_axes, unit, unit_vectors
 from arrangement.duals.zonohedron import around_rays
 from arrangement.enumeration.great_circles import SphereArrangement
-from arrangement.errors import InputError, refusal
+from arrangement.errors import refusal
+from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, shown, to_text
 from arrangement.pictures.parts.coordinates import CHOICES, even_map, is_narrow, symmetric_map
 from arrangement.pictures.parts.essential import brought, caption
 from arrangement.pictures.parts.names import equation, generator_text
 from arrangement.pictures.sphere.globe import Globe, clear_direction
 
-#: Distinct planes beyond which a page is too slow to turn by hand.
-MAX_CIRCLES = 30
 _OWN = "arrangement.pictures.page"
 SCRIPTS: tuple[Template, ...] = (
     BASE_SCRIPT,
@@ -53,7 +52,7 @@ def arrangement_page(
     point. Planes can be taken away and put back.
 
     Args:
-        arrangement: central, of rank at most 3, up to `MAX_CIRCLES` distinct planes.
+        arrangement: central, of rank at most 3, up to 30 distinct planes.
         title: a heading; if omitted, the number of planes.
         colour: of the regions at first: "sides" (by number of sides), "signs" (by number of minus
             signs), "parity" (two colours), "none"; if omitted, sides if they differ, else parity.
@@ -69,10 +68,7 @@ def arrangement_page(
         raise refusal(f"the colouring is {shown(colour)}", colour, COLOURINGS)
     summary = _summary(arrangement)
     arrangement = brought(arrangement, "arrangement")
-    if len(arrangement.distinct) > MAX_CIRCLES:
-        raise InputError(
-            f"{len(arrangement.distinct)} distinct planes; a page shows at most {MAX_CIRCLES}"
-        )
+    budget.keep(len(arrangement.distinct), "great circles on a page")
     if coordinates is not None and coordinates not in CHOICES:
         raise refusal(f"the coordinates are {shown(coordinates)}", coordinates, CHOICES)
     globe = Globe(arrangement, direction)

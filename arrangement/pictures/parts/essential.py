@@ -17,6 +17,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.counts.configuration import pivot_columns
 from arrangement.drawing.scene.scene import Floats, Scene
 from arrangement.errors import InputError
+from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, dot
 from arrangement.numbers.linear.rank import rank, unit_vectors
 from arrangement.planes.planes import Planes
@@ -86,6 +87,7 @@ def brought(arrangement: Arrangement, view: str) -> Arrangement:
     Raises:
         InputError: the view cannot show them.
     """
+    budget.keep(len(arrangement), "planes in a picture")
     dimension, central = (SPACES | _PAGES)[view]
     if not fits(view, arrangement):
         kind = "central" if arrangement.is_central else "affine"

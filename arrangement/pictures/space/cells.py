@@ -23,6 +23,7 @@ from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes, triang
 from arrangement.drawing.solids.sight import picture_axes, view_direction
 from arrangement.duals.cells import Cell, Cells, cut_cells
 from arrangement.errors import InputError
+from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
 from arrangement.numbers.linear.rank import cycle_edges
 from arrangement.pictures.parts.coordinates import in_coordinates
@@ -39,8 +40,6 @@ from .exploded_cells import Lifted, Stage, StagedAxes, sharp, unit_points, walls
 from .planes import PlanesSheet
 from .view_direction import clear_sight
 
-#: More cells hide each other, and are too many for a page.
-MOST = 400
 #: Up to so many cells have labels.
 _NAMED = 60
 #: The plane of a node that nothing lies before or behind.
@@ -177,11 +176,7 @@ def _cells(
     if not isinstance(explode, int | float) or not 1 <= explode <= 3:
         raise InputError(f"explode is {shown(explode)}; give a factor from 1 to 3")
     cells = cut_cells(arrangement, body, centre, radius)
-    if len(cells.cells) > MOST:
-        raise InputError(
-            f"{len(cells.cells)} cells; at most {MOST} can be told apart. A smaller radius shows a "
-            "part, the view planes shows the planes"
-        )
+    budget.keep(len(cells.cells), "cells in a picture", "a smaller radius shows fewer")
     return cells
 
 

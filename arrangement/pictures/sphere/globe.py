@@ -24,12 +24,9 @@ from arrangement.drawing.solids.sight import (
 )
 from arrangement.enumeration.great_circles import SphereArrangement, sphere_arrangement
 from arrangement.enumeration.great_circles.signs import unpack
-from arrangement.errors import InputError
+from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector
 from arrangement.planes.planes import Planes
-
-#: Circles beyond which a picture of one column shows nothing.
-MAX_CIRCLES = 60
 
 
 class Globe:
@@ -43,11 +40,8 @@ class Globe:
     """
 
     def __init__(self, arrangement: Arrangement, direction: Sequence[object] | None = None) -> None:
+        budget.keep(len(arrangement.distinct), "great circles in a picture")
         self.whole = sphere_arrangement(arrangement)
-        if self.whole.circle_count > MAX_CIRCLES:
-            raise InputError(
-                f"{self.whole.circle_count} great circles; a picture shows at most {MAX_CIRCLES}"
-            )
         if direction is not None:
             self.direction = view_direction(direction)
         else:

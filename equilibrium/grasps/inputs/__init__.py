@@ -4,29 +4,24 @@ Everything that had to be rounded is rounded here, once, on purpose, and the err
 exactly; the grasp that comes out is exact.
 """
 
-from .conversion import ContactIncidence, Conversion, simplest_between, snapped
-from .csv_file import read_csv
-from .documents import read_any
-from .floats import from_float_data, read_float_data
-from .mesh import on_mesh
-from .polygon import OnEdge, from_polygon, on_circle, read_polygon
-from .random import random_grasp, random_wrench, star_outline
-
-__all__ = [
-    "ContactIncidence",
-    "Conversion",
-    "OnEdge",
-    "from_float_data",
-    "from_polygon",
-    "on_circle",
-    "on_mesh",
-    "random_grasp",
-    "random_wrench",
-    "read_any",
-    "read_csv",
-    "read_float_data",
-    "read_polygon",
-    "simplest_between",
-    "snapped",
-    "star_outline",
-]
+from .conversion import (
+    ContactIncidence as ContactIncidence,
+    Conversion as Conversion,
+    simplest_between as simplest_between,
+    snapped as snapped,
+)
+from .csv_file import read_csv as read_csv
+from .documents import read_any as read_any
+from .floats import from_float_data as from_float_data, read_float_data as read_float_data
+from .mesh import on_mesh as on_mesh
+from .polygon import (
+    OnEdge as OnEdge,
+    from_polygon as from_polygon,
+    on_circle as on_circle,
+    read_polygon as read_polygon,
+)
+from .random import (
+    random_grasp as random_grasp,
+    random_wrench as random_wrench,
+    star_outline as star_outline,
+)

@@ -19,6 +19,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from arrangement.library.files.json_files import read_text
 from arrangement.numbers.exact import rational, shown
 from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
@@ -39,7 +40,6 @@ _SHORT = {"nx": "normal_x", "ny": "normal_y", "nz": "normal_z"} | {
     "q": "preload",
 }
 _SEPARATORS = (",", ";", "\t")
-MAX_BYTES = 4 * 2**20
 T = TypeVar("T")
 
 
@@ -63,7 +63,7 @@ def read_csv(
             than 4 MiB or is not UTF-8.
     """
     how = rounding(0, tolerance, angle_tolerance, as_given)
-    return parse_csv(csv_text(path), how)
+    return parse_csv(read_text(Path(path))[0], how)
 
 
 def parse_csv(text: str, how: Rounding | None = None) -> Conversion:
@@ -175,20 +175,3 @@ def _check_header(header: list[str]) -> None:
             raise GraspError(f"the column {shown(name)} is unknown; known are {', '.join(_KNOWN)}")
         if header.count(name) > 1:
             raise GraspError(f"the column {name} appears twice; keep one")
-
-
-def csv_text(path: str | os.PathLike[str]) -> str:
-    """Return the text of a file, with a limit on its length."""
-    name = shown(str(path))
-    try:
-        with Path(path).open("rb") as stream:
-            content = stream.read(MAX_BYTES + 1)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or error
-        raise GraspError(f"cannot read {name}: {reason}") from None
-    if len(content) > MAX_BYTES:
-        raise GraspError(f"{name} is longer than {MAX_BYTES} bytes, the most that is read")
-    try:
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise GraspError(f"{name} is not UTF-8 text (byte {error.start} is wrong)") from None

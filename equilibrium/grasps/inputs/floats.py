@@ -12,15 +12,22 @@ import os
 import re
 from collections.abc import Iterable
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
-from arrangement.library.files.json_files import Source, check_keys, check_list, read_document
+from arrangement.library.files.json_files import (
+    Source,
+    check_keys,
+    check_list,
+    read_document,
+    read_text,
+)
 from arrangement.numbers.exact import RationalVector, from_floats, rational, shown
 from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, contact_values
-from .csv_file import csv_text, each_line, parts_of
+from .csv_file import each_line, parts_of
 from .incidences import check_number, converted, equal_numbers, rounding
 
 _DECIMAL = re.compile(r"[+-]?([0-9]{1,400}\.?[0-9]{0,400}|\.[0-9]{1,400})([eE][+-]?[0-9]{1,4})?")
@@ -98,7 +105,7 @@ def read_float_data(
     }
     if isinstance(source, (str, os.PathLike)) and os.fspath(source).lower().endswith(".csv"):
         return each_line(
-            csv_text(source),
+            read_text(Path(source))[0],
             lambda row: parts_of({name: _number(entry, name) for name, entry in row.items()}),
             lambda points, normals, values: from_float_data(points, normals, **values, **options),
         )

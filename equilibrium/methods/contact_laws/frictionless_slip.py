@@ -14,11 +14,11 @@ from fractions import Fraction
 from itertools import product
 from typing import Any, Literal
 
+from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.polyhedron import Polyhedron
 from arrangement.numbers.linear.programs import Infeasible, feasible_point
 from equilibrium.methods.method import Accepting, Method, Outcome, cut
-from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.contact_rows import Pair, balance_rows, negated
 
@@ -27,8 +27,6 @@ from .springs import Forces, balanced_wrenches, force_rows, forces_at, springs_o
 _ZERO: RationalVector = (Fraction(0),) * 4
 State = Literal["stick", "slip", "detached"]
 STATES: tuple[State, ...] = ("stick", "slip", "detached")
-#: More contacts than this are refused: 3^12 systems are half a million.
-MAX_CONTACTS = 12
 
 
 @dataclass(frozen=True)
@@ -59,7 +57,7 @@ def frictionless_slip(
     """Decide by trying all 3^m choices of states, each exactly.
 
     Args:
-        grasp: at most `MAX_CONTACTS` contacts.
+        grasp: at most 12 contacts.
         wrench: applied.
         tangential_stiffness, rest_friction: as in `linear_compliance`.
         gap: a contact counts as detached only where its normal spring would pull. Without this a
@@ -68,10 +66,7 @@ def frictionless_slip(
     Raises:
         GraspError: too many contacts.
     """
-    if len(grasp) > MAX_CONTACTS:
-        raise GraspError(
-            f"{len(grasp)} contacts are too many for 3^m choices; at most {MAX_CONTACTS} are tried"
-        )
+    budget.keep(len(grasp), "contacts with a choice of three states")
     springs = springs_of(grasp, tangential_stiffness, rest_friction)
     return _decided(grasp, read_wrench(wrench), springs, gap)
 

@@ -8,12 +8,12 @@ from arrangement.drawing.colours import GREY
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Wrench
 from arrangement.drawing.scene.scene import POINTS, Scene, measure
+from arrangement.numbers import budget
 from equilibrium.methods import METHODS, Comparison, compare
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.pictures.parts.style import MARKS, symbol, vector
 
-MAX_WRENCHES = 24
 _ROW, _SIDE, _TINT = 4.6 * POINTS, 3.0 * POINTS, "#f3c9a5"
 _ANSWERS = {True: "accepted", False: "refusal", None: "silence"}
 
@@ -33,8 +33,9 @@ def draw_methods(grasp: Grasp, *, wrenches: Iterable[Wrench], width: float = 88.
         GraspError: no wrench, or too many.
     """
     questions = [read_wrench(wrench, grasp.dimension) for wrench in wrenches]
-    if not 1 <= len(questions) <= MAX_WRENCHES:
-        raise GraspError(f"{len(questions)} wrenches; give 1 to {MAX_WRENCHES}")
+    if not questions:
+        raise GraspError("there is no wrench; give at least one")
+    budget.keep(len(questions), "wrenches in a picture")
     answers = [compare(grasp, wrench) for wrench in questions]
     names = [answer.method for answer in answers[0].answers]
     heads = [vector(wrench) for wrench in questions]

@@ -11,6 +11,7 @@ from arrangement.drawing.colours import VERMILION
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact
 from arrangement.drawing.scene.scene import Floats, Legend, Scene
+from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, rational
 from arrangement.numbers.linear.intervals import Interval
 from equilibrium.model.errors import GraspError
@@ -20,8 +21,6 @@ from equilibrium.pictures.parts.style import MARKS, RIM, SHADE, symbol
 from equilibrium.pictures.parts.window import ROOM, Window, ends
 from equilibrium.wrench_sets import Region, resisted_region, search_map
 from equilibrium.wrench_sets.search_map import Entry
-
-MAX_DIRECTIONS = 720
 
 
 @picture(20.0)
@@ -50,8 +49,9 @@ def draw_polar(
     Raises:
         GraspError: a number that is out of range.
     """
-    if not 1 <= directions <= MAX_DIRECTIONS:
-        raise GraspError(f"directions is {directions}; a picture shows 1 to {MAX_DIRECTIONS}")
+    if directions < 1:
+        raise GraspError(f"directions is {directions}; give at least 1")
+    budget.keep(directions, "directions in a picture")
     region = resisted_region(grasp)
     radius = read_extent(extent) or _radius(grasp, region)
     step = radius / 1000 if tolerance is None else rational(tolerance, "tolerance")

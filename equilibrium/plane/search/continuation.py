@@ -74,7 +74,7 @@ class Continuation:
 
     def path(self, motion: Floats, first: float = 1.0) -> Iterator[tuple[Floats, float]]:
         """Yield motions along a path, from a sharpness on; the steps adapt."""
-        slip = float(np.median(self.scale))
+        slip = float(self.scale[0])
         eps, factor = first / _FACTOR, _FACTOR
         for _ in range(_PATH):
             end, residual = self._newton(motion, eps * factor * slip)

@@ -9,13 +9,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.console.number_form import Shown
-from arrangement.numbers.exact import RationalVector, to_text, vector_text
+from arrangement.console.number_form import Documented
+from arrangement.numbers.exact import RationalVector, vector_text
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan, rank
 from equilibrium.plane.contacts import IntegerContacts, product
@@ -27,21 +26,16 @@ _COARSE = 16
 
 
 @dataclass(frozen=True)
-class Solution(Shown):
+class Solution(Documented):
     """One equilibrium: the motion, and the (normal, tangential) force at each contact."""
+
+    in_document = ("motion", "forces")
 
     motion: RationalVector
     forces: tuple[tuple[Fraction, Fraction], ...]
 
     def __repr__(self) -> str:
         return f"<Solution: motion {vector_text(self.motion)}, {len(self.forces)} forces>"
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form; numbers are strings of rationals."""
-        return {
-            "motion": [to_text(x) for x in self.motion],
-            "forces": [[to_text(x) for x in pair] for pair in self.forces],
-        }
 
 
 @dataclass(frozen=True)

@@ -1,8 +1,8 @@
-"""Units of length, force and motion in which the numbers of a question are near one.
+"""Units of length, force and motion in which the largest numbers of a question are one.
 
-The search sees the question in these units, so it takes about the same steps whatever units the
-numbers of the grasp are in; equilibria and proofs are put back into those exactly. Units are powers
-of two, which keeps the numbers of proofs short.
+The search sees the question in these units, so it takes the same steps whatever units the numbers
+of the grasp are in; equilibria and proofs are put back into those exactly. Where a largest number
+is long, the unit is a power of two near it, which keeps the numbers of proofs short.
 """
 
 from __future__ import annotations
@@ -21,14 +21,19 @@ from .motion_regions import HALF_SPACE, ORTHANTS
 from .part_program import Node
 from .state_equilibrium import Solution
 
+#: Bits of a number that is a unit itself.
+_SHORT = 48
+
 
 def unit_of(numbers: Iterable[Fraction]) -> Fraction:
-    """Return the power of two by which the largest number is in [1, 2); 1 if all are 0."""
+    """Return the largest number, or if it is long the power of two up to it; 1 if all are 0."""
     largest = max(map(abs, numbers), default=Fraction(0))
     if not largest:
         return Fraction(1)
-    power = largest.numerator.bit_length() - largest.denominator.bit_length()
-    unit = Fraction(2) ** power
+    sizes = largest.numerator.bit_length(), largest.denominator.bit_length()
+    if max(sizes) <= _SHORT:
+        return largest
+    unit = Fraction(2) ** (sizes[0] - sizes[1])
     return unit / 2 if largest < unit else unit
 
 

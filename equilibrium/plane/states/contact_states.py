@@ -17,6 +17,8 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from arrangement import counts
+from arrangement.enumeration.choose import most_faces
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector
 from equilibrium.model.grasp import Grasp
@@ -45,15 +47,16 @@ def state_codes(grasp: Grasp) -> Codes:
     planes = grasp.motion_arrangement()
     tangential = sorted({planes.distinct[label][0] for label in planes.class_of[: len(grasp)]})
     parts = []
-    faces = [planes.faces(dimension) for dimension in (3, 2, 1)]
-    number = sum(map(len, faces))
+    number = most_faces(len(planes.distinct), planes.rank, planes.is_central)
+    if budget.excess(bytes=24 * number * len(grasp)) > 1:
+        number = sum(counts.f_vector(planes)[1:])
     budget.ask(
         f"{number:,} choices of states of {len(grasp)} contacts",
         "decide one load (solve)",
         bytes=24 * number * len(grasp),
     )
-    for least, found in enumerate(faces):
-        signs = found.signs
+    for least, dimension in enumerate((3, 2, 1)):
+        signs = planes.faces(dimension).signs
         parts.append(_codes(signs[(signs[:, tangential] == 0).sum(axis=1) >= least]))
     codes = np.concatenate(parts)
     if grasp.tangential_arrangement().rank == 3:

@@ -7,16 +7,15 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import Documented
 from arrangement.numbers.exact import (
     RationalVector,
     dot,
     primitive,
     rational_vector,
-    to_text,
     vector_text,
 )
-from arrangement.numbers.linear.intervals import Interval, texts
+from arrangement.numbers.linear.intervals import Interval
 from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.model.errors import GraspError
 from equilibrium.plane.contact_rows import negated, sum_row, unit_row
@@ -26,7 +25,7 @@ from .state_system import States, StateSystem, each_force, value
 
 
 @dataclass(frozen=True)
-class Equilibrium(Shown):
+class Equilibrium(Documented):
     """All solutions with one choice of contact states: a closed convex polyhedron, often a point.
 
     Attributes:
@@ -37,6 +36,16 @@ class Equilibrium(Shown):
         motion_ranges, force_ranges: exact (least, largest) value of each component over the
             polyhedron; None where there is no end.
     """
+
+    in_document = (
+        "states",
+        "motion",
+        "forces",
+        "unique",
+        "forces_determined",
+        "motion_ranges",
+        "force_ranges",
+    )
 
     states: States
     motion: RationalVector
@@ -84,18 +93,6 @@ class Equilibrium(Shown):
         return all(set(_range(self.system, row)) == {0} for row in equalities) and all(
             _never_negative(self.system, row) for row in inequalities
         )
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form; numbers are strings of rationals, null means no end."""
-        return {
-            "states": list(self.states),
-            "motion": [to_text(x) for x in self.motion],
-            "forces": [[to_text(x) for x in pair] for pair in self.forces],
-            "unique": self.unique,
-            "forces_determined": self.forces_determined,
-            "motion_ranges": [texts(r) for r in self.motion_ranges],
-            "force_ranges": [[texts(r) for r in pair] for pair in self.force_ranges],
-        }
 
 
 def equilibrium_of(system: StateSystem) -> Equilibrium | None:

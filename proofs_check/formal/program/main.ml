@@ -1,5 +1,7 @@
 (* proved-checker FILE...: a line for each file, exit code 0 all accepted, 1 one refused, 2 one
-   malformed. With --question first: print what was read of grasp and wrench, as JSON. *)
+   malformed. A file is a certificate, of a grasp or of a complete list of faces. With --question
+   first: print what was read of grasp and wrench, or of planes, as JSON. With --regions, --faces or
+   --polynomial first, files are arrangements: print what is counted. *)
 
 module Zarith = Z
 open Checker
@@ -23,8 +25,9 @@ let rational q =
   if Z.equal q.qden Z.one then Z.to_string q.qnum
   else Z.to_string q.qnum ^ "/" ^ Z.to_string q.qden
 
-let texts numbers =
-  "[" ^ String.concat "," (List.map (fun q -> "\"" ^ rational q ^ "\"") numbers) ^ "]"
+let quoted texts = "[" ^ String.concat "," (List.map (fun t -> "\"" ^ t ^ "\"") texts) ^ "]"
+
+let texts numbers = quoted (List.map rational numbers)
 
 let question g =
   let contact c =
@@ -33,22 +36,53 @@ let question g =
   Printf.sprintf "{\"contacts\":[%s],\"wrench\":%s}"
     (String.concat "," (List.map contact g.contacts)) (texts [ along_x; along_y; turn ])
 
-let verdict echo path =
-  match Reader.document (Json.parse (read path)) with
-  | _, asked, _ when echo -> (0, question asked)
-  | kind, asked, proof ->
-    if Checker.check asked proof then (0, "accepted: " ^ kind) else (1, "refused: " ^ kind)
+(* As the package stores planes: n_1, ..., n_d, b for n . x = b. *)
+let planes forms =
+  let plane f = quoted (List.map Z.to_string (f.coefficients @ [ Z.neg f.constant ])) in
+  "{\"planes\":[" ^ String.concat "," (List.map plane forms) ^ "]}"
+
+type task = Check | Question | Count of (Z.t form list -> Z.t list)
+
+let answer accepted kind =
+  if accepted then (0, "accepted: " ^ kind) else (1, "refused: " ^ kind)
+
+let work task document =
+  match task with
+  | Count number ->
+    let forms, _ = Planes_reader.planes document in
+    (0, "counted: " ^ String.concat " " (List.map Z.to_string (number forms)))
+  | _ when Planes_reader.about_planes document ->
+    let kind, forms, faces = Planes_reader.certificate document in
+    if task = Question then (0, planes forms)
+    else (
+      match kind with
+      | Planes_reader.Regions -> answer (complete_regions forms faces) "all regions"
+      | Planes_reader.All_faces -> answer (complete_faces forms faces) "all faces")
+  | _ ->
+    let kind, asked, proof = Reader.document document in
+    if task = Question then (0, question asked) else answer (check asked proof) kind
+
+let verdict task path =
+  match work task (Json.parse (read path)) with
+  | found -> found
   | exception Json.Malformed problem -> (2, "malformed: " ^ problem)
   | exception Sys_error problem -> (2, "malformed: " ^ problem)
   | exception Stack_overflow -> (2, "malformed: too large for the stack of this program")
 
 let () =
-  let arguments = List.tl (Array.to_list Sys.argv) in
-  let echo, paths =
-    match arguments with "--question" :: paths -> (true, paths) | paths -> (false, paths) in
-  if paths = [] then (prerr_endline "usage: proved-checker [--question] FILE..."; exit 2);
+  let task, paths =
+    match List.tl (Array.to_list Sys.argv) with
+    | "--question" :: paths -> (Question, paths)
+    | "--regions" :: paths -> (Count (fun forms -> [ count_regions forms ]), paths)
+    | "--faces" :: paths -> (Count count_faces, paths)
+    | "--polynomial" :: paths -> (Count characteristic_polynomial, paths)
+    | paths -> (Check, paths) in
+  if paths = [] then (
+    prerr_endline
+      "usage: proved-checker [--question | --regions | --faces | --polynomial] FILE...";
+    exit 2);
   let worst = List.fold_left (fun worst path ->
-    let code, line = verdict echo path in
+    let code, line = verdict task path in
     print_endline line;
     max worst code) 0 paths in
   exit worst

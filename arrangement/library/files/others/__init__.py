@@ -1,1 +1,63 @@
-"""The formats of other programs, one module each."""
+"""The formats of other programs, one module each; `formats` is their door."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from importlib.util import find_spec
+
+from arrangement.library.files.documents import Format
+
+from . import graphs, macaulay2, matrix, polymake, sage
+
+_GRAPH = "the planes themselves; it cannot be read back"
+
+
+def _names(program: str) -> Callable[[str], object]:
+    """Return whether a text is JSON with the namespace of a program."""
+    return re.compile(rf'(?s)\s*\{{(?=.*"_ns")(?=.*"{program}")').match
+
+
+def formats() -> Iterator[Format]:
+    """Yield the formats, in the order in which a text is tried.
+
+    Chirotopes need the census, and that the families; without these annexes they are left out.
+    """
+    yield Format("polymake", (".hyar",), _names("polymake"), polymake.read, polymake.write)
+    yield Format("oscar", (".mrdi",), _names("Oscar"), polymake.read_oscar, polymake.write_oscar)
+    yield Format("sage", (".sage",), sage.SAGE.search, sage.read, sage.write, loses=sage.loses)
+    yield Format(
+        "macaulay2", (".m2",), macaulay2.ARRANGEMENT.search, macaulay2.read, macaulay2.write
+    )
+    if all(find_spec(f"arrangement.library.{annex}") for annex in ("census", "families")):
+        from . import chirotope, christ
+
+        yield Format(
+            "chirotope",
+            (".chi",),
+            chirotope.recognises,
+            chirotope.read,
+            chirotope.write,
+            chirotope.split,
+            chirotope.loses,
+        )
+        yield Format(
+            "topcom",
+            (),
+            chirotope.TOPCOM.fullmatch,
+            chirotope.read_topcom,
+            chirotope.write_topcom,
+            loses=chirotope.loses,
+        )
+        yield Format("christ", (), christ.recognises, christ.read, split=christ.split)
+    yield Format("matrix", (".txt", ".csv"), matrix.recognises, matrix.read, matrix.write)
+    yield from (
+        Format(name, endings, write=write, loses=lambda _: _GRAPH)
+        for name, endings, write in (
+            ("off", (".off",), graphs.off),
+            ("dot", (".dot", ".gv"), lambda planes: graphs.dot(graphs.dual(planes))),
+            ("graphml", (".graphml",), lambda planes: graphs.graphml(graphs.dual(planes))),
+            ("lattice-dot", (), lambda planes: graphs.dot(graphs.lattice(planes))),
+            ("lattice-graphml", (), lambda planes: graphs.graphml(graphs.lattice(planes))),
+        )
+    )

@@ -10,7 +10,8 @@ import re
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.library.files.documents import MAX_DIMENSION, rational_planes
+from arrangement.library.files.documents import rational_planes
+from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
 
 from .linear_forms import form_text, inside, read_form, split_outside, without_remarks
@@ -68,11 +69,12 @@ def _variables(text: str) -> list[str]:
             break
         if re.fullmatch(r"\w+", part):
             names.append(part)
-        elif len(first) == len(last) == 1 and ord(last) - ord(first) < MAX_DIMENSION:
+        elif len(first) == len(last) == 1:
             names += map(chr, range(ord(first), ord(last) + 1))
-        elif ends is None or int(ends[3]) - int(ends[2]) >= MAX_DIMENSION:
+        elif ends is None:
             raise InputError(f"the variables are {shown(part)}; write x, y, z or x_1..x_4")
         else:
+            budget.keep(int(ends[3]) - int(ends[2]) + 1, "coordinates")
             names += [f"{ends[1]}_{k}" for k in range(int(ends[2]), int(ends[3]) + 1)]
     return names
 

@@ -1,0 +1,378 @@
+"""Search for proofs of a verdict for all grasps within bounds.
+
+Their form is in `equilibrium.certificate.robust`. In floats, with sample grasps at corners of the
+bounds. What is left over of all forces in a cell is a hull of finitely many vectors then, and its
+point of least norm is a virtual motion that closes the cell, or there is none and the cell is
+halved. The exact test of each leaf is the checker's.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Iterable, Iterator
+from fractions import Fraction
+from itertools import product
+from random import Random
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import nnls
+
+from arrangement.numbers.exact import RationalVector, dot, to_text
+from equilibrium.certificate.robust import Bounds, Box, corners_of, halves
+from equilibrium.model.contact import VALUES, Contact
+from equilibrium.model.grasp import Grasp
+from equilibrium.model.unit_normal import unit_normal
+
+from . import RESISTED
+
+Floats: TypeAlias = NDArray[np.float64]
+
+#: Sample grasps, fewer of many contacts; cells of one search; vectors of a hull.
+_SAMPLES, _CELLS, _STEPS = 64, 3000, 30
+#: A cell whose longest edge is shorter, as a share of its face, is given up.
+_LEAST = Fraction(1, 2**14)
+#: Directions of friction that are told apart in space.
+_AROUND = 12
+#: Sizes of the box around an equilibrium that are tried, in multiples of what its motion needs.
+_FACTORS = (1.15, 1.6, 2.5, 4.0, 8.0)
+
+
+def moved(contact: Contact, signs: Iterable[float], bounds: Bounds) -> Contact:
+    """Return a contact within bounds: shares from -1 to 1 of each turn, coordinate and value."""
+    n, shares = contact.dimension, [Fraction(x).limit_denominator(64) for x in signs]
+    normal, turns = contact.normal, shares[: n - 1]
+    if bounds.angle and any(turns):
+        # In space the two turns together are at most sqrt(2).
+        reach = bounds.angle * (Fraction(49, 50) if n == 2 else Fraction(69, 100))
+        across = [dot(turns, column) for column in zip(*contact.tangents, strict=True)]
+        wanted = [x + reach * y for x, y in zip(normal, across, strict=True)]
+        normal = unit_normal(wanted, bounds.angle / 60).normal
+    place = [x + s * bounds.length for x, s in zip(contact.point, shares[n - 1 :], strict=False)]
+    values = (
+        getattr(contact, name) * (1 + s * getattr(bounds, name))
+        for name, s in zip(VALUES, shares[2 * n - 1 :], strict=True)
+    )
+    return Contact(place, normal, *values)
+
+
+class Closing:
+    """The search for a proof, and for grasps within bounds that speak against it.
+
+    Args:
+        found: a decided verdict.
+        seconds: of processor time.
+
+    Attributes:
+        against: shares for `moved`, one row for each contact, where a cell stayed open.
+        ways: virtual motions on which the equilibrium may give in.
+    """
+
+    def __init__(self, found: Any, bounds: Bounds, seconds: float) -> None:
+        self.found, self.bounds = found, bounds
+        self.deadline = time.process_time() + seconds
+        self.grasp: Grasp = found.grasp
+        self.against: list[Floats] = []
+        self.ways: list[Floats] = []
+        self.d, self.n = self.grasp.dimension, len(found.wrench)
+        points = np.array([c.point for c in self.grasp], float).reshape(-1, self.d)
+        arm = float(np.ptp(points, axis=0).max(initial=0)) if len(points) else 0.0
+        # A power of two, so that rounded virtual motions have short numbers.
+        self.arm = 2.0 ** (math.frexp(arm)[1] - 2) if arm else 1.0
+        self.units = np.array([1.0] * self.d + [1 / self.arm] * (self.n - self.d))
+        self.wrench = np.array(found.wrench, float)
+        self._sample()
+
+    def _sample(self) -> None:
+        m, bounds = len(self.grasp), self.bounds
+        sizes = [*[bounds.angle] * (self.d - 1), *[bounds.length] * self.d]
+        sizes += [getattr(bounds, name) for name in VALUES]
+        free = [k for k, size in enumerate(sizes) if size]
+        most = min(_SAMPLES, 20000 // (m + 1) + 1)
+        if 2 ** len(free) <= most:
+            rows = list(product((1, -1), repeat=len(free)))
+        else:
+            source = Random("samples")
+            rows = [tuple(source.choice((1, -1)) for _ in free) for _ in range(most)]
+        self.signs = np.zeros((len(rows), len(sizes)))
+        self.signs[:, free] = np.array(rows, float).reshape(len(rows), len(free))
+        self.normal, self.tangent = self._wrenches()
+        self.friction, self.stiffness, self.preload = (
+            np.array([[float(getattr(c, name))] for c in self.grasp]).reshape(m, 1)
+            * (1 + float(getattr(bounds, name)) * self.signs[:, k])
+            for k, name in enumerate(VALUES, 2 * self.d - 1)
+        )
+
+    def _wrenches(self) -> tuple[Floats, Floats]:
+        """Return wrenches along the normals and tangents of all samples."""
+        d, m = self.d, len(self.grasp)
+        axes = np.array([[c.normal, *c.tangents] for c in self.grasp], float).reshape(m, 1, d, d)
+        points = np.array([c.point for c in self.grasp], float).reshape(m, 1, 1, d)
+        turns = self.signs[:, : d - 1] * float(self.bounds.angle) * (1 if d == 2 else 0.7)
+        angles = np.linalg.norm(turns, axis=1)[:, None]
+        shares = turns / np.where(angles > 0, angles, 1)
+        ahead, across = axes[:, :, 0], np.einsum("vk,mckd->mvd", shares, axes[:, :, 1:])
+        sine, lost = np.sin(angles), 1 - np.cos(angles)
+        bent = shares[:, :, None] * (sine * ahead + lost * across)[:, :, None]
+        axes = np.concatenate(
+            [((1 - lost) * ahead + sine * across)[:, :, None], axes[:, :, 1:] - bent], 2
+        )
+        points = points + self.signs[:, None, d - 1 : 2 * d - 1] * float(self.bounds.length)
+        if d == 2:
+            torques = points[..., :1] * axes[..., 1:] - points[..., 1:] * axes[..., :1]
+        else:
+            torques = np.cross(points, axes)
+        wrenches = np.concatenate([axes, torques], axis=-1)
+        return wrenches[:, :, 0], wrenches[:, :, 1:]
+
+    def grasp_at(self, shares: Iterable[Iterable[float]]) -> Grasp:
+        """Return the grasp with these shares for `moved`."""
+        return Grasp(moved(c, row, self.bounds) for c, row in zip(self.grasp, shares, strict=True))
+
+    def weakest(self) -> list[Floats]:
+        """Return virtual motions on which an equilibrium may give in."""
+        if not self.ways:
+            next(self._boxes(), None)
+        return self.ways
+
+    def worst(self, virtual: Any) -> Grasp:
+        """Return the sample contacts that do the most on a virtual motion at the equilibrium."""
+        motion = self.found.solution.motion if self.found.solution else [0] * self.n
+        spring = np.maximum(
+            self.preload - self.stiffness * (self.normal @ np.array(motion, float)), 0
+        )
+        rub = np.linalg.norm(self.tangent @ virtual, axis=-1)
+        best = ((self.normal @ virtual - self.friction * rub) * spring).argmax(axis=1)
+        return self.grasp_at(self.signs[best])
+
+    def proofs(self) -> Iterator[dict[str, Any]]:
+        """Yield proofs, as parts of a document."""
+        yes = self.found.verdict == RESISTED
+        for form in self._boxes() if yes else [{"scales": self._scales()}]:
+            box, faces, self.left = (
+                Box(self.grasp, self.found.wrench, self.bounds, form),
+                [],
+                _CELLS,
+            )
+            for fixed, ranges in box.faces():
+                faces.append(self._node(box, fixed, ranges))
+                if faces[-1] is None:
+                    break
+            else:
+                yield {"bounds": self.bounds.to_dict(), "box": _texts(form), "faces": faces}
+
+    def _node(self, box: Box, fixed: int, ranges: list[RationalVector]) -> Any:
+        self.left -= 1
+        if self.left < 0 or time.process_time() > self.deadline:
+            return None
+        pairs = [box.motion(y) for y in corners_of(ranges)]
+        motions, loads = (
+            np.array([[float(x) for x in row] for row in rows]) for rows in zip(*pairs, strict=True)
+        )
+        if box.rest:
+            tried = iter([(loads * self.units).mean(axis=0)])
+        else:
+            tried = self._virtual(motions / np.abs(motions).max(axis=1)[:, None], loads)
+        for virtual in tried:
+            shares = [Fraction(round(2**20 * x), 2**20) for x in virtual / abs(virtual).max()]
+            leaf = tuple(x * Fraction(u) for x, u in zip(shares, self.units.tolist(), strict=True))
+            if box.holds(leaf, ranges):
+                return _texts(leaf)
+        sizes = [high - low for low, high in ranges]
+        k = sizes.index(max(sizes))
+        children: list[Any] = []
+        for half in halves(ranges, k) if sizes[k] > _LEAST and not box.rest else ():
+            children.append(self._node(box, fixed, half))
+            if children[-1] is None:
+                break
+        return {"cut": k, "children": children} if children and children[-1] else None
+
+    def _virtual(self, motions: Floats, loads: Floats) -> Iterator[Floats]:
+        """Yield virtual motions that may close a cell, in units; else leave a grasp `against`.
+
+        What is left over at a corner is the load and for each contact one of the vectors ``e F`` of
+        all samples and directions of slip. Of the hull of those known so far the point of least
+        norm is asked for the vectors that do the least along it.
+        """
+        share, m = motions[:, 0], len(self.grasp)
+        spring = self.preload[..., None] * share
+        spring = spring - self.stiffness[..., None] * (self.normal @ motions[:, 1:].T)
+        rub = np.einsum("muk,mvkn->mvun", self._slips(motions), self.tangent)
+        forces = (self.normal[:, :, None] - self.friction[..., None, None] * rub) * self.units
+        attached = spring.min(axis=(1, 2), initial=np.inf) >= 0
+        spring = np.maximum(spring, 0)
+        base = self.wrench * self.units * share[:, None]
+        unit = np.abs(base).max() + np.abs(forces).max(initial=0) * spring.max(initial=0) or 1.0
+        pull = loads * self.units if loads.size else np.zeros((0, self.n))
+        hull, known = list(pull / np.abs(pull).max(initial=1e-300) * unit), len(pull)
+        owners: list[Any] = [None] * known
+        virtual, weights, each = np.ones(self.n), np.zeros(0), np.arange(m)[:, None]
+        for step in range(_STEPS):
+            work = ((forces @ virtual)[..., None] * spring[:, :, None]).reshape(m, -1, len(share))
+            chosen = work.argmin(axis=1)
+            sample, way = np.divmod(chosen, forces.shape[2])
+            used = attached[:, None] | (np.take_along_axis(work, chosen[:, None], 1)[:, 0] < 0)
+            factor = used * np.take_along_axis(spring, sample[:, None], 1)[:, 0]
+            rest = base + np.einsum("mj,mjn->jn", factor, forces[each, sample, way])
+            works, square = rest @ virtual, virtual @ virtual
+            works[(share == 0) & (np.abs(rest).max(axis=1) < 1e-12 * unit)] = np.inf
+            if step and works.min() > 0.3 * square and all(x @ virtual > 0 for x in hull[:known]):
+                yield virtual
+            due = np.flatnonzero(works < (0.9 * square if step else np.inf))
+            due = due[np.argsort(works[due])][:8]
+            if not len(due):
+                return
+            hull += list(rest[due])
+            owners += [self.signs[sample[:, j]] for j in due]
+            vectors = np.array(hull).T / unit
+            try:
+                weights, _ = nnls(
+                    np.vstack([vectors, np.ones(len(hull))]), np.eye(self.n + 1)[-1], maxiter=1000
+                )
+            except RuntimeError:
+                return
+            virtual = vectors @ (weights / weights.sum()) * unit
+            if np.linalg.norm(virtual) < 1e-7 * unit:
+                break
+        pairs = [(w, one) for w, one in zip(weights, owners, strict=True) if one is not None and w]
+        if pairs:
+            self.against.append(sum(w * one for w, one in pairs) / sum(w for w, _ in pairs))
+
+    def _slips(self, motions: Floats) -> Floats:
+        """Return directions of slip that may be in a cell, some for each contact."""
+        slips = np.einsum("mvkn,jn->mvjk", self.tangent, motions[:, 1:])
+        if self.d == 2:
+            low, high = slips.min(axis=(1, 2)), slips.max(axis=(1, 2))
+            return np.stack([np.where(high < 0, -1.0, 1.0), np.where(low > 0, 1.0, -1.0)], axis=1)
+        middle = slips.mean(axis=(1, 2))
+        angles = np.arctan2(slips[..., 1], slips[..., 0])
+        at = np.arctan2(middle[:, 1], middle[:, 0])
+        away = np.abs((angles - at[:, None, None] + np.pi) % (2 * np.pi) - np.pi).max(axis=(1, 2))
+        moves = np.abs(slips).max(axis=3).min(axis=(1, 2)) > 0
+        reach = np.where((away < 1.5) & moves, away, np.pi)
+        spread = at[:, None] + reach[:, None] * np.linspace(-1, 1, _AROUND)
+        return np.stack([np.cos(spread), np.sin(spread)], axis=-1)
+
+    def _scales(self) -> RationalVector:
+        """Return sizes of motions at which load and preload matter."""
+        stiffness = self.stiffness[:, :1].sum() or 1.0
+        size = 3 * float(np.abs(self.wrench * self.units).max()) / stiffness
+        loose = self.preload[:, 0] / self.stiffness[:, 0]
+        size = max(size, 2 * float(np.median(loose)) if len(loose) else 0.0) or 1.0
+        return tuple(Fraction(2) ** (math.frexp(x)[1]) for x in (size * self.units).tolist())
+
+    def _boxes(self) -> Iterator[dict[str, Any]]:
+        """Yield boxes around the equilibrium, small to large.
+
+        Along the first axes one of some sticking contacts slips ("pillars"), and pulls back; along
+        the others none of these slips, and the loads are the changes of all forces. The others are
+        turned so that what samples change at the equilibrium is spread evenly over them.
+        """
+        if not any(self.found.solution.motion):
+            yield from self._rests()
+        found, n, units = self.found, self.n, self.units
+        centre = np.array(found.solution.motion, float)
+        slopes, pillars, bent, changes = np.zeros((n, n)), np.zeros((0, n)), [], []
+        for i, (c, state) in enumerate(zip(self.grasp, found.states, strict=True)):
+            if state == "detached":
+                continue
+            across = np.array(c.tangential_wrenches, float)
+            normal, stiffness = np.array(c.normal_wrench, float), float(c.stiffness)
+            limit = float(c.friction) * (float(c.preload) - stiffness * normal @ centre)
+            slip, share = across @ centre, np.zeros(self.d - 1)
+            size = float(np.linalg.norm(slip))
+            if state != "stick" and size:
+                share = -slip / size
+                round_ = np.eye(self.d - 1) - np.outer(share, share)
+                slopes += limit / size * across.T @ round_ @ across
+            elif limit > 0:
+                share = np.array(found.solution.forces[i][1:], float) / limit
+                for j, row in enumerate(across):
+                    longer = np.array([*pillars, row])
+                    if len(longer) <= n and np.linalg.svd(longer * units)[1][-1] > 1e-6:
+                        pillars = longer
+                        bent.append(np.abs((self.tangent[i, :, j] - row) @ centre).max())
+            along = normal + (float(c.friction) * share @ across if state != "stick" else 0)
+            slopes += stiffness * np.outer(along, normal)
+            force = self.normal[i] + self.friction[i][:, None] * np.einsum(
+                "k,vkn->vn", share, self.tangent[i]
+            )
+            spring = self.preload[i] - self.stiffness[i] * (self.normal[i] @ centre)
+            whole = spring[:, None] * force
+            changes.append(whole - whole.mean(axis=0))
+        count, scaled = len(pillars), pillars * units
+        free = np.linalg.svd(scaled)[2][count:] * units if count else np.diag(units)
+        axes = np.vstack([(np.linalg.pinv(scaled) * units[:, None]).T, free])
+        loads = np.vstack([pillars, free @ slopes.T])
+        try:
+            ways = np.linalg.inv(loads).T
+            spread = np.concatenate([np.zeros((1, n)), *changes]) @ ways[count:].T
+            sizes, turned = np.linalg.eigh(spread.T @ spread)
+            turned = turned * np.sqrt(np.maximum(sizes, 1e-6 * sizes.max(initial=0) + 1e-30))
+            axes[count:], loads[count:] = turned.T @ axes[count:], turned.T @ loads[count:]
+            ways = np.linalg.inv(loads).T
+        except np.linalg.LinAlgError:
+            return
+        self.ways = [sign * way for way in ways for sign in (1, -1)]
+        axes[:count] -= (axes[:count] @ slopes.T @ ways[count:].T) @ axes[count:]
+        need = sum((np.abs(change @ ways.T).max(axis=0) for change in changes), np.zeros(n))
+        force = np.abs(self.wrench * units).max() + max(
+            float(max(map(abs, f))) for f in found.solution.forces
+        )
+        for factor in _FACTORS:
+            reach = factor * need + 1e-9 * force
+            soft = (
+                2e-5
+                * force
+                / np.maximum(np.linalg.norm(axes[:count] @ slopes.T * units, axis=1), 1e-9)
+            )
+            soft = np.minimum(soft, 1e-4 * reach[count:].min(initial=np.inf))
+            reach[:count] = np.maximum(factor * np.array(bent), soft)
+            yield {
+                "centre": _dyadic(centre),
+                "axes": [_dyadic(row) for row in axes * reach[:, None]],
+                "loads": [_dyadic(row) for row in loads * reach[:, None]],
+            }
+
+    def _rests(self) -> Iterator[dict[str, Any]]:
+        """Yield boxes of friction forces around those at rest that are least."""
+        m, n, units = len(self.grasp), self.n, self.units
+        limits = np.array([float(c.friction * c.preload) for c in self.grasp])
+        across = np.array([c.tangential_wrenches for c in self.grasp], float).reshape(m, -1, n)
+        rows = (across * limits[:, None, None]).reshape(-1, n) * units
+        pressed = sum(float(c.preload) * np.array(c.normal_wrench, float) for c in self.grasp)
+        if not m or np.linalg.matrix_rank(rows) < n:
+            return
+        most = np.repeat(limits, self.d - 1)
+        shares = -np.linalg.pinv(rows.T) @ ((pressed + self.wrench) * units)
+        parts = shares.reshape(m, -1) * limits[:, None]
+        forces = self.preload[..., None] * self.normal
+        forces = (forces + np.einsum("mk,mvkn->mvn", parts, self.tangent)) * units
+        changes = forces - forces.mean(axis=1)[:, None]
+        turned = np.linalg.eigh(np.einsum("mvi,mvj->ij", changes, changes))[1]
+        need = np.abs(changes @ turned).max(axis=1).sum(axis=0)
+        for factor in _FACTORS[:3]:
+            reach = factor * np.maximum(need, 1e-3 * max(need.max(), float(most.max())))
+            loads = (turned * reach).T
+            pulls = (np.linalg.pinv(rows.T) @ loads.T).T * most
+            yield {
+                "forces": _dyadic(parts.reshape(-1)),
+                "axes": [_dyadic(row) for row in -pulls],
+                "loads": [_dyadic(row / units) for row in loads],
+            }
+
+
+def _dyadic(row: Floats) -> RationalVector:
+    """Return a vector with short numbers near a given one."""
+    unit = Fraction(2) ** (math.frexp(float(np.abs(row).max()))[1] - 40)
+    return tuple(round(Fraction(x) / unit) * unit for x in row.tolist())
+
+
+def _texts(content: Any) -> Any:
+    if isinstance(content, Fraction):
+        return to_text(content)
+    if isinstance(content, dict):
+        return {name: _texts(x) for name, x in content.items()}
+    return [_texts(x) for x in content]

@@ -1,0 +1,274 @@
+"""Cones of friction, round ones and pyramids: conditions on slips and forces, and how slips split.
+
+A contact that slips is in a sector of directions. Round cones have sectors between two integer
+directions, as narrow as it takes; a pyramid has a fixed number of them, see `Slip`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import pairwise
+from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
+
+from arrangement.numbers.exact import RationalVector, dot
+from arrangement.numbers.float_filter import Floats
+
+#: Integer directions in the frame of the tangents; a sector has two, counter-clockwise.
+Direction: TypeAlias = tuple[int, int]
+Sector: TypeAlias = tuple[Direction, Direction]
+
+
+class Slip(NamedTuple):
+    """Slip of a pyramid: along one direction, or between two; and the edges friction may use."""
+
+    ends: tuple[RationalVector, ...]
+    edges: tuple[RationalVector, ...]
+
+
+#: "undecided", "detached", "attached", "stick", or directions of slip.
+State: TypeAlias = str | Sector | Slip
+#: Of a cone, "zero", "plus" or "round": coefficients (k, 2) of the slip, (k, 3) of the force.
+Condition: TypeAlias = tuple[str, Floats, Floats]
+
+#: Sectors are cut down to this sine of their angle; directions are multiples of one over these.
+_NARROW, _COARSE, _DIRECTIONS = 1e-4, 8, 64
+#: From this share of its limit on, smooth friction is that of a slip.
+_SLIPS = 0.9999
+
+
+class OpenSplit(NamedTuple):
+    """A node that splits one contact, its children still open, and their states."""
+
+    node: Any
+    children: list[Any]
+    parts: list[tuple[State, ...]]
+
+
+class RoundCones:
+    """``|c_t| <= mu c_n``, and ``c_t = -mu c_n s / |s|`` at a slip s."""
+
+    def conditions(self, mu: float, state: State) -> list[Condition]:
+        """Return what slip and force obey: minus the rows are in the cones."""
+        found: list[Condition] = []
+        if state == "stick":
+            found.append(("zero", np.eye(2), np.zeros((2, 3))))
+        elif isinstance(state, tuple):
+            u, v = self._units(state)
+            middle = (u + v) / np.hypot(*(u + v))
+            # All between u and v have products with both sides of at least 0.
+            slips = [(u[1], -u[0]), (-v[1], v[0]), (0.0, 0.0)]
+            hull = np.zeros((3, 3))
+            hull[2] = mu * (u @ middle), *middle
+            found.append(("plus", np.array(slips), hull))
+        if not mu:
+            return [*found, ("plus", np.zeros((1, 2)), -np.eye(3)[:1])]
+        return [*found, ("round", np.zeros((3, 2)), np.diag([-mu, -1.0, -1.0]))]
+
+    def support(self, state: State, b: Floats) -> float:
+        """Return the largest product of b with a unit vector that the state allows."""
+        if isinstance(state, tuple):
+            u, v = self._units(state)
+            if not (u[0] * b[1] >= u[1] * b[0] and b[0] * v[1] >= b[1] * v[0]):
+                return float(max(u @ b, v @ b))
+        return math.hypot(*b)
+
+    def misses(self, limit: Floats, friction: Floats, slip: Floats) -> Floats:
+        """Return how far friction forces (m, 2) are from what slips demand."""
+        size = np.hypot(*slip.T)
+        miss = friction + (limit / np.maximum(size, 1e-300))[:, None] * slip
+        missed: Floats = np.hypot(*miss.T)
+        return missed
+
+    def smooth(self, slip: Floats, eps: float) -> tuple[Floats, Floats]:
+        """Return shares of friction limits (m, 2), made smooth, and minus how they change."""
+        root = np.sqrt((slip * slip).sum(axis=1) + eps * eps)[:, None]
+        ratio = -slip / root
+        return ratio, (np.eye(2) - ratio[:, :, None] * ratio[:, None, :]) / root[:, :, None]
+
+    def below(self, room: int, mu: Fraction, b: tuple[int, int], state: State) -> bool:
+        """Return whether ``room >= mu x . b`` for all unit vectors x that the state allows."""
+        (s, t), p, q = b, mu.numerator, mu.denominator
+        if ends := self.ends(state):
+            (x, y), (v, w) = ends
+            if not (x * t - y * s >= 0 and s * w - t * v >= 0):
+                return all(_above(q * room, p * (x * s + y * t), x * x + y * y) for x, y in ends)
+        return room >= 0 and (q * room) ** 2 >= p * p * (s * s + t * t)
+
+    def ends(self, state: State) -> Sequence[Any]:
+        """Return the directions at the ends of a slip's sector; none of other states."""
+        return state if isinstance(state, tuple) else ()
+
+    def slips(self, states: tuple[State, ...], i: int, slip: Floats) -> OpenSplit | None:
+        """Return the split of a contact by its slip, one part around a given one.
+
+        None if its sector is too narrow.
+        """
+        state, parts = states[i], list[State]()
+        sector: Any = self.ends(state)
+        if not sector:
+            ends = [_turned(slip, turn, _COARSE) for turn in (-60, 60, 180)]
+            parts = ["stick", *((ends[k - 1], ends[k]) for k in (1, 2, 0))]
+        else:
+            middle = self._middle(sector)
+            if middle is None:
+                return None
+            ends, parts = [middle], [(sector[0], middle), (middle, sector[1])]
+        children: list[Any] = [None] * len(parts)
+        node = {"contact": i, "directions": [list(end) for end in ends], "children": children}
+        return split_of(node, children, states, i, parts)
+
+    def sine(self, state: State) -> float:
+        """Return the sine of the angle of a sector, 1 for wide ones and other states."""
+        if not isinstance(state, tuple):
+            return 1.0
+        u, v = self._units(state)
+        return float(u[0] * v[1] - u[1] * v[0]) if u @ v > 0 else 1.0
+
+    def _units(self, sector: Any) -> Floats:
+        """Return the unit vectors of the ends of a sector."""
+        return np.array([(x / math.hypot(x, y), y / math.hypot(x, y)) for x, y in sector])
+
+    def _middle(self, sector: Any) -> Direction | None:
+        """Return integers near the middle of a sector; None if it is narrow."""
+        sine = self.sine(sector)
+        if sine < _NARROW:
+            return None
+        x, y = self._units(sector).sum(axis=0)
+        scale = (_COARSE if sine == 1.0 else _DIRECTIONS / sine) / math.hypot(x, y)
+        return round(x * scale), round(y * scale)
+
+
+class Pyramids:
+    """Friction within ``mu c_n`` times a polygon, where it does most work against the slip.
+
+    A contact that slips does so along the normal of a side of the polygon, with friction anywhere
+    on the opposite side, or between two such normals, with friction at the opposite corner.
+
+    Args:
+        edges: the corners of the polygon, in the frame of tangents.
+    """
+
+    def __init__(self, edges: Sequence[RationalVector]) -> None:
+        self.edges, self.all = edges, list[Slip]()
+        self.normals = [
+            tuple(x + y for x, y in zip(*pair, strict=True))
+            for pair in pairwise((*edges, edges[0]))
+        ]
+        for j, normal in enumerate(self.normals):
+            k = (j + 1) % len(edges)
+            self.all.append(Slip((normal,), (edges[j], edges[k])))
+            self.all.append(Slip((normal, self.normals[k]), (edges[k],)))
+        self._corners = np.array(edges, dtype=float)
+
+    def conditions(self, mu: float, state: State) -> list[Condition]:
+        """Return what slip and force obey: minus the rows are in the cones."""
+        sides = np.array(self.normals, dtype=float)
+        reach = (sides * self._corners).sum(axis=1)
+        found: list[Condition] = []
+        if state == "stick":
+            found.append(("zero", np.eye(2), np.zeros((2, 3))))
+        elif isinstance(state, Slip):
+            ends = np.array(state.ends, dtype=float)
+            corner = np.array(state.edges[0], dtype=float)
+            if len(ends) == 1:
+                (x, y), across = ends[0], [(-ends[0][1], ends[0][0])]
+                found.append(("zero", np.array(across), np.zeros((1, 3))))
+                found.append(("plus", -ends, np.zeros((1, 3))))
+                opposite = [(mu * (ends[0] @ corner), x, y)]
+            else:
+                (a, b), (c, d) = ends
+                found.append(("plus", np.array([(b, -a), (-d, c)]), np.zeros((2, 3))))
+                opposite = [(mu * corner[0], 1, 0), (mu * corner[1], 0, 1)]
+            found.append(("zero", np.zeros((len(opposite), 2)), np.array(opposite, dtype=float)))
+        inside = np.column_stack([-mu * reach, sides]) if mu else -np.eye(3)[:1]
+        return [*found, ("plus", np.zeros((len(inside), 2)), inside)]
+
+    def support(self, state: State, b: Floats) -> float:
+        """Return the largest product of b with an edge that the state allows."""
+        edges = np.array(state.edges, dtype=float) if isinstance(state, Slip) else self._corners
+        return float((edges @ b).max())
+
+    def misses(self, limit: Floats, friction: Floats, slip: Floats) -> Floats:
+        """Return how far friction forces (m, 2) are from what slips demand."""
+        most = (slip @ self._corners.T).max(axis=1)
+        power = limit * most + (friction * slip).sum(axis=1)
+        missed: Floats = power / np.maximum(np.hypot(*slip.T), 1e-300)
+        return missed
+
+    def weights(self, slip: Floats, eps: float) -> Floats:
+        """Return how much of each edge is in minus the smooth friction, (m, edges)."""
+        work = slip @ self._corners.T / eps
+        found: Floats = np.exp(work - work.max(axis=1, keepdims=True))
+        found /= found.sum(axis=1, keepdims=True)
+        return found
+
+    def directions(self, slip: Floats, eps: float) -> Floats:
+        """Return the slips (m, 2) that the smooth friction shows: to a corner, a side, or none."""
+        weights = self.weights(slip, eps)
+        pairs = weights + np.roll(weights, -1, axis=1)
+        corner, side = weights.argmax(axis=1), pairs.argmax(axis=1)
+        normals = np.array(self.normals, dtype=float)
+        found = np.where((pairs.max(axis=1) > _SLIPS)[:, None], normals[side], 0.0)
+        slips: Floats = np.where(
+            (weights.max(axis=1) > _SLIPS)[:, None], self._corners[corner], found
+        )
+        return slips
+
+    def smooth(self, slip: Floats, eps: float) -> tuple[Floats, Floats]:
+        """Return shares of friction limits (m, 2), made smooth, and minus how they change."""
+        weights = self.weights(slip, eps)
+        mean = weights @ self._corners
+        squares = np.einsum("mk,ki,kj->mij", weights, self._corners, self._corners)
+        return -mean, (squares - mean[:, :, None] * mean[:, None, :]) / eps
+
+    def below(self, room: int, mu: Fraction, b: tuple[int, int], state: State) -> bool:
+        """Return whether ``room >= mu x . b`` for all edges x that the state allows."""
+        edges = state.edges if isinstance(state, Slip) else self.edges
+        return bool(room >= mu * max(dot(edge, b) for edge in edges))
+
+    def ends(self, state: State) -> Sequence[Any]:
+        """Return the directions at the ends of a slip's sector; none of other states."""
+        return state.ends if isinstance(state, Slip) else ()
+
+    def slips(self, states: tuple[State, ...], i: int, slip: Floats) -> OpenSplit | None:
+        """Return the split of a contact by its slip; None if that is decided."""
+        if states[i] != "attached":
+            return None
+        children: list[Any] = [None] * (1 + len(self.all))
+        return split_of(
+            {"contact": i, "faces": children}, children, states, i, ["stick", *self.all]
+        )
+
+    def sine(self, state: State) -> float:
+        """Return 1: no sector is narrow."""
+        return 1.0
+
+
+Cones: TypeAlias = RoundCones | Pyramids
+
+
+def split_of(
+    node: Any, children: list[Any], states: tuple[State, ...], i: int, parts: Sequence[State]
+) -> OpenSplit:
+    """Return the split of one contact into its parts."""
+    return OpenSplit(node, children, [(*states[:i], part, *states[i + 1 :]) for part in parts])
+
+
+def _turned(direction: Floats, degrees: float, size: int) -> Direction:
+    """Return integers near a direction, turned."""
+    angle = math.atan2(direction[1], direction[0]) + math.radians(degrees)
+    return round(size * math.cos(angle)), round(size * math.sin(angle))
+
+
+def _above(room: int, product: int, square: int) -> bool:
+    """Return whether ``room >= product / sqrt(square)``."""
+    if room >= 0 >= product:
+        return True
+    if room < 0 <= product:
+        return False
+    larger = room * room * square >= product * product
+    return larger if room >= 0 else room * room * square <= product * product

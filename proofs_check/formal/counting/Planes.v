@@ -1,0 +1,71 @@
+(** Planes of real space: their sign vectors, regions and faces.
+
+    This file is the statement: whoever believes the theorems on counts has to read it, and the
+    theorems, and nothing else. *)
+
+Require Import Reals ZArith List Bool.
+Import ListNotations.
+Open Scope R_scope.
+Set Implicit Arguments.
+
+(** A point has coordinates x 0, x 1, ...; a form names finitely many of them, which is its space:
+    [Form b [a; c]] is the function b + a (x 0) + c (x 1). Where it is 0 is a plane; a plane
+    through the origin has b = 0. *)
+Definition point := nat -> R.
+
+Record form F := Form { constant : F; coefficients : list F }.
+
+Fixpoint linear (a : list R) (x : point) : R :=
+  match a with
+  | [] => 0
+  | c :: a => c * x O + linear a (fun i => x (S i))
+  end.
+
+Definition value (f : form R) (x : point) : R := constant f + linear (coefficients f) x.
+
+Inductive sign := Minus | Zero | Plus.
+
+Definition sgn (r : R) : sign := if Rlt_dec r 0 then Minus else if Rlt_dec 0 r then Plus else Zero.
+
+(** The sign vector that a point shows: on which side of each plane it lies. *)
+Definition signs (planes : list (form R)) (x : point) : list sign :=
+  map (fun f => sgn (value f x)) planes.
+
+(** A face is the set of the points of one sign vector; a region one that is on no plane. *)
+Definition face (planes : list (form R)) (s : list sign) : Prop := exists x, signs planes x = s.
+
+Definition region (planes : list (form R)) (s : list sign) : Prop :=
+  face planes s /\ ~ In Zero s.
+
+(** A list without repeats of exactly the things that fulfil [P]; their number. *)
+Definition lists T (P : T -> Prop) (l : list T) : Prop := NoDup l /\ forall s, In s l <-> P s.
+
+Definition number T (P : T -> Prop) (n : Z) : Prop :=
+  exists l, lists P l /\ Z.of_nat (length l) = n.
+
+(** Linear independence of the linear parts: whatever values are asked for, one direction has them.
+    The rank is the greatest number of independent ones. *)
+Definition independent (fs : list (form R)) : Prop :=
+  forall values, length values = length fs ->
+  exists v, map (fun f => linear (coefficients f) v) fs = values.
+
+Definition rank (fs : list (form R)) (k : nat) : Prop :=
+  (exists gs, incl gs fs /\ independent gs /\ length gs = k) /\
+  (forall gs, incl gs fs -> independent gs -> (length gs <= k)%nat).
+
+(** The planes on which the face of a sign vector lies; their rank is its codimension. *)
+Fixpoint through (planes : list (form R)) (s : list sign) : list (form R) :=
+  match planes, s with
+  | f :: planes, Zero :: s => f :: through planes s
+  | _ :: planes, _ :: s => through planes s
+  | _, _ => []
+  end.
+
+Definition face_of_codimension (k : nat) (planes : list (form R)) (s : list sign) : Prop :=
+  face planes s /\ rank (through planes s) k.
+
+(** Documents have integers, and are about real planes. *)
+Definition real_form (f : form Z) : form R :=
+  Form (IZR (constant f)) (map IZR (coefficients f)).
+
+Definition real_planes (planes : list (form Z)) : list (form R) := map real_form planes.

@@ -1,0 +1,246 @@
+"""The proved program beside engines and counts, where `make formal` has built it."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from itertools import islice
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import pytest
+
+from arrangement import Arrangement, counts
+from arrangement.cli import main
+from arrangement.console import proved_program
+from arrangement.console.number_form import sign_text
+from arrangement.counts.completeness import certify_complete
+from arrangement.errors import InputError, OutOfReachError
+from arrangement.library import families
+from arrangement.numbers.exact import primitive, to_text
+from arrangement.planes.proved import proved_f_vector, proved_whitney_numbers
+
+_FOUND = Path(sys.executable).with_name(proved_program.PROGRAM)
+PROGRAM = str(_FOUND) if _FOUND.exists() else shutil.which(proved_program.PROGRAM)
+built = pytest.mark.skipif(PROGRAM is None, reason="`make formal` has not built the program")
+
+
+def arrangements(seed: str, largest: int = 6) -> Iterator[Arrangement]:
+    """Yield arrangements without end: degenerate ones, empty ones, huge entries."""
+    source = Random(seed)
+    while True:
+        d, m = source.randrange(0, largest + 2), source.randrange(0, largest + 1)
+        m = 0 if d == 0 else min(m, 10 - d)
+        bound = source.choice([1, 1, 2, 5, 1000, 10 ** source.randrange(4, 300)])
+        rank = source.randrange(1, d + 1) if d else 0
+        rows: list[list[int]] = []
+        while len(rows) < m:
+            row = [source.randint(-bound, bound) if j < rank else 0 for j in range(d)]
+            row = [source.choice([-2, 1]) * x for x in source.choice(rows)] if (
+                rows and source.random() < 0.15
+            ) else row  # fmt: skip
+            if any(row):
+                rows.append(row)
+        offsets = [source.randint(-bound, bound) for _ in rows] if source.random() < 0.6 else None
+        if offsets and source.random() < 0.5:
+            offsets = [source.choice([-1, 0, 1]) for _ in rows]
+        yield Arrangement(rows, offsets, dimension=d)
+
+
+def certificate(planes: Arrangement) -> dict[str, Any]:
+    """Return the certificate that the engine's list of faces is complete."""
+    listed = [[sign_text(f.signs), list(map(to_text, f.witness))] for f in planes.faces()]
+    rows = {
+        "planes": [list(map(to_text, n)) for n in planes.normals],
+        "offsets": list(map(to_text, planes.offsets)),
+        "dimension": planes.dimension,
+    }
+    document = {"certificate": "all faces", "planes": {"schema_version": 1, **rows}}
+    return {"schema_version": 1, **document, "faces": listed}
+
+
+def answers(texts: list[bytes], folder: Path, *options: str) -> list[str]:
+    paths = [folder / f"{i}.json" for i in range(len(texts))]
+    for path, text in zip(paths, texts, strict=True):
+        path.write_bytes(text)
+    done = subprocess.run([PROGRAM or "", *options, *paths], capture_output=True, text=True)
+    assert not done.stderr
+    assert done.returncode in (0, 1, 2)
+    return done.stdout.splitlines()
+
+
+def check_agreement(seed: str, number: int, folder: Path) -> None:
+    all_planes = list(islice(arrangements(seed), number))
+    certificates = [json.dumps(certificate(planes)).encode() for planes in all_planes]
+    documents = [
+        json.dumps(json.loads(text)["planes"]).encode() for text in certificates
+    ]  # fmt: skip
+    found = {
+        option: [
+            [int(word) for word in line.removeprefix("counted:").split()]
+            for line in answers(documents, folder, f"--{option}")
+        ]
+        for option in ("faces", "regions", "polynomial")
+    }
+    read = [json.loads(line)["planes"] for line in answers(certificates, folder, "--question")]
+    said = answers(certificates, folder)
+    for i, planes in enumerate(all_planes):
+        f_vector = planes.f_vector
+        assert f_vector == counts.f_vector(planes)
+        whitney = list(counts.first_whitney_numbers(planes))
+        padded = [*found["faces"][i], *[0] * planes.dimension]
+        assert tuple(padded[: planes.dimension + 1])[::-1] == f_vector
+        assert sum(padded) == sum(f_vector)
+        assert found["regions"][i] == [f_vector[-1]]
+        padded = [*found["polynomial"][i], *[0] * planes.rank]
+        assert padded[: len(whitney)] == whitney
+        assert not any(padded[len(whitney) :])
+        assert said[i] == "accepted: all faces"
+        assert [primitive(tuple(map(int, row))) for row in read[i]] == list(planes.integer_planes)
+
+
+Forger = Callable[[dict[str, Any], Random], None]
+
+
+def _repeated(document: dict[str, Any], source: Random) -> None:
+    document["faces"][source.randrange(len(document["faces"]))] = document["faces"][0]
+    document["faces"].append(document["faces"][0])
+
+
+def _left_out(document: dict[str, Any], source: Random) -> None:
+    del document["faces"][source.randrange(len(document["faces"]))]
+
+
+def _wrong_sign(document: dict[str, Any], source: Random) -> None:
+    face = source.choice(document["faces"])
+    at = source.randrange(len(face[0]))
+    face[0] = face[0][:at] + source.choice("+-0".replace(face[0][at], "")) + face[0][at + 1 :]
+
+
+def _swapped(document: dict[str, Any], source: Random) -> None:
+    first, second = source.sample(document["faces"], 2)
+    first[1], second[1] = second[1], first[1]
+
+
+def _other_planes(document: dict[str, Any], source: Random) -> None:
+    row = source.choice(document["planes"]["planes"])
+    row[:] = [to_text(-int(x)) for x in row]
+    document["planes"]["offsets"] = [to_text(17 + int(b)) for b in document["planes"]["offsets"]]
+
+
+def _malformed(document: dict[str, Any], source: Random) -> None:
+    face = source.choice(document["faces"])
+    bad = [0.5, "x", "1/0", "9" * 100_001, None, [], "1e99999"]
+    face[source.choice([0, 1])] = source.choice([bad[3:4], source.choice(bad), [*face[1], "0"]])
+
+
+def _short(document: dict[str, Any], source: Random) -> None:
+    face = source.choice(document["faces"])
+    face[0] = source.choice([face[0] + "+", face[0][1:]])
+
+
+FORGERS: list[Forger] = [
+    _repeated,
+    _left_out,
+    _wrong_sign,
+    _swapped,
+    _other_planes,
+    _malformed,
+    _short,
+]
+
+
+def check_forgeries(seed: str, number: int, folder: Path) -> None:
+    source, texts = Random(seed), []
+    usable = (planes for planes in arrangements(seed, 4) if len(planes) and planes.dimension)
+    for i, planes in enumerate(islice(usable, number)):
+        document = certificate(planes)
+        FORGERS[i % len(FORGERS)](document, source)
+        texts.append(json.dumps(document).encode())
+    said = answers(texts, folder)
+    assert len(said) == number
+    assert [line for line in said if line.startswith("accepted")] == []
+    assert {line.partition(":")[0] for line in said} == {"refused", "malformed"}
+
+
+@built
+def test_it_counts_what_engines_and_closed_forms_count(tmp_path):
+    check_agreement("quick", 25, tmp_path)
+
+
+@built
+@pytest.mark.campaign
+@pytest.mark.parametrize("part", range(20))
+def test_it_counts_thousands_alike(part, tmp_path):
+    check_agreement(f"campaign {part}", 1000, tmp_path)
+
+
+@built
+def test_forged_certificates_are_refused(tmp_path):
+    check_forgeries("quick", 35, tmp_path)
+
+
+@built
+@pytest.mark.campaign
+def test_thousands_of_forged_certificates_are_refused(tmp_path):
+    check_forgeries("campaign", 4000, tmp_path)
+
+
+@built
+def test_what_is_no_document_of_planes_is_malformed(tmp_path):
+    good: dict[str, Any] = {"schema_version": 1, "planes": [["1", "0"], ["0", "1"]]}
+    bad: list[dict[str, Any]] = [
+        {"planes": [["1", "0"], ["1"]]},
+        {"planes": [["0", "0"]]},
+        {"planes": []},
+        {"planes": [["0.5", 1.5]]},
+        {"offsets": ["1"]},
+        {"dimension": 3},
+        {"planes": [], "dimension": 1001},
+        {"field": {}},
+        {"schema_version": 2},
+    ]
+    texts = [json.dumps({**good, **change}).encode() for change in [{}, *bad]]
+    first, *rest = answers([*texts, b"[]", b"{", b"\xff"], tmp_path, "--faces")
+    assert first == "counted: 4 4 1"
+    assert len(rest) == len(bad) + 3
+    assert all(line.startswith("malformed: ") for line in rest)
+
+
+@built
+def test_the_commands_name_the_speaker(capsys):
+    assert main(["count", "reflection-b3", "--proved"]) == 0
+    proved = capsys.readouterr().out
+    assert main(["count", "reflection-b3"]) == 0
+    listed = capsys.readouterr().out
+    assert proved == f"{listed}counted by       the proved program\n"
+    assert main(["polynomial", "reflection-b3", "--proved", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["first_whitney_numbers"] == [1, -9, 23, -15]
+
+
+@built
+def test_a_list_is_certified_by_the_program():
+    planes = Arrangement([[1, 0], [0, 1], [1, 1], [2, 2]], [0, 0, 1, 2])
+    evidence = planes.certify_complete(proved=True)
+    assert evidence
+    assert evidence.theorem == (3, 9, 7)
+    short = certify_complete(planes, planes.faces()[1:], proved=True)
+    assert not short
+
+
+def test_without_the_program_one_line_says_what_to_do(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(proved_program.sys, "executable", str(tmp_path / "python"))
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert main(["count", "reflection-b3", "--proved"]) == 2
+    assert "run `make formal`" in capsys.readouterr().err
+
+
+def test_what_is_out_of_reach_or_irrational_is_refused_before_work():
+    with pytest.raises(OutOfReachError, match="by the proved program"):
+        proved_f_vector(Arrangement([[1, k, k * k, k**3, k**4, k**5] for k in range(200)]))
+    with pytest.raises(InputError, match="rational planes"):
+        proved_whitney_numbers(families.h3())
