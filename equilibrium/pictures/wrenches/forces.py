@@ -23,7 +23,7 @@ from equilibrium.plane.states.state_system import States
 from equilibrium.wrench_sets import Region, resisted_region
 
 
-@picture
+@picture(20.0)
 def draw_resist(
     grasp: Grasp, *, wrench: Wrench | None = None, extent: Exact | None = None, width: float = 88.0
 ) -> Scene:
@@ -40,11 +40,9 @@ def draw_resist(
         wrench: marked: a disc when it is resisted, a cross when not; the plane has its torque.
         extent: half the side of the picture, about the origin; then nothing fades, as what
             reaches the edge may end beyond; if omitted, the whole border is shown.
-        width: of the figure, in millimetres.
 
     Raises:
         GraspError: an extent that is not above 0.
-        MissingExtraError: matplotlib is absent.
     """
     question = PlaneQuestion(wrench, extent)
     half, torque = question.half, question.torque
@@ -86,7 +84,7 @@ def _describe(
         legend.line(f"{which}: {shown}")
 
 
-@picture
+@picture(20.0)
 def draw_compare(
     grasp: Grasp,
     *,
@@ -104,11 +102,9 @@ def draw_compare(
         methods: keys of `equilibrium.methods.METHODS`; if omitted, all that have a region (without
             those for which the contacts are too many).
         extent: half the side of each panel, about the origin; if omitted, all borders are shown.
-        width: of the figure, in millimetres.
 
     Raises:
         GraspError: an unknown method or none, too many contacts, an extent that is not above 0.
-        MissingExtraError: matplotlib is absent.
     """
     question = PlaneQuestion(wrench, extent)
     chosen = [method_named(name) for name in (WITH_REGION if methods is None else methods)]
@@ -121,7 +117,7 @@ def draw_compare(
     return draw_parts(grasp, parts, question, width, columns=max(1, int(width / 44)))
 
 
-@picture
+@picture(20.0)
 def draw_slice(
     grasp: Grasp,
     *,
@@ -152,11 +148,9 @@ def draw_slice(
         extent: half the side of each part, about the origin; if omitted, all borders are shown.
         axes: in space, two of fx, fy, fz, tx, ty, tz; "fx,fy" if omitted.
         directions: how many, in space.
-        width: of the figure, in millimetres.
 
     Raises:
         GraspError: an extent that is not above 0.
-        MissingExtraError: matplotlib is absent.
     """
     if grasp.dimension == 3:
         if not (wrench is preload is extent is None):
