@@ -98,7 +98,9 @@ def body_around(
             raise InputError(f"the radius is {shown(radius)}; give a positive number")
     units, faces = _SOLIDS[kind]()
     corners = tuple(
-        _homogeneous([c + reach * Fraction(x, unit[3]) for c, x in zip(middle, unit, strict=False)])
+        primitive(
+            [*(c + reach * Fraction(x, unit[3]) for c, x in zip(middle, unit, strict=False)), 1]
+        )
         for unit in units
     )
     return Body(kind, middle, reach, corners, faces)
@@ -135,10 +137,6 @@ def _in_span(arrangement: Planes, point: RationalVector) -> RationalVector:
 def _projection(point: RationalVector, line: IntegerVector) -> RationalVector:
     factor = Fraction(dot(point, line)) / dot(line, line)
     return tuple(factor * x for x in line)
-
-
-def _homogeneous(point: list[Fraction]) -> IntegerVector:
-    return primitive([*point, Fraction(1)])
 
 
 @lru_cache(maxsize=1)

@@ -11,12 +11,9 @@ from itertools import combinations, product
 
 import networkx as nx
 
-from arrangement.duals.inscribed import (
-    FarkasCertificate,
-    WeightCertificate,
-    inscribability,
-    representative_hull,
-)
+from arrangement.duals.inscribed.certificates import FarkasCertificate, WeightCertificate
+from arrangement.duals.inscribed.hull import representative_hull
+from arrangement.duals.inscribed.report import inscribability
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.numbers.exact import to_text
 from proofs_check.routes import rivin

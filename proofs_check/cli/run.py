@@ -77,11 +77,17 @@ def _described(claim: Claim, width: int) -> str:
         ("expected", claim.expected.value),
         ("holds when", claim.hypothesis.text if claim.hypothesis else ""),
         ("meaning", claim.meaning),
+        (
+            "in prose",
+            claim.prose or ("" if claim.theorems or not claim.proof else "the whole proof"),
+        ),
     ]
     lines = []
     for name, entry in entries:
         if entry:
             lines += textwrap.wrap(f"{name:<12}{entry}", width, subsequent_indent=" " * 12)
+    if claim.theorems:
+        lines += ["proved in Coq (docs, What is proved):", *map(report.theorem, claim.theorems)]
     return "\n".join(lines)
 
 

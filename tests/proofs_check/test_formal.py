@@ -5,6 +5,10 @@ from pathlib import Path
 
 import pytest
 
+from proofs_check import registry
+from proofs_check.cli.program import main
+from proofs_check.reports import report
+
 FOLDER = Path(__file__).resolve().parents[2] / "proofs_check" / "formal"
 SOURCES = sorted(set(FOLDER.rglob("*.v")) - set(FOLDER.rglob("_build/*")))
 #: What leaves a gap in a proof.
@@ -36,11 +40,31 @@ def test_every_source_is_compiled():
 
 
 def test_the_axioms_of_every_theorem_of_the_program_are_printed():
-    """The theorems about what is extracted: the last word on certificates, and on counts."""
-    about = [FOLDER / "grasps" / "Soundness.v", FOLDER / "counting" / "Counting.v"]
+    """On certificates, on counts, and of claims."""
+    about = [FOLDER / "grasps" / "Soundness.v"]
+    about += [FOLDER / "counting" / name for name in ("Counting.v", "Claims.v")]
     theorems = [
         name for path in about for name in re.findall(r"^Theorem (\w+)", path.read_text(), re.M)
     ]
     printed = re.findall(r"^Print Assumptions (\w+)\.", (FOLDER / "Extract.v").read_text(), re.M)
     assert theorems == printed
     assert {"not_resisted", "faces_complete"} <= set(theorems)
+
+
+def test_claims_and_theorems_name_one_another():
+    """Every theorem for claims is of one claim that says it is proved, and there is no other."""
+    claims = [claim for claim in registry() if claim.theorems]
+    named = [name for claim in claims for name in claim.theorems]
+    assert sorted(named) == sorted(report.theorems())
+    assert all(claim.proof for claim in claims)
+    for claim in claims:
+        assert claim.theorems[0] == claim.id.replace("-", "_")
+
+
+def test_a_theorem_is_shown_with_its_claim(capsys):
+    assert main(["show", "euler"]) == 0
+    shown = capsys.readouterr().out
+    assert "vertices - edges + faces = 2." in shown
+    assert "Proof" not in shown
+    assert main(["show", "dual-planar-3-connected"]) == 0
+    assert "in prose    the whole proof" in capsys.readouterr().out

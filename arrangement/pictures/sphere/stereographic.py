@@ -20,7 +20,7 @@ from arrangement.drawing.scene.labels import (
     write_beside,
     write_inside,
 )
-from arrangement.drawing.scene.scene import Floats, Scene, checked_width
+from arrangement.drawing.scene.scene import Floats, Scene
 from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector
@@ -36,7 +36,7 @@ from .projections import Drawn, stereographic
 FARTHEST = 3.3
 
 
-@picture
+@picture()
 @shown_as("stereographic")
 def draw_stereographic(
     arrangement: Arrangement,
@@ -66,7 +66,6 @@ def draw_stereographic(
         arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
         direction: the exact direction of the middle; if omitted, one is chosen.
         colour, antipodes, labels: as for `draw_sphere`.
-        width: of the figure, in millimetres.
         whole: both halves, or the front half; if omitted, both where all circles stay within
             3.3 radii, as for few circles.
         coordinates: as for `draw_sphere`.
@@ -74,9 +73,7 @@ def draw_stereographic(
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring; or
             the whole is asked for and the direction lies on a plane.
-        MissingExtraError: matplotlib is absent.
     """
-    width = checked_width(width)
     names = RegionLabels(arrangement, labels)
     arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)

@@ -265,7 +265,7 @@ def frictionless_slip(
             contact that is pressed together may be said to carry nothing.
 
     Raises:
-        GraspError: too many contacts.
+        OutOfReachError: too many contacts.
     """
     budget.keep(len(grasp), "contacts with a choice of three states")
     springs = springs_of(grasp, tangential_stiffness, rest_friction)
@@ -306,8 +306,20 @@ def _legal_rows(
             yield negated(pair[0])
 
 
+def _ask(grasp: Grasp) -> None:
+    budget.ask(
+        f"three states of each of {len(grasp)} contacts", seconds=1e-3 * budget.power(3, len(grasp))
+    )
+
+
+def _decide_frictionless(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    _ask(grasp)
+    return _with_usual_springs(_frictionless)(grasp, wrench)
+
+
 @cut
 def _frictionless_region(grasp: Grasp) -> Iterator[Polyhedron | None]:
+    _ask(grasp)
     springs, _ = usual_springs(grasp)
     for states in product(STATES, repeat=len(grasp)):
         forces, rows = _forces_in(states, springs), _legal_rows(grasp, states, springs)
@@ -318,7 +330,6 @@ FRICTIONLESS_SLIP = Method(
     "frictionless-slip",
     "stick, frictionless slip, detached (Prattichizzo 1997)",
     "frictionless slip",
-    _with_usual_springs(_frictionless),
+    _decide_frictionless,
     _frictionless_region,
-    most_contacts=8,
 )

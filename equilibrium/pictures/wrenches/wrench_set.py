@@ -14,14 +14,14 @@ import numpy as np
 from arrangement.drawing.colours import BLACK, GREY, VERMILION, pale
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact, Vector, Wrench
-from arrangement.drawing.scene.scene import Floats, Legend, Scene, checked_width
+from arrangement.drawing.scene.scene import Floats, Legend, Scene
 from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import light, unit_vectors, view_direction
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.numbers.exact import IntegerVector, dot
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.pictures.grasp.grasp import drawn
-from equilibrium.pictures.grasp.layout import layout_of
+from equilibrium.pictures.grasp.layout import Layout
 from equilibrium.pictures.parts.panel import read_extent
 from equilibrium.pictures.parts.style import MARKS, symbol, ticks, wrench_text
 from equilibrium.pictures.parts.window import clipped
@@ -37,7 +37,7 @@ _BOTH = 120.0
 _CUT_WHITE, _FADE, _STEPS, _VEIL = 0.8, 0.3, 8, 0.12
 
 
-@picture
+@picture()
 def draw_wrench_set(
     grasp: Grasp,
     *,
@@ -68,16 +68,14 @@ def draw_wrench_set(
 
     Raises:
         GraspError: an extent that is not above 0.
-        MissingExtraError: matplotlib is absent.
     """
-    width = checked_width(width)
     applied = None if wrench is None else read_wrench(wrench)
     box = wrench_box(grasp, read_extent(extent))
     towards = box.clear_side if direction is None else view_direction(direction)
     if width < _BOTH:
         return _WrenchSetPicture(grasp, box, towards, applied, width).scene
     right = _WrenchSetPicture(grasp, box, towards, applied, width * 0.6).scene
-    left = drawn(layout_of(grasp, None, None, 1), width * 0.4, right.paper[1])
+    left = drawn(Layout(grasp), width * 0.4, right.paper[1])
     scene = Scene(width, max(left.paper[1], right.paper[1]))
     scene.place(left, 0.0, (scene.height - left.height) / 2)
     scene.place(right, left.width, (scene.height - right.height) / 2)

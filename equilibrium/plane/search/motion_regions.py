@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, RationalVector, to_text
 from arrangement.numbers.float_filter import Floats
 from equilibrium.model.errors import TimeLimitError
@@ -117,7 +118,12 @@ class MotionRegions:
         )
         cuts, first = 0, _SMALL_CUTS if len(self.contacts) <= _SMALL else math.inf
         if not self.contacts.floats.moderate:
-            first = 0
+            first, count = 0, len(self.contacts)
+            budget.ask(
+                f"exact programs for {count} contacts with huge or tiny numbers",
+                "round them to the range from 1e-30 to 1e30",
+                seconds=3e-6 * count**3,
+            )
         while active:
             if time.monotonic() > self.deadline:
                 raise TimeLimitError(
