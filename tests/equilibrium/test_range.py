@@ -8,6 +8,7 @@ import pytest
 
 from arrangement.drawing.pages.html_page import _text
 from equilibrium import Contact, Grasp, Solver, check, read_grasp, solve
+from equilibrium.certificate.leaves import parts
 from equilibrium.cli.program import main
 from equilibrium.decide.spatial_verdict import solve_in_space
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
@@ -84,6 +85,19 @@ def test_forged_multipliers_of_the_range_are_refused():
     without = flat_leaf(forces={"0": 1})
     del without["largest_force"]
     assert "no largest force" in check(without).problem
+
+
+@pytest.mark.parametrize("name", ["largest_turn", "largest_force"])
+def test_regions_across_a_bound_are_closed_with_its_multiplier(name):
+    grasp, wrench = random_grasp(20, 0), random_wrench(0)
+    motion, forces = (getattr(solve(grasp, wrench).solution, x) for x in ("motion", "forces"))
+    most = abs(motion[2]) if name == "largest_turn" else max(force[0] for force in forces)
+    verdict = solve(grasp, wrench, **{name: Fraction(round(970 * most), 1000)})
+    assert verdict.verdict == "not resisted"
+    leaves = [part.leaf for part in parts(verdict.certificate.to_dict())]
+    across = [leaf for leaf in leaves if any(leaf.motion) and (leaf.turn or leaf.forces)]
+    assert len(across) > len(leaves) / 4
+    assert verdict.verify().leaves == len(leaves) < 70
 
 
 def test_an_equilibrium_beyond_a_bound_is_refused():

@@ -729,15 +729,15 @@ def test_verdicts_on_round_cones_are_those_of_narrow_sectors():
 def test_many_verdicts_on_round_cones_are_those_of_narrow_sectors():
     found = sum(
         (
-            agrees_with_sectors(2, range(100, 160), balanced),
+            agrees_with_sectors(2, range(100, 230), balanced),
             agrees_with_sectors(2, range(230, 250), loaded),
-            agrees_with_sectors(3, range(100, 112), balanced),
-            agrees_with_sectors(3, range(124, 133), loaded),
+            agrees_with_sectors(3, range(100, 124), balanced),
+            agrees_with_sectors(3, range(124, 142), loaded),
         ),
         Counter(),
     )
-    assert min(found["resisted"], found["not resisted"]) > 9
-    assert found["undecided"] <= 2
+    assert min(found["resisted"], found["not resisted"]) > 20
+    assert found["undecided"] <= 4
 
 
 def agrees_with_all_states(contacts, seeds):
