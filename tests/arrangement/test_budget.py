@@ -14,6 +14,7 @@ import pytest
 
 from arrangement import Arrangement, counts
 from arrangement.cli import main as arrangement_main
+from arrangement.counts.configuration import pivot_columns
 from arrangement.enumeration.choose import most_faces
 from arrangement.errors import OutOfReachError
 from arrangement.library import families
@@ -239,3 +240,23 @@ def test_one_plane_off_the_others_is_a_factor_of_its_own():
         1,
     ]
     assert len(counts.irreducible_factors(Arrangement([*flat, [0, 0, 1], [0, 1, 1]]))) == 1
+
+
+def test_factors_that_only_a_prime_shows_are_none():
+    prime = 2**31 - 1
+    planes = Arrangement([[1, 0], [0, 1], [prime, 1]])  # modulo the prime two of them coincide
+    assert [len(part) for part in counts.irreducible_factors(planes)] == [3]
+    assert pivot_columns([(1, 0), (1, prime), (2, prime)], 2) == (0, 1)
+
+
+def test_a_larger_limit_allows_larger_pictures():
+    with pytest.raises(OutOfReachError, match="61 great circles in a picture; .* --limit 2"):
+        budget.keep(61, "great circles in a picture")
+    with budget.limit(2):
+        budget.keep(61, "great circles in a picture")
+
+
+def test_flats_of_a_high_rank_are_refused_before_any_is_made():
+    rows = [[(i * i + j) % 7 - 3 + 9 * (i == j) for j in range(40)] for i in range(42)]
+    with pytest.raises(OutOfReachError, match="flats of planes of rank 40"):
+        counts.intersection_lattice(Arrangement(rows))

@@ -502,7 +502,9 @@ def test_wrench_space_region_has_the_corners_of_its_slice(norm):
 def test_unknown_methods_and_too_many_contacts_are_refused():
     with pytest.raises(GraspError, match="known are complete"):
         method_named("guess")
+    nine = Grasp([Contact((0, 0), (1, 0), 0)] * 9)
+    assert METHODS["frictionless-slip"].outcome(nine, (0, 0, 0))[1].startswith("not tried: three")
     with pytest.raises(OutOfReachError, match="states of each of 9 contacts"):
-        METHODS["frictionless-slip"].region(Grasp([Contact((0, 0), (1, 0), 0)] * 9))
+        METHODS["frictionless-slip"].region(nine)
     with pytest.raises(GraspError, match="no region"):
         METHODS["strong"].region(Grasp())
