@@ -2,6 +2,7 @@
 
 import json
 import subprocess
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -12,7 +13,7 @@ from equilibrium.certificate.leaves import parts
 from equilibrium.cli.program import main
 from equilibrium.decide.spatial_verdict import solve_in_space
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
-from equilibrium.model.range import Range
+from equilibrium.model.range import Range, usual_range
 from equilibrium.pictures.lab.page import DECIDES
 from equilibrium.plane.search.units import unit_of
 from equilibrium.wrench_sets import margin, resisted_magnitudes, resisted_set, sufficient_preloads
@@ -188,6 +189,19 @@ def test_pyramids_have_a_range_too(seed):
     assert none.verdict == "not resisted"
     assert none.verify()
     assert not check({**none.certificate.to_dict(), "largest_force": str(10 * force)})
+
+
+def test_in_space_a_line_says_that_no_equilibrium_is_small_only_if_that_is_proved():
+    soft = random_grasp(4, 2, dimension=3)
+    wrench = random_wrench(2, dimension=3, bound=1)
+    hard = Grasp(replace(c, stiffness=1000 * c.stiffness) for c in soft)
+    assert solve(hard, wrench).warnings == ()
+    found = solve(soft, wrench)
+    (line,) = found.warnings
+    usual = usual_range(found.wrench, [c.preload for c in soft])
+    proved = solve(soft, wrench, **usual.bounds)
+    assert ("every equilibrium" in line) == (proved.verdict == "not resisted")
+    assert proved.verify()
 
 
 def test_only_large_motions_have_a_warning(capsys):
