@@ -170,6 +170,15 @@ return "" if room >= 0 or room * room * size <= friction**2 * -square else _LARG
 [plane]
 height = heights.pop() if heights else Fraction(0)
     0 -> 1 | 0 -> -1 | a grasp without contacts is one in the plane
+[loads]
+_NODES = 400
+    400 -> 401 | 400 -> 399 | how large a tree may be was chosen
+if t == high and start is not None and high - start > near:
+    dropped: start is not None | the tree ends before the end that is resisted
+if t == low and end is not None and end - low > near:
+    dropped: end is not None | the tree ends before the end that is resisted
+if found.verdict == NOT_RESISTED and found.certificate is not None:
+    dropped: found.certificate is not None | a verdict that is decided has its certificate
 [enclosure]
 if square.low <= 0:
     0 -> 1 | slips below 2^-96 are refused too: fewer enclosures hold
@@ -193,6 +202,8 @@ _INT64_BITS, _DOUBLE_BITS = 63, 53
     53 -> 52 | integers are taken where doubles would do
 bound: int = isqrt(prod(squares[: self.rank])) + 1
     1 -> 2 | a larger bound
+squares = sorted((sum(_size(x) ** 2 for x in row) for row in self._vectors), reverse=True)
+    2 -> 3 | a larger bound
 lead[members] = 1
     1 -> 2 | what members get is not read
 if len(values) < 32:
@@ -200,7 +211,7 @@ if len(values) < 32:
 prime = nextprime(self.hadamard_bound) if self.hadamard_bound < largest else largest
     Lt -> LtE | what lies beyond the largest is not taken
 while prime < largest and not self._has_image(prime):
-    Lt -> LtE | the largest is not taken
+    Lt -> LtE | dropped: prime < largest | what is not below the largest is not taken
 if prime < largest:
     Lt -> LtE | sums of the largest one fit, too
 while prod(primes) <= self.hadamard_bound:
@@ -211,6 +222,7 @@ size = prime if place else 2
     2 -> 3 | labels are ranked sooner
 if radix * size >= 1 << (_INT64_BITS - self.index_bits):
     GtE -> Gt | labels are below the radix
+    1 -> 0 | labels are ranked sooner
 labels = labels * size + coordinate
     Add -> Sub | as different for different coordinates
 columns = forms.transpose(2, 0, 1).reshape(-1, rank)
@@ -219,7 +231,9 @@ return _modulo(images, prime).reshape(-1, count, self.count)
     1 -> 2 | numpy takes any negative length as the one to work out
 if rank * prime**2 < 1 << _DOUBLE_BITS:  # then sums of doubles are exact
     Lt -> LtE | no multiple of an odd square is a power of two
-    1 -> 0 | integers are taken where doubles would do
+    1 -> 0 | 2 -> 3 | integers are taken where doubles would do
+values = _modulo((vectors[base][:, None, :] @ forms)[:, 0, :], prime)
+    0 -> -1 | this axis has length 1
 [lowrank]
 return _keep(_flats_only(_concatenate(groups), m), lambda g: g.first > g.row)
     Gt -> GtE | a plane is in no group of its own row

@@ -123,6 +123,8 @@ class TestKnownLoads:
         slip, further, *others = found
         assert blends(FEET, slip, further)
         assert not any(blends(FEET, slip, other) for other in others)
+        tilted = replace(slip, motion=(*slip.motion[:3], Fraction(3), Fraction(0), Fraction(0)))
+        assert not blends(FEET, slip, tilted)
 
     def test_magnitudes_are_refuted_where_all_works_are_above_0(self):
         known = self.known(FINGERS, (1, 0, 0, 0, 0, 0))
@@ -184,6 +186,10 @@ class TestBrackets:
             (answers("4/3", "4/3"), 1, 2, (), "333/250 4/3", 7),
             (answers("4/3", "4/3"), 1, 2, ("4/3", None), "533/400 891/668", 6),
             (turned(answers("7/5", "7/5")), 1, 2, (None, "7/5"), "753/538 276/197", 7),
+            (answers("4/3", "4/3"), 1, 2, ("4/3", 3), "533/400 891/668", 6),
+            (turned(answers("7/5", "7/5")), 1, 2, ("1/2", "7/5"), "753/538 276/197", 7),
+            (answers("1.4999", "1.4999"), 1, 2, ("1.4999", None), "502/335 3/2", 6),
+            (turned(answers("1.5001", "1.5001")), 1, 2, (None, "1.5001"), "3/2 737/491", 7),
             (answers("6/5", "13/10", "undecided"), 1, 2, (), "7/6 17/13 6/5 5/4 9/7", 9),
             (turned(answers("6/5", "5/4", "undecided")), 1, 2, (), "13/11 14/11 6/5 5/4", 9),
             (answers(1, 1, "resisted"), 1, 2, (), "1 1335/1334", 6),
@@ -212,21 +218,22 @@ class TestBrackets:
             tried.append(wrench[1])
             held = wrench[1] <= Fraction(1, 2) or 3 <= wrench[1] <= 5
             answer = "undecided" if wrench[1] >= 64 else "resisted" if held else "not resisted"
+            loads.trees.extend([()] * (answer == "not resisted"))
             return SimpleNamespace(verdict=answer, solution=None)
 
         one, other = FINGERS
         soft, hard = replace(one, preload=Fraction(0)), replace(other, preload=Fraction(2))
         for grasp, unit in ((Grasp([soft, hard]), 2), (Grasp([soft]), 1)):
-            loads = SimpleNamespace(grasp=grasp, trees=[()], ask=ask)
+            loads = SimpleNamespace(grasp=grasp, trees=[], ask=ask)
             tried.clear()
-            found = spatial_magnitudes(grasp, across(1, 0), width="1/100", loads=loads)
+            found = spatial_magnitudes(grasp, across(1, 0), loads=loads)
             powers = [unit * Fraction(2) ** k for k in range(-6, 9)]
             assert [t for t, _ in found.samples] == [0, *powers]
             order = [0, 15, 7, 3, 11, 1, 5, 9, 13, 2, 4, 6, 8, 10, 12, 14]
             assert tried[:16] == [found.samples[k][0] for k in order]
             assert found.verdict == "resisted"
         rows = [(b.resisted, b.refused) for b in found.borders]
-        due = "1/2 72/143|3 101/34|5 101/20"
+        due = "1/2 703127/1406253|3 1000001/333334|5 1463416/292683"
         assert "|".join(f"{x} {y}" for x, y in rows) == due
         assert found.gaps == (found.borders[:2],)
         less = spatial_magnitudes(grasp, across(1, 0), width="1/100", loads=loads, every=5)
@@ -238,7 +245,11 @@ class TestBrackets:
             spatial_magnitudes(grasp, [0] * 6)
         written = found.to_dict()
         assert (written["direction"][1], written["base"]) == ("1", ["0"] * 6)
-        assert written["borders"][1] == {"resisted": "3", "not_resisted": "101/34", "undecided": []}
+        assert written["borders"][1] == {
+            "resisted": "3",
+            "not_resisted": "1000001/333334",
+            "undecided": [],
+        }
         assert written["samples"][1] == {"t": "1/64", "verdict": "resisted"}
 
 
