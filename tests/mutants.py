@@ -179,6 +179,8 @@ if t == low and end is not None and end - low > near:
     dropped: end is not None | the tree ends before the end that is resisted
 if found.verdict == NOT_RESISTED and found.certificate is not None:
     dropped: found.certificate is not None | a verdict that is decided has its certificate
+if undecided and end - start <= max(enough, (high - low) / _SHARP):
+    dropped: undecided | without them the part is the whole
 [enclosure]
 if square.low <= 0:
     0 -> 1 | slips below 2^-96 are refused too: fewer enclosures hold
@@ -256,6 +258,25 @@ while len(rows) < self.degree - 1:
     Lt -> LtE | one more power, which no product has
 j, bits = 0, 64
     64 -> 65 | 64 -> 63 | more bits are taken where needed
+_MORE_BITS = 64
+    64 -> 65 | 64 -> 63 | any number of spare bits will do
+more = bits + 4 + n.bit_length() + n * self._largest[1].bit_length()
+    4 -> 5 | 4 -> 3 | Add -> Sub (2) | Add -> Sub (3) | the bound of roots has bits to spare
+total, _ = self.enclosed(coefficients, 0)
+    0 -> 1 | one bit more
+return 1 if total > 0 else -1
+    Gt -> GtE | 0 -> 1 | 0 -> -1 | the total is above its error, which is 2 or more
+return 1 if value > 0 else -1
+    Gt -> GtE | the value is above its error
+error, k = 2 * sum(map(abs, coefficients)), _BITS
+    Mult -> Add | 2 -> 3 | 2 -> 1 | powers are within 1, so the sum of sizes would do
+if abs(total) >> bits > error:
+    Gt -> GtE | the error has a factor of 2 to spare
+k *= 2
+    2 -> 3 | more bits are taken where needed
+if abs(value) > (len(products) + 6) * _UNIT * sum(map(abs, products)):
+    Gt -> GtE | 6 -> 7 | 6 -> 5 | four units of the error are spare
+    Mult -> Add | Mult -> Add (2) | integers decide then
 [law]
 if slip and tangential != (-limit if slip > 0 else limit):
     Gt -> GtE | the slip is not 0 there
