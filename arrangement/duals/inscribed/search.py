@@ -22,6 +22,7 @@ import numpy.typing as npt
 
 from arrangement.errors import ArrangementError
 from arrangement.numbers.linear.programs import Optimal, minimize
+from arrangement.numbers.linear.rank import cycle_edges
 
 from .certificates import (
     Certificate,
@@ -53,8 +54,7 @@ class DualDistances:
         for half_edge in embedding.edges:
             if half_edge not in seen:
                 face = embedding.traverse_face(*half_edge, mark_half_edges=seen)
-                steps = zip(face, face[1:] + face[:1], strict=True)
-                face_of.update(dict.fromkeys(steps, len(face_of)))
+                face_of.update(dict.fromkeys(cycle_edges(face), len(face_of)))
         self.sides = [(face_of[u, v], face_of[v, u]) for u, v in graph.edges]
         self.across: dict[int, list[tuple[int, int]]] = {}
         for e, (left, right) in enumerate(self.sides):
@@ -135,22 +135,14 @@ def decide(graph: PolyhedralGraph) -> Certificate:
     E deg^2 bounded shortest-path searches to find cuts.
     """
     graph.require_polyhedral()
-    side = _larger_side(graph)
-    if side is None:
-        return _MarginProgram(graph).certificate()  # what it returns is verified
-    certificate = IndependentSetCertificate(graph, side)
-    certificate.verify()
-    return certificate
-
-
-def _larger_side(graph: PolyhedralGraph) -> Side | None:
-    """Return the larger side of a bipartite graph with unequal sides."""
     network = graph.to_networkx()
-    if not nx.is_bipartite(network):
-        return None
-    sides = nx.bipartite.sets(network)
-    larger = max(sides, key=len)
-    return frozenset(larger) if 2 * len(larger) > graph.vertex_count else None
+    if nx.is_bipartite(network):
+        larger = max(nx.bipartite.sets(network), key=len)
+        if 2 * len(larger) > graph.vertex_count:
+            certificate = IndependentSetCertificate(graph, frozenset(larger))
+            certificate.verify()
+            return certificate
+    return _MarginProgram(graph).certificate()  # what it returns is verified
 
 
 @dataclass(frozen=True, slots=True)

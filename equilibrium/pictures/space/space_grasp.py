@@ -103,9 +103,9 @@ class _SpatialGraspPicture(SolidSheet):
     def _patch(self, patch: Patch, z: float) -> None:
         self.count += 1
         kind, gid = patch.name.partition("-")[0], f"{patch.name}-{self.count}"
-        corners = self.at(rounded(patch.corners))
+        corners = self.at_exact(patch.corners)
         ahead = self.faces(patch)
-        edges = [self.at(rounded(edge)) for edge in patch.edges]
+        edges = [self.at_exact(edge) for edge in patch.edges]
         self.labels.avoid(*edges)
         if kind == "body":
             if ahead:
@@ -144,13 +144,11 @@ class _SpatialGraspPicture(SolidSheet):
             labels.beside(text, self.at(self.solid.places[k]), out, gid=f"number-{k + 1}")
         for arrow in self.solid.arrows():
             if arrow.name == "wrench-force" or (
-                arrow.name == "wrench-torque" and not arrow.headless and not self._has_force
+                arrow.name == "wrench-torque"
+                and not arrow.headless
+                and not any(self.solid.wrench[:3])
             ):
                 labels.name_wrench([self.at(arrow.end)])
-
-    @property
-    def _has_force(self) -> bool:
-        return any(self.solid.wrench[:3])
 
     def _describe(self, note: str) -> None:
         solid, legend = self.solid, self.scene.legend

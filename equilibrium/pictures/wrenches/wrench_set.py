@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Sequence
 from functools import cached_property
 from itertools import product
 from typing import Any
@@ -92,11 +91,6 @@ def _lit(normal: Floats) -> str:
     return pale(SOLID, 0.45 * light(normal))
 
 
-def _on_wall(points: Sequence[IntegerVector]) -> bool:
-    """Return whether points lie on a wall of the box."""
-    return any(all(dot(row, p) == 0 for p in points) for row in WALLS)
-
-
 class _WrenchSetPicture(SolidSheet):
     """The picture of the set."""
 
@@ -113,9 +107,6 @@ class _WrenchSetPicture(SolidSheet):
         self._rulers()
         if applied is not None:
             self._mark(applied)
-
-    def _places(self, points: Iterable[IntegerVector]) -> Floats:
-        return self.at(rounded(points))
 
     def _describe(self, legend: Legend, applied: Any) -> None:
         if not self.box.shapes:
@@ -154,14 +145,15 @@ class _WrenchSetPicture(SolidSheet):
                 elif len(patch.corners) == 2:
                     style["lw"] = 1.5
                 for edge in patch.edges:
-                    cut = {"ec": GREY, "lw": 0.35} if kind != "axis" and _on_wall(edge) else {}
+                    on_wall = any(all(dot(row, p) == 0 for p in edge) for row in WALLS)
+                    cut = {"ec": GREY, "lw": 0.35} if kind != "axis" and on_wall else {}
                     look: dict[str, Any] = {"gid": f"{kind}-{count}", "capstyle": "round"}
-                    self.scene.line(self._places(edge), zorder=z, **{**style, **cut}, **look)
+                    self.scene.line(self.at_exact(edge), zorder=z, **{**style, **cut}, **look)
                 if len(patch.corners) > 2 and not wall:
                     self._fade(patch, z)
 
     def _patch(self, patch: Patch, count: int, z: float) -> None:
-        corners = self._places(patch.corners)
+        corners = self.at_exact(patch.corners)
         if len(corners) == 1:
             self.scene.mark(corners[0], "o", 3.5, color=BLACK, zorder=z, gid=f"point-{count}")
         if len(corners) < 3:
