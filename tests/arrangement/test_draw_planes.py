@@ -20,8 +20,7 @@ from arrangement import Arrangement, ArrangementError
 from arrangement.cli import main
 from arrangement.counts import f_vector, region_count
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
-from arrangement.duals.body import body_around
-from arrangement.duals.cells import Cells, cut_cells
+from arrangement.duals.cells import Cells, body_around, cut_cells
 from arrangement.library.files.table import read_arrangement
 from arrangement.numbers.exact import sign
 from arrangement.numbers.linear.rank import determinant

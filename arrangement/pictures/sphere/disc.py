@@ -74,7 +74,8 @@ class Disc:
         """Draw everything, labels of regions off the lines `avoid`; return all lines, (k, 2)."""
         outlines, arcs, hidden = self.curves(paint, both_ends=both_ends)
         inner = [*hidden, *avoid]
-        box = within or (0.0, self.scene.height - self.scene.width, *_corner(self.scene))
+        wide, high = self.scene.width, self.scene.height
+        box = within or (0.0, high - wide, wide, high)
         lines = [*arcs, *inner]
         label_regions(self.scene, self.names, outlines, lines, inner, box)
         return lines
@@ -165,10 +166,6 @@ class Disc:
             centres = np.array(self.centre) + out * outward
             if place(self.scene, text, size, centres, color=colour, style="italic") >= 0:
                 return
-
-
-def _corner(scene: Scene) -> tuple[float, float]:
-    return scene.width, scene.height
 
 
 def label_regions(

@@ -23,7 +23,6 @@ from arrangement.drawing.scene.labels import (
 from arrangement.drawing.scene.scene import Floats, Scene
 from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.errors import InputError
-from arrangement.numbers.exact import IntegerVector
 from arrangement.pictures.parts.coordinates import in_coordinates
 from arrangement.pictures.parts.essential import shown_as
 from arrangement.pictures.parts.names import RegionLabels, explain_regions, plane_names
@@ -78,7 +77,10 @@ def draw_stereographic(
     arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)
     if direction is None and whole is not False:
-        central = Globe(arrangement, _inner_direction(globe))
+        # The direction that keeps farthest from all planes.
+        units = unit_vectors(globe.whole.circle_normals)
+        inner = far_direction(globe.whole.arrangement, units) if len(units) else (1, 1, 1)
+        central = Globe(arrangement, inner)
         if whole or _farthest(central) <= FARTHEST:
             globe, whole = central, True
     if whole is None:
@@ -198,10 +200,3 @@ def _farthest(globe: Globe) -> float:
         return math.inf
     heights = np.abs(unit_vectors(globe.whole.circle_normals) @ globe.axes[2])
     return float(((1 + np.sqrt(np.maximum(0, 1 - heights**2))) / heights).max())
-
-
-def _inner_direction(globe: Globe) -> IntegerVector:
-    """Return the direction that keeps farthest from all planes."""
-    if not globe.whole.circle_count:
-        return (1, 1, 1)
-    return far_direction(globe.whole.arrangement, unit_vectors(globe.whole.circle_normals))

@@ -16,8 +16,7 @@ from arrangement.drawing.pages.html_page import Template
 from arrangement.drawing.registry import Wrench
 from arrangement.errors import InputError
 from arrangement.numbers.exact import shown
-from arrangement.pictures.lab.exercises import read_exercises
-from arrangement.pictures.lab.page import LINEAR, RATIONAL, lab
+from arrangement.pictures.lab.page import LINEAR, RATIONAL, lab, read_exercises
 from equilibrium.decide.verdict import solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs.documents import question_document
