@@ -32,6 +32,7 @@ class _Request(NamedTuple):
     samples: int | None
     census: int | None
     large: bool
+    proved: bool
 
     @property
     def from_files(self) -> bool:
@@ -41,7 +42,8 @@ class _Request(NamedTuple):
 
 def _asked(names: Iterable[str], arguments: argparse.Namespace) -> _Request:
     options = (arguments.seed, arguments.samples, arguments.census)
-    return _Request(tuple(dict.fromkeys(names)), *options, getattr(arguments, "large", False))
+    wanted = (getattr(arguments, option, False) for option in ("large", "proved"))
+    return _Request(tuple(dict.fromkeys(names)), *options, *wanted)
 
 
 def list_claims(arguments: argparse.Namespace) -> int:
@@ -132,7 +134,7 @@ def _about(asked: _Request) -> dict[str, str]:
         for word in (f"--{option}", str(number))
     ]
     names = asked.names
-    options += ["--large"] if asked.large else []
+    options += [f"--{word}" for word in ("large", "proved") if getattr(asked, word)]
     command = shlex.join(["proofs-check", "run", *names, *options])
     if asked.from_files:
         title = claim_file.heading(names[0]).rstrip(".") or Path(names[0]).name
@@ -207,10 +209,17 @@ def _record(claim: Claim, seed: int, tick: Callable[[int], None] | None = None) 
 def _chosen(asked: _Request) -> list[Claim]:
     """Return the claims of the paper with the given ids, or all claims of the given files."""
     if asked.from_files:
+        if asked.proved:
+            raise OwnClaimError("--proved is for the claims of the paper; omit it, or the files")
         return list(_own_claims(asked))
     known = claims.registry()
     every = (claim for claim in known if asked.large or not claim.large)
-    return [known[id] for id in asked.names] or list(every)
+    chosen = [known[id] for id in asked.names] or list(every)
+    if not asked.proved:
+        return chosen
+    from proofs_check.routes.proved import with_proved_route
+
+    return [with_proved_route(claim) for claim in chosen]
 
 
 def _own_claims(asked: _Request) -> Iterator[Claim]:
