@@ -21,7 +21,7 @@ from proofs_check.errors import OwnClaimError
 from proofs_check.own_claims import claim_file, user_claim
 from proofs_check.reports import forms, report, text
 from proofs_check.statements.evidence import evaluate
-from proofs_check.statements.statement import Claim, Kind
+from proofs_check.statements.statement import Claim, Kind, Route
 
 
 class _Request(NamedTuple):
@@ -215,11 +215,20 @@ def _chosen(asked: _Request) -> list[Claim]:
     known = claims.registry()
     every = (claim for claim in known if asked.large or not claim.large)
     chosen = [known[id] for id in asked.names] or list(every)
-    if not asked.proved:
-        return chosen
-    from proofs_check.routes.proved import with_proved_route
+    return list(map(_with_proved_route, chosen)) if asked.proved else chosen
 
-    return [with_proved_route(claim) for claim in chosen]
+
+def _with_proved_route(claim: Claim) -> Claim:
+    """Return the claim with the proved program as one more route, if it is about counts."""
+    from arrangement.planes.planes import Planes
+    from arrangement.planes.proved import proved_f_vector
+    from proofs_check.routes.proved import COUNTS
+
+    compute = COUNTS.get(claim.id)
+    if compute is None:
+        return claim
+    proved_f_vector(Planes([[1]]))  # an error if it is not built
+    return replace(claim, routes=(*claim.routes, Route("the program proved in Coq", compute)))
 
 
 def _own_claims(asked: _Request) -> Iterator[Claim]:

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from typing import Any
 
 from arrangement.planes.planes import Planes
 from arrangement.planes.proved import proved_f_vector, proved_whitney_numbers
-from proofs_check.statements.statement import Claim, Route
 
 
 def _tests(planes: Planes) -> int:
@@ -42,16 +40,3 @@ COUNTS: Mapping[str, Callable[[Planes], Any]] = {
     "slip-state-counts": _of_faces(lambda f: f[3] + f[2] + (f[2] - f[3] + 2)),
     "different-slip-states": _of_faces(sum),
 }
-
-
-def with_proved_route(claim: Claim) -> Claim:
-    """Return the claim with the proved program as one more route, if it is about counts.
-
-    Raises:
-        InputError: the program is not built.
-    """
-    compute = COUNTS.get(claim.id)
-    if compute is None:
-        return claim
-    proved_f_vector(Planes([[1]]))
-    return replace(claim, routes=(*claim.routes, Route("the program proved in Coq", compute)))
