@@ -196,4 +196,7 @@ def test_the_workshop_makes_both_lists(capsys, tmp_path):
         assert len(arrays["parents"]) == 17
     assert workshop.main(["5", "-o", str(text)]) == 0
     assert json.loads(text.read_text())["types"]["5"] == catalogue.normals(5).tolist()
+    assert workshop.main(["4", "--numbers", "-o", str(file)]) == 0
+    with np.load(file) as arrays:
+        assert sorted(arrays["of_4"].tolist()) == [1, 2]
     assert workshop.main(["3", "-o", str(file)]) == 2
