@@ -5,10 +5,10 @@ from .counts.completeness import (
     CompletenessEvidence as CompletenessEvidence,
     certify_complete as certify_complete,
 )
-from .duals.inscribed import (
+from .duals.inscribed.hull import representative_hull as representative_hull
+from .duals.inscribed.report import (
     Inscribability as Inscribability,
     inscribability as inscribability,
-    representative_hull as representative_hull,
 )
 from .duals.zonohedron import (
     DualPolygon as DualPolygon,

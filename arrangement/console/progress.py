@@ -20,8 +20,8 @@ Item = TypeVar("Item")
 
 _WIDTH = 24
 _PAUSE = 0.2
-#: Seconds of the processor after which a loop is asked how long it will take.
-_MEASURED = 0.8
+#: Seconds of the processor after which a loop of some items is asked how long it will take.
+_MEASURED = 0.5
 #: Loops that end sooner show no line.
 _PATIENCE = 1.0
 #: Seconds to the first line in a pipe, and the longest time between two.
@@ -79,7 +79,7 @@ def _telling(items: Iterable[Item], bar: Bar) -> Iterator[Item]:
                 continue
             bar.update(done)
             passed = time.process_time() - began
-            if bar.total and not asked and passed > _MEASURED:
+            if bar.total and not asked and passed > _MEASURED and done >= min(20, bar.total / 4):
                 asked = True
                 text = f"{bar.total:,} {bar.unit}, of which {done:,} are done"
                 budget.ask(text, told=passed / done * bar.total)

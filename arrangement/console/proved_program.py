@@ -14,6 +14,12 @@ from arrangement.errors import InputError
 PROGRAM = "proved-checker"
 
 
+def program() -> str | None:
+    """Return where the program is, if it is built."""
+    folders = [str(Path(sys.executable).parent), os.environ.get("PATH", os.defpath)]
+    return shutil.which(PROGRAM, path=os.pathsep.join(folders))
+
+
 def ask_proved(
     *arguments: str, text: str | None = None, error: type[InputError] = InputError
 ) -> tuple[str, str]:
@@ -27,15 +33,14 @@ def ask_proved(
     Raises:
         InputError: there is no such program, or it cannot read the file.
     """
-    folders = [str(Path(sys.executable).parent), os.environ.get("PATH", os.defpath)]
-    program = shutil.which(PROGRAM, path=os.pathsep.join(folders))
-    if program is None:
+    found = program()
+    if found is None:
         raise error(
             f"the proved checker is not built: there is no program {PROGRAM}; run `make formal` in "
             "a checkout of the project, or omit --proved"
         )
     done = subprocess.run(
-        [program, *arguments], input=text, stdout=subprocess.PIPE, text=True, errors="replace"
+        [found, *arguments], input=text, stdout=subprocess.PIPE, text=True, errors="replace"
     )
     answer, _, rest = done.stdout.strip().partition(": ")
     if (done.returncode, answer) not in ((0, "accepted"), (0, "counted"), (1, "refused")):

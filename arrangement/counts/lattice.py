@@ -156,6 +156,12 @@ def intersection_lattice(arrangement: Planes) -> IntersectionLattice:
     """
     config = configuration(arrangement)
     levels = config.rank + (config.infinity is None)
+    least = budget.power(2, arrangement.rank)  # those of as many independent planes
+    budget.ask(
+        f"the {budget.about(least)} or more flats of planes of rank {arrangement.rank}",
+        "give planes of lower rank",
+        bytes=200 * least,
+    )
     masks: list[tuple[int, ...]] = [(0,)]
     covers: list[tuple[tuple[int, ...], ...]] = []
     if config.rank == 3:
@@ -238,12 +244,14 @@ class _Quotients:
         # In general position a flat of k planes covers k others; each plane left has a vector.
         width = max((len(x) for vectors in self.vectors for x in vectors.values()), default=0)
         fewest = min((mask.bit_count() for mask in self.masks), default=0)
-        numbers = work / (1 + fewest) * (work / max(1, len(self.masks))) * width
+        flats, each = work / (1 + fewest), work / max(1, len(self.masks))
+        # the level above has as much at each; where planes are special it has fewer flats
+        higher = flats * each * keep / 4
         budget.ask(
             f"what covers {len(self.masks):,} flats",
             "count without the lattice (arrangement polynomial)",
-            seconds=3e-6 * work,
-            bytes=(200 * work + 32 * numbers) * keep,
+            seconds=3e-6 * (work + higher),
+            bytes=(200 * work + 32 * flats * each * width) * keep + 200 * higher,
         )
         for mask, vectors in zip(self.masks, self.vectors, strict=True):
             groups: dict[IntegerVector, list[int]] = {}

@@ -77,7 +77,7 @@ class ModularVectors:
         self._vectors: Sequence[Sequence[Any]] = vectors
         self._field = field_of(x for row in vectors for x in row)
         self.count, self.rank = len(vectors), rank
-        self.index_bits = max(1, self.count.bit_length())
+        self.index_bits = self.count.bit_length()
 
     def covers(self, bases: Integers, members: NDArray[np.bool_]) -> Covers:
         """Return the covers of flats of one rank k.
@@ -105,11 +105,11 @@ class ModularVectors:
         """Yield sets of primes whose product exceeds the bound, each set new."""
         from sympy import nextprime, prevprime
 
-        largest = isqrt((1 << _INT64_BITS) // max(1, self.rank)) - 1
-        if self.hadamard_bound < largest // 2:
-            prime = nextprime(self.hadamard_bound)
-            while not self._has_image(prime):
-                prime = nextprime(prime)
+        largest = isqrt((1 << _INT64_BITS) // self.rank)
+        prime = nextprime(self.hadamard_bound) if self.hadamard_bound < largest else largest
+        while prime < largest and not self._has_image(prime):
+            prime = nextprime(prime)
+        if prime < largest:
             yield [prime]
         prime = largest
         while True:

@@ -229,8 +229,13 @@ def _parts(arrangement: Planes) -> list[list[IntegerVector]]:
         normal = unoriented(plane[:-1]) if plane[-1] else one_way(plane[:-1])
         parallel.setdefault(normal, []).append(plane)
     normals = list(parallel)
-    independent = arrangement.rank == len(normals)
-    parts = [{i} for i in range(len(normals))] if independent else _circuits(normals)
+    few = normals[: 4 * arrangement.dimension]
+    if arrangement.rank == len(normals):
+        parts = [{i} for i in range(len(normals))]
+    elif len(few) < len(normals) and rank(few) == arrangement.rank and len(_circuits(few)) == 1:
+        parts = [set(range(len(normals)))]  # each of the others is in a circuit with some of these
+    else:
+        parts = _circuits(normals)
     return [[plane for i in sorted(part) for plane in parallel[normals[i]]] for part in parts]
 
 

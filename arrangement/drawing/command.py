@@ -46,22 +46,16 @@ def add_options(
         if known := getattr(drawings, f"{kind}s"):
             text = f"of a {suffix}: {', '.join(known)} (default: the first)"
             parser.add_argument(f"--{kind}", metavar=kind.upper(), help=text)
-    parser.add_argument(
-        "--font-size",
-        metavar="LENGTH",
-        help="of a picture, of its larger letters, such as 8pt; lines follow (default: 7pt)",
-    )
-    parser.add_argument(
-        "--text", metavar="KIND", help=f"in .svg: {' or '.join(LETTERS)} (default: the first)"
-    )
+    for name, metavar, text in (
+        ("font-size", "LENGTH", "of a picture, of its larger letters, such as 8pt; lines follow"),
+        ("text", "KIND", f"in .svg: {' or '.join(LETTERS)}"),
+        ("theme", "NAME", f"of a picture: {', '.join(THEMES)}"),
+        ("legend", "PLACE", f"of a picture: {', '.join(LEGENDS)}"),
+    ):
+        default = "7pt" if name == "font-size" else "the first"
+        parser.add_argument(f"--{name}", metavar=metavar, help=f"{text} (default: {default})")
     parser.add_argument(
         "--fragment", action="store_true", default=None, help="in .tex: no document, for \\input"
-    )
-    parser.add_argument(
-        "--theme", metavar="NAME", help=f"of a picture: {', '.join(THEMES)} (default: the first)"
-    )
-    parser.add_argument(
-        "--legend", metavar="PLACE", help=f"of a picture: {', '.join(LEGENDS)} (default: the first)"
     )
     found: dict[str, list[tuple[str, Option]]] = {}
     for name, option in _every(drawings):
@@ -70,13 +64,11 @@ def add_options(
         if flag not in own:
             style = dict(_KINDS["length" if flag in LENGTHS else uses[0][1].kind])
             if any(option.many for _, option in uses):
-                style |= {"action": "append"} if "nargs" in style else _EXTEND
+                extend = {"action": "extend", "nargs": "+"}
+                style |= {"action": "append"} if "nargs" in style else extend
             added = parser.add_argument(f"--{flag.replace('_', '-')}", **style, help=_help(uses))
             if uses[0][1].kind == "Wrench" and isinstance(parser, terminal.Parser):
                 parser.growing.append(added)
-
-
-_EXTEND = {"action": "extend", "nargs": "+"}
 
 
 def _every(drawings: Drawings) -> Iterator[tuple[str, Option]]:
@@ -111,7 +103,9 @@ def given_options(
         known: all those whose options the parser has, if they are more.
     """
     known = known or drawings
-    kind, name = drawings.target(arguments.output, arguments.view, _model(arguments))
+    kind, name = drawings.target(
+        arguments.output, arguments.view, getattr(arguments, "model", None)
+    )
     takes = {_flag(option): option for option in drawings.options(kind, name).values()}
     printing = {key: getattr(arguments, key) for key in _PRINTING}
     options: dict[str, Any] = {key: x for key, x in printing.items() if x is not None}
@@ -134,13 +128,8 @@ def write(
 ) -> int:
     """Write the file, and with ``--json`` say what it is."""
     written = drawings.write(
-        subject, arguments.output, arguments.view, _model(arguments), **options
+        subject, arguments.output, arguments.view, getattr(arguments, "model", None), **options
     )
     if arguments.json:
         terminal.print_json({"output": arguments.output, **written})
     return terminal.YES
-
-
-def _model(arguments: argparse.Namespace) -> str | None:
-    found: str | None = getattr(arguments, "model", None)
-    return found

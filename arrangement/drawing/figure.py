@@ -11,7 +11,7 @@ import numpy as np
 
 from .output import require_matplotlib
 from .scene.layout import laid_out
-from .scene.scene import DPI, SHADES, Ball, Item, Label, Mark, Path, Scene
+from .scene.scene import DPI, SHADES, Ball, Item, Label, Mark, Path, Scene, checked_width
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -21,19 +21,41 @@ P = ParamSpec("P")
 _PIXELS = 256
 
 
-def picture(view: Callable[P, Scene]) -> Callable[P, Figure]:
-    """Return a view as a function that draws its scene, with its legend, as a matplotlib figure.
+#: What holds for every view: said once, and added to the docstrings.
+_WIDTH = "        width: of the figure, in millimetres.\n"
+_ABSENT = "        MissingExtraError: matplotlib is absent.\n"
 
-    The view itself stays within reach, for other writers: ``draw_sphere.scene``.
+
+def picture(least: float = 40.0) -> Callable[[Callable[P, Scene]], Callable[P, Figure]]:
+    """Return a decorator: a view draws its scene, with its legend, as a matplotlib figure.
+
+    The scene stays within reach, for other writers: ``draw_sphere.scene``. Every view has a width,
+    which is checked here.
+
+    Args:
+        least: the least width, in millimetres.
     """
 
-    @functools.wraps(view)
-    def draw(*args: P.args, **options: P.kwargs) -> Figure:
-        return figure(laid_out(view(*args, **options)))
+    def decorate(view: Callable[P, Scene]) -> Callable[P, Figure]:
+        @functools.wraps(view)
+        def scene(*args: P.args, **options: P.kwargs) -> Scene:
+            if "width" in options:
+                options["width"] = checked_width(options["width"], least)
+            return view(*args, **options)
 
-    draw.__annotations__ = {**view.__annotations__, "return": "Figure"}
-    draw.scene = view  # type: ignore[attr-defined]
-    return draw
+        @functools.wraps(view)
+        def draw(*args: P.args, **options: P.kwargs) -> Figure:
+            return figure(laid_out(scene(*args, **options)))
+
+        told = view.__doc__ or ""
+        if "        width:" not in told:
+            told = told.replace("\n    Raises:", f"{_WIDTH}\n    Raises:")
+        draw.__doc__ = f"{told.rstrip()}\n{_ABSENT}    "
+        draw.__annotations__ = {**view.__annotations__, "return": "Figure"}
+        draw.scene = scene  # type: ignore[attr-defined]
+        return draw
+
+    return decorate
 
 
 def figure(scene: Scene) -> Figure:

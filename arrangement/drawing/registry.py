@@ -151,7 +151,8 @@ class Drawings:
         for length in LENGTHS & options.keys():
             options[length] = millimetres(options[length], f"the {length}")
         suffix = Path(path).suffix.lower()
-        _check_form(kind, suffix, font_size, theme, legend, text, fragment)
+        printing = {"font_size": font_size, "theme": theme, "legend": legend, "text": text}
+        _check_form(kind, suffix, {**printing, "fragment": fragment})
         if kind == "view":
             from .scene.layout import laid_out, picture_width
             from .scene.scene import FONT, NarrowError
@@ -271,32 +272,23 @@ LENGTHS = {"width", "size"}
 LETTERS = ("outlines", "text")
 
 
-def _check_form(
-    kind: str,
-    suffix: str,
-    size: object,
-    theme: str | None,
-    legend: str | None,
-    text: str | None,
-    fragment: bool,
-) -> None:
+def _check_form(kind: str, suffix: str, printing: Mapping[str, Any]) -> None:
     """Refuse what does not go with a kind of file."""
-    if not (size is theme is legend is None) and kind != "view":
-        raise InputError(
-            f"a font size, legend or theme is for pictures, and the file name ends in {suffix}"
-        )
-    if fragment and suffix not in TIKZ:
-        raise InputError(f"a fragment is TikZ, .tex, and the file name ends in {suffix}")
-    if text is not None and suffix != ".svg":
-        raise InputError(
-            f"text or outlines is a choice of .svg, and the file name ends in {suffix}"
-        )
-    if theme not in (None, *THEMES):
-        raise refusal(f"the theme is {shown(theme)}", theme, THEMES)
-    if legend not in (None, *LEGENDS):
-        raise refusal(f"the legend is {shown(legend)}", legend, LEGENDS)
-    if text not in (None, *LETTERS):
-        raise refusal(f"the text is {shown(text)}", text, LETTERS)
+    given = {name for name, x in printing.items() if x is not None and x is not False}
+    for names, fits, what in (
+        (
+            {"font_size", "theme", "legend"},
+            kind == "view",
+            "a font size, legend or theme is for pictures",
+        ),
+        ({"fragment"}, suffix in TIKZ, "a fragment is TikZ, .tex"),
+        ({"text"}, suffix == ".svg", "text or outlines is a choice of .svg"),
+    ):
+        if given & names and not fits:
+            raise InputError(f"{what}, and the file name ends in {suffix}")
+    for name, known in (("theme", THEMES), ("legend", LEGENDS), ("text", LETTERS)):
+        if name in given and printing[name] not in known:
+            raise refusal(f"the {name} is {shown(printing[name])}", printing[name], known)
 
 
 @cache

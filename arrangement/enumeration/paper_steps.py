@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from arrangement.console.number_form import Shown
 from arrangement.errors import InputError
+from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, sign
 from arrangement.numbers.linear.programs import Infeasible, feasible_point
 from arrangement.planes.planes import Planes
@@ -96,6 +97,11 @@ def published_enumeration(arrangement: Planes, merge: bool = False) -> Published
             "of R^3; use Arrangement.faces() otherwise"
         )
     planes = [plane[:-1] for plane in arrangement.integer_planes]
+    budget.ask(
+        f"the published enumeration of {len(planes)} planes",
+        "list their faces",
+        seconds=1.5e-6 * len(planes) ** 6,
+    )
     classes = arrangement.distinct if merge else tuple((i,) for i in range(len(planes)))
     regions = _regions([planes[members[0]] for members in classes])
     graph = _graph(regions)

@@ -33,11 +33,14 @@ MOST = {
     "cells in a picture": 400,
     "flats of one rank in a picture": 500,
     "contacts with a choice of three states": 12,
+    "contacts in a picture": 200,
     "directions in a picture": 720,
     "wrenches in a picture": 24,
 }
 #: So many times.
 _times: ContextVar[float] = ContextVar("_times", default=1.0)
+#: The seconds of work that tells how far it is, where a command is watched those that it may take.
+_told: ContextVar[float] = ContextVar("_told", default=TOLD)
 
 
 @contextmanager
@@ -84,7 +87,7 @@ def keep(number: int, kind: str, where: str = "") -> None:
 
 def excess(*, faces: float = 0, bytes: float = 0, seconds: float = 0, told: float = 0) -> float:
     """Return how many times the budget that would take, the one that is most exceeded."""
-    shares = ((faces, FACES), (bytes, BYTES), (seconds, SECONDS), (told, TOLD))
+    shares = ((faces, FACES), (bytes, BYTES), (seconds, SECONDS), (told, _told.get()))
     # integers may be too long for floats
     return max(n / most if n < 1e300 else math.inf for n, most in shares) / _times.get()
 
@@ -115,7 +118,7 @@ def ask(
         (faces, FACES, f"{about(faces)} faces"),
         (bytes, BYTES, f"{about(bytes / 2**20 if bytes < 1e300 else bytes)} MB"),
         (seconds, SECONDS, f"{about(seconds)} seconds"),
-        (told, TOLD, f"{about(told)} seconds"),
+        (told, _told.get(), f"{about(told)} seconds"),
     )
     forecast = " and ".join(text for n, most, text in takes if n > most * _times.get())
     times = over * _times.get()
@@ -137,6 +140,7 @@ def watch(seconds: float) -> None:
     For commands whose time nobody can foresee. Only in the main thread, and not on Windows.
     """
     most = min(seconds * times(), 1e9)
+    _told.set(min(seconds or TOLD, TOLD))
 
     def over(*_: Any) -> None:
         raise TimeOver(

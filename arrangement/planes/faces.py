@@ -1,14 +1,13 @@
 """Faces of an arrangement, and what can be asked of one: its closure is a convex polyhedron.
 
 A face is cheap: signs and a point. Vertices, facets and all that follows from them are worked out
-when they are first asked for, from the planes alone (`cones.generators`), whatever engine listed
-the face.
+when they are first asked for, from the planes alone (`Face.closure`), whatever engine listed the
+face.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -17,8 +16,8 @@ from typing import TYPE_CHECKING, Any
 from arrangement.console.number_form import Shown
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, RationalVector, bits, dot, quotient, shown
-from arrangement.numbers.linear.cones import Generators, generators
-from arrangement.numbers.linear.rank import determinant, rank
+from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
+from arrangement.numbers.linear.rank import rank
 from arrangement.numbers.real_entries import real_vector
 from arrangement.numbers.symbolic import to_sympy
 
@@ -139,31 +138,37 @@ class Face(Shown):
             for i in sorted(chosen)
         )
 
+    @cached_property
+    def closure(self) -> Polyhedron:
+        """The face with its boundary."""
+        sides: dict[int, list[IntegerVector]] = {0: [], 1: [], -1: []}
+        for members in self.planes.distinct:
+            *normal, offset = self.planes.integer_planes[members[0]]
+            side = self.signs[members[0]]
+            sides[side].append(tuple((side or 1) * x for x in (*normal, -offset)))
+        found = from_conditions(sides[1] + sides[-1], sides[0], self.planes.dimension)
+        assert found is not None, "a face has a point"
+        return found
+
     @property
     def is_bounded(self) -> bool:
         """Whether the face has an end in every direction."""
-        found, lines = self._generators
-        return not lines and all(x[-1] for x in found)
+        return self.closure.bounded
 
     @property
     def vertices(self) -> tuple[RationalVector, ...]:
         """The corners of the closure; none if it contains a line."""
-        found, lines = self._generators
-        return tuple(
-            tuple(quotient(x, point[-1]) for x in point[:-1])
-            for point in found
-            if point[-1] and not lines
-        )
+        return () if self.lines else self.closure.points
 
     @property
     def rays(self) -> tuple[IntegerVector, ...]:
         """The directions of the unbounded edges: primitive, one for each, modulo `lines`."""
-        return tuple(x[:-1] for x in self._generators[0] if not x[-1])
+        return self.closure.rays
 
     @property
     def lines(self) -> tuple[IntegerVector, ...]:
         """A basis of the directions of the lines in the face."""
-        return tuple(x[:-1] for x in self._generators[1])
+        return self.closure.lines
 
     @property
     def walls(self) -> tuple[int, ...]:
@@ -186,12 +191,13 @@ class Face(Shown):
 
     def faces(self) -> tuple[Face, ...]:
         """Return all faces of the arrangement in the closure, lowest first, itself last."""
-        return tuple(self._part(mask) for mask in sorted(self._masks, key=self._masks.__getitem__))
+        found = self.closure.faces
+        return tuple(map(self._part, sorted(found, key=found.__getitem__)))
 
     @property
     def f_vector(self) -> tuple[int, ...]:
         """The number of faces of dimension 0, 1, ... of the closure; the last one is itself."""
-        dimensions = list(self._masks.values())
+        dimensions = list(self.closure.faces.values())
         return tuple(dimensions.count(k) for k in range(self.dimension + 1))
 
     @property
@@ -206,104 +212,23 @@ class Face(Shown):
                 f"{self!r} of R^{self.planes.dimension} is {'' if self.is_bounded else 'un'}bounded"
                 "; only bounded regions have a volume (`bounded_regions` lists them)"
             )
-        corners = self._generators[0]
-        walls = [wall for wall, _ in self._walls]
-        return sum(
-            (
-                quotient(abs(determinant(simplex)), math.prod(row[-1] for row in simplex))
-                for simplex in (
-                    [corners[i] for i in chosen] for chosen in _simplices(self._all, walls)
-                )
-            ),
-            Fraction(0),
-        ) / math.factorial(self.dimension)
+        return self.closure.volume
 
     def _check(self, other: Face) -> None:
         if not isinstance(other, Face) or other.planes != self.planes:
             raise InputError(f"{shown(other)} is no face of these planes: {self.planes!r}")
 
     @cached_property
-    def _generators(self) -> Generators:
-        """The closure's vertices ``(X, W)`` and directions ``(X, 0)``, and its lines."""
-        sides: dict[int, list[IntegerVector]] = {0: [], 1: [], -1: []}
-        for members in self.planes.distinct:
-            *normal, offset = self.planes.integer_planes[members[0]]
-            side = self.signs[members[0]]
-            sides[side].append(tuple((side or 1) * x for x in (*normal, -offset)))
-        return generators(sides[1] + sides[-1], sides[0], self.planes.dimension + 1, finite=True)
-
-    @property
-    def _all(self) -> int:
-        return (1 << len(self._generators[0])) - 1
-
-    @cached_property
-    def _touching(self) -> tuple[int, ...]:
-        """For each class of planes the generators in it, as bits."""
-        firsts = self.planes.distinct_planes
-        return tuple(
-            sum(
-                1 << j
-                for j, x in enumerate(self._generators[0])
-                if dot(plane[:-1], x[:-1]) == plane[-1] * x[-1]
-            )
-            for plane in firsts
-        )
-
-    @cached_property
-    def _finite(self) -> int:
-        """The generators that are points, as bits."""
-        return sum(1 << j for j, x in enumerate(self._generators[0]) if x[-1])
-
-    @cached_property
     def _walls(self) -> tuple[tuple[int, int], ...]:
         """For each facet its generators, as bits, and the first plane that cuts it out."""
-        first = {
-            mask: members[0]
-            for mask, members in reversed(
-                list(zip(self._touching, self.planes.distinct, strict=True))
-            )
-            if mask & self._finite and mask != self._all
-        }
-        return tuple(sorted(((m, first[m]) for m in _maximal(first)), key=lambda wall: wall[1]))
-
-    @cached_property
-    def _masks(self) -> dict[int, int]:
-        """The generators of every face of the closure, as bits, and its dimension."""
-        rows, lines = self._generators
-        found = {self._all: self.dimension}
-        waiting = [self._all]
-        while waiting:
-            mask = waiting.pop()
-            for wall, _ in self._walls:
-                part = mask & wall
-                if part & self._finite and part not in found:
-                    found[part] = rank([*(rows[j] for j in bits(part)), *lines]) - 1
-                    waiting.append(part)
-        return found
+        facets, first = set(self.closure.facets), dict[int, int]()
+        for members, plane in zip(self.planes.distinct, self.planes.distinct_planes, strict=True):
+            if (mask := self.closure.on((*plane[:-1], -plane[-1]))) in facets:
+                first.setdefault(mask, members[0])
+        return tuple(sorted(first.items(), key=lambda wall: wall[1]))
 
     def _part(self, mask: int) -> Face:
         """Return the face of the closure that some generators span."""
-        rows = [self._generators[0][j] for j in bits(mask)]
+        rows = [self.closure.homogeneous[0][j] for j in bits(mask)]
         *total, scale = map(sum, zip(*rows, strict=True))
         return Face.at(self.planes, [quotient(x, scale) for x in total])
-
-
-def _maximal(masks: Iterable[int]) -> list[int]:
-    """Return the masks that are part of no other one."""
-    kept: list[int] = []
-    for mask in sorted(masks, key=int.bit_count, reverse=True):
-        if not any(mask & other == mask for other in kept):
-            kept.append(mask)
-    return kept
-
-
-def _simplices(mask: int, walls: Sequence[int]) -> Iterator[tuple[int, ...]]:
-    """Yield the simplices of a triangulation of a face: pyramids over facets off one corner."""
-    apex = mask & -mask
-    corner = apex.bit_length() - 1
-    if mask == apex:
-        yield (corner,)
-    for facet in _maximal({mask & wall for wall in walls if mask & ~wall and mask & wall}):
-        if not facet & apex:
-            for simplex in _simplices(facet, walls):
-                yield (corner, *simplex)

@@ -3,7 +3,7 @@
 from _plane import BLUE, GREY, ORANGE, arrow, body, dot, label, panels, save
 
 from equilibrium import read_grasp, solve
-from equilibrium.methods.contact_laws.linear_compliance import linear_compliance
+from equilibrium.methods.contact_laws.springs import linear_compliance
 from equilibrium.methods.friction_cones.cones import cones
 
 SQUARE = [(-1, -1), (1, -1), (1, 1), (-1, 1)]

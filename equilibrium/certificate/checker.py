@@ -323,9 +323,8 @@ def _parts(
         raise CertificateError(f"{path[:60]}...: more than {MAX_DEPTH} splits in a row")
     parts: list[tuple[Sequence[_Generator], Mapping[int, State]]]
     if split.kind in ("directions", "faces"):
-        cut = split_states(split, states, path, edges)
-        return [(child, _Place(name, depth + 1, region, now)) for (name, child), now in cut]
-    if split.kind in STATES:
+        parts = [(region, now) for _, now in split_states(split, states, path, edges)]
+    elif split.kind in STATES:
         contact, due = split.at[0], "attached" if split.kind == "slip" else "undecided"
         if states.get(contact, "undecided") != due:
             raise CertificateError(f"{path}: contact {contact + 1} is not {due} here")

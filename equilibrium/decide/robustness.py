@@ -25,6 +25,7 @@ from equilibrium.grasps.inputs.incidences import other_rounding
 from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.errors import GraspError, TimeLimitError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.range import Range, usual_range, warning
 from equilibrium.model.unit_normal import unit_normal
 
 from . import NOT_RESISTED, RESISTED, UNDECIDED
@@ -202,11 +203,32 @@ class AskedAgain:
 
     grasp: Grasp
     verdict: Any
+    wrench: RationalVector
+    within: Range
+    solution: Any
 
     @property
     def again(self) -> Solve:
         """What decides other grasps in the same way."""
         raise NotImplementedError
+
+    @cached_property
+    def warnings(self) -> tuple[str, ...]:
+        """Where no range was given: a line if no equilibrium is one of small motions.
+
+        Looking for another one than `solution` takes at most `_SECONDS` seconds.
+        """
+        if self.solution is None or self.within:
+            return ()
+        usual = usual_range(self.wrench, [c.preload for c in self.grasp])
+        if usual.holds(list(self.solution.motion), list(self.solution.forces)):
+            return ()
+        try:
+            bounds = usual.bounds
+            found = self.again(self.grasp, self.wrench, time_limit=_SECONDS, **bounds).verdict
+        except TimeLimitError:
+            found = UNDECIDED
+        return () if found == RESISTED else (warning(every=found == NOT_RESISTED),)
 
     @cached_property
     def rounding(self) -> WithinError | None:

@@ -33,7 +33,7 @@ from equilibrium.decide import (
 from equilibrium.model.contact import pyramid_edges, pyramid_words
 from equilibrium.model.errors import UndecidedError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.model.range import NO_RANGE, Range, usual_range, warning
+from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.plane.contacts import SpatialContacts
 from equilibrium.space.cones import Pyramids
 from equilibrium.space.equilibria import Proposal, SpatialSolution
@@ -125,15 +125,6 @@ class SpatialVerdict(AskedAgain):
         question = self.grasp, self.wrench
         document = self.certificate.to_dict()
         return check(document, question=question, pyramid=self.pyramid, within=self.within)
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """Where no range was given: a line if the equilibrium shown is not one of small motions."""
-        if self.solution is None or self.within:
-            return ()
-        shown, usual = self.solution, usual_range(self.wrench, [c.preload for c in self.grasp])
-        motion, forces = list(shown.motion), list(shown.forces)
-        return () if usual.holds(motion, forces) else (warning(every=False),)
 
     @property
     def again(self) -> Solve:

@@ -21,9 +21,8 @@ from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector, to_text, vector_text
 from equilibrium.certificate.checker import Report, check
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
-from equilibrium.model.errors import TimeLimitError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.model.range import NO_RANGE, Range, RangeArguments, usual_range, warning
+from equilibrium.model.range import NO_RANGE, Range, RangeArguments
 from equilibrium.plane.contacts import FloatContacts, IntegerContacts
 from equilibrium.plane.search.motion_regions import resistance
 from equilibrium.plane.search.part_program import Node
@@ -42,8 +41,6 @@ if TYPE_CHECKING:
 
 #: With more contacts all equilibria are listed only when asked for: their search takes long.
 MOST_LISTED = 20
-#: For how long a verdict looks for an equilibrium of small motions, in seconds.
-_SECOND_LOOK = 3.0
 
 
 @dataclass(frozen=True)
@@ -104,26 +101,6 @@ class Verdict(AskedAgain):
         shown = self.solution
         found = shown.motion, shown.forces
         return resisted_certificate(self.grasp, self.wrench, *found, within=self.within)
-
-    @cached_property
-    def warnings(self) -> tuple[str, ...]:
-        """Where no range was given: a line if no equilibrium is one of small motions.
-
-        Looking for another one than `solution` takes at most `_SECOND_LOOK` seconds.
-        """
-        if self.solution is None or self.within:
-            return ()
-        shown, usual = self.solution, usual_range(self.wrench, [c.preload for c in self.grasp])
-        if usual.holds(shown.motion, shown.forces):
-            return ()
-        every = True
-        try:
-            solver = Solver(self.grasp, **usual.bounds)
-            if solver.solve(self.wrench, time_limit=_SECOND_LOOK).stable:
-                return ()
-        except TimeLimitError:
-            every = False
-        return (warning(every),)
 
     def verify(self) -> Report:
         """Check the certificate, and that it answers this question; the report is true if so."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from arrangement.console.progress import watched
+from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, to_text
 from equilibrium.model.contact import FLAT, pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
@@ -129,6 +130,11 @@ def compare(grasp: Grasp, wrench: Iterable[Any], *, pyramid: int | None = None) 
     >>> compare(read_grasp("paper-three-contacts"), [0, -1, 0]).disagreeing
     ('linear-compliance',)
     """
+    budget.ask(
+        f"all methods on {len(grasp)} contacts",
+        "ask the complete one (solve)",
+        seconds=1e-7 * len(grasp) ** 3,
+    )
     applied = read_wrench(wrench, grasp.dimension)
     if pyramid is not None:
         pyramid_edges(pyramid)

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
+from arrangement.errors import OutOfReachError
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.polyhedron import Polyhedron
 from equilibrium.model.errors import GraspError
@@ -39,7 +40,6 @@ class Method:
         decide: its verdict on one wrench; None if it has only a region.
         find_region: the accepted wrenches of a plane; None if it has only verdicts.
         decide_in_space: its verdict on a grasp in space; None if it knows the plane only.
-        most_contacts: where more would take too long.
     """
 
     key: str
@@ -47,12 +47,7 @@ class Method:
     label: str
     decide: Decide | None = None
     find_region: FindRegion | None = None
-    most_contacts: int | None = None
     decide_in_space: DecideInSpace | None = None
-
-    def tries(self, grasp: Grasp) -> bool:
-        """Return whether the contacts are few enough."""
-        return self.most_contacts is None or len(grasp) <= self.most_contacts
 
     def outcome(self, grasp: Grasp, wrench: RationalVector, pyramid: int | None = None) -> Outcome:
         """Return the verdict on one wrench, with what it rests on.
@@ -60,13 +55,14 @@ class Method:
         Args:
             pyramid: in space, edges of friction pyramids in place of the round cones.
         """
-        if not self.tries(grasp):
-            return None, f"not tried: {len(grasp)} contacts, at most {self.most_contacts}"
-        if grasp.dimension == 2:
-            return self.decide(grasp, wrench) if self.decide else (None, "no verdict on one wrench")
-        if self.decide_in_space is None:
-            return None, "no verdict on one wrench in space"
-        return self.decide_in_space(grasp, wrench, pyramid)
+        try:
+            if grasp.dimension == 2 and self.decide:
+                return self.decide(grasp, wrench)
+            if grasp.dimension == 3 and self.decide_in_space:
+                return self.decide_in_space(grasp, wrench, pyramid)
+        except OutOfReachError as error:
+            return None, f"not tried: {error}"
+        return None, "no verdict on one wrench" + " in space" * (grasp.dimension == 3)
 
     def region(
         self,
@@ -77,15 +73,11 @@ class Method:
         """Return the accepted wrenches ``origin + a spans[0] + b spans[1]``, exactly.
 
         Raises:
-            GraspError: a method without region, too many contacts for it, or parallel spans.
+            GraspError: a method without region, or parallel spans.
+            OutOfReachError: too many contacts for it.
         """
         if self.find_region is None:
             raise GraspError(f"the method {self.key} has verdicts on single wrenches, no region")
-        if not self.tries(grasp):
-            raise GraspError(
-                f"{len(grasp)} contacts are too many for the method {self.key}; "
-                f"at most {self.most_contacts} are tried"
-            )
         return self.find_region(grasp, spans, origin)
 
 

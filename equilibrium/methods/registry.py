@@ -3,18 +3,49 @@
 from __future__ import annotations
 
 from arrangement.errors import refusal
-from arrangement.numbers.exact import shown
+from arrangement.numbers.exact import RationalVector, shown
+from equilibrium.decide.spatial_verdict import solve_in_space
+from equilibrium.decide.verdict import Solver
+from equilibrium.methods.contact_laws.printed_model import PRINTED
+from equilibrium.methods.contact_laws.springs import FRICTIONLESS_SLIP, LINEAR_COMPLIANCE
+from equilibrium.methods.friction_cones.cones import CONES
+from equilibrium.methods.friction_cones.form_closure import FORM_CLOSURE
+from equilibrium.methods.friction_cones.grasp_wrench_space import (
+    WRENCH_SPACE,
+    WRENCH_SPACE_L1,
+    WRENCH_SPACE_LINF,
+)
+from equilibrium.methods.friction_cones.weak_strong import FRICTIONLESS, STRONG, WEAK
+from equilibrium.methods.method import Method, Outcome
+from equilibrium.model.contact import pyramid_words
 from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp
+from equilibrium.wrench_sets.plane import resisted_region
 
-from .contact_laws.complete import COMPLETE
-from .contact_laws.frictionless_slip import FRICTIONLESS_SLIP
-from .contact_laws.linear_compliance import LINEAR_COMPLIANCE
-from .contact_laws.printed_model import PRINTED
-from .friction_cones.cones import CONES
-from .friction_cones.form_closure import FORM_CLOSURE
-from .friction_cones.grasp_wrench_space import WRENCH_SPACE, WRENCH_SPACE_L1, WRENCH_SPACE_LINF
-from .friction_cones.weak_strong import FRICTIONLESS, STRONG, WEAK
-from .method import Method
+
+def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    found = Solver(grasp).solve(wrench)
+    if not found.lists_all():
+        return True, "an equilibrium was found"
+    return found.stable, f"{len(found.equilibria)} maximal pieces of solutions"
+
+
+def _decide_in_space(grasp: Grasp, wrench: RationalVector, pyramid: int | None) -> Outcome:
+    found = solve_in_space(grasp, wrench, pyramid=pyramid)
+    if not found.decided:
+        return None, f"undecided: {found.reason}"
+    return found.stable, f"{pyramid_words(pyramid) or 'round cones'}, proved"
+
+
+COMPLETE = Method(
+    "complete",
+    "complete model (springs, cones, dissipation, detachment)",
+    "complete model",
+    _decide,
+    resisted_region,
+    decide_in_space=_decide_in_space,
+)
+
 
 #: By key. The first one is the measure of the others.
 METHODS: dict[str, Method] = {

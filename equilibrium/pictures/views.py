@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from arrangement.drawing.registry import Drawings
+from arrangement.numbers import budget
 from equilibrium.model.grasp import Grasp
 
 DRAWINGS = Drawings(
@@ -44,6 +45,7 @@ _NOT: dict[int, dict[str, tuple[str, ...]]] = {
 
 def drawings_of(grasp: Grasp) -> Drawings:
     """Return what can be drawn of a grasp, in the plane or in space."""
+    budget.keep(len(grasp), "contacts in a picture")
     kinds: dict[str, Any] = {
         kind: {name: f for name, f in getattr(DRAWINGS, kind).items() if name not in names}
         for kind, names in _NOT[grasp.dimension].items()

@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.numbers.exact import RationalVector, primitive
+from arrangement.numbers.exact import RationalVector, primitive, to_text
 from arrangement.numbers.float_filter import Floats
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, Range
@@ -128,19 +128,35 @@ class IntegerContacts:
         )
 
     @cached_property
-    def bounds(self) -> tuple[Whole, list[Any]]:
-        """The rows at least 0 at homogeneous motions in the range, and leaves for below 0."""
-        rows: list[Any] = []
-        turn, force = self.within.largest_turn, self.within.largest_force
+    def bounds(self) -> tuple[Whole, list[tuple[str, int, Fraction]]]:
+        """The rows at least 0 at homogeneous motions in the range, and what each bounds.
+
+        That is "turn" with a sign, or "forces" with a contact, and the row's scale.
+        """
+        rows: list[tuple[str, int, RationalVector]] = []
+        zero, (turn, force) = Fraction(0), (self.within.largest_turn, self.within.largest_force)
         if turn is not None:
-            rows = [({"turn": ["1", str(u)]}, (turn, 0, 0, -u)) for u in (1, -1)]
+            rows = [("turn", u, (turn, zero, zero, Fraction(-u))) for u in (1, -1)]
         if force is not None:
             for i, c in enumerate(self.grasp):
-                row = force - c.preload, *(c.stiffness * x for x in c.normal_wrench)
-                rows.append(({"forces": {str(i): "1"}}, row))
-        motion = {"virtual_motion": ["0"] * 3, "multipliers": {}}
-        leaves = [{**motion, "range": used} for used, _ in rows]
-        return whole([primitive(row) for _, row in rows], (len(rows), 4)), leaves
+                slopes = (c.stiffness * x for x in c.normal_wrench)
+                rows.append(("forces", i, (force - c.preload, *slopes)))
+        found = [primitive(row) for _, _, row in rows]
+        forms = [
+            (name, at, next((Fraction(x) / y for x, y in zip(short, row, strict=True) if y), zero))
+            for (name, at, row), short in zip(rows, found, strict=True)
+        ]
+        return whole(found, (len(rows), 4)), forms
+
+    def bound_leaf(self, motion: Sequence[int], k: int, multiplier: Fraction) -> dict[str, Any]:
+        """Return the leaf of a virtual motion, and of a row of the range times a multiplier."""
+        name, at, scale = self.bounds[1][k]
+        number = to_text(multiplier * scale)
+        used: Any = {str(at): number}
+        if name == "turn":
+            used = [number, to_text(at * multiplier * scale)]
+        virtual = list(map(to_text, motion))
+        return {"virtual_motion": virtual, "multipliers": {}, "range": {name: used}}
 
     @cached_property
     def floats(self) -> FloatContacts:

@@ -198,13 +198,6 @@ _step = partial(
 CLAIMS = (
     stated(
         id="great-circle-regions",
-        views=(
-            View(
-                "sphere",
-                "Four great circles in general position: 14 regions, half of them in front.",
-                instance=Arrangement([(1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)]).to_dict(),
-            ),
-        ),
         routes=(
             Route(
                 "great circles: arcs traced around regions",

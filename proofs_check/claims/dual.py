@@ -133,14 +133,6 @@ CLAIMS = (
     ),
     stated(
         id="dual-bipartite-bounds",
-        views=(
-            View(
-                "graph",
-                "The dual graph of four planes in general position, the rhombic dodecahedron: "
-                "14 vertices of two kinds, 24 edges, 12 faces.",
-                instance=Arrangement([(1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)]).to_dict(),
-            ),
-        ),
         routes=_VEF_ROUTES,
         judge=lambda planes, vef: (
             vef[1] <= 2 * vef[0] - 4
@@ -166,14 +158,6 @@ CLAIMS = (
     ),
     _saved(
         id="hamming-edges",
-        views=(
-            View(
-                "sphere",
-                "The tangential planes of the paper's four-contact grasp. Each circle is two "
-                "planes, so neighbours differ in two signs.",
-                instance=Arrangement([(0, 1, -1), (0, 1, -1), (0, 1, 1), (0, 1, 1)]).to_dict(),
-            ),
-        ),
         routes=(
             Route(FACES, lambda planes: _hamming(_faces_graph(planes))),
             Route(COVECTORS, lambda planes: _hamming(_covector_graph(planes))),

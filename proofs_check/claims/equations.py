@@ -232,10 +232,6 @@ CLAIMS = (
     ),
     _on_tables(
         id="single-solution",
-        views=tuple(
-            View("grasp", f"Equilibrium {k} of the two.", {"wrench": (-1, 0, 0), "piece": k})
-            for k in (1, 2)
-        ),
         routes=(
             Route("elimination over 4^m states", oracle.normal_forces),
             Route("ranges over the solver's pieces", _normal_forces_solved),
@@ -245,13 +241,6 @@ CLAIMS = (
     ),
     stated(
         id="binary-search",
-        views=(
-            View(
-                "polar",
-                "The search in 72 directions, on the exact set of resisted forces. In the notch it "
-                "claims what is not resisted.",
-            ),
-        ),
         routes=(
             Route("elimination over 4^m states", _held_by_elimination),
             Route("closed forms from the solver's cells", _held_by_limits),

@@ -92,6 +92,8 @@ def words() -> Mapping[str, Mapping[str, Any]]:
 def _value(key: str, value: Any) -> Any:
     if key in ("domain", "expected"):
         return domain(value) if key == "domain" else Verdict(value)
+    if key == "views":
+        return tuple(View(**{**view, "caption": _text(view["caption"])}) for view in value)
     if isinstance(value, str):
         return _text(value)
     return tuple(map(_text, value)) if isinstance(value, list) else value

@@ -11,12 +11,9 @@ from itertools import combinations, product
 
 import networkx as nx
 
-from arrangement.duals.inscribed import (
-    FarkasCertificate,
-    WeightCertificate,
-    inscribability,
-    representative_hull,
-)
+from arrangement.duals.inscribed.certificates import FarkasCertificate, WeightCertificate
+from arrangement.duals.inscribed.hull import representative_hull
+from arrangement.duals.inscribed.report import inscribability
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.numbers.exact import to_text
 from proofs_check.routes import rivin
@@ -185,18 +182,6 @@ CLAIMS = (
             "gives an inscribed polyhedron with this graph, its vertices in the regions or not",
             _types,
         ),
-        views=(
-            View(
-                "dual",
-                "Left, the four great circles; right, their dual, which is convex but in no "
-                "sphere.",
-            ),
-            View(
-                "graph",
-                "The same graph, flat. Every edge joins one of 8 vertices with one of 6; "
-                "in an inscribed polyhedron both classes would be equal.",
-            ),
-        ),
         search=lambda: smallest_arrangements(range(3, 5), 1, distinct=True, rank=3),
         explain=_explain,
     ),
@@ -211,15 +196,6 @@ CLAIMS = (
             "all 7 types of 3 to 5 distinct planes of rank 3, with points near the middles of the "
             "regions",
             _middle_points,
-        ),
-        views=(
-            View(
-                "dual",
-                "One point in each region of the planes normal to the diagonals of a cube. Orange "
-                "edges of the hull join regions that share no facet.",
-                {"hull": True},
-                Arrangement([(1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)]).to_dict(),
-            ),
         ),
         search=_cube_choices,
     ),

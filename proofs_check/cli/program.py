@@ -103,6 +103,11 @@ def _add_run(parser: argparse.ArgumentParser) -> None:
     _add_report(parser, "--report", remark="to write as well")
     terminal.add_jobs_option(parser)
     parser.add_argument("--large", action="store_true", help="the claims that take minutes, too")
+    parser.add_argument(
+        "--proved",
+        action="store_true",
+        help="count by the program that is proved in Coq, too (built by `make formal`)",
+    )
     group = _add_own(parser)
     group.add_argument(
         "--save",

@@ -21,7 +21,7 @@ from proofs_check.errors import OwnClaimError
 from proofs_check.own_claims import claim_file, user_claim
 from proofs_check.reports import forms, report, text
 from proofs_check.statements.evidence import evaluate
-from proofs_check.statements.statement import Claim, Kind
+from proofs_check.statements.statement import Claim, Kind, Route
 
 
 class _Request(NamedTuple):
@@ -32,6 +32,7 @@ class _Request(NamedTuple):
     samples: int | None
     census: int | None
     large: bool
+    proved: bool
 
     @property
     def from_files(self) -> bool:
@@ -41,7 +42,8 @@ class _Request(NamedTuple):
 
 def _asked(names: Iterable[str], arguments: argparse.Namespace) -> _Request:
     options = (arguments.seed, arguments.samples, arguments.census)
-    return _Request(tuple(dict.fromkeys(names)), *options, getattr(arguments, "large", False))
+    wanted = (getattr(arguments, option, False) for option in ("large", "proved"))
+    return _Request(tuple(dict.fromkeys(names)), *options, *wanted)
 
 
 def list_claims(arguments: argparse.Namespace) -> int:
@@ -77,11 +79,17 @@ def _described(claim: Claim, width: int) -> str:
         ("expected", claim.expected.value),
         ("holds when", claim.hypothesis.text if claim.hypothesis else ""),
         ("meaning", claim.meaning),
+        (
+            "in prose",
+            claim.prose or ("" if claim.theorems or not claim.proof else "the whole proof"),
+        ),
     ]
     lines = []
     for name, entry in entries:
         if entry:
             lines += textwrap.wrap(f"{name:<12}{entry}", width, subsequent_indent=" " * 12)
+    if claim.theorems:
+        lines += ["proved in Coq (docs, What is proved):", *map(report.theorem, claim.theorems)]
     return "\n".join(lines)
 
 
@@ -126,7 +134,7 @@ def _about(asked: _Request) -> dict[str, str]:
         for word in (f"--{option}", str(number))
     ]
     names = asked.names
-    options += ["--large"] if asked.large else []
+    options += [f"--{word}" for word in ("large", "proved") if getattr(asked, word)]
     command = shlex.join(["proofs-check", "run", *names, *options])
     if asked.from_files:
         title = claim_file.heading(names[0]).rstrip(".") or Path(names[0]).name
@@ -201,10 +209,26 @@ def _record(claim: Claim, seed: int, tick: Callable[[int], None] | None = None) 
 def _chosen(asked: _Request) -> list[Claim]:
     """Return the claims of the paper with the given ids, or all claims of the given files."""
     if asked.from_files:
+        if asked.proved:
+            raise OwnClaimError("--proved is for the claims of the paper; omit it, or the files")
         return list(_own_claims(asked))
     known = claims.registry()
     every = (claim for claim in known if asked.large or not claim.large)
-    return [known[id] for id in asked.names] or list(every)
+    chosen = [known[id] for id in asked.names] or list(every)
+    return list(map(_with_proved_route, chosen)) if asked.proved else chosen
+
+
+def _with_proved_route(claim: Claim) -> Claim:
+    """Return the claim with the proved program as one more route, if it is about counts."""
+    from arrangement.planes.planes import Planes
+    from arrangement.planes.proved import proved_f_vector
+    from proofs_check.routes.proved import COUNTS
+
+    compute = COUNTS.get(claim.id)
+    if compute is None:
+        return claim
+    proved_f_vector(Planes([[1]]))  # an error if it is not built
+    return replace(claim, routes=(*claim.routes, Route("the program proved in Coq", compute)))
 
 
 def _own_claims(asked: _Request) -> Iterator[Claim]:

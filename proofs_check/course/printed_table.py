@@ -28,8 +28,13 @@ from arrangement import counts, read_arrangement
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.library.census import MOST_PLANES, census
-from arrangement.library.census.chirotopes import Signs, canonical, chirotope_of, extended
-from arrangement.library.census.extensions import extensions
+from arrangement.library.census.chirotopes import (
+    Signs,
+    canonical,
+    chirotope_of,
+    extended,
+    extensions,
+)
 from arrangement.library.families import FAMILIES
 from arrangement.library.files.json_files import read_text
 from arrangement.numbers.exact import integer, shown

@@ -1,7 +1,7 @@
 (** The checker and the counts as an OCaml program, its integers those of zarith. *)
 
 Require Import ZArith Extraction ExtrOcamlZBigInt.
-Require Import Checker Soundness Counting.
+Require Import Checker Soundness Counting Claims.
 
 (** One line beyond the standard library's: without it, gcd counts down bits one by one. *)
 Extract Constant Z.gcd => "Big_int_Z.gcd_big_int".
@@ -15,6 +15,19 @@ Print Assumptions regions_counted.
 Print Assumptions faces_counted.
 Print Assumptions all_faces_counted.
 Print Assumptions zaslavsky.
-Print Assumptions euler.
+Print Assumptions faces_alternating.
 Print Assumptions regions_complete.
 Print Assumptions faces_complete.
+
+Print Assumptions great_circle_regions.
+Print Assumptions great_circle_regions_attained.
+Print Assumptions state_formula.
+Print Assumptions euler.
+Print Assumptions step_1_square_bound.
+Print Assumptions step_1_time.
+Print Assumptions step_2_time.
+Print Assumptions step_3_time.
+Print Assumptions fukuda_bound.
+Print Assumptions bound_not_attained.
+Print Assumptions step_1_square_bound_needs_two_planes.
+Print Assumptions euler_needs_rank_3.

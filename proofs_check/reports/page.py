@@ -178,6 +178,10 @@ def _origins(result: Record) -> list[str]:
     if result.get("proof"):
         section, words = result["proof"]
         entries.append(f"Proof: docs/proofs.rst, {section}: {words}")
+    # What the badge means, in one line.
+    entries += [
+        f"Theorem {name}: checked by Coq for every m" for name in result.get("theorems", [])
+    ]
     return entries
 
 

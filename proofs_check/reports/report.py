@@ -16,6 +16,7 @@ from datetime import UTC, datetime
 from fractions import Fraction
 from functools import lru_cache
 from importlib.metadata import PackageNotFoundError, version
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -99,6 +100,25 @@ def evidence_text(result: Result) -> str:
     return "; ".join(parts)
 
 
+def theorem(name: str) -> str:
+    """Return the statement of a theorem about every number of planes, as Coq has it.
+
+    >>> print(theorem("step_1_square_bound"))
+    Theorem step_1_square_bound : forall planes n, great_circles planes -> 2 <= size planes ->
+      number (region planes) n ->
+      n <= size planes * size planes.
+    """
+    return theorems()[name]
+
+
+@lru_cache(maxsize=1)
+def theorems() -> dict[str, str]:
+    """Return the statements of all theorems for claims, by name."""
+    source = files("proofs_check").joinpath("formal", "counting", "Claims.v")
+    stated = source.read_text(encoding="utf-8").split("\nTheorem ")[1:]
+    return {text.split()[0]: f"Theorem {text.partition('Proof.')[0].strip()}" for text in stated}
+
+
 def _part_text(part: Part, seed: int) -> str:
     beyond = f" ({part.passed_over} more outside the hypotheses)" if part.passed_over else ""
     cases = f"{counted(part.checked, 'case')}{beyond}"
@@ -178,6 +198,8 @@ def claim_record(claim: Claim) -> dict[str, Any]:
         "formula": claim.formula,
         "section": claim.section,
         "proof": list(claim.proof) if claim.proof else None,
+        "theorems": list(claim.theorems),
+        "prose": claim.prose,
         "file": claim.file,
         "views": [plain(asdict(view)) for view in claim.views],
     }

@@ -187,6 +187,8 @@ class Claim(Shown):
         section: heading of the paper under which a report lists the claim.
         file: of a user, from which the claim was loaded.
         proof: where its proof is: a section of the page on proofs and the words it begins with.
+        theorems: their names, where the proof is one that Coq checked (`formal.theorem`).
+        prose: what the theorems leave to the page on proofs.
         views: pictures that show why; if none, a report draws the counterexample.
         many_types: a way to decide it on all types of nine planes, for sweeps.
     """
@@ -215,6 +217,8 @@ class Claim(Shown):
     section: str = ""
     file: str = ""
     proof: tuple[str, str] | None = None
+    theorems: tuple[str, ...] = ()
+    prose: str = ""
     views: tuple[View, ...] = ()
     many_types: ManyTypes | None = None
 

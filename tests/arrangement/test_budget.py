@@ -4,7 +4,6 @@ import json
 import math
 import os
 import resource
-import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -14,15 +13,24 @@ from typing import Any
 import pytest
 
 from arrangement import Arrangement, counts
+from arrangement.cli import main as arrangement_main
+from arrangement.counts.configuration import pivot_columns
 from arrangement.enumeration.choose import most_faces
 from arrangement.errors import OutOfReachError
 from arrangement.library import families
 from arrangement.library.files import table
 from arrangement.numbers import budget
+from equilibrium.cli.program import main as equilibrium_main
+from proofs_check.cli.program import main as proofs_check_main
 
 #: No question may eat the machine: seconds of the processor and megabytes that none may take. How
 #: soon most are refused is measured, not tested.
-SECONDS, MEGABYTES = 60, 2000
+SECONDS, MEGABYTES = 30, 1000
+PROGRAMS = {
+    "arrangement": arrangement_main,
+    "equilibrium": equilibrium_main,
+    "proofs-check": proofs_check_main,
+}
 #: From this number on there are questions of more kinds.
 MORE = 600
 _FAMILIES = {
@@ -139,25 +147,35 @@ def question(number: int, folder: Path) -> list[str]:
     return ["arrangement", word, *view, str(path), *rest.get(word, [])]
 
 
-def asked(words: Sequence[str], seconds: int = 90) -> tuple[int, float, float, str]:
-    """Return the exit code, seconds of the processor, megabytes, and the last line of stderr."""
-    limits = (4 * 2**30, 4 * 2**30)
-    with subprocess.Popen(
-        [str(Path(sys.executable).with_name(words[0])), *words[1:]],
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.PIPE,
-        text=True,
-        preexec_fn=lambda: (
-            resource.setrlimit(resource.RLIMIT_AS, limits),
-            resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds)),
-        )[0],
-    ) as process:
-        assert process.stderr is not None
-        said = process.stderr.read()
-        _, status, used = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
+def asked(words: Sequence[str], seconds: int = SECONDS) -> tuple[int, float, float, str]:
+    """Return the exit code, seconds of the processor, megabytes, and the last line of stderr.
+
+    A copy of this process answers, so that nothing is imported again. It may not eat the machine.
+    """
+    read, write = os.pipe()
+    child = os.fork()
+    if not child:
+        code = 70
+        try:
+            for number, target in ((os.open(os.devnull, os.O_RDWR), 1), (write, 2)):
+                os.dup2(number, target)
+            sys.stdout, sys.stderr = (os.fdopen(n, "w", closefd=False) for n in (1, 2))
+            held = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
+            resource.setrlimit(resource.RLIMIT_AS, (held + 4 * 2**30,) * 2)
+            resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+            code = PROGRAMS[words[0]](words[1:])
+        except SystemExit as stop:
+            code = stop.code if isinstance(stop.code, int) else 70
+        finally:
+            sys.stderr.flush()
+            os._exit(code)
+    os.close(write)
+    with os.fdopen(read) as stream:
+        said = stream.read()
+    _, status, used = os.wait4(child, 0)
+    peak = used.ru_maxrss - resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     last = said.strip().splitlines()[-1:] or [""]
-    return process.returncode, used.ru_utime, used.ru_maxrss / 1024, last[0]
+    return os.waitstatus_to_exitcode(status), used.ru_utime, peak / 1024, last[0]
 
 
 def check(number: int, folder: Path) -> None:
@@ -166,17 +184,16 @@ def check(number: int, folder: Path) -> None:
     told = (number, words, code, seconds, megabytes, said)
     assert code in (0, 1, 2, 3), told
     assert megabytes < MEGABYTES, told
-    assert seconds < SECONDS, told
     assert code != 2 or said.startswith("error: "), told
 
 
-@pytest.mark.parametrize("number", [2, 8, 29])
-def test_a_hostile_question_is_answered_or_refused_soon(number, tmp_path):
+@pytest.mark.parametrize("number", [2, 10, 11, 16, 29, 41])
+def test_a_hostile_question_is_answered_or_refused_soon(number: int, tmp_path: Path) -> None:
     check(number, tmp_path)
 
 
 @pytest.mark.campaign
-@pytest.mark.parametrize("number", range(100, 1000, 27))
+@pytest.mark.parametrize("number", range(100, 1000, 9))
 def test_hostile_questions_are_answered_or_refused_soon(number, tmp_path):
     check(number, tmp_path)
 
@@ -223,3 +240,23 @@ def test_one_plane_off_the_others_is_a_factor_of_its_own():
         1,
     ]
     assert len(counts.irreducible_factors(Arrangement([*flat, [0, 0, 1], [0, 1, 1]]))) == 1
+
+
+def test_factors_that_only_a_prime_shows_are_none():
+    prime = 2**31 - 1
+    planes = Arrangement([[1, 0], [0, 1], [prime, 1]])  # modulo the prime two of them coincide
+    assert [len(part) for part in counts.irreducible_factors(planes)] == [3]
+    assert pivot_columns([(1, 0), (1, prime), (2, prime)], 2) == (0, 1)
+
+
+def test_a_larger_limit_allows_larger_pictures():
+    with pytest.raises(OutOfReachError, match=r"61 great circles in a picture; .* --limit 2"):
+        budget.keep(61, "great circles in a picture")
+    with budget.limit(2):
+        budget.keep(61, "great circles in a picture")
+
+
+def test_flats_of_a_high_rank_are_refused_before_any_is_made():
+    rows = [[(i * i + j) % 7 - 3 + 9 * (i == j) for j in range(40)] for i in range(42)]
+    with pytest.raises(OutOfReachError, match="flats of planes of rank 40"):
+        counts.intersection_lattice(Arrangement(rows))

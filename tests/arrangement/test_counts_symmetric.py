@@ -18,7 +18,7 @@ from arrangement.counts.classes.automorphisms import Automorphisms
 from arrangement.counts.classes.images import Images, packed, unpacked
 from arrangement.counts.classes.symmetric import moduli_above
 from arrangement.counts.configuration import configuration
-from arrangement.counts.modular import ModularVectors
+from arrangement.counts.modular import ModularVectors, _inverses
 from arrangement.errors import OutOfTimeError
 from arrangement.library import families
 
@@ -251,6 +251,8 @@ def test_primes_fit_words_and_exceed_the_bound_of_minors(rank):
             abs(sympy.Matrix(x).det()) for x in itertools.combinations(vectors._vectors, rank)
         ]
         assert max(minors) <= vectors.hadamard_bound
+        if vectors.hadamard_bound < 2**20:
+            assert next(vectors._prime_sets()) == [sympy.nextprime(vectors.hadamard_bound)]
         for primes in itertools.islice(vectors._prime_sets(), 2):
             assert math.prod(primes) > vectors.hadamard_bound
             assert rank * max(primes) ** 2 < 2**63
@@ -259,17 +261,57 @@ def test_primes_fit_words_and_exceed_the_bound_of_minors(rank):
 
 def test_the_bound_over_a_field_is_that_of_norms():
     g = NumberField([-1, -1, 1], [1, 2]).root
-    assert ModularVectors([(100, 0), (0, 100), (1, g)], 2).hadamard_bound >= 100**4
+    assert ModularVectors([(100, 1), (0, 100), (1, g)], 2).hadamard_bound >= 10001 * 100**2
 
 
-@pytest.mark.parametrize("bits", [25, 26])
-def test_quotients_are_linear_where_sums_leave_doubles_and_before(bits):
-    rank, prime = 3, sympy.prevprime(2**bits)
-    assert (rank * prime**2 < 2**53) == (bits == 25)
-    vectors = modular_vectors(60, rank, 40)
-    (images,) = vectors._quotients(np.array([[0]]), prime).transpose(1, 0, 2)
-    assert not images[:, 0].any()
-    assert np.array_equal(images[:, -1], (images[:, 1] + images[:, 2]) % prime)
+@pytest.mark.parametrize("size", [1, 300, 10**6, 10**12, "sqrt 5"])
+@pytest.mark.parametrize("rank", [1, 2])
+def test_covers_are_the_flats_above_also_in_other_coordinates(rank: int, size: int | str):
+    """Small vectors, and the same ones times a matrix; the flats by ranks in floats."""
+    small = np.array([x for x in itertools.product((0, 1, -1), repeat=4) if x > (0,) * 4])[::2]
+    g = NumberField([-1, -1, 1], [1, 2]).root if size == "sqrt 5" else size
+    matrix = np.array([[1, g, 2, g], [0, 1, g, 3], [0, 0, 1, g], [0, 0, 0, 1]], dtype=object)
+    vectors = ModularVectors([tuple(row) for row in small.astype(object) @ matrix], 4)
+    bases = np.array([*itertools.combinations(range(len(small)), rank)])[:: 4**rank]
+
+    def inside(*rows: int) -> list[bool]:
+        return [np.linalg.matrix_rank(small[[*rows, k]]) == len(rows) for k in range(len(small))]
+
+    members = np.array([inside(*base) for base in bases])
+    found, due = vectors.covers(bases, members), []
+    for i, (base, has) in enumerate(zip(bases, members, strict=True)):
+        above = {tuple(np.flatnonzero(inside(*base, k) & ~has)) for k in np.flatnonzero(~has)}
+        due += [(i, planes) for planes in above]
+    for covers, listed in (
+        (found, due),
+        (found.without(2), [row for row in due if 2 not in row[1]]),
+    ):
+        rows = [[] for _ in covers.below]
+        for cover, member in zip(covers.cover, covers.member, strict=True):
+            rows[cover].append(member)
+        planes = [tuple(sorted(row)) for row in rows]
+        assert sorted(zip(covers.below.tolist(), planes, strict=True)) == sorted(listed)
+        assert covers.added.tolist() == list(map(len, planes))
+        assert covers.plane.tolist() == [row[0] for row in planes]
+
+
+@pytest.mark.parametrize("bits", [53, 54])
+def test_quotients_are_minors_where_sums_leave_doubles_and_before(bits: int):
+    rank, prime = 3, sympy.prevprime(math.isqrt(2**bits // 3))
+    vectors = modular_vectors(60, rank, 500)
+    rows = np.array(vectors._vectors, dtype=object)
+    (images,) = vectors._quotients(np.array([[0, k] for k in range(3, 40)]), prime)
+    for k, image in enumerate(images.astype(object), 3):
+        minors = rows @ np.cross(rows[0], rows[k])
+        assert not ((minors * image[1] - minors[1] * image) % prime).any()
+
+
+def test_inverses_of_any_number_of_residues():
+    for count in (0, 1, 2, 31, 32, 33, 63, 64, 65, 131):
+        values = np.arange(1, count + 1)
+        found = _inverses(values, 1009)
+        assert len(found) == count
+        assert (found * values % 1009 == 1).all()
 
 
 def test_labels_leave_room_for_the_index_of_a_vector():

@@ -16,12 +16,11 @@ import pytest
 import trimesh
 from hypothesis import given, settings, strategies as st
 
-from arrangement import Arrangement, ArrangementError, InputError
+from arrangement import Arrangement, ArrangementError
 from arrangement.cli import main
 from arrangement.counts import f_vector, region_count
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
-from arrangement.duals.body import body_around
-from arrangement.duals.cells import Cells, cut_cells
+from arrangement.duals.cells import Cells, body_around, cut_cells
 from arrangement.library.files.table import read_arrangement
 from arrangement.numbers.exact import sign
 from arrangement.numbers.linear.rank import determinant
@@ -589,12 +588,6 @@ def test_faces_of_the_dual_have_the_colour_of_their_number_of_corners(tmp_path):
     }
     assert sorted(counts.values()) == [12, 32]
     assert max(loaded(path).extents) == pytest.approx(0.0255)
-
-
-def test_colours_of_models_are_hexadecimal(tmp_path):
-    with pytest.raises(InputError, match="#rrggbb"):
-        write_drawing(CASES["A3"], tmp_path / "a.glb", model="cells", colour=lambda _: "red")
-    assert list(tmp_path.iterdir()) == []
 
 
 def test_points_that_rounding_joins_leave_a_closed_surface_or_are_refused():

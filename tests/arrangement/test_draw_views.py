@@ -20,7 +20,7 @@ from arrangement.drawing.output import own_settings, picture_bytes
 from arrangement.drawing.scene.labels import HAIR, spread
 from arrangement.drawing.scene.layout import laid_out
 from arrangement.drawing.scene.scene import Label, Path as Drawn, Scene, area
-from arrangement.duals.inscribed import representative_hull
+from arrangement.duals.inscribed.hull import representative_hull
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.library.files.table import read_arrangement
 from arrangement.pictures import (

@@ -13,11 +13,16 @@ from hypothesis import given, strategies as st
 from arrangement import Arrangement, InputError, cli
 from arrangement.library import families
 from arrangement.library.census import PUBLISHED, catalogue, census, finschi_fukuda, identify
-from arrangement.library.census.chirotopes import canonical, chirotope_of, extended, triples
-from arrangement.library.census.extensions import extensions
+from arrangement.library.census.chirotopes import (
+    canonical,
+    chirotope_of,
+    extended,
+    extensions,
+    triples,
+)
 from arrangement.library.census.final_polynomials import OrderedProducts, proves_no_coordinates
 from arrangement.library.census.workshop import generate
-from arrangement.library.census.workshop.proofs import final_polynomial
+from arrangement.library.census.workshop.proofs import _comparisons, final_polynomial
 
 
 def chirotopes(planes: int) -> np.ndarray:
@@ -187,6 +192,10 @@ def test_forged_proofs_are_refused_though_their_products_cancel():
         changes.append([counted[0][x] - counted[1][x] for x in convex])
     found = [x for x in sympy.Matrix(changes).T.nullspace() if sum(x)]
     weights = list(found[0] * sympy.ilcm(*(x.q for x in found[0])) * sympy.sign(sum(found[0])))
+    # Points 0 to 3 on a line: products that are all 0 say nothing.
+    line = {x: int(x[2] == 4) for x in itertools.combinations(range(5), 3)}
+    zeros = [OrderedProducts((4, 0, 1, 2, 3), 2, 1, 1)]
+    zeros += [OrderedProducts((a, 1 - a, 2, 4, 3), 2 - 2 * a, 2 * a, 1) for a in (0, 1)]
     negative = [
         comparison._replace(times=int(x)) for comparison, x in zip(strict, weights, strict=True)
     ]
@@ -195,8 +204,46 @@ def test_forged_proofs_are_refused_though_their_products_cancel():
         (convex, [OrderedProducts(one, 0, 1, 1), OrderedProducts(one, 1, 0, 1)]),
         (convex | {(0, 3, 4): 0}, [OrderedProducts(one, 1, 2, 1), OrderedProducts(one, 1, 2, -1)]),
         (convex | {(0, 1, 3): -1}, [OrderedProducts(one, 0, 1, 1), OrderedProducts(one, 1, 0, 1)]),
+        *((convex, [OrderedProducts(one, *sides, 1)]) for sides in ((0, 3), (0, -1), (0, 0))),
+        (convex, [OrderedProducts(one, 0, 1, 0)]),
+        (convex, [OrderedProducts((0, *x), 0, 1, 1) for x in ((2, 1, 3, 4), (4, 1, 3, 2))]),
+        (line, zeros),
     ):
         assert not proves_no_coordinates(signs, proof)
+
+
+def test_three_comparisons_of_signs_that_are_none_of_vectors_prove_it():
+    signs = {x: -1 if x == (1, 3, 4) else 1 for x in itertools.combinations(range(5), 3)}
+    proof = [
+        OrderedProducts((a, *(x for x in range(5) if x != a)), smaller, 3 - smaller, times)
+        for a, smaller, times in ((0, 2, 1), (1, 1, 1), (2, 2, 1), (0, 2, 0))
+    ]
+    assert proves_no_coordinates(signs, proof)
+    assert final_polynomial(signs, 5)
+
+
+def test_comparisons_are_those_that_signs_of_vectors_force():
+    """By all small numbers whose sum is 0, as that of the three products."""
+    source, sums = (
+        np.random.default_rng(0),
+        np.array([(x, y, -x - y) for x in range(-3, 4) for y in range(-3, 4)]),
+    )
+    for _ in range(20):
+        vectors, due = source.integers(-2, 3, (5, 3)), set()
+        for a in range(5):
+            b, c, d, e = (x for x in range(5) if x != a)
+            left = np.linalg.det(vectors[[[a, b, c], [a, b, d], [a, b, e]]]).round()
+            right = np.linalg.det(vectors[[[a, d, e], [a, c, e], [a, c, d]]]).round()
+            parts = left * right * (1, -1, 1)
+            assert not parts.sum()
+            like = abs(sums[(np.sign(sums) == np.sign(parts)).all(axis=1)])
+            for i, j in itertools.permutations(range(3), 2):
+                strict = (like[:, i] < like[:, j]).all()
+                if parts[i] and (strict or (i < j and (like[:, i] == like[:, j]).all())):
+                    due.add((OrderedProducts((a, b, c, d, e), i, j, 1), strict))
+        names = map(tuple, triples(5).tolist())
+        signs = dict(zip(names, chirotope_of(vectors).tolist(), strict=True))
+        assert set(_comparisons(signs, 5)) == due
 
 
 @pytest.mark.parametrize("planes", [5, 6, 7])

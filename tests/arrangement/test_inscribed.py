@@ -13,19 +13,21 @@ from hypothesis import assume, given, settings, strategies as st
 from scipy.spatial import ConvexHull
 
 from arrangement import Arrangement, ArrangementError, InputError, dual_polyhedron, inscribability
-from arrangement.duals.inscribed import (
+from arrangement.duals.inscribed import hull as hull_module
+from arrangement.duals.inscribed.certificates import (
     FarkasCertificate,
     IndependentSetCertificate,
     PolyhedralGraph,
     WeightCertificate,
-    decide,
-    hull as hull_module,
-    inscribed_zonotope,
+)
+from arrangement.duals.inscribed.hull import (
+    rational_direction,
     representative_hull,
     sphere_hull,
     sphere_points,
 )
-from arrangement.duals.inscribed.hull import rational_direction
+from arrangement.duals.inscribed.report import inscribed_zonotope
+from arrangement.duals.inscribed.search import decide
 from arrangement.duals.zonohedron import DualPolyhedron
 from arrangement.library.families import generic, near_pencil, simplicial, type_b
 from arrangement.numbers.exact import dot

@@ -64,6 +64,7 @@ def test_a_number_a_hair_beside_0_has_its_sign():
     for k in range(2, 400):  # quotients of Fibonacci numbers on both sides of the golden ratio
         a, b = a + b, a
         assert (2 * a - b - b * g > 0) == (k % 2 == 0)
+        assert GOLDEN.sign((2 * a - b, -b)) == (-1) ** k
 
 
 @pytest.mark.parametrize("bits", [20, 40, 50, 60, 63, 70, 130])
@@ -94,6 +95,7 @@ ROOTS = [
     ([7, -7, 0, 1], [1, "1.5"], 1.3568958678922094, [1, "3/2"]),
     ([7, -7, 0, 1], ["1.5", 2], 1.6920214716300959, ["3/2", 2]),
     ([-1000, -100, -10, 1], [0, 20], 18.392867552141612, [18, 19]),
+    ([-(10**30) - 1, 0, 0, 0, 0, 1], [0, 10**7], 10.0**6, [10**6, 10**6 + 1]),
 ]
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from arrangement import Arrangement, InputError
+from arrangement import Arrangement
 from arrangement.cli import main
 from arrangement.library import families
 from arrangement.library.files.table import read_arrangement
@@ -248,21 +248,6 @@ def test_unusual_planes_are_shown(planes, browser, opened):
     opened(planes)
     assert counts(browser)[0] == len(planes.regions())
     assert browser.messages() == []
-
-
-def test_what_cannot_be_shown_is_refused(tmp_path):
-    for name in ("parallel-planes-affine", "generic-lines-affine"):
-        with pytest.raises(InputError):
-            arrangement_page(read_arrangement(name))
-    many = Arrangement([[1, k, k * k] for k in range(31)])
-    with pytest.raises(InputError, match="at most"):
-        arrangement_page(many)
-    with pytest.raises(InputError, match="colouring"):
-        arrangement_page(read_arrangement("pencil"), colour="mood")
-    target = str(tmp_path / "a.html")
-    assert main(["draw", "pencil", "-o", target, "--view", "sphere"]) == 2
-    assert main(["draw", "pencil", "-o", target, "--body", "cube"]) == 2
-    assert list(tmp_path.iterdir()) == []
 
 
 def test_symmetric_coordinates_change_places_and_nothing_else(browser, opened):

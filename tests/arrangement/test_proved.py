@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import json
-import shutil
 import subprocess
-import sys
 from collections.abc import Callable, Iterator
 from itertools import islice
 from pathlib import Path
@@ -24,8 +22,7 @@ from arrangement.library import families
 from arrangement.numbers.exact import primitive, to_text
 from arrangement.planes.proved import proved_f_vector, proved_whitney_numbers
 
-_FOUND = Path(sys.executable).with_name(proved_program.PROGRAM)
-PROGRAM = str(_FOUND) if _FOUND.exists() else shutil.which(proved_program.PROGRAM)
+PROGRAM = proved_program.program()
 built = pytest.mark.skipif(PROGRAM is None, reason="`make formal` has not built the program")
 
 

@@ -13,7 +13,9 @@ work on the machine still moves the times; the ratios within one run are what to
 """
 
 import argparse
+import json
 import math
+import resource
 import sys
 from collections.abc import Iterable
 
@@ -23,11 +25,25 @@ from peers import Measured, cgal, install_peers, ours, peer, polymake
 from pictures import picture_table
 from space import SIZES as SPATIAL, space_tables
 
+from arrangement import Arrangement
+from arrangement.console.proved_program import ask_proved
+from arrangement.errors import InputError
+from arrangement.library import families
+
 CONTACTS = (10, 20, 50, 100, 1000)
 SIZES = (9, 50, 100, 200, 500, 1000, 2000)
 B3 = (
     *((1, 0, 0), (0, 1, 0), (0, 0, 1)),
     *((1, 1, 0), (1, -1, 0), (1, 0, 1), (1, 0, -1), (0, 1, 1), (0, 1, -1)),
+)
+
+
+#: Name, planes, what is counted, seconds wished.
+PROVED = (
+    ("100 random planes of rank 3, faces", random_normals(100), "--faces", 8.0),
+    ("14 random planes of rank 6, faces", random_normals(14, dimension=6), "--faces", 0.5),
+    ("resonance 5, regions", families.resonance(5), "--regions", 0.05),
+    ("resonance 6, regions", families.resonance(6), "--regions", 8.0),
 )
 
 
@@ -52,6 +68,7 @@ def main() -> None:
         return
     if options.install and (reason := install_peers()):
         print(f"peers not installed: {reason}")
+    proved_table()
     counting_table()
     own = own_table()
     against_cgal(own, (200, 1000, 2000) if options.peers else (200,))
@@ -62,6 +79,24 @@ def main() -> None:
 
 def _sizes(text: str) -> list[int]:
     return [int(m) for m in text.split(",")]
+
+
+def proved_table() -> None:
+    """The program that is proved in Coq: processor time, beside what is wished."""
+    head("Counted by the proved program (make formal): time, wished, count")
+    for label, family, option, wished in PROVED:
+        planes = Arrangement(family) if isinstance(family, list) else family
+        document = json.dumps(
+            {"schema_version": 1, "planes": [list(map(str, n)) for n in planes.normals]}
+        )
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        try:
+            _, counted = ask_proved(option, "-", text=document)
+        except InputError as error:
+            print(f"  {error}")
+            return
+        seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+        print(f"  {label:<36} {shown(seconds):>10} {shown(wished):>10}  [{counted}]", flush=True)
 
 
 def counting_table() -> None:

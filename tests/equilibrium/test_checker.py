@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
+from itertools import product
 from operator import mul
 from random import Random
 from typing import Any
@@ -21,6 +22,7 @@ import jsonschema
 import pytest
 
 from arrangement.errors import InputError
+from arrangement.numbers.exact import vector_text
 from equilibrium import Contact, Grasp
 from equilibrium.certificate import checker, enclosure, law, reading, space
 from equilibrium.certificate.checker import MAX_DEPTH, Report, check
@@ -155,6 +157,7 @@ def test_a_wrong_proof_of_readable_form_is_a_report(tree):
     assert not report
     assert report.problem.startswith("tree")
     assert report.to_dict()["problem"] == report.problem
+    assert not check(with_tree(tree), (ONE, (Fraction(1),) * 3))
 
 
 @pytest.mark.parametrize(
@@ -300,6 +303,35 @@ def test_the_bounds_of_a_leaf_are_exact(cases, kinds):
     assert len(found) >= kinds
 
 
+def test_a_region_on_one_side_of_slip_has_one_friction_and_multipliers_their_signs():
+    """Under a load that does much work, one contact whose slips are given, at unit springs."""
+    grasp, found = Grasp([Contact((0, 0), (0, 1), 1, 1, 1)]), Counter()
+    slips = [tuple(side * x for x in row) for row in ((1, 2), (0, 1), (-1, 1)) for side in (1, -1)]
+    states = ("", "detached", "attached", "stick", "slip+", "slip-")
+    for state, ends, x, *given in product(states, slips, (1, -1), (-1, 0, 2), (-1, 0, 1)):
+        region = [[Fraction(1), Fraction(-s), Fraction(0), Fraction(0)] for s in ends * 2]
+        leaf = {"virtual_motion": [str(x), "1", "0"], "multipliers": {"0": list(map(str, given))}}
+        load = (Fraction(9 * x), Fraction(9), Fraction(0))
+        asked = grasp, load, leaf, region, {0: state} if state else {}
+        holds = leaf_holds(*asked)
+        assert holds == judge.leaf_holds(*asked), asked
+        found[holds] += 1
+    assert min(found.values()) > 100
+    # Without multipliers, where one end has no spring force.
+    region = [judge.ORIGIN, judge.axis(1, 1), judge.axis(1, -1), judge.axis(1, 1)]
+    load = (Fraction(0), Fraction(-1, 2), Fraction(0))
+    asked = grasp, load, ["0", "1", "0"], region, dict[int, str]()
+    assert leaf_holds(*asked)
+    assert judge.leaf_holds(*asked)
+    # One that is undecided takes nothing where its spring would pull; another gives slip its work.
+    both = Grasp([*grasp, Contact((0, 0), (0, -1), 1, 1, 1)])
+    leaf = {"virtual_motion": ["0", "-2", "0"], "multipliers": {"1": ["0", "1"]}}
+    region = [[Fraction(x) for x in row] for row in ((1, -2, 2, 0), *[(1, 3, 0, 0)] * 3)]
+    asked = both, load, leaf, region, {1: "stick"}
+    assert not leaf_holds(*asked)
+    assert not judge.leaf_holds(*asked)
+
+
 @pytest.mark.parametrize(
     ("bounds", "motion", "used", "turned", "holds"),
     [
@@ -308,8 +340,11 @@ def test_the_bounds_of_a_leaf_are_exact(cases, kinds):
         (("1/3", 0), 1, {"turn": ["1", "1"]}, 1, False),
         (("1/4", 0), 1, {"turn": ["1", "1"]}, -1, False),
         (("1/4", 0), 1, {"turn": ["1", "-1"]}, -1, True),
+        (("1/4", 0), 1, {"turn": ["1", "-1"]}, 1, False),
         (("1/4", 0), 1, {"turn": ["4/5", "1"]}, 1, False),
         (("1/4", 0), 1, {"turn": ["-1", "1"]}, 1, False),
+        (("1/4", 0), 1, {"turn": ["0", "0"], "forces": {"0": "0"}}, 1, True),
+        (("1/4", 0), 1, {"turn": ["1/2", "1/2"]}, 1, True),
         # The contacts take 1 each, unless rho makes up for it at a price of F.
         ((0, "1/7"), -1, {"forces": {"0": "1", "1": "1"}}, 1, True),
         ((0, "1/6"), -1, {"forces": {"0": "1", "1": "1"}}, 1, False),
@@ -695,15 +730,32 @@ def test_another_question_is_refused(documents):
         assert check(document, question=(grasp, wrench))
         report = check(document)
         assert (report.grasp, report.wrench, report.compared) == (grasp, wrench, False)
+        assert len(report.question) == 1 + len(grasp)
+        assert report.question[0] == f"wrench {vector_text(wrench)}"
+        assert report.question[-1].startswith(f"contact {len(grasp)} ")
+        other = grasp, (*wrench[:2], wrench[2] + 1)
+        for asked, bounds, words in (
+            ((grasp, wrench), (4, NO_RANGE), "it is about other cones of friction"),
+            ((grasp, wrench), (None, Range.of(1)), "it is about another range"),
+            ((grasp, wrench), (4, Range.of(1)), "it is about other cones of friction"),
+            (other, (4, Range.of(1)), "it is about another wrench"),
+        ):
+            assert check(document, asked, *bounds).problem.startswith(words)
         hair = Fraction(1, 10**50)
         softer = [
             replace(c, friction=c.friction + hair) if not i else c for i, c in enumerate(grasp)
         ]
+        moved = [replace(c, point=(c.point[0], c.point[1] + 1)) for c in grasp]
+        place = vector_text(next(iter(grasp)).point)
         for other, words in (
             ((grasp, (*wrench[:2], wrench[2] + 1)), "another wrench: it is ("),
             ((grasp, (*wrench[:2], wrench[2] + hair)), "(1/1" + 50 * "0" + " apart)"),
             ((Grasp(), wrench), f"{len(grasp)} contacts in 2 dimensions, and asked was one with 0"),
-            ((Grasp(softer), wrench), "another grasp: friction of contact 1 is "),
+            ((Grasp(moved), wrench), f"another grasp: point of contact 1 is {place}, and"),
+            (
+                (Grasp(softer), wrench),
+                f"another grasp: friction of contact 1 is {next(iter(grasp)).friction}",
+            ),
         ):
             report = check(document, question=other)
             assert (bool(report), report.compared) == (False, True)

@@ -28,7 +28,7 @@ from equilibrium.pictures import (
     draw_resist,
     draw_slice,
 )
-from equilibrium.pictures.grasp.layout import layout_of
+from equilibrium.pictures.grasp.layout import Layout
 from equilibrium.pictures.grasp.proof_page import proof_page
 from equilibrium.pictures.parts.body import body, frame_of
 from equilibrium.pictures.parts.style import nice
@@ -202,7 +202,7 @@ def test_of_many_contacts_the_one_equilibrium_found_is_shown_and_said():
     grasp = random_grasp(24, 4)
     verdict = solve(grasp, (0, "-1/2", 0))
     assert verdict.solution is not None
-    layout = layout_of(grasp, verdict, None, 1)
+    layout = Layout(grasp, verdict)
     assert layout.found is verdict.solution
     said = texts(draw_grasp.scene(grasp, wrench=(0, "-1/2", 0)))
     assert "the equilibrium found; there may be others" in said

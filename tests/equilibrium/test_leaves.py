@@ -28,7 +28,8 @@ def region(source: Random) -> Region:
 def answers(asked: Question, regions: list[Region], motions: list[list[int]]) -> list[bool]:
     """Return what the exact test says, after a comparison with the naive one."""
     wrench = tuple(asked.wrench)
-    found = closed(IntegerContacts(asked.grasp), wrench, regions, motions)
+    tested = closed(IntegerContacts(asked.grasp), wrench, regions, motions)
+    found = [multiplier is not None for multiplier in tested]
     for generators, motion, answer in zip(regions, motions, found, strict=True):
         rows = [[Fraction(x) for x in g] for g in generators]
         leaf: Any = [str(x) for x in motion]

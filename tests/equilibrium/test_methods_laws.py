@@ -8,8 +8,7 @@ from scipy.optimize import linprog
 
 from arrangement.numbers.exact import dot
 from equilibrium.decide.verdict import solve
-from equilibrium.methods.contact_laws.frictionless_slip import frictionless_slip
-from equilibrium.methods.contact_laws.linear_compliance import linear_compliance
+from equilibrium.methods.contact_laws.springs import frictionless_slip, linear_compliance
 from equilibrium.methods.friction_cones.cones import cones
 from equilibrium.methods.friction_cones.form_closure import form_closure
 from equilibrium.methods.friction_cones.grasp_wrench_space import GraspWrenchSpace, _hull

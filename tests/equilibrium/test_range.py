@@ -2,16 +2,18 @@
 
 import json
 import subprocess
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
 
 from arrangement.drawing.pages.html_page import _text
 from equilibrium import Contact, Grasp, Solver, check, read_grasp, solve
+from equilibrium.certificate.leaves import parts
 from equilibrium.cli.program import main
 from equilibrium.decide.spatial_verdict import solve_in_space
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
-from equilibrium.model.range import Range
+from equilibrium.model.range import Range, usual_range
 from equilibrium.pictures.lab.page import DECIDES
 from equilibrium.plane.search.units import unit_of
 from equilibrium.wrench_sets import margin, resisted_magnitudes, resisted_set, sufficient_preloads
@@ -84,6 +86,19 @@ def test_forged_multipliers_of_the_range_are_refused():
     without = flat_leaf(forces={"0": 1})
     del without["largest_force"]
     assert "no largest force" in check(without).problem
+
+
+@pytest.mark.parametrize("name", ["largest_turn", "largest_force"])
+def test_regions_across_a_bound_are_closed_with_its_multiplier(name):
+    grasp, wrench = random_grasp(20, 0), random_wrench(0)
+    motion, forces = (getattr(solve(grasp, wrench).solution, x) for x in ("motion", "forces"))
+    most = abs(motion[2]) if name == "largest_turn" else max(force[0] for force in forces)
+    verdict = solve(grasp, wrench, **{name: Fraction(round(970 * most), 1000)})
+    assert verdict.verdict == "not resisted"
+    leaves = [part.leaf for part in parts(verdict.certificate.to_dict())]
+    across = [leaf for leaf in leaves if any(leaf.motion) and (leaf.turn or leaf.forces)]
+    assert len(across) > len(leaves) / 4
+    assert verdict.verify().leaves == len(leaves) < 70
 
 
 def test_an_equilibrium_beyond_a_bound_is_refused():
@@ -174,6 +189,19 @@ def test_pyramids_have_a_range_too(seed):
     assert none.verdict == "not resisted"
     assert none.verify()
     assert not check({**none.certificate.to_dict(), "largest_force": str(10 * force)})
+
+
+def test_in_space_a_line_says_that_no_equilibrium_is_small_only_if_that_is_proved():
+    soft = random_grasp(4, 2, dimension=3)
+    wrench = random_wrench(2, dimension=3, bound=1)
+    hard = Grasp(replace(c, stiffness=1000 * c.stiffness) for c in soft)
+    assert solve(hard, wrench).warnings == ()
+    found = solve(soft, wrench)
+    (line,) = found.warnings
+    usual = usual_range(found.wrench, [c.preload for c in soft])
+    proved = solve(soft, wrench, **usual.bounds)
+    assert ("every equilibrium" in line) == (proved.verdict == "not resisted")
+    assert proved.verify()
 
 
 def test_only_large_motions_have_a_warning(capsys):

@@ -332,7 +332,7 @@ def table(*points, friction=HALF, preload=1):
 
 
 FOUR = table((1, 0), (-1, 0), (0, 1), (0, -1))
-ALONG, ASIDE, UP, TILT, TIP, _ = (tuple(int(i == j) for j in range(6)) for i in range(6))
+ALONG, ASIDE, UP, TILT, TIP, SPIN = (tuple(int(i == j) for j in range(6)) for i in range(6))
 #: What a plate on contacts that stick may do; and friction forces that it takes.
 BASIS, PILLARS = (UP, TILT, TIP), ((0, 0), (0, 1), (1, 1))
 STICK = (0, 0)
@@ -359,6 +359,8 @@ def enclosed(
     matrix, value = sympy.zeros(6, 6), sympy.Matrix(wrench)
     columns = [plus(motion) for motion in basis]
     for contact, share in zip(contacts, friction, strict=True):
+        if not contact.friction:
+            share = STICK
         if isinstance(share, tuple):
             normal, *tangents = rows_of(contact)
             force = plus(
@@ -395,6 +397,13 @@ ON_TWO = {
     "friction": (STICK,) * 2,
     "wrench": (0, 0, -2, 0, 0, 0),
 }
+#: Four contacts without friction, and motions along the table that none of them feels.
+ON_ICE = {
+    "contacts": table((1, 0), (-1, 0), (0, 1), (0, -1), friction=0),
+    "friction": ("slip",) * 4,
+    "basis": (*BASIS, ALONG, ASIDE, SPIN),
+    "pillars": (),
+}
 TURN, PUSHED = (*TILT, 0), (*[NARROW] * 3, *[WIDE] * 3)
 MOVED = (*[WIDE] * 3, *[NARROW] * 3)
 VALID = {
@@ -414,6 +423,7 @@ VALID = {
         "wrench": (0, 0, F(-13, 4), F(-5, 4), 0, 0),
     },
     "two and their line": {**ON_TWO, "idle": (TURN,)},
+    "four on ice": {**ON_ICE, "idle": ((*ALONG, 0), (*ASIDE, 0), (*SPIN, 0))},
     "an end just beside the solution": {"shift": (0, WIDE - TINY)},
     "an end just beside the whole step": {"shift": (0, WIDE - 5 * TINY), "part": F(1, 2)},
     "up to the largest force": {"within": Range(None, F(5, 4))},
@@ -485,6 +495,7 @@ FORGED = [
     ),
     ("an idle motion", {**ON_TWO, "idle": (TURN,), "wrench": (0, 0, -2, F(1, 9), 0, 0)}),
     ("an idle motion", {**ON_TWO, "idle": ((*TILT[:4], 1, 0, 0),)}),
+    ("an idle motion", {**ON_ICE, "idle": ((*ALONG, 0), (*ASIDE, 0), (*plus(TIP, (1, SPIN)), 0))}),
 ]
 
 

@@ -60,40 +60,6 @@ def test_flat_parts_stick_out_and_points_stand_alone():
     assert outline.points == ((-3, -3),)
 
 
-def test_three_contacts_without_preload_resist_the_lower_half_plane():
-    """[HaasHeger2018], the map without preload: forces with w_y <= 0, the border on top only."""
-    region = resisted_region(read_grasp("paper-three-contacts"))
-    (border,) = region.outline.border
-    assert (border.start, border.end, border.direction) == (None, None, (-1, 0))
-    assert border.constant == 0
-    (sector,) = region.unlimited
-    assert (sector.start, sector.end) == ((-1, 0), (1, 0))
-    assert sector.has_start
-    assert sector.has_end
-
-
-def test_three_contacts_with_preload_resist_more_only_near_the_top():
-    """The same, preload 1: unlimited where w_y <= 0, and upward exactly to w_y = 1."""
-    region = resisted_region(read_grasp("paper-three-contacts-preload-1"))
-    assert region.along((0, 1)) == ((0, 1),)
-    assert not region.contains((0, 1 + TINY))
-    assert all(region.contains((x, -y)) for x in (-50, 0, 50) for y in (0, 1, 50))
-    corners = {p for s in region.outline.border for p in (s.start, s.end) if p is not None}
-    assert max(y for _, y in corners) == 1
-    assert (0, 1) in corners
-    assert [(s.start, s.end) for s in region.unlimited] == [((-1, 0), (1, 0))]
-
-
-def test_four_contacts_resist_pushes_inside_the_cones():
-    """Without preload only one pair of contacts can push, within its friction cone of slope 1/2."""
-    region = resisted_region(read_grasp("paper-four-contacts"))
-    assert region.contains((2, 1))
-    assert region.contains((-2, -1))
-    assert not region.contains((2, 1 + TINY))
-    assert not region.contains((0, TINY))
-    assert [(s.start, s.end) for s in region.unlimited] == [((-2, 1), (-2, -1)), ((2, -1), (2, 1))]
-
-
 def test_a_contact_without_friction_resists_a_ray():
     grasp = Grasp([Contact((0, 0), (0, 1), 0)])
     region = resisted_region(grasp)
@@ -136,14 +102,6 @@ def test_every_end_along_a_line_lies_on_the_outline(grasp, start, direction):
     for end in {x for part in union(p for p in parts if p) for x in part if x is not None}:
         point = tuple(a + end * u for a, u in zip(start, direction, strict=True))
         assert _on_outline(region.outline, point)
-
-
-@given(grasps(), planar.filter(any))
-def test_unlimited_directions_have_an_interval_without_end(grasp, direction):
-    region = resisted_region(grasp)
-    parts = region.along(direction)
-    unlimited = bool(parts) and parts[-1][1] is None
-    assert any(_in_sector(sector, direction) for sector in region.unlimited) == unlimited
 
 
 def test_sectors_across_the_first_axis_and_open_ends():
@@ -204,28 +162,6 @@ def _on(segment, point):
     after = segment.start is None or place >= u[0] * segment.start[0] + u[1] * segment.start[1]
     before = segment.end is None or place <= u[0] * segment.end[0] + u[1] * segment.end[1]
     return after and before
-
-
-def _in_sector(sector, u):
-    """Whether a direction lies in a sector, by cross products only."""
-    if sector.whole:
-        return True
-    for end, belongs in ((sector.start, sector.has_start), (sector.end, sector.has_end)):
-        if _cross(end, u) == 0 and end[0] * u[0] + end[1] * u[1] > 0:
-            return belongs
-    left, right = _cross(sector.start, u) > 0, _cross(u, sector.end) > 0
-    turn = _cross(sector.start, sector.end)
-    if sector.start == sector.end:
-        return not sector.has_start  # all but one direction
-    if turn > 0:
-        return left and right
-    if turn == 0:
-        return left
-    return left or right
-
-
-def _cross(a, b):
-    return a[0] * b[1] - a[1] * b[0]
 
 
 THREE = "paper-three-contacts-preload-1"
@@ -318,12 +254,6 @@ def test_least_friction_of_the_paper_grasps(name, wrench, least):
     found = least_friction(read_grasp(name), wrench, "1/1000")
     assert found.low <= least == found.high
     assert found.width <= Fraction(1, 1000)
-
-
-def test_no_friction_is_enough_without_preload():
-    """[HaasHeger2018], Section VI: for w_y > 0 there is no solution without preload."""
-    assert least_friction(read_grasp("paper-three-contacts"), (0, 1, 0)).impossible
-    assert not least_friction(read_grasp(THREE), (0, 1, 0), "1/10").impossible
 
 
 @settings(max_examples=12)

@@ -1,9 +1,16 @@
 """The Coq sources, without Coq: `make formal` compiles them."""
 
+import json
 import re
 from pathlib import Path
 
 import pytest
+
+from arrangement.console.proved_program import program
+from proofs_check import registry
+from proofs_check.cli.program import main
+from proofs_check.reports import report
+from proofs_check.routes.proved import COUNTS
 
 FOLDER = Path(__file__).resolve().parents[2] / "proofs_check" / "formal"
 SOURCES = sorted(set(FOLDER.rglob("*.v")) - set(FOLDER.rglob("_build/*")))
@@ -36,11 +43,50 @@ def test_every_source_is_compiled():
 
 
 def test_the_axioms_of_every_theorem_of_the_program_are_printed():
-    """The theorems about what is extracted: the last word on certificates, and on counts."""
-    about = [FOLDER / "grasps" / "Soundness.v", FOLDER / "counting" / "Counting.v"]
+    """On certificates, on counts, and of claims."""
+    about = [FOLDER / "grasps" / "Soundness.v"]
+    about += [FOLDER / "counting" / name for name in ("Counting.v", "Claims.v")]
     theorems = [
         name for path in about for name in re.findall(r"^Theorem (\w+)", path.read_text(), re.M)
     ]
     printed = re.findall(r"^Print Assumptions (\w+)\.", (FOLDER / "Extract.v").read_text(), re.M)
     assert theorems == printed
     assert {"not_resisted", "faces_complete"} <= set(theorems)
+
+
+def test_claims_and_theorems_name_one_another():
+    """Every theorem for claims is of one claim that says it is proved, and there is no other."""
+    claims = [claim for claim in registry() if claim.theorems]
+    named = [name for claim in claims for name in claim.theorems]
+    assert sorted(named) == sorted(report.theorems())
+    assert all(claim.proof for claim in claims)
+    for claim in claims:
+        assert claim.theorems[0] == claim.id.replace("-", "_")
+
+
+def test_a_theorem_is_shown_with_its_claim(capsys):
+    assert main(["show", "euler"]) == 0
+    shown = capsys.readouterr().out
+    assert "vertices - edges + faces = 2." in shown
+    assert "Proof" not in shown
+    assert main(["show", "dual-planar-3-connected"]) == 0
+    assert "in prose    the whole proof" in capsys.readouterr().out
+
+
+@pytest.mark.skipif(program() is None, reason="`make formal` has not built the program")
+def test_the_proved_program_is_a_third_route(capsys):
+    assert main(["run", "--proved", "--json", "different-slip-states"]) == 0
+    (result,) = json.loads(capsys.readouterr().out)["results"]
+    assert result["routes"][-1] == "the program proved in Coq"
+    assert [len(set(record["values"])) for record in result["records"]] == [1] * 8
+    assert {len(record["values"]) for record in result["records"]} == {3}
+
+
+def test_files_have_no_proved_route(tmp_path, capsys):
+    (tmp_path / "own.py").write_text("")
+    assert main(["run", "--proved", str(tmp_path / "own.py")]) == 2
+    assert "--proved is for the claims of the paper" in capsys.readouterr().err
+
+
+def test_the_proved_route_is_of_claims_that_there_are():
+    assert set(COUNTS) <= set(registry().ids)

@@ -178,12 +178,6 @@ def test_shrinking_a_grasp_keeps_the_failure(seed):
         assert found.contacts[0].point == (0, 0)
 
 
-def test_equal_planes_shrink_together():
-    planes = Arrangement([[5, 3, 2], [1, 1, 1], [5, 3, 2]])
-    found, _ = shrink(planes, lambda p: len(p.distinct) < len(p))
-    assert found.integer_planes == ((1, 0, 0, 0), (1, 0, 0, 0))
-
-
 def test_shrinking_stops_at_the_limit():
     planes = DOMAINS["simple"].draw(Random(1), 7)
     assert shrink(planes, lambda _: True, tries=3)[1] == 3

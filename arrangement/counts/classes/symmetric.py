@@ -32,6 +32,8 @@ from arrangement.planes.planes import Planes
 
 #: Pairs of a flat and a plane that are worked on at once.
 _CHUNK = 1 << 19
+#: Bytes of the planes in flats at once.
+_COVERED = 1 << 25
 
 
 @dataclass(frozen=True)
@@ -190,7 +192,8 @@ class Classes:
         """
         keep = keep or rank < self.rank - 1
         parts, residues = [], np.zeros(len(self._moduli), dtype=np.int64)
-        step = max(1, _CHUNK // self._vectors.count)
+        count = self._vectors.count
+        step = max(1, min(_CHUNK // count, _COVERED // count**2))
         pairs = len(flats) * self._vectors.count
         budget.ask(
             f"what covers {len(flats):,} classes of flats of rank {rank - 1}",
@@ -198,7 +201,7 @@ class Classes:
             told=pairs * 1e-7 * self.rank,
         )
         pieces = [flats[i : i + step] for i in range(0, len(flats), step)]
-        for piece in watched(pieces, f"parts of rank {rank}"):
+        for done, piece in enumerate(watched(pieces, f"parts of rank {rank}", len(pieces))):
             if time.monotonic() > self._deadline:
                 raise TimeoutError
             members = unpacked(piece.members, self._vectors.count)
@@ -215,6 +218,14 @@ class Classes:
                 bases = np.column_stack([piece.bases[covers.below], covers.plane])
                 images = self._images.small(above)
                 parts.append(self.merged(Flats(bases, packed(above), images, values)))
+                if done == min(2, len(pieces) - 1):
+                    found, share = Flats.joined(parts), (done + 1) / len(pieces)
+                    numbers = (found.bases, found.members, found.images, found.values)
+                    budget.ask(
+                        f"{budget.about(len(found) / share)} classes of flats of rank {rank}",
+                        "leave out planes, or count in parts (--store FOLDER)",
+                        bytes=3 * sum(x.nbytes for x in numbers) / share,
+                    )
         return (self.merged(Flats.joined(parts)) if parts else flats[:0]), residues
 
     def merged(self, flats: Flats) -> Flats:

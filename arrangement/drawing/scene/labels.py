@@ -11,8 +11,9 @@ import numpy as np
 import numpy.typing as npt
 
 from arrangement.console import number_form
+from arrangement.drawing.colours import VERMILION
 
-from .scene import Box, Floats, Place, Scene
+from .scene import FONT, Box, Floats, Place, Scene
 
 Booleans: TypeAlias = npt.NDArray[np.bool_]
 #: Sizes of sign vectors that are tried, in points.
@@ -171,22 +172,52 @@ def write_beside(
     import shapely
 
     own, rest = shapely.points(point), shapely.MultiPoint(() if others is None else others)
-    directions = np.array(list(around(away)))[:turns]
+    ways = np.array(list(around(away)))[:turns]
     left, low, right, high = within or (-math.inf, -math.inf, math.inf, math.inf)
     for size, text, beyond in product(sizes, texts, (1.0, 2.0)):
         half = np.array(scene.measure(text, size)) / 2
-        reach = distance * beyond + (half / np.maximum(np.abs(directions), 1e-9)).min(axis=1)
-        centres = np.asarray(point) + reach[:, None] * directions
-        boxes = np.hstack([centres - half, centres + half])
-        inside = (boxes >= (left, low, -math.inf, -math.inf)).all(axis=1)
-        inside &= (boxes <= (math.inf, math.inf, right, high)).all(axis=1)
-        for k in np.flatnonzero(inside & ~covering(off, boxes)).tolist():
-            box = shapely.box(*boxes[k])
-            if rest.distance(box) < 1.5 * box.distance(own):
-                continue
-            if scene.write(centres[k], text, size, **style):
-                return True
+        centres = np.asarray(point) + (distance * beyond + reach(half, ways)) * ways
+        inside = (centres - half >= (left, low)) & (centres + half <= (right, high))
+        boxes = shapely.box(*(centres - half).T, *(centres + half).T)
+        near = rest.distance(boxes) < 1.5 * own.distance(boxes)
+        free = inside.all(axis=1) & ~near
+        if place(scene, text, size, centres, off=off, free=free, **style) >= 0:
+            return True
     return False
+
+
+def reach(half: Floats, ways: Floats) -> Floats:
+    """Return how far a box of half a width and a height reaches in some directions, (k, 1)."""
+    reaches: Floats = (half / np.maximum(np.abs(ways), 1e-9)).min(axis=-1, keepdims=True)
+    return reaches
+
+
+def place(
+    scene: Scene,
+    text: str,
+    size: float,
+    centres: Floats,
+    *,
+    off: Any = None,
+    free: Any = True,
+    order: Iterable[int] | None = None,
+    **style: Any,
+) -> int:
+    """Write a text at the first of some centres (k, 2) where it has room; return which, or -1.
+
+    Args:
+        off: shapes that must not be covered, see `keep_off`.
+        free: which centres are allowed.
+        order: in which they are tried.
+    """
+    half = np.array(scene.measure(text, size)) / 2
+    allowed = np.array(np.broadcast_to(free, len(centres)))
+    if off is not None:
+        allowed &= ~covering(off, np.hstack([centres - half, centres + half]))
+    for k in range(len(centres)) if order is None else order:
+        if allowed[k] and scene.write(centres[k], text, size, **style):
+            return k
+    return -1
 
 
 def write_along(scene: Scene, ends: Floats, text: str, size: float, off: Any, **style: Any) -> bool:
@@ -203,11 +234,8 @@ def write_along(scene: Scene, ends: Floats, text: str, size: float, off: Any, **
     step = ends[1] - ends[0]
     across = np.array([-step[1], step[0]]) / max(float(np.linalg.norm(step)), 1e-9)
     beyond = float(np.abs(across) @ np.array(scene.measure(text, size))) / 2 + 1.6
-    for at in (ends.mean(axis=0) + beyond * across, ends.mean(axis=0) - beyond * across):
-        box = np.array([scene.box(at, text, size)])
-        if not covering(off, box).any() and scene.write(at, text, size, **style):
-            return True
-    return False
+    centres = ends.mean(axis=0) + beyond * np.array([across, -across])
+    return place(scene, text, size, centres, off=off, **style) >= 0
 
 
 def tried(count: int) -> int:
@@ -293,14 +321,12 @@ class Leaders:
         start = np.round(pole, 2)
         half = np.array(self.scene.measure(text, size)) / 2
         ways = np.tile(list(around((0.0, 1.0))), (len(_REACHES), 1))
-        reach = np.repeat(_REACHES, 24)[:, None]
-        centres = start + ways * (
-            reach + (half / np.maximum(np.abs(ways), 1e-9)).min(axis=1)[:, None]
-        )
+        length = np.repeat(_REACHES, 24)[:, None]
+        centres = start + ways * (length + reach(half, ways))
         low, high = centres - half, centres + half
         boxes = shapely.box(*(low - 1.0).T, *(high + 1.0).T)
         tracks = shapely.linestrings(
-            np.stack([np.broadcast_to(start, centres.shape), start + ways * (reach - 0.6)], axis=1)
+            np.stack([np.broadcast_to(start, centres.shape), start + ways * (length - 0.6)], axis=1)
         )
         written = shapely.STRtree(shapely.box(*np.array(self.scene.boxes).reshape(-1, 4).T))
         leaders = shapely.STRtree(self.drawn)
@@ -314,14 +340,81 @@ class Leaders:
         ):
             free[np.unique(taken[0])] = False
         crossed = np.bincount(self.off.query(tracks, "intersects")[0], minlength=len(tracks))
-        cost = 6.0 * crossed + reach[:, 0]
+        cost = 6.0 * crossed + length[:, 0]
         cost[np.unique(self.areas.query(boxes, "intersects")[0])] += 15.0
         cost[np.unique(written.query(boxes, "dwithin", 3.0)[0])] += 8.0
-        for k in np.argsort(cost, kind="stable").tolist():
-            if free[k] and self.scene.write(centres[k], text, size):
-                self.drawn.append(tracks[k])
-                style = {"zorder": 5.5, "gid": "leader"}
-                self.scene.line(shapely.get_coordinates(tracks[k]), ec="black", lw=0.35, **style)
-                self.scene.circle(start, min(DOT, 0.8 * room), fc="black", ec="none", **style)
-                return True
-        return False
+        order = np.argsort(cost, kind="stable").tolist()
+        if (k := place(self.scene, text, size, centres, free=free, order=order)) < 0:
+            return False
+        self.drawn.append(tracks[k])
+        style = {"zorder": 5.5, "gid": "leader"}
+        self.scene.line(shapely.get_coordinates(tracks[k]), ec="black", lw=0.35, **style)
+        self.scene.circle(start, min(DOT, 0.8 * room), fc="black", ec="none", **style)
+        return True
+
+
+#: How far from the wanted direction labels are tried: ahead and aside first, then behind.
+_TURNS = (0, 0.5, -0.5, 1, -1, 1.6, -1.6, 2.3, -2.3, 3.1)
+
+
+class Labels:
+    """Places for labels that overlap neither each other nor what is drawn, on the sheet."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self._boxes: list[Floats] = []
+        self._lines: list[Floats] = []
+        self._tree: Any = None
+
+    def avoid(self, *lines: Any) -> None:
+        """Keep labels off lines through points (k, 2)."""
+        self._lines += map(np.asarray, lines)
+        self._tree = None
+
+    def place(self, text: str, wanted: Any) -> Floats:
+        """Return the first wanted centre that is free, else the one that covers least."""
+        import shapely
+
+        half = np.array([self.scene.measure(text)[0] / 2 + 1, FONT / 2 + 0.5])
+        centres = np.asarray(wanted)
+        low, high = centres - half, centres + half
+        others = np.array(self._boxes).reshape(-1, 2, 2)
+        shared = np.minimum(high[:, None], others[:, 1]) - np.maximum(low[:, None], others[:, 0])
+        paper = np.array([self.scene.width, self.scene.height])
+        off = np.maximum(-low, 0).sum(axis=1) + np.maximum(high - paper, 0).sum(axis=1)
+        self._tree = self._tree or keep_off(self._lines)
+        rooms = shapely.box(*(low - 0.6).T, *(high + 0.6).T)
+        met = np.bincount(self._tree.query(rooms, "intersects")[0], minlength=len(rooms))
+        taken = met + 1000 * (np.maximum(shared, 0).prod(axis=2).sum(axis=1) + off)
+        best = int(np.argmin(taken))
+        self._boxes.append(np.array([low[best], high[best]]))
+        found: Floats = centres[best]
+        return found
+
+    def beside(self, text: str, at: Floats, out: Floats, **style: Any) -> None:
+        """Write a text near a point, in a direction if that is free."""
+        start, half = math.atan2(out[1], out[0]), self.scene.measure(text)[0] / 2
+        angles = start + np.array(_TURNS)
+        ways = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+        wider = np.stack([np.copysign(max(0.0, half - 3), ways[:, 0]), 0 * angles], axis=1)
+        wanted = [
+            at + reach * ways[part] + wider[part]
+            for part in (slice(0, 7), slice(7, None))
+            for reach in (8, 11, 15, 20, 26, 34)
+        ]
+        place = self.place(text, np.concatenate(wanted))
+        self.scene.text(place, text, **{"halo": (1.5, "white"), "zorder": 7, **style})
+
+    def name_wrench(self, ends: Sequence[Floats], away: tuple[Floats, float] | None = None) -> None:
+        """Write w beside one of some points, farther from a place than a distance."""
+        ways = [k * math.pi / 4 + 0.4 for k in range(8)]
+        wanted = [
+            end + reach * np.array([math.cos(k), math.sin(k)])
+            for reach in (9, 13, 18)
+            for end in ends
+            for k in ways
+        ]
+        if away is not None:
+            wanted = [at for at in wanted if np.linalg.norm(at - away[0]) > away[1]]
+        look: dict[str, Any] = {"weight": "bold", "halo": (1.5, "white"), "zorder": 7}
+        self.scene.text(self.place("w", wanted), "w", color=VERMILION, style="italic", **look)

@@ -8,7 +8,7 @@ depend on the view.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Generic, TypeVar
 
@@ -19,7 +19,7 @@ from arrangement.numbers.exact import IntegerVector, dot
 
 from .flat_polygons import Segment, between, clipped
 from .sight import picture_axes
-from .surface import Patch
+from .surface import Patch, rounded
 
 #: So many planes are tried for a split, and one patch cut counts as so many out of balance.
 _TRIED, _CUT = 12, 8
@@ -152,6 +152,10 @@ class SolidSheet:
         """Return points of space on the scene."""
         placed: Floats = (np.asarray(points) @ self.axes.T)[..., :2] * self.scale + self.shift
         return placed
+
+    def at_exact(self, points: Iterable[IntegerVector]) -> Floats:
+        """Return homogeneous points of space on the scene."""
+        return self.at(rounded(points))
 
     def faces(self, patch: Patch) -> bool:
         """Return whether the outer side of a piece is seen."""

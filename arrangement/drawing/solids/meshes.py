@@ -150,111 +150,66 @@ def _obj(parts: Sequence[ClosedSurface], title: str) -> bytes:
 
 
 def _glb(parts: Sequence[ClosedSurface], title: str) -> bytes:
-    scene = _GltfDocument(title)
+    """Return header, JSON chunk and binary chunk; each part has one list of triangles a colour."""
+    binary, views, accessors = bytearray(), list[dict[str, Any]](), list[dict[str, Any]]()
+    colours = list(dict.fromkeys(colour for part in parts for colour in part.colours))
+
+    def accessor(array: Any, target: int, kind: int, shape: str, **more: Any) -> int:
+        content = array.tobytes()
+        place = {"buffer": 0, "byteOffset": len(binary), "byteLength": len(content)}
+        views.append({**place, "target": target})
+        binary.extend(content)
+        told = {"bufferView": len(views) - 1, "componentType": kind, "count": len(array)}
+        accessors.append({**told, "type": shape, **more})
+        return len(accessors) - 1
+
+    meshes, nodes = list[dict[str, Any]](), list[dict[str, Any]]()
     for part in parts:
-        scene.add(part)
-    return scene.content()
-
-
-class _GltfDocument:
-    """A glTF document and its binary chunk."""
-
-    def __init__(self, title: str) -> None:
-        self.binary = bytearray()
-        self.colours: dict[str, int] = {}
-        asset = {"version": "2.0", "generator": "slipstates"}
-        asset_notes = {"title": title, "unit": "metre"}
-        # The root turns z, upward in the space of the planes, into y.
-        turn = [-(0.5**0.5), 0.0, 0.0, 0.5**0.5]
-        self.nodes: list[dict[str, Any]] = [{"name": title, "rotation": turn, "children": []}]
-        self.document: dict[str, Any] = {
-            "asset": {**asset, "extras": asset_notes},
-            "scene": 0,
-            "scenes": [{"nodes": [0]}],
-            "nodes": self.nodes,
-            "meshes": [],
-            "materials": [],
-            "accessors": [],
-            "bufferViews": [],
-        }
-
-    def add(self, part: ClosedSurface) -> None:
-        """Add a part as a node: one list of points, one list of triangles for each colour."""
         points = (part.points / 1000).astype("<f4")
-        low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
-        position = self._accessor(points.tobytes(), 34962, 5126, len(points), "VEC3")
-        self.document["accessors"][position].update(min=low, max=high)
+        ends = {"min": points.min(axis=0).tolist(), "max": points.max(axis=0).tolist()}
+        position = accessor(points, 34962, 5126, "VEC3", **ends)
         primitives = []
         for colour in dict.fromkeys(part.colours):
             faces = [f for f, c in zip(part.faces, part.colours, strict=True) if c == colour]
             corners = triangles(faces).astype("<u4").reshape(-1)
-            indices = self._accessor(corners.tobytes(), 34963, 5125, len(corners), "SCALAR")
-            primitives.append(
-                {
-                    "attributes": {"POSITION": position},
-                    "indices": indices,
-                    "material": self._material(colour),
-                }
-            )
-        node: dict[str, Any] = {"name": part.name, "mesh": len(self.document["meshes"])}
-        if any(part.shift):
-            node["translation"] = [x / 1000 for x in part.shift]
-        if part.notes:
-            node["extras"] = part.notes
-        self.document["meshes"].append({"name": part.name, "primitives": primitives})
-        self.nodes[0]["children"].append(len(self.nodes))
-        self.nodes.append(node)
+            attributes = {"attributes": {"POSITION": position}}
+            indices = accessor(corners, 34963, 5125, "SCALAR")
+            primitives.append({**attributes, "indices": indices, "material": colours.index(colour)})
+        node: dict[str, Any] = {"name": part.name, "mesh": len(meshes)}
+        node |= {"translation": [x / 1000 for x in part.shift]} if any(part.shift) else {}
+        nodes.append(node | ({"extras": part.notes} if part.notes else {}))
+        meshes.append({"name": part.name, "primitives": primitives})
+    # The root turns z, upward in the space of the planes, into y.
+    root = {"name": title, "rotation": [-(0.5**0.5), 0.0, 0.0, 0.5**0.5]}
+    document = {
+        "asset": {
+            "version": "2.0",
+            "generator": "slipstates",
+            "extras": {"title": title, "unit": "metre"},
+        },
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{**root, "children": list(range(1, len(nodes) + 1))}, *nodes],
+        "meshes": meshes,
+        "materials": list(map(_material, colours)),
+        "accessors": accessors,
+        "bufferViews": views,
+        "buffers": [{"byteLength": len(binary)}],
+    }
+    text = json.dumps(document, separators=(",", ":")).encode("ascii")
+    text, body = text + b" " * (-len(text) % 4), bytes(binary) + b"\0" * (-len(binary) % 4)
+    head = struct.pack("<4sII", b"glTF", 2, 12 + 8 + len(text) + 8 + len(body))
+    chunks = ((b"JSON", text), (b"BIN\0", body))
+    return head + b"".join(struct.pack("<I4s", len(x), kind) + x for kind, x in chunks)
 
-    def _accessor(self, content: bytes, target: int, kind: int, count: int, shape: str) -> int:
-        view = {
-            "buffer": 0,
-            "byteOffset": len(self.binary),
-            "byteLength": len(content),
-            "target": target,
-        }
-        self.binary += content
-        self.document["bufferViews"].append(view)
-        accessor = {
-            "bufferView": len(self.document["bufferViews"]) - 1,
-            "componentType": kind,
-            "count": count,
-            "type": shape,
-        }
-        self.document["accessors"].append(accessor)
-        return len(self.document["accessors"]) - 1
 
-    def _material(self, colour: str) -> int:
-        if colour not in self.colours:
-            self.colours[colour] = len(self.colours)
-            channels = [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
-            opacity = int(colour[7:] or "ff", 16) / 255
-            material: dict[str, Any] = {
-                "name": colour,
-                "pbrMetallicRoughness": {
-                    "baseColorFactor": [*(_linear(x) for x in channels), opacity],
-                    "metallicFactor": 0.0,
-                    "roughnessFactor": 0.8,
-                },
-            }
-            if opacity < 1:
-                material |= {"alphaMode": "BLEND", "doubleSided": True}
-            self.document["materials"].append(material)
-        return self.colours[colour]
-
-    def content(self) -> bytes:
-        """Return the file: header, JSON chunk, binary chunk, all padded to four bytes."""
-        self.document["buffers"] = [{"byteLength": len(self.binary)}]
-        text = json.dumps(self.document, separators=(",", ":")).encode("ascii")
-        text += b" " * (-len(text) % 4)
-        body = bytes(self.binary) + b"\0" * (-len(self.binary) % 4)
-        total = 12 + 8 + len(text) + 8 + len(body)
-        return (
-            struct.pack("<4sII", b"glTF", 2, total)
-            + struct.pack("<I4s", len(text), b"JSON")
-            + text
-            + struct.pack("<I4s", len(body), b"BIN\0")
-            + body
-        )
+def _material(colour: str) -> dict[str, Any]:
+    channels = [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+    opacity = int(colour[7:] or "ff", 16) / 255
+    look = {"metallicFactor": 0.0, "roughnessFactor": 0.8}
+    base = {"baseColorFactor": [*map(_linear, channels), opacity], **look}
+    through = {"alphaMode": "BLEND", "doubleSided": True} if opacity < 1 else {}
+    return {"name": colour, "pbrMetallicRoughness": base, **through}
 
 
 def _linear(channel: float) -> float:

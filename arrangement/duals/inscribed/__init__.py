@@ -11,27 +11,4 @@ dual polyhedron with these vertices is convex. Two questions follow, and both ar
   placed in their regions is a further condition: `representative_hull` checks it for points at
   hand, and `inscribed_zonotope` finds such points by an exact linear program where a zonotope has
   them.
-
-Rooms: `points`, `hull`, `certificates` (the criterion and its checkers), `search` and `cuts` (find
-weights or a refutation; share no code with the checkers), `zonotope`, `report`.
 """
-
-from .certificates import (
-    FarkasCertificate as FarkasCertificate,
-    IndependentSetCertificate as IndependentSetCertificate,
-    PolyhedralGraph as PolyhedralGraph,
-    WeightCertificate as WeightCertificate,
-)
-from .hull import (
-    RepresentativeHull as RepresentativeHull,
-    SphereHull as SphereHull,
-    representative_hull as representative_hull,
-    sphere_hull as sphere_hull,
-    sphere_points as sphere_points,
-)
-from .report import Inscribability as Inscribability, inscribability as inscribability
-from .search import decide as decide
-from .zonotope import (
-    InscribedZonotope as InscribedZonotope,
-    inscribed_zonotope as inscribed_zonotope,
-)

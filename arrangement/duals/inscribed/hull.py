@@ -18,7 +18,7 @@ import numpy as np
 from arrangement.duals.zonohedron import DualPolyhedron
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot
-from arrangement.numbers.linear.rank import triple_product
+from arrangement.numbers.linear.rank import cycle_edges, triple_product
 
 
 def sphere_points(dual: DualPolyhedron, bits: int = 10) -> tuple[RationalVector, ...]:
@@ -191,7 +191,9 @@ def sphere_hull(points: Sequence[RationalVector]) -> SphereHull:
         triangles = propose(homogeneous)
         flat = _flat_edges_if_hull(homogeneous, triangles)
         if flat is not None:
-            edges = frozenset(edge for a, b, c in triangles for edge in _edges(a, b, c))
+            edges = frozenset(
+                (min(e), max(e)) for triangle in triangles for e in cycle_edges(triangle)
+            )
             return SphereHull(tuple(map(tuple, points)), tuple(triangles), edges, flat)
     raise InputError("the origin is not strictly inside the hull of the points")
 
@@ -210,10 +212,6 @@ def plane(a: IntegerVector, b: IntegerVector, c: IntegerVector) -> IntegerVector
     return tuple((1 if k % 2 else -1) * triple_product(*rows) for k, rows in enumerate(without))
 
 
-def _edges(a: int, b: int, c: int) -> list[Edge]:
-    return [(min(u, v), max(u, v)) for u, v in ((a, b), (b, c), (c, a))]
-
-
 def _flat_edges_if_hull(
     points: list[IntegerVector], triangles: list[Triangle]
 ) -> frozenset[Edge] | None:
@@ -228,7 +226,7 @@ def _flat_edges_if_hull(
     flat = set()
     for a, b, c in triangles:
         h = plane(points[a], points[b], points[c])
-        for u, v in ((a, b), (b, c), (c, a)):
+        for u, v in cycle_edges((a, b, c)):
             beyond = opposite.get((v, u))
             height = -1 if beyond is None else dot(h, points[beyond])
             if height < 0:
@@ -261,13 +259,10 @@ def _qhull(points: list[IntegerVector]) -> list[Triangle]:
         simplices = ConvexHull(np.array([[x / p[3] for x in p[:3]] for p in points])).simplices
     except QhullError:
         return []
-    return [_oriented(points, tuple(simplex)) for simplex in simplices.tolist()]
-
-
-def _oriented(points: list[IntegerVector], triangle: tuple[int, ...]) -> Triangle:
-    a, b, c = triangle
-    positive = triple_product(*(points[v][:3] for v in triangle)) > 0
-    return (a, b, c) if positive else (a, c, b)
+    return [
+        (a, b, c) if triple_product(*(points[v][:3] for v in (a, b, c))) > 0 else (a, c, b)
+        for a, b, c in simplices.tolist()
+    ]
 
 
 def _incremental(points: list[IntegerVector]) -> list[Triangle]:
@@ -286,7 +281,7 @@ def _incremental(points: list[IntegerVector]) -> list[Triangle]:
         if p in first:
             continue
         visible = [t for t, h in faces.items() if dot(h, points[p]) < 0]
-        border = {edge for x, y, z in visible for edge in ((x, y), (y, z), (z, x))}
+        border = {edge for x, y, z in visible for edge in cycle_edges((x, y, z))}
         for t in visible:
             del faces[t]
         for u, v in border:

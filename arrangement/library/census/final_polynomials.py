@@ -42,7 +42,7 @@ class OrderedProducts(NamedTuple):
 def proves_no_coordinates(signs: Mapping[Triple, int], proof: Sequence[OrderedProducts]) -> bool:
     """Check a proof: every comparison follows from the signs, and the products cancel."""
     total: Counter[Triple] = Counter()
-    strict = 0
+    strict = False
     for relation, smaller, larger, times in proof:
         if len(set(relation)) != 5 or {smaller, larger} - {0, 1, 2} or smaller == larger:
             return False
@@ -52,12 +52,12 @@ def proves_no_coordinates(signs: Mapping[Triple, int], proof: Sequence[OrderedPr
             return False
         if third not in (0, terms[smaller]) or (third and times < 0):
             return False
-        strict += times if third else 0
+        strict |= bool(third and times)
         products = products_of(relation)
         for sign, side in ((times, larger), (-times, smaller)):
             for bracket in products[side]:
                 total[sorted_bracket(bracket)] += sign
-    return strict > 0 and not any(total.values())
+    return strict and not any(total.values())
 
 
 def products_of(relation: Sequence[int]) -> tuple[Product, Product, Product]:

@@ -11,9 +11,7 @@ Source: [FinschiFukuda2002]; the order, L. Finschi, Homepage of Oriented Matroid
 
 from __future__ import annotations
 
-import argparse
-import io
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from functools import lru_cache
 from importlib.resources import files
 from itertools import combinations
@@ -21,9 +19,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.console import terminal
 from arrangement.console.progress import watched
-from arrangement.console.writing import write_bytes_atomically
 
 from .catalogue import MOST_PLANES, PUBLISHED, chirotopes, without_coordinates
 from .chirotopes import Integers, Signs, alternating, pairs
@@ -146,26 +142,3 @@ def _first_point(chi: Signs, most: int) -> tuple[NDArray[np.intp], NDArray[np.in
         found += [(on, sides), (on[:, ::-1], sides[:, ::-1])]
     orders, turns = (np.concatenate(x) for x in zip(*found, strict=True))
     return np.tile(of, 4 * most), orders, turns
-
-
-def main(argv: Iterable[str] | None = None) -> int:
-    """Write the numbers of all types of 3 and more planes to a file."""
-    parser = terminal.command_parser(
-        "arrangement.library.census.finschi_fukuda", "Work out Finschi and Fukuda's numbers."
-    )
-    parser.add_argument("--most", type=terminal.integer_argument, default=MOST_PLANES, metavar="M")
-    parser.add_argument("--output", required=True, metavar="FILE.npz")
-    parser.set_defaults(command=_write)
-    return terminal.run(parser, None if argv is None else list(argv))
-
-
-def _write(arguments: argparse.Namespace) -> int:
-    stream = io.BytesIO()
-    arrays = {f"of_{m}": numbers(m) for m in range(3, arguments.most + 1)}
-    np.savez_compressed(stream, **arrays)  # type: ignore[arg-type]
-    write_bytes_atomically(arguments.output, stream.getvalue())
-    return terminal.YES
-
-
-if __name__ == "__main__":
-    raise SystemExit(main())

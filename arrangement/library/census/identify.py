@@ -70,7 +70,7 @@ def identify(arrangement: Planes) -> Identification:
     >>> found.type, found.names, found.order, found.sides
     (1, ('near-pencil',), (2, 0, 3, 1), (1, 1, 1, -1))
     """
-    from .finschi_fukuda import number as ic_number, representatives, texts  # is a program too
+    from .finschi_fukuda import number as ic_number, representatives, texts
 
     if not arrangement.is_central:
         raise InputError("the arrangement is not central; identify its cone (counts.cone)")

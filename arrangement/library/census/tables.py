@@ -18,8 +18,7 @@ from arrangement.library.census.catalogue import (
     places,
     without_coordinates,
 )
-from arrangement.library.census.chirotopes import extended, t_vectors, triples
-from arrangement.library.census.extensions import extensions
+from arrangement.library.census.chirotopes import extended, extensions, t_vectors, triples
 from arrangement.library.census.final_polynomials import proves_no_coordinates
 
 #: Types that are worked on together.

@@ -29,5 +29,5 @@ def planned(planes: float, dimension: float, bits: float = 0) -> None:
         f"{budget.about(planes)} planes in dimension {budget.about(dimension)}",
         "take a smaller member",
         seconds=entries * (2e-6 + (bits * bits * 1e-11 if bits < 1e100 else math.inf)),
-        bytes=entries * (60 + bits / 8),
+        bytes=entries * (90 + bits / 8),
     )

@@ -6,23 +6,25 @@ Everything is homogeneous: a condition ``(a, b)`` means ``a . x + b >= 0`` (or `
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from math import lcm
+from math import factorial, lcm, prod
 from typing import Any
 
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
+    bits,
     dot,
     primitive,
+    quotient,
     reduced,
     to_text,
 )
 from arrangement.numbers.linear.cones import Generators, both_ways
-from arrangement.numbers.linear.rank import cross
+from arrangement.numbers.linear.rank import cross, determinant, rank
 
 from .intervals import LINE, Interval, where_positive
 
@@ -44,7 +46,7 @@ class Polyhedron:
     def points(self) -> tuple[RationalVector, ...]:
         """Of a polyhedron without lines the vertices, else one point of each minimal face."""
         finite = (ray for ray in self.homogeneous[0] if ray[-1])
-        return tuple(tuple(Fraction(x, ray[-1]) for x in ray[:-1]) for ray in finite)
+        return tuple(tuple(quotient(x, ray[-1]) for x in ray[:-1]) for ray in finite)
 
     @property
     def rays(self) -> tuple[IntegerVector, ...]:
@@ -65,6 +67,42 @@ class Polyhedron:
     def bounded(self) -> bool:
         """Whether there is an end in every direction."""
         return all(ray[-1] for ray in self.homogeneous[0]) and not self.homogeneous[1]
+
+    def on(self, row: Sequence[int]) -> int:
+        """Return which points and rays lie in a plane ``(a, b)``, as bits."""
+        return sum(1 << j for j, x in enumerate(self.homogeneous[0]) if dot(row, x) == 0)
+
+    @cached_property
+    def facets(self) -> tuple[int, ...]:
+        """For each inequality the points and rays of its facet, as bits."""
+        return tuple(map(self.on, self.inequalities))
+
+    @cached_property
+    def faces(self) -> dict[int, int]:
+        """The points and rays of every face that has a point, as bits, and its dimension."""
+        rows, lines = self.homogeneous
+        finite = sum(1 << j for j, x in enumerate(rows) if x[-1])
+        found = {(1 << len(rows)) - 1: self.dimension}
+        waiting = list(found)
+        while waiting:
+            mask = waiting.pop()
+            for part in {mask & facet for facet in self.facets if mask & facet & finite}:
+                if part not in found:
+                    found[part] = rank([*(rows[j] for j in bits(part)), *lines]) - 1
+                    waiting.append(part)
+        return found
+
+    @property
+    def volume(self) -> Fraction:
+        """The exact volume, if it is bounded: of pyramids over facets, again and again."""
+        corners = self.homogeneous[0]
+        if self.equalities:
+            return Fraction(0)
+        total = Fraction(0)
+        for chosen in _simplices((1 << len(corners)) - 1, self.facets):
+            simplex = [corners[j] for j in chosen]
+            total += quotient(abs(determinant(simplex)), prod(row[-1] for row in simplex))
+        return total / factorial(self.dimension)
 
     def contains(self, point: Sequence[Fraction | int]) -> bool:
         """Return whether a point lies in the polyhedron, its boundary included."""
@@ -164,3 +202,19 @@ def _polyhedron(kept: Generators, conditions: Generators) -> Polyhedron | None:
     facets = tuple(row for row in conditions[0] if any(dot(row, ray) == 0 for ray in finite))
     endless = [ray for ray in kept[0] if not ray[-1]]
     return Polyhedron(facets, conditions[1], ((*finite, *endless), kept[1]))
+
+
+def _simplices(mask: int, facets: Sequence[int]) -> Iterator[tuple[int, ...]]:
+    """Yield the simplices of a triangulation of a face: pyramids over facets off one corner."""
+    apex = mask & -mask
+    corner = apex.bit_length() - 1
+    if mask == apex:
+        yield (corner,)
+    kept: list[int] = []
+    parts = {mask & facet for facet in facets if mask & ~facet and mask & facet}
+    for part in sorted(parts, key=int.bit_count, reverse=True):
+        if not any(part & other == part for other in kept):
+            kept.append(part)
+            if not part & apex:
+                for simplex in _simplices(part, facets):
+                    yield (corner, *simplex)

@@ -15,7 +15,7 @@ from arrangement.drawing.colours import BLACK
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import write_scene
 from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.scene import Floats, Scene, checked_width
+from arrangement.drawing.scene.scene import Floats, Scene
 from arrangement.errors import InputError
 from arrangement.library.families import braid, generic, near_pencil, pencil, type_b
 from arrangement.numbers.exact import shown
@@ -66,7 +66,7 @@ def counts_table(largest: int) -> list[dict[str, int]]:
     ]
 
 
-@picture
+@picture(60.0)
 def draw_counts(*, largest: int = 12, width: float = 180.0) -> Scene:
     """Draw numbers of faces over the number m of planes, with the bounds that the paper states.
 
@@ -85,10 +85,8 @@ def draw_counts(*, largest: int = 12, width: float = 180.0) -> Scene:
 
     Raises:
         InputError: `largest` or `width` out of range.
-        MissingExtraError: matplotlib is absent.
     """
     check_largest(largest)
-    width = checked_width(width, 60.0)
     beside = width >= 120
     height = 70.0
     scene = Scene(width, height if beside else 2 * height)

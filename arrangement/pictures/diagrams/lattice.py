@@ -12,7 +12,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.counts import Flat, IntersectionLattice, intersection_lattice
 from arrangement.drawing.figure import picture
-from arrangement.drawing.scene.scene import GAP, POINTS, Floats, Scene, checked_width
+from arrangement.drawing.scene.scene import GAP, POINTS, Floats, Scene
 from arrangement.numbers import budget
 from arrangement.pictures.parts.essential import RAISED
 from arrangement.pictures.parts.names import plane_names
@@ -20,7 +20,7 @@ from arrangement.pictures.parts.names import plane_names
 _INK = "#882255"
 
 
-@picture
+@picture()
 def draw_lattice(arrangement: Arrangement, *, width: float = 88.0, moebius: bool = True) -> Scene:
     """Draw the intersections of planes, ordered by reverse inclusion, as a Hasse diagram.
 
@@ -35,14 +35,11 @@ def draw_lattice(arrangement: Arrangement, *, width: float = 88.0, moebius: bool
 
     Args:
         arrangement: any; for affine planes the diagram is a semilattice.
-        width: of the figure, in millimetres.
         moebius: write mu(whole space, X) under the name of each flat X.
 
     Raises:
         InputError: more than 500 flats of one rank.
-        MissingExtraError: matplotlib is absent.
     """
-    width = checked_width(width)
     lattice = intersection_lattice(arrangement)
     largest = max(map(len, lattice.flats))
     budget.keep(largest, "flats of one rank in a picture")

@@ -45,7 +45,9 @@ class LinesChart:
     def __init__(self, lines: Arrangement) -> None:
         self.lines = lines
         vertices = list(_vertices(lines))
-        middle, half = _window(vertices or [_foot(line) for line in lines.integer_planes])
+        feet = (((a * c, b * c), a * a + b * b) for a, b, c in lines.integer_planes)
+        nearest = [tuple(rational_near(quotient(x, square)) for x in p) for p, square in feet]
+        middle, half = _window(vertices or nearest)
         unit = _unit(vertices, middle, half)
         self.half = [x / unit for x in half]
         self.globe = Globe(_cone(lines, middle, unit), ABOVE)
@@ -170,13 +172,6 @@ def _vertices(lines: Arrangement) -> Iterator[RationalVector]:
         x, y, w = sphere.ray(v)
         if w > 0:
             yield rational_near(quotient(x, w)), rational_near(quotient(y, w))
-
-
-def _foot(line: IntegerVector) -> RationalVector:
-    """Return the point of a line nearest to 0."""
-    a, b, c = line
-    square = a * a + b * b
-    return rational_near(quotient(a * c, square)), rational_near(quotient(b * c, square))
 
 
 def _window(points: Sequence[RationalVector]) -> tuple[RationalVector, RationalVector]:

@@ -22,12 +22,13 @@ from arrangement.drawing.figure import picture
 from arrangement.drawing.scene.labels import (
     SIZES,
     along,
-    covering,
     keep_off,
+    place,
+    reach,
     sign_text,
     write_beside,
 )
-from arrangement.drawing.scene.scene import POINTS, Floats, Scene, checked_width
+from arrangement.drawing.scene.scene import FONT, POINTS, Floats, Scene
 from arrangement.drawing.scene.shapes import arrow
 from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import shown
@@ -44,7 +45,7 @@ _BOUNDED, _UNBOUNDED = PALETTE[2], "#ffffff"
 _LINE: dict[str, Any] = {"ec": "black", "lw": 0.9, "zorder": 3, "role": "circle"}
 
 
-@picture
+@picture()
 @shown_as("lines")
 def draw_lines(
     arrangement: Arrangement,
@@ -76,11 +77,9 @@ def draw_lines(
             of sign vectors below; "none". If omitted, signs of up to four lines, or of all faces.
         colour: "bounded" (bounded regions are tinted), or as for `draw_sphere`.
         sides: at each line, an arrow to its positive side.
-        width: of the figure, in millimetres.
 
     Raises:
         InputError: rank 3 or more, too many lines, unknown faces, labels or colouring.
-        MissingExtraError: matplotlib is absent.
     """
     if faces not in FACES:
         raise refusal(f"the faces are {shown(faces)}", faces, FACES)
@@ -90,7 +89,7 @@ def draw_lines(
     kind = "signs" if everything and labels is None else labels
     names = RegionLabels(arrangement, kind if len(arrangement) else "none")
     sheet = (_DiscSheet if projective else _WindowSheet)(
-        LinesChart(arrangement), checked_width(width), names, colour
+        LinesChart(arrangement), width, names, colour
     )
     if sides:
         sheet.mark_sides()
@@ -181,21 +180,18 @@ class _Sheet:
     def _label_edge(self, edge: int) -> bool:
         """Write a sign vector on an edge, off all others, or beside it."""
         text = sign_text(self.chart.edges[edge])
-        others = [*(line for e, line in self.edges.items() if e != edge), *self.arms]
+        line = self.edges[edge]
+        others = [*(other for e, other in self.edges.items() if e != edge), *self.arms]
         off = keep_off(others)
+        centres = np.array([_along(line, t) for t in (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)])
         for size in SIZES:
-            for share in (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8):
-                place = _along(self.edges[edge], share)
-                left, low, right, high = box = self.scene.box(place, text, size)
-                on_others = covering(off, np.array([box])).any()
-                if not on_others and self.scene.write(place, text, size, color=BLUE):
-                    plate = [(left, low), (right, low), (right, high), (left, high)]
-                    self.scene.polygon(plate, fc="white", ec="none", zorder=3.5, role="line")
-                    return True
-        look: dict[str, Any] = {"distance": 1.5, "off": keep_off([*others, self.edges[edge]])}
-        return write_beside(
-            self.scene, _along(self.edges[edge], 0.5), [text], SIZES, color=BLUE, **look
-        )
+            if (k := place(self.scene, text, size, centres, off=off, color=BLUE)) >= 0:
+                left, low, right, high = self.scene.box(centres[k], text, size)
+                plate = [(left, low), (right, low), (right, high), (left, high)]
+                self.scene.polygon(plate, fc="white", ec="none", zorder=3.5, role="line")
+                return True
+        look: dict[str, Any] = {"distance": 1.5, "off": keep_off([*others, line]), "color": BLUE}
+        return write_beside(self.scene, centres[0], [text], SIZES, **look)
 
     def mark_sides(self) -> None:
         """Draw an arrow across each line, near an end, to its positive side."""
@@ -255,14 +251,11 @@ class _WindowSheet(_Sheet):
 
     def _name(self, ends: Floats, text: str) -> None:
         """Write the name of a line beyond one of its ends, where there is more room."""
-        half = np.array(self.scene.measure(text)) / 2
-        for extra in (0.0, 3.0, 6.0):
-            for near, far in (ends, ends[::-1]):
-                way = (near - far) / np.linalg.norm(near - far)
-                reach = 2.5 + extra + float((half / np.maximum(np.abs(way), 1e-9)).min())
-                if self.scene.write(near + reach * way, text, style="italic"):
-                    return
-        self.missing["lines"] += 1
+        half, ways = np.array(self.scene.measure(text)) / 2, ends - ends[::-1]
+        ways = ways / np.linalg.norm(ways, axis=1, keepdims=True)
+        out = [2.5 + extra + reach(half, ways) for extra in (0.0, 3.0, 6.0)]
+        centres = np.concatenate([ends + length * ways for length in out])
+        self.missing["lines"] += place(self.scene, text, FONT, centres, style="italic") < 0
 
 
 class _DiscSheet(_Sheet):

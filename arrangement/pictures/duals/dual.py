@@ -11,7 +11,6 @@ from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import (
     BLUE,
     VERMILION,
-    DrawnRegion,
     Painter,
     letter_colour,
     plane_colour,
@@ -19,7 +18,7 @@ from arrangement.drawing.colours import (
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Vector
 from arrangement.drawing.scene.labels import SIZES, keep_off, ring, tried, write_along, write_beside
-from arrangement.drawing.scene.scene import Box, Floats, Scene, checked_width
+from arrangement.drawing.scene.scene import Box, Floats, Scene
 from arrangement.drawing.solids.sight import lit, unit, unit_vectors
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.numbers.exact import IntegerVector
@@ -36,7 +35,7 @@ from .solids import SeenSolid, dual_solid, hull_solid
 SIDE_BY_SIDE = 120.0
 
 
-@picture
+@picture()
 @shown_as("dual")
 def draw_dual(
     arrangement: Arrangement,
@@ -77,9 +76,8 @@ def draw_dual(
     Raises:
         InputError: another space or rank, planes off the origin, too many circles, unknown
             colouring.
-        MissingExtraError: matplotlib is absent.
     """
-    width, names = checked_width(width), RegionLabels(arrangement, labels)
+    names = RegionLabels(arrangement, labels)
     if coordinates is None and hull:
         coordinates = "given"
     arrangement, direction = in_coordinates(coordinates, arrangement, direction)
@@ -88,7 +86,7 @@ def draw_dual(
         globe = Globe(arrangement, _oblique_direction(globe))
     colours = globe.colouring(colour, antipodes)
     if hull:
-        from arrangement.duals.inscribed import representative_hull
+        from arrangement.duals.inscribed.hull import representative_hull
 
         found = representative_hull(dual_polyhedron(arrangement))
         solid = hull_solid(found, globe.direction, globe.axes)
@@ -102,23 +100,29 @@ def draw_dual(
     first = (size / 2, scene.height - size / 2)
     second = (size * 1.5, first[1]) if beside else (size / 2, first[1] - size)
     radius = size / 2 - rim_width(scene, globe, names)
-    disc = Disc(scene, first, radius, globe, front(globe, orthographic), names, _ink(hull), True)
+    disc = Disc(
+        scene,
+        first,
+        radius,
+        globe,
+        front(globe, orthographic),
+        names,
+        None if hull else plane_colour,
+        True,
+    )
     _sphere(disc, colours.paint, points, (0.0, first[1] - size / 2, size, scene.height))
-    fills = [colours.paint(region) for region in _regions(globe, solid)]
+    by_signs = {region.signs: region for region in globe.regions}
+    fills = [colours.paint(by_signs[signs]) for signs in solid.signs]
     picture = _SolidPanel(scene, globe, solid, fills, names, hull)
     picture.draw(second, radius if hull else size / 2 - 19.0, size / 2)
     explain_regions(scene, colours, names, globe.regions)
     if hull:
-        _explain_hull(scene, solid)
+        kinds = [min(c, 0) for _, _, c in solid.edges]
+        for k, text in enumerate(("hull and adjacency", "hull only", "adjacency only")):
+            scene.legend.key(stroke(**_HULL_STYLES[-k]), f"{text}: {kinds.count(-k)}")
     else:
         scene.legend.line("vertex = region, zone of parallel edges = circle; hidden ones dashed")
     return scene
-
-
-def _regions(globe: Globe, solid: SeenSolid) -> list[DrawnRegion]:
-    """Return the regions in the order of the vertices."""
-    by_signs = {region.signs: region for region in globe.regions}
-    return [by_signs[signs] for signs in solid.signs]
 
 
 def _oblique_direction(globe: Globe) -> IntegerVector:
@@ -135,10 +139,6 @@ def _oblique_direction(globe: Globe) -> IntegerVector:
         return found
 
     return clear_direction(lines, apart)
-
-
-def _ink(hull: bool) -> Any:
-    return None if hull else plane_colour
 
 
 def _sphere(disc: Disc, paint: Painter, points: Floats | None, within: Box) -> None:
@@ -262,14 +262,6 @@ class _SolidPanel:
             look: dict[str, Any] = {"color": "0.45" if hidden else "black", "away": away, **room}
             place = self.places[v]
             write_beside(self.scene, place, texts, SIZES[:2], off=off, distance=distance, **look)
-
-
-def _explain_hull(scene: Scene, solid: SeenSolid) -> None:
-    """Add the kinds of edges to the legend, with their numbers."""
-    labels = [min(c, 0) for _, _, c in solid.edges]
-    names = {0: "hull and adjacency", -1: "hull only", -2: "adjacency only"}
-    for kind, text in names.items():
-        scene.legend.key(stroke(**_HULL_STYLES[kind]), f"{text}: {labels.count(kind)}")
 
 
 _HULL_STYLES: dict[int, dict[str, Any]] = {

@@ -22,7 +22,7 @@ from arrangement.drawing.colours import (
 )
 from arrangement.drawing.figure import picture
 from arrangement.drawing.scene.labels import SIZES, keep_off, tried, write_along, write_beside
-from arrangement.drawing.scene.scene import Floats, Scene, area, checked_width
+from arrangement.drawing.scene.scene import Floats, Scene, area
 from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.duals.zonohedron import dual_polygon, dual_polyhedron, dual_segment
 from arrangement.numbers import budget
@@ -51,7 +51,7 @@ class PlanarGraph:
     outer: tuple[int, ...]
 
 
-@picture
+@picture()
 @shown_as("graph")
 def draw_graph(
     arrangement: Arrangement,
@@ -74,14 +74,11 @@ def draw_graph(
     Args:
         arrangement: central; rank 3 in R^3, or rank 1 or 2 in any space.
         colour, antipodes, labels: of vertices, as for `draw_sphere`.
-        width: of the figure, in millimetres.
 
     Raises:
         InputError: planes off the origin, another rank or space, too many planes, unknown
             colouring.
-        MissingExtraError: matplotlib is absent.
     """
-    width = checked_width(width)
     graph, names = planar_graph(arrangement), RegionLabels(arrangement, labels)
     degrees = np.bincount(np.array([edge[:2] for edge in graph.edges]).ravel()).tolist()
     regions = [DrawnRegion(s, d) for s, d in zip(graph.signs, degrees, strict=True)]

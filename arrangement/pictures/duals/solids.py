@@ -16,7 +16,6 @@ from arrangement.drawing.output import millimetres
 from arrangement.drawing.scene.scene import Floats
 from arrangement.drawing.solids.sight import face_normal, unit_vectors
 from arrangement.duals.zonohedron import DualPolyhedron, dual_polygon, dual_polyhedron, dual_segment
-from arrangement.duals.zonohedron.polyhedron import content
 from arrangement.numbers.exact import IntegerVector, dot
 from arrangement.numbers.linear.rank import cycle_edges, difference, triple_product
 from arrangement.numbers.number_field import rational_near
@@ -25,7 +24,7 @@ from arrangement.pictures.parts.essential import brought
 from arrangement.planes.planes import Planes
 
 if TYPE_CHECKING:
-    from arrangement.duals.inscribed import RepresentativeHull
+    from arrangement.duals.inscribed.hull import RepresentativeHull
 
 #: Vertex, vertex, and class of planes.
 Edge: TypeAlias = tuple[int, int, int]
@@ -78,7 +77,11 @@ def flat_edges(arrangement: Planes, signs: Sequence[tuple[int, ...]]) -> tuple[E
     """Return the edges of a dual polygon, or of a segment, between regions in cyclic order."""
     count = len(signs)
     pairs = [(k, (k + 1) % count) for k in range(count if count > 2 else 1)]
-    return tuple((u, v, _crossed(arrangement, signs[u], signs[v])) for u, v in pairs)
+    crossed = (
+        next(i for i, (s, t) in enumerate(zip(signs[u], signs[v], strict=True)) if s != t)
+        for u, v in pairs
+    )
+    return tuple((*pair, arrangement.class_of[i]) for pair, i in zip(pairs, crossed, strict=True))
 
 
 def edges_of(dual: DualPolyhedron) -> tuple[Edge, ...]:
@@ -158,12 +161,6 @@ def _hidden(
     return edge_hidden, tuple(v not in seen_vertices for v in range(count))
 
 
-def _crossed(arrangement: Planes, left: tuple[int, ...], right: tuple[int, ...]) -> int:
-    """Return the class of planes between two neighbouring regions."""
-    plane = next(i for i, (s, t) in enumerate(zip(left, right, strict=True)) if s != t)
-    return arrangement.class_of[plane]
-
-
 def dual_model(
     arrangement: Arrangement, suffix: str, *, size: float = 60.0, coordinates: str = "given"
 ) -> bytes:
@@ -182,4 +179,4 @@ def dual_model(
     lengths = None if coordinates == "given" else unit_lengths(arrangement)
     dual = dual_polyhedron(arrangement, lengths)
     colours = tuple(side_colour(len(face)) for face in dual.faces)
-    return content(dual, suffix, millimetres(size, "size"), colours)
+    return dual.model(suffix, millimetres(size, "size"), colours)

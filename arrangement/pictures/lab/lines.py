@@ -19,8 +19,7 @@ from arrangement.library.census import census
 from arrangement.library.files.table import read_arrangement
 from arrangement.numbers.exact import rational, shown
 
-from .exercises import read_exercises
-from .page import LINEAR, RATIONAL, lab
+from .page import LINEAR, RATIONAL, lab, read_exercises
 
 #: Planes beyond which dragging stutters.
 MAX_PLANES = 20
@@ -50,19 +49,15 @@ def as_shown(arrangement: Arrangement) -> Arrangement:
                 f"{kind} planes of rank {arrangement.rank} in R^{arrangement.dimension}; the lab "
                 "takes central planes of rank at most 3 and affine ones of rank at most 2"
             )
-        shown_planes = _padded(essentialization(arrangement), 2 if flat else 3)
+        least, dimension = essentialization(arrangement), 2 if flat else 3
+        rows = [(*n, *[0] * (dimension - least.dimension)) for n in least.normals]
+        shown_planes = Arrangement(rows, least.offsets, dimension=dimension)
     if len(shown_planes) > MAX_PLANES:
         raise InputError(f"{len(shown_planes)} planes; the lab takes at most {MAX_PLANES}")
     numbers = (abs(x) for plane in shown_planes.integer_planes for x in plane)
     if max(numbers, default=0) >= 10**MAX_DIGITS:
         raise InputError(f"a number has more digits than {MAX_DIGITS}, which the lab takes at most")
     return shown_planes
-
-
-def _padded(planes: Arrangement, dimension: int) -> Arrangement:
-    zeros = (0,) * (dimension - planes.dimension)
-    rows = [(*normal, *zeros) for normal in planes.normals]
-    return Arrangement(rows, planes.offsets, dimension=dimension)
 
 
 def read_start(text: str) -> Arrangement:

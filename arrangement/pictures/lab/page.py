@@ -1,11 +1,16 @@
-"""Interactive pages, each one file: shared modules, then those of the page, in one script."""
+"""Interactive pages, each one file of shared modules and those of the page; and their exercises."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from typing import Any
+import json
+from collections.abc import Callable, Collection, Iterable, Mapping
+from importlib.resources.abc import Traversable
+from pathlib import Path
+from typing import Any, TypeAlias
 
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, POLYGON, Template, one_page
+from arrangement.errors import InputError
+from arrangement.numbers.exact import shown
 
 _OWN = "arrangement.pictures.lab"
 #: Exact rationals, and exact linear algebra: they need no page.
@@ -44,3 +49,86 @@ def lab(
     every = [BASE_SCRIPT, *SHARED, *scripts]
     parts = [(_OWN, f"{name}.html") for name in ("header", "player", "exercises", "grid")]
     return one_page(title, body, [*common, *styles], every, data, worker=decides, parts=parts)
+
+
+#: For each kind of goal what raises an InputError if its value is none.
+Goals: TypeAlias = Mapping[str, Callable[[Any], object]]
+
+_TEXTS = ("name", "task", "start")
+_LONGEST = 2000
+
+
+def read_exercises(
+    path: str | Path | Traversable,
+    goals: Goals,
+    fixed: Collection[str],
+    read_start: Callable[[str], object],
+) -> list[dict[str, Any]]:
+    """Return the exercises of a JSON file.
+
+    The file holds ``{"schema_version": 1, "exercises": [...]}``. Each exercise has ``name``,
+    ``task`` (texts), ``start`` (the part of a link after ``#``), ``goal`` (an object with one
+    entry: its kind and what that kind takes), and may have ``hints`` (texts) and ``fixed`` (names
+    of what must stay as it starts).
+
+    Args:
+        path: of the file.
+        goals: what checks the value of each kind of goal.
+        fixed: names that may stand in ``fixed``.
+        read_start: what checks a start.
+
+    Raises:
+        InputError: no such form; the message names the exercise, the value and the rule.
+    """
+    try:
+        source = Path(path) if isinstance(path, str) else path
+        form = json.loads(source.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"exercises: cannot read {path}: {error.strerror}") from None
+    except ValueError as error:
+        raise InputError(f"exercises: {path} is no JSON: {error}") from None
+    if not isinstance(form, dict) or form.get("schema_version") != 1:
+        raise InputError(f'exercises: {path} needs "schema_version": 1 and a list "exercises"')
+    entries = form.get("exercises")
+    if not isinstance(entries, list) or not entries:
+        raise InputError(f'exercises: "exercises" in {path} must be a list with an entry or more')
+    read = []
+    for number, entry in enumerate(entries, 1):
+        try:
+            read.append(_exercise(entry, goals, fixed, read_start))
+        except InputError as error:
+            raise InputError(f"exercise {number}: {error}") from None
+    return read
+
+
+def _exercise(
+    entry: Any, goals: Goals, fixed: Collection[str], read_start: Callable[[str], object]
+) -> dict[str, Any]:
+    if not isinstance(entry, dict):
+        raise InputError('must be an object with "name", "task", "start" and "goal"')
+    unknown = sorted(set(entry) - {*_TEXTS, "goal", "hints", "fixed"})
+    if unknown:
+        raise InputError(f'has no field "{unknown[0]}"')
+    for name in _TEXTS:
+        text = entry.get(name)
+        if not isinstance(text, str) or not 0 < len(text) <= _LONGEST:
+            raise InputError(f'"{name}" must be a text of 1 to {_LONGEST} characters')
+    lists = {name: entry.get(name, []) for name in ("hints", "fixed")}
+    for name, texts in lists.items():
+        if not isinstance(texts, list) or not all(isinstance(text, str) for text in texts):
+            raise InputError(f'"{name}" must be a list of texts')
+    strange = next((name for name in lists["fixed"] if name not in fixed), None)
+    if strange is not None:
+        raise InputError(f'"fixed" has {shown(strange)}; known are {", ".join(fixed)}')
+    goal = entry.get("goal")
+    if not isinstance(goal, dict) or len(goal) != 1 or not set(goal) <= set(goals):
+        raise InputError(f'"goal" must be an object with one of: {", ".join(goals)}')
+    for where, check, value in (
+        ("start", read_start, entry["start"]),
+        *((f"goal {kind}", goals[kind], value) for kind, value in goal.items()),
+    ):
+        try:
+            check(value)
+        except InputError as error:
+            raise InputError(f"{where}: {error}") from None
+    return {**{name: entry[name] for name in _TEXTS}, **lists, "goal": goal}

@@ -15,7 +15,7 @@ from arrangement.console.number_form import counted, sign_text
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page, own
 from arrangement.drawing.registry import Vector
 from arrangement.drawing.solids.sight import picture_axes, unit, unit_vectors
-from arrangement.duals.zonohedron.incidence import dual_incidence
+from arrangement.duals.zonohedron import around_rays
 from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.errors import refusal
 from arrangement.numbers import budget
@@ -72,7 +72,8 @@ def arrangement_page(
     if coordinates is not None and coordinates not in CHOICES:
         raise refusal(f"the coordinates are {shown(coordinates)}", coordinates, CHOICES)
     globe = Globe(arrangement, direction)
-    heading = title if title is not None else _heading(arrangement)
+    number = counted(len(arrangement), "plane")
+    heading = title if title is not None else f"Arrangement of {number}"
     data = {
         "title": heading,
         "summary": summary,
@@ -126,11 +127,6 @@ def _integers(vectors: Any) -> list[IntegerVector]:
     return [tuple(row) for row in np.rint(unit(vectors) * 10**6).astype(int).tolist()]
 
 
-def _heading(arrangement: Arrangement) -> str:
-    number = len(arrangement)
-    return f"Arrangement of {counted(number, 'plane')}"
-
-
 def _summary(arrangement: Arrangement) -> str:
     number, distinct = len(arrangement), len(arrangement.distinct)
     planes = f"{counted(number, 'plane')} through the origin"
@@ -148,13 +144,13 @@ def _cells(sphere: SphereArrangement) -> dict[str, Any]:
         {
             "normal": _exact(normal),
             "unit": _unit(normal),
-            "length": _longest(normal) / longest * _norm(normal),
+            "length": float(np.linalg.norm([float(x / longest) for x in normal])),
             "equation": equation(normal),
             "circle": int(circle),
         }
         for normal, circle in zip(normals, sphere.plane_circle.tolist(), strict=True)
     ]
-    around = dual_incidence(arrangement).faces if sphere.vertex_count else ()
+    around = around_rays(topology) if sphere.vertex_count else ()
     return {
         "planes": planes,
         "classes": [list(members) for members in arrangement.distinct],
@@ -201,11 +197,6 @@ def _exact(vector: IntegerVector) -> list[str]:
 
 def _longest(vector: IntegerVector) -> int:
     return max(map(abs, vector))
-
-
-def _norm(vector: IntegerVector) -> float:
-    """Return the Euclidean length over the largest entry."""
-    return float(np.linalg.norm([float(x / _longest(vector)) for x in vector]))
 
 
 def _unit(vector: IntegerVector) -> list[float]:

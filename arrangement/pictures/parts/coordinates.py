@@ -91,9 +91,13 @@ def in_coordinates(
         raise refusal(f"the coordinates are {shown(chosen)}", chosen, CHOICES)
     matrix = None
     if arrangement.dimension == 3 and arrangement.is_central and chosen != "given":
-        matrix = (symmetric_map if chosen == "symmetric" else _even_map)(arrangement)
-        if matrix is None and coordinates is None and _is_narrow(arrangement):
-            matrix = _even_map(arrangement)
+        normals = unit_vectors([plane[:3] for plane in arrangement.distinct_planes])
+        full = arrangement.rank == 3
+        matrix = even_map(normals) if full and chosen == "even" else None
+        if chosen == "symmetric":
+            matrix = symmetric_map(arrangement)
+        if matrix is None and coordinates is None and full and is_narrow(normals):
+            matrix = even_map(normals)
             note(
                 "the planes are narrow: drawn with normals spread evenly, unless coordinates "
                 "given are asked for"
@@ -212,19 +216,6 @@ def even_map(normals: Floats) -> Floats:
         scatter = (1 - _PULL) * 3 * moved.T @ moved / len(moved) + _PULL * np.eye(3)
         whole = _inverse_root(scatter) @ whole
     return _normed(whole)
-
-
-def _even_map(arrangement: Arrangement) -> Floats | None:
-    return even_map(_normals(arrangement)) if arrangement.rank == 3 else None
-
-
-def _is_narrow(arrangement: Arrangement) -> bool:
-    return arrangement.rank == 3 and is_narrow(_normals(arrangement))
-
-
-def _normals(arrangement: Arrangement) -> Floats:
-    """Return a unit normal of each distinct plane."""
-    return unit_vectors([arrangement.integer_planes[c[0]][:3] for c in arrangement.distinct])
 
 
 def is_narrow(normals: Floats) -> bool:

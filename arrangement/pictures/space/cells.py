@@ -17,7 +17,7 @@ from arrangement.drawing.figure import picture
 from arrangement.drawing.output import millimetres
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage
 from arrangement.drawing.registry import Exact, Vector
-from arrangement.drawing.scene.scene import Floats, Scene, checked_width
+from arrangement.drawing.scene.scene import Floats, Scene
 from arrangement.drawing.solids.depth_tree import Node
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes, triangles
 from arrangement.drawing.solids.sight import picture_axes, view_direction
@@ -37,7 +37,7 @@ from arrangement.pictures.parts.names import (
 )
 
 from .exploded_cells import Lifted, Stage, StagedAxes, sharp, unit_points, walls_of_edges
-from .planes import Names, PlanesSheet
+from .planes import PlanesSheet
 from .view_direction import clear_sight
 
 #: Up to so many cells have labels.
@@ -46,7 +46,7 @@ _NAMED = 60
 _NOWHERE = (0, 0, 1)
 
 
-@picture
+@picture()
 @shown_as("cells")
 def draw_cells(
     arrangement: Arrangement,
@@ -77,13 +77,10 @@ def draw_cells(
         labels: of cells, as for `draw_sphere`, on faces that have room; none for more than 60 cells
             if omitted.
         coordinates: of central planes, as for `draw_planes`.
-        width: of the figure, in millimetres.
 
     Raises:
         InputError: rank above 3, too many planes or cells, unknown body, a bad factor.
-        MissingExtraError: matplotlib is absent.
     """
-    width = checked_width(width)
     if coordinates is None and not (centre is None and radius is None):
         coordinates = "given"
     arrangement, direction = in_coordinates(coordinates, arrangement, direction)
@@ -92,13 +89,13 @@ def draw_cells(
     stage = Stage(cells, towards)
     lifted = []
     for cell in cells.cells:
-        shift = _middle(stage.points, cell) * (explode - 1)
+        shift = centroid(stage.points, cell.faces) * (explode - 1)
         lifted.append(Lifted(cell, stage.points + shift, shift))
     names = RegionLabels(arrangement, labels, len(lifted), _NAMED)
     signs = [cell.signs for cell in cells.cells]
     axes = StagedAxes(stage, ())
     sheet = PlanesSheet(stage, lifted, lambda x: fill_colour(x.label), width, axes, apart=True)
-    left = 0 if names.kind == "none" else Names(sheet, names).name_cells(beside=False)
+    left = 0 if names.kind == "none" else sheet.name_cells(names, beside=False)
     legend = sheet.scene.legend
     names.explain(legend, signs)
     if left:
@@ -183,10 +180,6 @@ def _cells(
     return cells
 
 
-def _middle(points: Floats, cell: Cell) -> Floats:
-    return centroid(points, cell.faces)
-
-
 def _leaf(
     tree: list[Node[PageFace]], normals: list[tuple[int, ...]], sides: tuple[int, ...]
 ) -> int:
@@ -204,7 +197,7 @@ def _leaf(
 
 def _faces(points: Floats, cell: Cell, number: int) -> list[PageFace]:
     """Return the faces of a cell for a page."""
-    middle, walls = _middle(points, cell), walls_of_edges(cell)
+    middle, walls = centroid(points, cell.faces), walls_of_edges(cell)
     found = []
     for face, wall in zip(cell.faces, cell.walls, strict=True):
         corners = points[list(face)]

@@ -287,22 +287,16 @@ class Stage:
             )
         return tuple(found)
 
-    def sides_of(self, point: Floats) -> tuple[int, ...]:
-        """Return the sides of a point of the picture, in floats."""
-        return tuple(1 if float(n @ point) > b else -1 for n, b in self.planes)
-
     def body_edges(self) -> tuple[tuple[Key, tuple[int, ...], npt.NDArray[np.int64]], ...]:
         """Return key, sign vector and ends of the segments of the edges of a cube."""
         found = []
         for cell in self.cells.cells:
-            ends = [
+            ends = {
                 (min(edge), max(edge))
                 for edge, (one, other) in walls_of_edges(cell).items()
                 if one < 0 and other < 0 and one != other
-            ]
-            found += [
-                (self.key(cell.sides), cell.signs, np.array(pair)) for pair in sorted(set(ends))
-            ]
+            }
+            found += [(self.key(cell.sides), cell.signs, np.array(pair)) for pair in sorted(ends)]
         return tuple(found)
 
 
@@ -390,10 +384,9 @@ class StagedAxes:
             for start, stop in pairwise(inner):
                 if stop - start > 1e-9:
                     ends = self.origin + np.array([[start], [stop]]) * way
-                    yield 0, self.stage.key(self._sides(ends.mean(axis=0))), ends
+                    middle = ends.mean(axis=0)
+                    # In floats: an axis may lie in planes.
+                    heights = [float(n @ middle) - offset for n, offset in self.stage.planes]
+                    sides = [0 if abs(h) < 1e-9 else 1 if h > 0 else -1 for h in heights]
+                    yield 0, self.stage.key(sides), ends
             yield (2 if way[2] > 0 else -2), (), np.array([self.origin + out * way, tip])
-
-    def _sides(self, point: Floats) -> list[int]:
-        """Return the sides of a point, which may lie on planes, in floats."""
-        heights = [float(normal @ point) - offset for normal, offset in self.stage.planes]
-        return [0 if abs(h) < 1e-9 else 1 if h > 0 else -1 for h in heights]

@@ -16,7 +16,7 @@ from arrangement.drawing.colours import SKIN, chosen, fill_colour, pale
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import AxisNames, Exact, Vector
 from arrangement.drawing.scene.labels import keep_off, spread, turn, write_beside, write_inside
-from arrangement.drawing.scene.scene import POINTS, Floats, Scene, area, checked_width, measure
+from arrangement.drawing.scene.scene import POINTS, Floats, Scene, area, measure
 from arrangement.drawing.scene.shapes import arrow
 from arrangement.drawing.solids.sight import light, lit, unit, view_direction
 from arrangement.duals.cells import cut_cells, read_signs
@@ -28,7 +28,7 @@ from .exploded_cells import Facet, Key, Lifted, Stage, StagedAxes, lifted_cells
 from .view_direction import clear_sight
 
 
-@picture
+@picture()
 @shown_as("planes")
 def draw_planes(
     arrangement: Arrangement,
@@ -67,16 +67,13 @@ def draw_planes(
         axes: names of the axes; True for ``x,y,z``; or "none"; if omitted, there are some
             where the coordinates have a meaning, as x, y, r of the motions of a grasp.
         sides: mark the positive side of each plane by an arrow.
-        width: of the figure, in millimetres.
         coordinates: as for `draw_sphere`; "given" if omitted and the body has a given place.
 
     Raises:
         InputError: another space, too many planes, no such cell, lifted cells that hide each
             other in a circle, unknown body or colouring.
-        MissingExtraError: matplotlib is absent.
     """
     paint = _painter(colour)
-    paper = checked_width(width)
     texts = [lift] if isinstance(lift, str) else list(lift)
     raised = [read_signs(arrangement, text) for text in texts]
     names = RegionLabels(arrangement, labels, len(raised))
@@ -90,15 +87,14 @@ def draw_planes(
         toward = clear_sight(cells, raised)
     stage = Stage(cells, toward)
     lifted = lifted_cells(stage, raised)
-    picture = PlanesSheet(stage, lifted, paint, paper, StagedAxes(stage, shown))
-    writer = Names(picture, names)
+    sheet = PlanesSheet(stage, lifted, paint, width, StagedAxes(stage, shown))
     if sides:
-        writer.mark_sides()
-    writer.number_planes()
-    writer.name_axes()
-    writer.name_cells()
-    names.explain(picture.scene.legend, raised)
-    return picture.scene
+        sheet.mark_sides()
+    sheet.number_planes()
+    sheet.name_axes()
+    sheet.name_cells(names)
+    names.explain(sheet.scene.legend, raised)
+    return sheet.scene
 
 
 def _painter(colour: str | FacetPainter) -> FacetPainter:
@@ -229,17 +225,12 @@ class PlanesSheet:
 
     def _facet(self, facet: Facet, number: int) -> None:
         stage = self.stage
-        normal = stage.planes[facet.label][0]
-        drawn = DrawnFacet(
-            facet.label,
-            stage.arrangement.over_planes(facet.sides),
-            (normal[0], normal[1], normal[2]),
-        )
+        fill = self.colour(facet.label, stage.arrangement.over_planes(facet.sides))
         corners = self.place(stage.points[list(facet.corners)])
         name = f"facet-{number}-plane-{stage.arrangement.distinct[facet.label][0] + 1}"
         self.areas.append((self.z, corners))
         style = {"alpha": OPACITY, "zorder": self.z, "gid": name}
-        self.scene.polygon(corners, fc=_pale(self.paint(drawn)), ec="none", **style)
+        self.scene.polygon(corners, fc=fill, ec="none", **style)
         for rim, line in ((True, {"lw": 0.9}), (False, {"lw": 0.55})):
             self._edges(corners, [r is rim for r in facet.rim], line)
 
@@ -270,28 +261,21 @@ class PlanesSheet:
         stage = self.stage
         if not self.round:
             return [(k, signs, stage.points[ends]) for k, signs, ends in stage.body_edges()]
-        pieces = []
-        for run in self._outline_runs():
-            middle = run[len(run) // 2]
-            sides = stage.sides_of(middle)
-            pieces.append((stage.key(sides), stage.arrangement.over_planes(sides), run))
-        return pieces
-
-    def _outline_runs(self) -> list[Floats]:
-        """Cut the outline of the ball where a plane meets it."""
         cuts: set[float] = set()
-        for normal, offset in self.stage.planes:
+        for normal, offset in stage.planes:
             length = math.hypot(normal[0], normal[1])
             if length > abs(offset):
                 turned, half = math.atan2(normal[1], normal[0]), math.acos(offset / length)
                 cuts |= {(turned + half) % (2 * math.pi), (turned - half) % (2 * math.pi)}
-        ends = sorted(cuts) or [0.0]
-        runs = []
+        ends, pieces = sorted(cuts) or [0.0], []
         for start, stop in zip(ends, [*ends[1:], ends[0] + 2 * math.pi], strict=True):
             angles = np.linspace(start, stop, max(3, math.ceil((stop - start) / 0.03)))
             if stop - start > 1e-9:
-                runs.append(np.column_stack([np.cos(angles), np.sin(angles), 0 * angles]))
-        return runs
+                run = np.column_stack([np.cos(angles), np.sin(angles), 0 * angles])
+                middle = run[len(run) // 2]
+                sides = tuple(1 if float(n @ middle) > b else -1 for n, b in stage.planes)
+                pieces.append((stage.key(sides), stage.arrangement.over_planes(sides), run))
+        return pieces
 
     def _solid(self, item: Lifted) -> None:
         """Paint a lifted cell: its visible faces, shaded, then its edges."""
@@ -309,27 +293,12 @@ class PlanesSheet:
         for segment in item.outlines():
             self._line(self.place(segment), {"lw": 0.9})
 
-    def colour(self, label: int) -> str:
-        """Return the colour of a plane, as its facets have it."""
+    def colour(self, label: int, signs: tuple[int, ...] = ()) -> str:
+        """Return the colour of a plane, or of a facet of it."""
         normal = self.stage.planes[label][0]
-        return _pale(self.paint(DrawnFacet(label, (), (normal[0], normal[1], normal[2]))))
+        return _pale(self.paint(DrawnFacet(label, signs, (normal[0], normal[1], normal[2]))))
 
-
-def _pale(colour: str) -> str:
-    """Return any colour that matplotlib knows, mixed with white."""
-    from matplotlib.colors import to_hex
-
-    return pale(to_hex(colour))
-
-
-class Names:
-    """Writes on a finished picture; numbers first."""
-
-    def __init__(self, picture: PlanesSheet, names: RegionLabels) -> None:
-        self.picture, self.names = picture, names
-        self.stage, self.lifted = picture.stage, picture.lifted
-        self.scene, self.place = picture.scene, picture.place
-        self.outline = picture.outline
+    # Names
 
     def number_planes(self) -> None:
         """Write the numbers of the planes around the body, with a line to a visible rim."""
@@ -342,13 +311,13 @@ class Names:
             gap = np.array(
                 [min((abs(turn(a - b)) for b, *_ in wanted), default=3.0) for a in angles]
             )
-            depth = np.array([1 - self._reach(p) for p in points])
+            depth = np.array([1 - self._gauge(p[:2]) for p in points])
             score = np.minimum(gap, 0.35) - 2.5 * depth - 3.0 * self._covered(points)
             best = int(np.argmax(np.round(score, 6)))
             if self._covered(points[best : best + 1])[0]:
                 continue
             text = plane_names(members)
-            wanted.append((float(angles[best]), points[best], text, self.picture.colour(label)))
+            wanted.append((float(angles[best]), points[best], text, self.colour(label)))
         placed = spread([angle for angle, *_ in wanted], 0.13)
         for (_, point, text, colour), angle in zip(wanted, placed, strict=True):
             way = np.array([math.cos(angle), math.sin(angle)])
@@ -366,7 +335,7 @@ class Names:
         from matplotlib.path import Path
         from scipy.spatial import ConvexHull
 
-        reach = np.array([[max(self._reach(p), 1e-9)] for p in points])
+        reach = np.array([[max(self._gauge(p[:2]), 1e-9)] for p in points])
         length = np.maximum(np.linalg.norm(points[:, :2], axis=1, keepdims=True), 1e-9)
         places = self.place(points[:, :2] / reach) + 8.5 * points[:, :2] / length
         covered = np.zeros(len(points))
@@ -386,16 +355,13 @@ class Names:
             if facet.rim[k] or facet.rim[k - 1]
         }
         points = self.stage.points[sorted(found)]
-        reach = np.array([self._reach(p) for p in points])
+        reach = np.array([self._gauge(p[:2]) for p in points])
         seen = (points[:, 2] > 0) | (reach > 0.985)
         return points[seen] if seen.any() else points
 
-    def _reach(self, point: Floats) -> float:
-        return self._gauge(point[:2])
-
     def _gauge(self, point: Floats) -> float:
         """Return by which factor the outline must be scaled to pass through a point."""
-        if self.picture.round:
+        if self.round:
             return float(np.linalg.norm(point))
         step = np.roll(self.outline, -1, axis=0) - self.outline
         out = np.column_stack([step[:, 1], -step[:, 0]])
@@ -414,25 +380,28 @@ class Names:
 
     def name_axes(self) -> None:
         """Write the names of the axes beyond their tips."""
-        closed = [np.vstack([area, area[:1]]) for _, area in self.picture.areas]
-        for name, tip in zip(self.picture.axes.names, self.picture.axes.tips, strict=True):
-            tip, origin = self.place(tip), self.place(self.picture.axes.origin)
+        closed = [np.vstack([loop, loop[:1]]) for _, loop in self.areas]
+        for name, tip in zip(self.axes.names, self.axes.tips, strict=True):
+            tip, origin = self.place(tip), self.place(self.axes.origin)
             off = keep_off([*closed, np.array([origin, tip])])
             look: dict[str, Any] = {"away": tip - origin, "distance": 2.0, "style": "italic"}
             write_beside(self.scene, tip, [name], (7.0, 6.0), off=off, **look)
 
-    def name_cells(self, *, beside: bool = True) -> int:
+    def name_cells(self, names: RegionLabels, *, beside: bool = True) -> int:
         """Write the name of each lifted cell on its largest free face, or `beside` it.
 
         Return how many found no room on their faces.
         """
-        left = 0
-        around = self._lines()
+        left, segments = 0, [segment for item in self.lifted for segment in item.outlines()]
+        closed = np.vstack([self.outline, self.outline[:1]])
+        around = keep_off(self.place(line) for line in (closed, *segments))
         for item in self.lifted:
-            off = keep_off([], self._hiders(item))
-            outlines = [self.place(loop) for loop in item.visible_outlines(self.picture.round)]
+            own = self.painted_at[item.cell.signs]
+            # What is painted after it hides it.
+            off = keep_off([], [loop for z, loop in self.areas if z > own])
+            outlines = [self.place(loop) for loop in item.visible_outlines(self.round)]
             outlines.sort(key=lambda outline: round(area(outline), 3), reverse=True)
-            forms = self.names.forms(item.cell.signs)
+            forms = names.forms(item.cell.signs)
             if not any(
                 write_inside(self.scene, outline, text, (7, 6), off=off)
                 for outline in outlines
@@ -449,13 +418,9 @@ class Names:
                 )
         return left
 
-    def _lines(self) -> Any:
-        """Return what names beside cells must not cross: outlines of the body and of the cells."""
-        lifted = [segment for item in self.lifted for segment in item.outlines()]
-        closed = np.vstack([self.outline, self.outline[:1]])
-        return keep_off(self.place(line) for line in (closed, *lifted))
 
-    def _hiders(self, item: Lifted) -> list[Floats]:
-        """Return the outlines of all that is painted after a lifted cell."""
-        own = self.picture.painted_at[item.cell.signs]
-        return [area for z, area in self.picture.areas if z > own]
+def _pale(colour: str) -> str:
+    """Return any colour that matplotlib knows, mixed with white."""
+    from matplotlib.colors import to_hex
+
+    return pale(to_hex(colour))

@@ -8,9 +8,11 @@ from itertools import combinations
 import numpy as np
 
 from arrangement.drawing.scene.scene import Floats
-from arrangement.drawing.solids.sight import best_view, unit_vectors, views
+from arrangement.drawing.solids.sight import best_view, unit, unit_vectors, views
 from arrangement.duals.cells import Cells
 from arrangement.numbers.exact import IntegerVector, primitive, unoriented
+
+from .exploded_cells import unit_points
 
 #: Pairs of lines that are compared at most; the rest of a large arrangement hardly matters.
 _MOST_PAIRS = 400
@@ -36,8 +38,11 @@ def _score(units: Floats, cells: Cells, lifted: Sequence[tuple[int, ...]]) -> Fl
         facing = np.abs(units @ unit_vectors(normals).T)
         oblique = np.minimum(facing, 0.8 * np.sqrt(np.maximum(0.0, 1 - facing**2)))
         score = np.minimum(score, oblique.min(axis=1))
-        score = np.minimum(score, 2 * _asymmetry(units, unit_vectors(normals)))
-    score = np.minimum(score, 3 * _clearance(units, _lines(cells, normals)))
+        pairs = list(combinations(unit_vectors(normals), 2))[:_MOST_PAIRS]
+        # From the planes of symmetry between two of the planes, and those through two lines.
+        score = np.minimum(score, 2 * _apart(units, [m for a, b in pairs for m in (a - b, a + b)]))
+    pairs = list(combinations(unit_vectors(_lines(cells, normals)), 2))[:_MOST_PAIRS]
+    score = np.minimum(score, 3 * _apart(units, [np.cross(a, b) for a, b in pairs]))
     for way in _ways(cells, lifted):
         towards = units @ way
         score *= np.exp(-(((towards - 0.3) / 0.35) ** 2))
@@ -47,32 +52,13 @@ def _score(units: Floats, cells: Cells, lifted: Sequence[tuple[int, ...]]) -> Fl
 
 def _lines(cells: Cells, normals: Sequence[IntegerVector]) -> list[IntegerVector]:
     """Return the directions of intersections of planes, the axes, and the diagonals of a cube."""
-    crosses = {_line(np.cross(a, b).tolist()) for a, b in combinations(_small(normals), 2)}
+    # Of entries short enough for machine integers.
+    small = [n for n in normals if max(map(abs, n)) < 2**30]
+    crosses = {unoriented(primitive(np.cross(a, b).tolist())) for a, b in combinations(small, 2)}
     fixed = {(1, 0, 0), (0, 1, 0), (0, 0, 1)}
     if cells.body.kind == "cube":
         fixed |= {(1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)}
     return sorted(line for line in crosses | fixed if any(line))
-
-
-def _small(normals: Sequence[IntegerVector]) -> list[tuple[int, ...]]:
-    """Return normals with entries short enough for machine integers."""
-    return [n for n in normals if max(map(abs, n)) < 2**30]
-
-
-def _line(vector: Sequence[int]) -> IntegerVector:
-    return unoriented(primitive(vector))
-
-
-def _asymmetry(units: Floats, normals: Floats) -> Floats:
-    """Return how far each view is from the planes of symmetry between two of the planes."""
-    pairs = list(combinations(normals, 2))[:_MOST_PAIRS]
-    return _apart(units, [mirror for a, b in pairs for mirror in (a - b, a + b)])
-
-
-def _clearance(units: Floats, lines: Sequence[IntegerVector]) -> Floats:
-    """Return how far each view is from the planes spanned by two of the lines."""
-    pairs = list(combinations(unit_vectors(lines), 2))[:_MOST_PAIRS]
-    return _apart(units, [np.cross(a, b) for a, b in pairs])
 
 
 def _apart(units: Floats, normals: Sequence[Floats]) -> Floats:
@@ -84,16 +70,9 @@ def _apart(units: Floats, normals: Sequence[Floats]) -> Floats:
     return apart
 
 
-def _ways(cells: Cells, lifted: Sequence[tuple[int, ...]]) -> list[Floats]:
+def _ways(cells: Cells, lifted: Sequence[tuple[int, ...]]) -> Floats:
     """Return the unit directions from the centre to the lifted cells."""
-    from .exploded_cells import unit_points
-
-    points, ways = unit_points(cells), []
-    for cell in cells.cells:
-        if cell.signs in lifted:
-            corners = points[sorted({i for face in cell.faces for i in face})]
-            middle = corners.mean(axis=0)
-            length = float(np.linalg.norm(middle))
-            if length > 1e-9:
-                ways.append(middle / length)
-    return ways
+    points = unit_points(cells)
+    chosen = [cell.faces for cell in cells.cells if cell.signs in lifted]
+    middles = [points[sorted({i for face in faces for i in face})].mean(axis=0) for faces in chosen]
+    return unit(np.array([way for way in middles if np.linalg.norm(way) > 1e-9]).reshape(-1, 3))

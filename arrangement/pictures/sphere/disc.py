@@ -16,6 +16,7 @@ from arrangement.drawing.scene.labels import (
     along,
     flattened,
     keep_off,
+    place,
     spread,
     turn,
     write_inside,
@@ -73,7 +74,8 @@ class Disc:
         """Draw everything, labels of regions off the lines `avoid`; return all lines, (k, 2)."""
         outlines, arcs, hidden = self.curves(paint, both_ends=both_ends)
         inner = [*hidden, *avoid]
-        box = within or (0.0, self.scene.height - self.scene.width, *_corner(self.scene))
+        wide, high = self.scene.width, self.scene.height
+        box = within or (0.0, high - wide, wide, high)
         lines = [*arcs, *inner]
         label_regions(self.scene, self.names, outlines, lines, inner, box)
         return lines
@@ -159,16 +161,11 @@ class Disc:
 
     def _name(self, outward: Floats, text: str, colour: str) -> None:
         for size in (7.0, 6.0, 5.0):
-            w, h = self.scene.measure(text, size)
-            beyond = 3.4 + (abs(outward[0]) * w + abs(outward[1]) * h) / 2
-            for extra in (0.0, 2.0, 4.0):
-                place = np.array(self.centre) + (self.radius + beyond + extra) * outward
-                if self.scene.write(place, text, size, color=colour, style="italic"):
-                    return
-
-
-def _corner(scene: Scene) -> tuple[float, float]:
-    return scene.width, scene.height
+            beyond = 3.4 + float(np.abs(outward) @ self.scene.measure(text, size)) / 2
+            out = self.radius + beyond + np.array([[0.0], [2.0], [4.0]])
+            centres = np.array(self.centre) + out * outward
+            if place(self.scene, text, size, centres, color=colour, style="italic") >= 0:
+                return
 
 
 def label_regions(

@@ -13,7 +13,7 @@ from arrangement.drawing.colours import Painter
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Vector
 from arrangement.drawing.scene.labels import ring
-from arrangement.drawing.scene.scene import Floats, Scene, checked_width
+from arrangement.drawing.scene.scene import Floats, Scene
 from arrangement.drawing.solids.sight import best_view, picture_axes, unit_vectors, views
 from arrangement.numbers.exact import IntegerVector, dot, reduced, unoriented
 from arrangement.numbers.linear.rank import cross
@@ -28,7 +28,7 @@ from .projections import CompressedChart, Drawn, StraightChart, orthographic
 _BOTH_ENDS = 16
 
 
-@picture
+@picture()
 @shown_as("gnomonic")
 def draw_gnomonic(
     arrangement: Arrangement,
@@ -63,14 +63,11 @@ def draw_gnomonic(
             from infinity; of more than six planes an axis of most symmetries, if there is one, else
             one in which the crossings spread evenly.
         colour, antipodes, labels: as for `draw_sphere`.
-        width: of the figure, in millimetres.
         coordinates: as for `draw_sphere`.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.
-        MissingExtraError: matplotlib is absent.
     """
-    width = checked_width(width)
     names = RegionLabels(arrangement, labels)
     arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)

@@ -13,7 +13,7 @@ from arrangement.drawing.colours import Painter
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import AxisNames, Vector
 from arrangement.drawing.scene.labels import keep_off, write_beside
-from arrangement.drawing.scene.scene import Floats, Scene, checked_width
+from arrangement.drawing.scene.scene import Floats, Scene
 from arrangement.drawing.scene.shapes import arrow
 from arrangement.drawing.solids.sight import unit, unit_vectors
 from arrangement.pictures.parts.coordinates import (
@@ -31,7 +31,7 @@ from .globe import Globe
 from .projections import orthographic
 
 
-@picture
+@picture()
 @shown_as("sphere")
 def draw_sphere(
     arrangement: Arrangement,
@@ -66,16 +66,14 @@ def draw_sphere(
         axes: names of the axes; True for ``x,y,z``; or "none"; if omitted, there are some
             where the coordinates have a meaning, as x, y, r of the motions of a grasp.
         sides: mark the positive side of each plane by an arrow.
-        width: of the figure, in millimetres.
         coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
             changes no sign vector; "even": after one that spreads the normals evenly; "given". If
             omitted, symmetric (narrow planes: even), but for planes of motions and with axes.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.
-        MissingExtraError: matplotlib is absent.
     """
-    width, names = checked_width(width), RegionLabels(arrangement, labels)
+    names = RegionLabels(arrangement, labels)
     shown, coordinates = drawn_axes(arrangement, axes, coordinates)
     arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)

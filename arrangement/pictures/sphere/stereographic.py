@@ -20,10 +20,9 @@ from arrangement.drawing.scene.labels import (
     write_beside,
     write_inside,
 )
-from arrangement.drawing.scene.scene import Floats, Scene, checked_width
+from arrangement.drawing.scene.scene import Floats, Scene
 from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.errors import InputError
-from arrangement.numbers.exact import IntegerVector
 from arrangement.pictures.parts.coordinates import in_coordinates
 from arrangement.pictures.parts.essential import shown_as
 from arrangement.pictures.parts.names import RegionLabels, explain_regions, plane_names
@@ -36,7 +35,7 @@ from .projections import Drawn, stereographic
 FARTHEST = 3.3
 
 
-@picture
+@picture()
 @shown_as("stereographic")
 def draw_stereographic(
     arrangement: Arrangement,
@@ -66,7 +65,6 @@ def draw_stereographic(
         arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
         direction: the exact direction of the middle; if omitted, one is chosen.
         colour, antipodes, labels: as for `draw_sphere`.
-        width: of the figure, in millimetres.
         whole: both halves, or the front half; if omitted, both where all circles stay within
             3.3 radii, as for few circles.
         coordinates: as for `draw_sphere`.
@@ -74,14 +72,15 @@ def draw_stereographic(
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring; or
             the whole is asked for and the direction lies on a plane.
-        MissingExtraError: matplotlib is absent.
     """
-    width = checked_width(width)
     names = RegionLabels(arrangement, labels)
     arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)
     if direction is None and whole is not False:
-        central = Globe(arrangement, _inner_direction(globe))
+        # The direction that keeps farthest from all planes.
+        units = unit_vectors(globe.whole.circle_normals)
+        inner = far_direction(globe.whole.arrangement, units) if len(units) else (1, 1, 1)
+        central = Globe(arrangement, inner)
         if whole or _farthest(central) <= FARTHEST:
             globe, whole = central, True
     if whole is None:
@@ -201,10 +200,3 @@ def _farthest(globe: Globe) -> float:
         return math.inf
     heights = np.abs(unit_vectors(globe.whole.circle_normals) @ globe.axes[2])
     return float(((1 + np.sqrt(np.maximum(0, 1 - heights**2))) / heights).max())
-
-
-def _inner_direction(globe: Globe) -> IntegerVector:
-    """Return the direction that keeps farthest from all planes."""
-    if not globe.whole.circle_count:
-        return (1, 1, 1)
-    return far_direction(globe.whole.arrangement, unit_vectors(globe.whole.circle_normals))

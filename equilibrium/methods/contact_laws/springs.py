@@ -1,11 +1,14 @@
-"""What the methods with springs share: forces as linear rows in the motion."""
+"""Linear compliance, and the same with frictionless slip: forces as linear rows in the motion."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, TypeAlias
+from itertools import product
+from typing import Any, Literal, TypeAlias
 
+from arrangement.numbers import budget
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
@@ -18,10 +21,18 @@ from arrangement.numbers.exact import (
 from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
 from arrangement.numbers.linear.programs import Infeasible, feasible_point
+from equilibrium.methods.method import Accepting, Decide, Method, Outcome, cut
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp
-from equilibrium.plane.contact_rows import Pair, balance_rows, cone_rows, normal_force_row, unit_row
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.plane.contact_rows import (
+    Pair,
+    balance_rows,
+    cone_rows,
+    negated,
+    normal_force_row,
+    unit_row,
+)
 from equilibrium.plane.states.state_system import value
 
 #: The point zero as a homogeneous point; also the condition that a homogeneous point is one.
@@ -126,3 +137,199 @@ def balancing_friction(grasp: Grasp) -> RationalVector | None:
         return (Fraction(0),) * m
     point = feasible_point(m, cones, balance)
     return None if isinstance(point, Infeasible) else point
+
+
+def _with_usual_springs(decide: Callable[[Grasp, RationalVector, list[Pair]], Accepting]) -> Decide:
+    def outcome(grasp: Grasp, wrench: RationalVector) -> Outcome:
+        springs, remark = usual_springs(grasp)
+        return decide(grasp, wrench, springs).accepts, remark
+
+    return outcome
+
+
+@dataclass(frozen=True)
+class ComplianceVerdict(Accepting):
+    """Whether the forces of the springs lie inside the cones.
+
+    Attributes:
+        accepts: they exist and do.
+        motion: a motion that balances; None if the springs cannot (two contact points or more
+            always can).
+        forces: normal and tangential force of each contact, the same for all such motions.
+        outside: the contacts whose force is outside the cone.
+    """
+
+    accepts: bool
+    motion: RationalVector | None
+    forces: Forces | None
+    outside: tuple[int, ...]
+
+
+def linear_compliance(
+    grasp: Grasp,
+    wrench: Iterable[Any],
+    *,
+    tangential_stiffness: Any = 1,
+    rest_friction: Iterable[Any] | None = None,
+) -> ComplianceVerdict:
+    """Decide by linear springs in both directions, exactly.
+
+    Every contact has a linear spring in the normal and one in the tangential direction, both
+    working both ways; the motion that balances a wrench solves one linear system, which determines
+    all forces. The method accepts when these forces happen to lie inside the friction cones.
+    Contacts neither slip nor let go, so a spring that leaves its cone makes the method refuse,
+    right or wrong ([Bicchi1993], [Bicchi1994], [Bicchi1995], [Cutkosky1989]).
+
+    Args:
+        grasp: normal stiffness and preload are those of the contacts.
+        wrench: applied.
+        tangential_stiffness: a factor on each normal stiffness, or a value for each contact.
+        rest_friction: tangential forces at d = 0 (see `balancing_friction`); zeros if omitted.
+    """
+    springs = springs_of(grasp, tangential_stiffness, rest_friction)
+    return _compliance(grasp, read_wrench(wrench), springs)
+
+
+def _compliance(grasp: Grasp, wrench: RationalVector, springs: list[Pair]) -> ComplianceVerdict:
+    motion = feasible_point(3, [], balance_rows(grasp, springs, wrench))
+    if isinstance(motion, Infeasible):
+        return ComplianceVerdict(False, None, None, ())
+    forces = forces_at(springs, motion)
+    outside = tuple(
+        i
+        for i, (contact, (c_n, c_t)) in enumerate(zip(grasp, forces, strict=True))
+        if c_n < 0 or abs(c_t) > contact.friction * c_n
+    )
+    return ComplianceVerdict(not outside, motion, forces, outside)
+
+
+@cut
+def _compliance_region(grasp: Grasp) -> Iterator[Polyhedron | None]:
+    springs, _ = usual_springs(grasp)
+    pairs = zip(grasp, springs, strict=True)
+    rows = [row for contact, pair in pairs for row in force_rows(contact, pair)]
+    yield balanced_wrenches(grasp, springs, rows)
+
+
+LINEAR_COMPLIANCE = Method(
+    "linear-compliance",
+    "linear compliance (Bicchi 1993-95; Cutkosky, Kao 1989)",
+    "linear compliance",
+    _with_usual_springs(_compliance),
+    _compliance_region,
+)
+
+
+_ZERO: RationalVector = (Fraction(0),) * 4
+State = Literal["stick", "slip", "detached"]
+STATES: tuple[State, ...] = ("stick", "slip", "detached")
+
+
+@dataclass(frozen=True)
+class FrictionlessSlipVerdict(Accepting):
+    """Whether some choice of states has legal forces.
+
+    Attributes:
+        accepts: one does.
+        states, motion, forces: of the first that does, in the order of `STATES`; else None.
+        tried: how many choices were looked at (all 3^m when the method refuses).
+    """
+
+    accepts: bool
+    states: tuple[State, ...] | None
+    motion: RationalVector | None
+    forces: Forces | None
+    tried: int
+
+
+def frictionless_slip(
+    grasp: Grasp,
+    wrench: Iterable[Any],
+    *,
+    tangential_stiffness: Any = 1,
+    rest_friction: Iterable[Any] | None = None,
+    gap: bool = True,
+) -> FrictionlessSlipVerdict:
+    """Decide by trying all 3^m choices of states, each exactly.
+
+    Each contact is in one of three states ([Prattichizzo1997]). Stick: linear springs in both
+    directions, the force inside the cone. Slip: the normal spring alone, no friction force at all.
+    Detached: no force. Every choice of states gives one linear system in the motion; the method
+    accepts when some choice has a legal solution.
+
+    Args:
+        grasp: at most 12 contacts.
+        wrench: applied.
+        tangential_stiffness, rest_friction: as in `linear_compliance`.
+        gap: a contact counts as detached only where its normal spring would pull. Without this a
+            contact that is pressed together may be said to carry nothing.
+
+    Raises:
+        OutOfReachError: too many contacts.
+    """
+    budget.keep(len(grasp), "contacts with a choice of three states")
+    springs = springs_of(grasp, tangential_stiffness, rest_friction)
+    return _frictionless(grasp, read_wrench(wrench), springs, gap)
+
+
+def _frictionless(
+    grasp: Grasp, wrench: RationalVector, springs: list[Pair], gap: bool = True
+) -> FrictionlessSlipVerdict:
+    tried = 0
+    for tried, states in enumerate(product(STATES, repeat=len(grasp)), 1):
+        forces, rows = _forces_in(states, springs), _legal_rows(grasp, states, springs, gap)
+        motion = feasible_point(3, list(rows), balance_rows(grasp, forces, wrench))
+        if not isinstance(motion, Infeasible):
+            found = forces_at(forces, motion)
+            return FrictionlessSlipVerdict(True, states, motion, found, tried)
+    return FrictionlessSlipVerdict(False, None, None, None, tried)
+
+
+def _forces_in(states: tuple[State, ...], springs: list[Pair]) -> list[Pair]:
+    """Return the forces of contacts in these states."""
+    return [
+        (_ZERO if state == "detached" else normal, tangential if state == "stick" else _ZERO)
+        for state, (normal, tangential) in zip(states, springs, strict=True)
+    ]
+
+
+def _legal_rows(
+    grasp: Grasp, states: tuple[State, ...], springs: list[Pair], gap: bool = True
+) -> Iterator[RationalVector]:
+    """Yield the conditions that make the forces of the states legal."""
+    for contact, state, pair in zip(grasp, states, springs, strict=True):
+        if state == "stick":
+            yield from force_rows(contact, pair)
+        elif state == "slip":
+            yield pair[0]
+        elif gap:
+            yield negated(pair[0])
+
+
+def _ask(grasp: Grasp) -> None:
+    budget.ask(
+        f"three states of each of {len(grasp)} contacts", seconds=1e-3 * budget.power(3, len(grasp))
+    )
+
+
+def _decide_frictionless(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    _ask(grasp)
+    return _with_usual_springs(_frictionless)(grasp, wrench)
+
+
+@cut
+def _frictionless_region(grasp: Grasp) -> Iterator[Polyhedron | None]:
+    _ask(grasp)
+    springs, _ = usual_springs(grasp)
+    for states in product(STATES, repeat=len(grasp)):
+        forces, rows = _forces_in(states, springs), _legal_rows(grasp, states, springs)
+        yield balanced_wrenches(grasp, forces, rows)
+
+
+FRICTIONLESS_SLIP = Method(
+    "frictionless-slip",
+    "stick, frictionless slip, detached (Prattichizzo 1997)",
+    "frictionless slip",
+    _decide_frictionless,
+    _frictionless_region,
+)

@@ -16,6 +16,7 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.arrangement import Arrangement
+from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.polyhedron import Polyhedron
 from arrangement.numbers.linear.programs import Infeasible, feasible_point
@@ -23,7 +24,7 @@ from equilibrium.methods.contact_laws.springs import Forces, force_rows, forces_
 from equilibrium.methods.method import Accepting, Method, Outcome, cut
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.contact_rows import Pair, balance_rows, negated, normal_force_row, unit_row
-from equilibrium.wrench_sets.images import StateImages
+from equilibrium.wrench_sets.space import StateImages
 
 
 @dataclass(frozen=True)
@@ -55,6 +56,7 @@ def cones(grasp: Grasp, wrench: Iterable[Any], *, printed: bool = False) -> Cone
     """
     applied = read_wrench(wrench)
     tried, n = 0, 3 + len(grasp)
+    budget.ask(f"a linear program in {n} variables", "leave out contacts", seconds=1.5e-7 * n**3)
     choices = [(True,) * len(grasp)] if printed else _attached_choices(grasp)
     for tried, attached in enumerate(choices, 1):
         pairs, rows = _program(grasp, attached)

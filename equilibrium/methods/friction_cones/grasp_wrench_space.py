@@ -15,7 +15,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from itertools import permutations, product
+from itertools import product
 from math import sqrt
 from typing import Any, Literal
 
@@ -137,7 +137,7 @@ class GraspWrenchSpace:
             GraspError: a grasp in space.
         """
         self.grasp.require_plane()
-        return _volume(self.polytope)
+        return self.polytope.volume
 
     def verdict(self, wrench: Iterable[Any]) -> WrenchSpaceVerdict:
         """Return whether the method counts a wrench as resisted; one exact linear program."""
@@ -217,28 +217,6 @@ def _hull(points: Iterable[RationalVector]) -> Polyhedron:
     found = from_generators(rays, (), len(rays[0]) - 1)
     assert found is not None
     return found
-
-
-def _volume(polytope: Polyhedron) -> Fraction:
-    """Return the volume of a polytope in space.
-
-    It is cut into the tetrahedra of one vertex, one of each facet, and the edges of the facet.
-    """
-    if polytope.dimension < 3:
-        return Fraction(0)
-    apex, *_ = polytope.points
-    away = [tuple(x - y for x, y in zip(p, apex, strict=True)) for p in polytope.points]
-    facets = [
-        {i for i, point in enumerate(polytope.homogeneous[0]) if dot(row, point) == 0}
-        for row in polytope.inequalities
-    ]
-    total = Fraction(0)
-    for facet, other in permutations(facets, 2):
-        edge = facet & other
-        if len(edge) == 2 and 0 not in facet:
-            one, two = (away[i] for i in edge)
-            total += abs(dot(away[min(facet)], cross(one, two)))
-    return total / 6
 
 
 def _decide(grasp: Grasp, wrench: RationalVector, pyramid: int = 4) -> Outcome:

@@ -10,19 +10,19 @@ import numpy as np
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Corner, Exact, Vector, Wrench
-from arrangement.drawing.scene.labels import flattened, ring
-from arrangement.drawing.scene.scene import Floats, Legend, Scene, checked_width, fitted
+from arrangement.drawing.scene.labels import Labels, flattened, ring
+from arrangement.drawing.scene.scene import Floats, Legend, Scene, fitted
 from arrangement.drawing.scene.shapes import arrow, turning_arrow
 from equilibrium.decide.verdict import Solver
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import SMALL, Range
-from equilibrium.pictures.parts.shapes import Labels, mark
 from equilibrium.pictures.parts.style import (
     CONE_EDGE,
     CONE_FILL,
     bar,
     explain_grasp,
+    mark,
     nice_near,
     number,
     symbol,
@@ -31,10 +31,10 @@ from equilibrium.pictures.parts.style import (
 from equilibrium.pictures.space.space_grasp import drawn_in_space, solved_in_space
 from equilibrium.plane.search.state_equilibrium import Solution
 
-from .layout import ARC, FORCE, Layout, displaced, layout_of
+from .layout import ARC, FORCE, Layout, displaced
 
 
-@picture
+@picture(20.0)
 def draw_grasp(
     grasp: Grasp,
     *,
@@ -69,11 +69,9 @@ def draw_grasp(
         direction: exact, towards the viewer, in space; if omitted, one from above that sees forces
             from the side.
         largest_turn, largest_force: exact; only equilibria within them count, see `solve`.
-        width: of the figure, in millimetres.
 
     Raises:
         GraspError: a bad outline, or no such piece.
-        MissingExtraError: matplotlib is absent.
     """
     if grasp.dimension == 3:
         if outline is not None or piece != 1:
@@ -86,7 +84,7 @@ def draw_grasp(
     if wrench is None and piece != 1:
         raise GraspError("without a wrench nothing is solved; give one with the piece")
     verdict = None if wrench is None else Solver(grasp, largest_turn, largest_force).solve(wrench)
-    return drawn(layout_of(grasp, verdict, outline, piece), checked_width(width, 20.0))
+    return drawn(Layout(grasp, verdict, outline, piece), width)
 
 
 def _content(layout: Layout) -> Floats:

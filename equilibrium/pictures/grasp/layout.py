@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
@@ -17,7 +16,7 @@ from equilibrium.decide.verdict import Verdict
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Polygon
-from equilibrium.pictures.parts.body import Frame, body, frame_of, free_lengths, stated_body
+from equilibrium.pictures.parts.body import body, frame_of, free_lengths, stated_body
 from equilibrium.pictures.parts.style import nice_near, rounded
 from equilibrium.plane.search.state_equilibrium import Solution
 from equilibrium.plane.states.contact_states import states_at
@@ -34,78 +33,74 @@ _RIM = 17
 _LEAST = 1e-9
 
 
-@dataclass
 class Layout:
-    """What is to be drawn, in paper coordinates.
+    """What a picture of a grasp shows, in paper coordinates (see `draw_grasp` for the arguments).
 
     Attributes:
-        reference: the largest force component; arrows of forces are `FORCE` for `longest` of it.
-        arms: for each contact the contact force on paper, or None.
         found: the equilibrium that is drawn, if there is one.
+        moved: whether the wrench is drawn about the middle of the contacts, as the origin is far.
         cones: the rim of each friction cone (see `_cone_rim`).
         states: at the motion that is drawn, often on the boundary of the set of solutions, where
             a contact that may slip does not.
         step: the exact factor that the motion is drawn with, or None when nothing moves.
+        reference: the largest force component; arrows of forces are `FORCE` for `longest` of it.
+        arms: for each contact the contact force on paper, or None; `load` that of the wrench.
     """
 
-    grasp: Grasp
-    verdict: Verdict | None
-    found: Equilibrium | Solution | None
-    frame: Frame
-    curve: Floats | None
-    given: bool
-    origin: Floats
-    applied: RationalVector | None
-    moved: bool
-    reference: Fraction = Fraction(0)
-    longest: float = 1.0
-    places: list[Floats] = field(default_factory=list)
-    normals: list[Floats] = field(default_factory=list)
-    arms: list[Floats | None] = field(default_factory=list)
-    preloads: list[float] = field(default_factory=list)
-    cones: list[Floats] = field(default_factory=list)
-    load: Floats | None = None
-    step: Fraction | None = None
-    states: States = ()
+    def __init__(
+        self,
+        grasp: Grasp,
+        verdict: Verdict | None = None,
+        outline: Iterable[Iterable[Any]] | None = None,
+        piece: int = 1,
+    ) -> None:
+        shape = grasp.outline if outline is None else Polygon(outline)
+        self.grasp, self.verdict, self.given = grasp, verdict, shape is not None
+        self.frame = frame_of(grasp, shape)
+        self.curve = body(grasp, self.frame) if shape is None else stated_body(shape, self.frame)
+        self.applied = None if verdict is None else verdict.wrench
+        self.moved = any(abs(x) > Fraction(3, 2) * self.frame.size for x in self.frame.centre)
+        place = self.frame.centre if self.moved else (Fraction(0), Fraction(0))
+        self.origin = self.frame.paper(place)
+        if self.applied is not None:
+            x, y, torque = self.applied
+            self.applied = (x, y, torque - (place[0] * y - place[1] * x))
+        self.places = [self.frame.paper(c.point) for c in grasp]
+        self.normals = [np.array([float(x) for x in c.normal]) for c in grasp]
+        self.cones = [
+            _cone_rim(self.curve, place, normal, contact.friction)
+            for contact, place, normal in zip(grasp, self.places, self.normals, strict=True)
+        ]
+        self.found = _chosen(verdict, piece)
+        self._scale_forces()
+        self.states: States = ()
+        self.step: Fraction | None = None
+        if self.found is not None:
+            self.states = states_at(grasp, self.found.motion)
+            # A round factor with which no contact moves further than `MOVED` on paper.
+            shifts = [abs(x) for c in grasp for x in shift_at(self.found.motion, c.point)]
+            if any(shifts):
+                self.step = nice_near(Fraction(MOVED) * self.frame.size / max(shifts))
 
-
-def layout_of(
-    grasp: Grasp, verdict: Verdict | None, outline: Iterable[Iterable[Any]] | None, piece: int
-) -> Layout:
-    """Return all that a picture of a grasp shows (see `draw_grasp` for the arguments)."""
-    shape = grasp.outline if outline is None else Polygon(outline)
-    frame = frame_of(grasp, shape)
-    curve = body(grasp, frame) if shape is None else stated_body(shape, frame)
-    applied = None if verdict is None else verdict.wrench
-    far = any(abs(x) > Fraction(3, 2) * frame.size for x in frame.centre)
-    place: RationalVector = (Fraction(0), Fraction(0))
-    if far:
-        place = frame.centre
-        if applied is not None:
-            x, y, torque = applied
-            applied = (x, y, torque - (place[0] * y - place[1] * x))
-    layout = Layout(
-        grasp,
-        verdict,
-        _chosen(verdict, piece),
-        frame,
-        curve,
-        shape is not None,
-        frame.paper(place),
-        applied,
-        far,
-    )
-    layout.places = [frame.paper(c.point) for c in grasp]
-    layout.normals = [np.array([float(x) for x in c.normal]) for c in grasp]
-    layout.cones = [
-        _cone_rim(curve, place, normal, contact.friction)
-        for contact, place, normal in zip(grasp, layout.places, layout.normals, strict=True)
-    ]
-    _scale_forces(layout)
-    if layout.found is not None:
-        layout.states = states_at(grasp, layout.found.motion)
-        layout.step = _step(layout.found.motion, frame, grasp)
-    return layout
+    def _scale_forces(self) -> None:
+        """Turn all forces into arrows of one scale; exact until the largest one is known."""
+        forces: list[RationalVector | None] = [None] * len(self.grasp)
+        if self.found is not None:
+            for i, (c, (c_n, c_t)) in enumerate(zip(self.grasp, self.found.forces, strict=True)):
+                pairs = zip(c.normal, c.tangent, strict=True)
+                forces[i] = tuple(c_n * n + c_t * t for n, t in pairs)
+        forces.append(None if self.applied is None else self.applied[:2])
+        every = [f for f in forces if f is not None]
+        preloads = [c.preload for c in self.grasp]
+        self.reference = max((abs(x) for f in [*every, preloads] for x in f), default=Fraction(0))
+        unit = self.reference or Fraction(1)
+        lengths = [float(np.linalg.norm([float(x / unit) for x in f])) for f in every]
+        longest = max([*lengths, *(float(q / unit) for q in preloads)], default=1.0)
+        self.longest = longest or 1.0
+        factor = FORCE / self.longest
+        arms = [None if f is None or not any(f) else _arm(f, unit, factor) for f in forces]
+        *self.arms, self.load = arms
+        self.preloads = [max(factor * float(q / unit), _LEAST) if q else 0.0 for q in preloads]
 
 
 def _chosen(verdict: Verdict | None, piece: int) -> Equilibrium | Solution | None:
@@ -132,29 +127,6 @@ def _cone_rim(curve: Floats | None, place: Floats, normal: Floats, friction: Fra
     return place + reach[:, None] * ways
 
 
-def _scale_forces(layout: Layout) -> None:
-    """Turn all forces into arrows of one scale; exact until the largest one is known."""
-    forces: list[RationalVector | None] = [None] * len(layout.grasp)
-    if layout.found is not None:
-        for i, (c, (c_n, c_t)) in enumerate(zip(layout.grasp, layout.found.forces, strict=True)):
-            forces[i] = tuple(c_n * n + c_t * t for n, t in zip(c.normal, c.tangent, strict=True))
-    load = None if layout.applied is None else layout.applied[:2]
-    every = [f for f in (*forces, load) if f is not None]
-    preloads = [c.preload for c in layout.grasp]
-    layout.reference = max((abs(x) for f in [*every, preloads] for x in f), default=Fraction(0))
-    unit = layout.reference or Fraction(1)
-
-    def share(force: RationalVector) -> Floats:
-        return np.array([float(x / unit) for x in force])
-
-    lengths = [float(np.linalg.norm(share(f))) for f in every]
-    layout.longest = max([*lengths, *(float(q / unit) for q in preloads)], default=1.0) or 1.0
-    factor = FORCE / layout.longest
-    arms = [None if f is None or not any(f) else _arm(f, unit, factor) for f in (*forces, load)]
-    *layout.arms, layout.load = arms
-    layout.preloads = [max(factor * float(q / unit), _LEAST) if q else 0.0 for q in preloads]
-
-
 def _arm(force: RationalVector, unit: Fraction, factor: float) -> Floats:
     """Return a force on paper; one too small for a float keeps its direction."""
     own = max(map(abs, force))
@@ -162,15 +134,6 @@ def _arm(force: RationalVector, unit: Fraction, factor: float) -> Floats:
     length = float(np.linalg.norm(direction))
     arm: Floats = direction / length * max(factor * float(own / unit) * length, _LEAST)
     return arm
-
-
-def _step(motion: RationalVector, frame: Frame, grasp: Grasp) -> Fraction | None:
-    """Return a round factor with which no contact moves further than `MOVED` on paper."""
-    shifts = [abs(x) for c in grasp for x in shift_at(motion, c.point)]
-    largest = max(shifts, default=Fraction(0))
-    if not largest:
-        return None
-    return nice_near(Fraction(MOVED) * frame.size / largest)
 
 
 def shift_at(motion: RationalVector, point: RationalVector) -> RationalVector:

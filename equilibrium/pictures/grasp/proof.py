@@ -13,7 +13,7 @@ import numpy as np
 from arrangement.drawing.colours import BLUE, GREY, VERMILION, fill_colour, pale
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact, Wrench
-from arrangement.drawing.scene.labels import flattened
+from arrangement.drawing.scene.labels import Labels, flattened
 from arrangement.drawing.scene.scene import POINTS, Floats, Scene, area, checked_width
 from arrangement.drawing.scene.shapes import arc, arrow, turning_arrow
 from arrangement.numbers.exact import RationalVector
@@ -22,13 +22,12 @@ from equilibrium.decide.verdict import Verdict
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.panel import ABOVE, BELOW, GAP, LEFT, RIGHT, Panel
-from equilibrium.pictures.parts.shapes import Labels
 from equilibrium.pictures.parts.style import number, symbol, vector
 from equilibrium.pictures.parts.window import roomiest
 from equilibrium.pictures.space.space_grasp import proof_in_space
 
 from .grasp import GraspPicture
-from .layout import MOVED, Layout, layout_of, shift_at
+from .layout import MOVED, Layout, shift_at
 from .proof_maps import MAP, TURNS, Shape, proof_maps, summary_lines
 
 #: Half the side of the small grasps, where the contacts fill [-1, 1]: with numbers, and without.
@@ -46,7 +45,7 @@ _EXAMPLES = (
 )
 
 
-@picture
+@picture(60.0)
 def draw_proof(
     grasp: Grasp, *, wrench: Wrench, turn: Exact | None = None, width: float = 180.0
 ) -> Scene:
@@ -65,22 +64,20 @@ def draw_proof(
         wrench: one that is not resisted.
         turn: the angle r of the rotations shown (linearised), above 0, where it matters; if
             omitted, about the largest one at which a preloaded spring still touches, and no border.
-        width: of the figure, in millimetres.
 
     Of a grasp in space, up to three leaves of the proof: each virtual motion as a screw, and the
     states of contacts against which it stands.
 
     Raises:
         GraspError: the wrench is resisted, or a turn that is not above 0.
-        MissingExtraError: matplotlib is absent.
     """
     if grasp.dimension == 3:
         if turn is not None:
             raise GraspError("turn is for grasps in the plane; leave it out")
-        return proof_in_space(grasp, wrench, checked_width(width, 60.0))
+        return proof_in_space(grasp, wrench, width)
     maps = proof_maps(grasp, wrench, turn)
     verdict, ranks = maps.verdict, maps.ranks
-    layout = layout_of(grasp, verdict, None, 1)
+    layout = Layout(grasp, verdict)
     width = checked_width(width, 150.0)
     side = (width * POINTS - LEFT - RIGHT - GAP) / 2
     small = 0.6 * side

@@ -22,7 +22,7 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.style import SKETCH_SCRIPT, SKETCH_STYLE, number, vector
 from equilibrium.pictures.parts.window import roomiest
 
-from .layout import layout_of, shift_at
+from .layout import Layout, shift_at
 from .proof_maps import MAP, TURNS, ProofMaps, proof_maps, summary_lines
 
 _OWN = "equilibrium.pictures.grasp"
@@ -136,7 +136,7 @@ def _directions(vectors: Sequence[RationalVector]) -> list[list[float]]:
 
 def _grasp_data(grasp: Grasp) -> dict[str, Any]:
     """Return the contacts and the outline in paper coordinates, for ``sketch.js``."""
-    layout = layout_of(grasp, None, None, 1)
+    layout = Layout(grasp)
     frame, curve = layout.frame, layout.curve
     return {
         "contacts": [

@@ -16,8 +16,7 @@ from arrangement.drawing.pages.html_page import Template
 from arrangement.drawing.registry import Wrench
 from arrangement.errors import InputError
 from arrangement.numbers.exact import shown
-from arrangement.pictures.lab.exercises import read_exercises
-from arrangement.pictures.lab.page import LINEAR, RATIONAL, lab
+from arrangement.pictures.lab.page import LINEAR, RATIONAL, lab, read_exercises
 from equilibrium.decide.verdict import solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs.documents import question_document
@@ -86,6 +85,7 @@ _VIEWS = ("grasp_view", "motion_view", "map_view", "answer", "steps")
 _SHOWS = ("state", *_VIEWS, "fields", "controls", "judge", "lab")
 SCRIPTS: tuple[Template, ...] = (
     SKETCH_SCRIPT,
+    ("arrangement.pictures.lab", "circles.js"),
     *((_OWN, f"{name}.js") for name in ("plane", *_SHOWS)),
 )
 

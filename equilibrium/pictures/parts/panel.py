@@ -12,7 +12,7 @@ import numpy as np
 
 from arrangement.drawing.colours import BLACK, GREY
 from arrangement.drawing.registry import Exact, Wrench
-from arrangement.drawing.scene.labels import covering, keep_off
+from arrangement.drawing.scene.labels import Labels, covering, keep_off
 from arrangement.drawing.scene.scene import (
     FONT,
     POINTS,
@@ -22,7 +22,6 @@ from arrangement.drawing.scene.scene import (
     Place,
     Scene,
     area,
-    checked_width,
 )
 from arrangement.numbers.exact import RationalVector, rational, shown
 from equilibrium.model.data_error import AS_ROUNDED
@@ -31,7 +30,6 @@ from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.states.state_system import States
 from equilibrium.wrench_sets import Region
 
-from .shapes import Labels
 from .style import FILLS, MARKS, SHADE, SYMBOLS, rounded, symbol, ticks
 from .window import ZERO, Window, roomiest
 
@@ -282,7 +280,7 @@ def row_of_panels(
     names: Sequence[str] = FORCE_NAMES,
 ) -> tuple[Scene, list[Panel]]:
     """Return a scene with empty panels of planes of wrenches; only outer ones have rulers."""
-    given, width = grasp.units, checked_width(width, 20.0)
+    given = grasp.units
     units = [(given.force if "f" in name else given.torque) if given else "" for name in names]
     columns = min(number, columns or number)
     rows = -(-number // columns)

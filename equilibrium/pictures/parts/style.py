@@ -10,14 +10,12 @@ from typing import Any
 import numpy as np
 
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALETTE, VERMILION
-from arrangement.drawing.scene.scene import POINTS, Legend, Scene, Symbol
+from arrangement.drawing.scene.scene import POINTS, Floats, Legend, Scene, Symbol
 from arrangement.drawing.scene.shapes import arc, arrow
 from arrangement.numbers.exact import RationalVector, number_text
 from arrangement.pictures.parts.names import HALF, WIDTH, canvas, stroke, swatch
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.units import Units
-
-from .shapes import mark
 
 #: What pages draw grasps with.
 SKETCH_SCRIPT, SKETCH_STYLE = (
@@ -180,3 +178,22 @@ def bar(length: float) -> Symbol:
 def _mark(scene: Scene, kind: str, x: float) -> None:
     sign, size, style = MARKS[kind]
     scene.mark((x, 0), sign, size, **style)
+
+
+def mark(
+    scene: Scene, state: str, place: Floats, tangent: Floats, size: float = 6.0, **style: Any
+) -> None:
+    """Draw the mark of a contact state; the triangle of a slip points where the object slips."""
+    style = {"ec": "black", "lw": 0.8, **style}
+    if state == "detached":
+        scene.circle(place, 0.5 * size, fc="white", **style)
+        return
+    across = np.array([-tangent[1], tangent[0]])
+    if state == "stick":
+        corners = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
+        square = [place + 0.45 * size * (a * tangent + b * across) for a, b in corners]
+        scene.polygon(square, fc="black", **style)
+        return
+    ahead = tangent if state == "slip+" else -tangent
+    base = [place - 0.5 * size * ahead + side * 0.62 * size * across for side in (1, -1)]
+    scene.polygon([place + 0.8 * size * ahead, *base], fc="#bdbdbd", **style)

@@ -54,7 +54,8 @@ class Window:
     def inside(self, polyhedron: Polyhedron) -> Floats | None:
         """Return the corners of the part of a polygon inside, counter-clockwise, on paper."""
         cut: Polyhedron | None = polyhedron
-        if not (polyhedron.bounded and all(map(self._holds, polyhedron.points))):
+        far = (abs(x - c) for p in polyhedron.points for x, c in zip(p, self.centre, strict=True))
+        if not (polyhedron.bounded and max(far) <= self.half):
             cut = self._cut(polyhedron.inequalities, polyhedron.equalities)
         return None if cut is None else np.array([self.paper(p) for p in polygon_cycle(cut)])
 
@@ -70,9 +71,6 @@ class Window:
             return None
         ends = sorted(cut.points, key=lambda p: Fraction(dot(segment.direction, p)))
         return np.array([self.paper(end) for end in ends])
-
-    def _holds(self, point: RationalVector) -> bool:
-        return all(abs(x - c) <= self.half for x, c in zip(point, self.centre, strict=True))
 
     def _cut(
         self, inequalities: Iterable[IntegerVector], equalities: Iterable[IntegerVector]

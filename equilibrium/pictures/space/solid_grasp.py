@@ -26,8 +26,7 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Mesh
 from equilibrium.pictures.parts.body import Frame, frame_of
 
-from .body_mesh import convex_hull, drawn_edges, merged
-from .pieces import Arrow, Screw, arc, arrow_pieces, flat, segment
+from .pieces import Arrow, Screw, arc, arrow_pieces, convex_hull, drawn_edges, flat, merged, segment
 
 #: Lengths, where body and contacts fill [-1, 1]: cones, the largest force, slip and motion.
 CONE, FORCE, MOVED = 0.3, 0.6, 0.3

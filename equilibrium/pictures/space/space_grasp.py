@@ -10,7 +10,8 @@ import numpy as np
 
 from arrangement.drawing.colours import BLACK, GREY, PALE
 from arrangement.drawing.registry import Vector, Wrench
-from arrangement.drawing.scene.scene import Floats, Key, Legend, Scene, checked_width
+from arrangement.drawing.scene.labels import Labels
+from arrangement.drawing.scene.scene import Floats, Key, Legend, Scene
 from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import best_view, unit, unit_vectors, view_direction, views
 from arrangement.drawing.solids.surface import Patch, rounded
@@ -20,7 +21,6 @@ from equilibrium.decide.spatial_verdict import NOT_RESISTED, solve_in_space
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, SMALL, Range
-from equilibrium.pictures.parts.shapes import Labels
 from equilibrium.pictures.parts.style import CONE_EDGE, CONE_FILL, explain_grasp, number, symbol
 
 from .solid_grasp import INKS, SolidGrasp
@@ -67,7 +67,7 @@ def drawn_in_space(solid: SolidGrasp, direction: Vector | None, width: float, no
         note: what is said of the answer, if anything.
     """
     towards = clear_side(solid) if direction is None else view_direction(direction)
-    return _SpatialGraspPicture(solid, towards, checked_width(width, 20.0), note).scene
+    return _SpatialGraspPicture(solid, towards, width, note).scene
 
 
 def clear_side(solid: SolidGrasp) -> IntegerVector:
@@ -103,9 +103,9 @@ class _SpatialGraspPicture(SolidSheet):
     def _patch(self, patch: Patch, z: float) -> None:
         self.count += 1
         kind, gid = patch.name.partition("-")[0], f"{patch.name}-{self.count}"
-        corners = self.at(rounded(patch.corners))
+        corners = self.at_exact(patch.corners)
         ahead = self.faces(patch)
-        edges = [self.at(rounded(edge)) for edge in patch.edges]
+        edges = [self.at_exact(edge) for edge in patch.edges]
         self.labels.avoid(*edges)
         if kind == "body":
             if ahead:
@@ -144,13 +144,11 @@ class _SpatialGraspPicture(SolidSheet):
             labels.beside(text, self.at(self.solid.places[k]), out, gid=f"number-{k + 1}")
         for arrow in self.solid.arrows():
             if arrow.name == "wrench-force" or (
-                arrow.name == "wrench-torque" and not arrow.headless and not self._has_force
+                arrow.name == "wrench-torque"
+                and not arrow.headless
+                and not any(self.solid.wrench[:3])
             ):
                 labels.name_wrench([self.at(arrow.end)])
-
-    @property
-    def _has_force(self) -> bool:
-        return any(self.solid.wrench[:3])
 
     def _describe(self, note: str) -> None:
         solid, legend = self.solid, self.scene.legend

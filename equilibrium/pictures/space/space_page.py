@@ -21,8 +21,7 @@ from equilibrium.model.contact import VALUES
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.style import CONE_EDGE, CONE_FILL, number, vector, wrench_text
 
-from .body_mesh import open_edges
-from .pieces import Arrow, head_of
+from .pieces import Arrow, head_of, open_edges
 from .solid_grasp import INKS, SolidGrasp
 from .space_grasp import clear_side, motion_text, solved_in_space
 

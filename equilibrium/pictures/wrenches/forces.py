@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from fractions import Fraction
 
 from arrangement.console.progress import watched
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact, Wrench
 from arrangement.drawing.scene.scene import Legend, Scene
+from arrangement.errors import OutOfReachError
 from arrangement.numbers.exact import rational
 from equilibrium.methods.registry import METHODS, WITH_REGION, method_named
 from equilibrium.model.errors import GraspError
@@ -21,7 +23,7 @@ from equilibrium.plane.states.state_system import States
 from equilibrium.wrench_sets import Region, resisted_region
 
 
-@picture
+@picture(20.0)
 def draw_resist(
     grasp: Grasp, *, wrench: Wrench | None = None, extent: Exact | None = None, width: float = 88.0
 ) -> Scene:
@@ -38,11 +40,9 @@ def draw_resist(
         wrench: marked: a disc when it is resisted, a cross when not; the plane has its torque.
         extent: half the side of the picture, about the origin; then nothing fades, as what
             reaches the edge may end beyond; if omitted, the whole border is shown.
-        width: of the figure, in millimetres.
 
     Raises:
         GraspError: an extent that is not above 0.
-        MissingExtraError: matplotlib is absent.
     """
     question = PlaneQuestion(wrench, extent)
     half, torque = question.half, question.torque
@@ -84,7 +84,7 @@ def _describe(
         legend.line(f"{which}: {shown}")
 
 
-@picture
+@picture(20.0)
 def draw_compare(
     grasp: Grasp,
     *,
@@ -102,31 +102,22 @@ def draw_compare(
         methods: keys of `equilibrium.methods.METHODS`; if omitted, all that have a region (without
             those for which the contacts are too many).
         extent: half the side of each panel, about the origin; if omitted, all borders are shown.
-        width: of the figure, in millimetres.
 
     Raises:
         GraspError: an unknown method or none, too many contacts, an extent that is not above 0.
-        MissingExtraError: matplotlib is absent.
     """
     question = PlaneQuestion(wrench, extent)
-    chosen = [method_named(name) for name in _names(grasp, methods)]
-    parts = [
-        (method.label, method.region(grasp, origin=(0, 0, question.torque)))
-        for method in watched(chosen, "methods")
-    ]
+    chosen = [method_named(name) for name in (WITH_REGION if methods is None else methods)]
+    if not chosen:
+        raise GraspError(f"no method is given; known are {', '.join(WITH_REGION)}")
+    parts = []
+    for method in watched(chosen, "methods"):
+        with suppress(*[OutOfReachError] * (methods is None)):
+            parts.append((method.label, method.region(grasp, origin=(0, 0, question.torque))))
     return draw_parts(grasp, parts, question, width, columns=max(1, int(width / 44)))
 
 
-def _names(grasp: Grasp, methods: Iterable[str] | None) -> list[str]:
-    if methods is None:
-        return [name for name in WITH_REGION if METHODS[name].tries(grasp)]
-    names = list(methods)
-    if not names:
-        raise GraspError(f"no method is given; known are {', '.join(WITH_REGION)}")
-    return names
-
-
-@picture
+@picture(20.0)
 def draw_slice(
     grasp: Grasp,
     *,
@@ -157,11 +148,9 @@ def draw_slice(
         extent: half the side of each part, about the origin; if omitted, all borders are shown.
         axes: in space, two of fx, fy, fz, tx, ty, tz; "fx,fy" if omitted.
         directions: how many, in space.
-        width: of the figure, in millimetres.
 
     Raises:
         GraspError: an extent that is not above 0.
-        MissingExtraError: matplotlib is absent.
     """
     if grasp.dimension == 3:
         if not (wrench is preload is extent is None):

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from arrangement.drawing.colours import GREY
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Wrench
-from arrangement.drawing.scene.scene import POINTS, Scene, checked_width, measure
+from arrangement.drawing.scene.scene import POINTS, Scene, measure
 from arrangement.numbers import budget
 from equilibrium.methods import METHODS, Comparison, compare
 from equilibrium.model.errors import GraspError
@@ -19,7 +19,7 @@ _ROW, _SIDE, _TINT = 4.6 * POINTS, 3.0 * POINTS, "#f3c9a5"
 _ANSWERS = {True: "accepted", False: "refusal", None: "silence"}
 
 
-@picture
+@picture(20.0)
 def draw_methods(grasp: Grasp, *, wrenches: Iterable[Wrench], width: float = 88.0) -> Scene:
     """Draw the verdict of every method on several wrenches, one column for each.
 
@@ -29,11 +29,9 @@ def draw_methods(grasp: Grasp, *, wrenches: Iterable[Wrench], width: float = 88.
     Args:
         grasp: contacts.
         wrenches: at least one, at most 24.
-        width: of the figure, in millimetres.
 
     Raises:
         GraspError: no wrench, or too many.
-        MissingExtraError: matplotlib is absent.
     """
     questions = [read_wrench(wrench, grasp.dimension) for wrench in wrenches]
     if not questions:
@@ -41,7 +39,6 @@ def draw_methods(grasp: Grasp, *, wrenches: Iterable[Wrench], width: float = 88.
     budget.keep(len(questions), "wrenches in a picture")
     answers = [compare(grasp, wrench) for wrench in questions]
     names = [answer.method for answer in answers[0].answers]
-    width = checked_width(width, 20.0)
     heads = [vector(wrench) for wrench in questions]
     above = max(measure(head)[0] for head in heads) + 3.0 * POINTS
     height = above + _ROW * len(names) + 2.0 * POINTS

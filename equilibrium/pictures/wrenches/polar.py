@@ -23,7 +23,7 @@ from equilibrium.wrench_sets import Region, resisted_region, search_map
 from equilibrium.wrench_sets.search_map import Entry
 
 
-@picture
+@picture(20.0)
 def draw_polar(
     grasp: Grasp,
     *,
@@ -45,11 +45,9 @@ def draw_polar(
         tolerance: of the search; if omitted, a thousandth of the radius of the picture.
         extent: that radius; if omitted, it holds the largest preload and the ends of the border.
             The search tries magnitudes up to 1000 times as much.
-        width: of the figure, in millimetres.
 
     Raises:
         GraspError: a number that is out of range.
-        MissingExtraError: matplotlib is absent.
     """
     if directions < 1:
         raise GraspError(f"directions is {directions}; give at least 1")

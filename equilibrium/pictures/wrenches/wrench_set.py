@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Sequence
 from functools import cached_property
 from itertools import product
 from typing import Any
@@ -14,14 +13,14 @@ import numpy as np
 from arrangement.drawing.colours import BLACK, GREY, VERMILION, pale
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact, Vector, Wrench
-from arrangement.drawing.scene.scene import Floats, Legend, Scene, checked_width
+from arrangement.drawing.scene.scene import Floats, Legend, Scene
 from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import light, unit_vectors, view_direction
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.numbers.exact import IntegerVector, dot
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.pictures.grasp.grasp import drawn
-from equilibrium.pictures.grasp.layout import layout_of
+from equilibrium.pictures.grasp.layout import Layout
 from equilibrium.pictures.parts.panel import explain_error, read_extent
 from equilibrium.pictures.parts.style import MARKS, symbol, ticks, wrench_text
 from equilibrium.pictures.parts.window import clipped
@@ -37,7 +36,7 @@ _BOTH = 120.0
 _CUT_WHITE, _FADE, _STEPS, _VEIL = 0.8, 0.3, 8, 0.12
 
 
-@picture
+@picture()
 def draw_wrench_set(
     grasp: Grasp,
     *,
@@ -68,16 +67,14 @@ def draw_wrench_set(
 
     Raises:
         GraspError: an extent that is not above 0.
-        MissingExtraError: matplotlib is absent.
     """
-    width = checked_width(width)
     applied = None if wrench is None else read_wrench(wrench)
     box = wrench_box(grasp, read_extent(extent))
     towards = box.clear_side if direction is None else view_direction(direction)
     if width < _BOTH:
         return _WrenchSetPicture(grasp, box, towards, applied, width).scene
     right = _WrenchSetPicture(grasp, box, towards, applied, width * 0.6).scene
-    left = drawn(layout_of(grasp, None, None, 1), width * 0.4, right.paper[1])
+    left = drawn(Layout(grasp), width * 0.4, right.paper[1])
     scene = Scene(width, max(left.paper[1], right.paper[1]))
     scene.place(left, 0.0, (scene.height - left.height) / 2)
     scene.place(right, left.width, (scene.height - right.height) / 2)
@@ -92,11 +89,6 @@ def _maths(text: str) -> str:
 def _lit(normal: Floats) -> str:
     """Return the colour of a face of the set, by the angle to the light."""
     return pale(SOLID, 0.45 * light(normal))
-
-
-def _on_wall(points: Sequence[IntegerVector]) -> bool:
-    """Return whether points lie on a wall of the box."""
-    return any(all(dot(row, p) == 0 for p in points) for row in WALLS)
 
 
 class _WrenchSetPicture(SolidSheet):
@@ -115,9 +107,6 @@ class _WrenchSetPicture(SolidSheet):
         self._rulers()
         if applied is not None:
             self._mark(applied)
-
-    def _places(self, points: Iterable[IntegerVector]) -> Floats:
-        return self.at(rounded(points))
 
     def _describe(self, legend: Legend, applied: Any) -> None:
         explain_error(legend, self.grasp)
@@ -157,14 +146,15 @@ class _WrenchSetPicture(SolidSheet):
                 elif len(patch.corners) == 2:
                     style["lw"] = 1.5
                 for edge in patch.edges:
-                    cut = {"ec": GREY, "lw": 0.35} if kind != "axis" and _on_wall(edge) else {}
+                    on_wall = any(all(dot(row, p) == 0 for p in edge) for row in WALLS)
+                    cut = {"ec": GREY, "lw": 0.35} if kind != "axis" and on_wall else {}
                     look: dict[str, Any] = {"gid": f"{kind}-{count}", "capstyle": "round"}
-                    self.scene.line(self._places(edge), zorder=z, **{**style, **cut}, **look)
+                    self.scene.line(self.at_exact(edge), zorder=z, **{**style, **cut}, **look)
                 if len(patch.corners) > 2 and not wall:
                     self._fade(patch, z)
 
     def _patch(self, patch: Patch, count: int, z: float) -> None:
-        corners = self._places(patch.corners)
+        corners = self.at_exact(patch.corners)
         if len(corners) == 1:
             self.scene.mark(corners[0], "o", 3.5, color=BLACK, zorder=z, gid=f"point-{count}")
         if len(corners) < 3:

@@ -14,10 +14,12 @@ import math
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
+from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, RationalVector, to_text
 from arrangement.numbers.float_filter import Floats
 from equilibrium.model.errors import TimeLimitError
@@ -104,6 +106,11 @@ class MotionRegions:
         self.lengths = np.array([1.0, *(1 / scale)])
         self.batch = max(1, _NUMBERS // (50 * max(len(contacts), 30)))
         self.solution: Solution | None = None
+        rows, forms = contacts.bounds
+        #: Rows of the range, those of the turn first.
+        self.rows = np.array([_shortened(row) for row in rows.tolist()]).reshape(-1, 4)
+        self.rows /= np.abs(self.rows).max(axis=1, keepdims=True, initial=1e-300)
+        self.turns = sum(name == "turn" for name, *_ in forms)
 
     def search(self) -> Node | Solution:
         """Return the tree, or an equilibrium.
@@ -117,7 +124,12 @@ class MotionRegions:
         )
         cuts, first = 0, _SMALL_CUTS if len(self.contacts) <= _SMALL else math.inf
         if not self.contacts.floats.moderate:
-            first = 0
+            first, count = 0, len(self.contacts)
+            budget.ask(
+                f"exact programs for {count} contacts with huge or tiny numbers",
+                "round them to the range from 1e-30 to 1e30",
+                seconds=3e-6 * count**3,
+            )
         while active:
             if time.monotonic() > self.deadline:
                 raise TimeLimitError(
@@ -177,7 +189,19 @@ class MotionRegions:
     def _floats(self, generators: Floats) -> Regions:
         c = self.contacts.floats
         slip = generators[..., 1:] @ c.tangent.T
-        return Regions(generators[..., 0], generators @ c.spring.T, slip)
+        spring = generators @ c.spring.T
+        if not len(self.rows):
+            none = np.zeros(len(generators), dtype=np.intp)
+            return Regions(generators[..., 0], spring, slip, np.zeros(spring.shape[:2]), none)
+        # The row of the range that most of the region is beyond; of a force, where it presses.
+        values = generators @ self.rows.T
+        least, most = values.min(axis=1), values.max(axis=1)
+        share = np.where(least < -_TINY, -least / (most - least + 1e-300), 0.0)
+        share[:, self.turns :] *= spring.min(axis=1)[:, : share.shape[1] - self.turns] >= 0
+        row = share.argmax(axis=1)
+        beyond = np.take_along_axis(values, row[:, None, None], axis=2)[:, :, 0]
+        beyond = np.where(share.max(axis=1)[:, None] > 0, beyond, 0.0)
+        return Regions(generators[..., 0], spring, slip, beyond, row)
 
     def _unclosed(self, regions: list[_OpenRegion]) -> list[_OpenRegion]:
         """Close what can be closed; return the others."""
@@ -185,31 +209,34 @@ class MotionRegions:
             return []
         generators, _ = self._scaled([r.generators for r in regions])
         done = {n for n, region in enumerate(regions) if self._outside(region)}
-        motions, values = self.virtual.best(self._floats(generators), self.rounds)
+        floats = self._floats(generators)
+        motions, values = self.virtual.best(floats, self.rounds)
         # Near the border floats cannot tell 0 from what is enough.
         hopeful = np.flatnonzero(values > -_TINY).tolist()
         exact = [self.virtual.integers(motions[n]) for n in hopeful]
-        tested = (
-            closed(self.contacts, self.wrench, [regions[n].generators for n in hopeful], exact)
-            if hopeful
-            else []
-        )
-        for n, motion, good in zip(hopeful, exact, tested, strict=True):
-            if good:
-                regions[n].close([to_text(x) for x in motion])
-                done.add(n)
+        generators_of = [regions[n].generators for n in hopeful]
+        rows = floats.row[hopeful].tolist() if len(self.rows) else []
+        tested = closed(self.contacts, self.wrench, generators_of, exact, rows) if hopeful else []
+        for place, (n, motion, multiplier) in enumerate(zip(hopeful, exact, tested, strict=True)):
+            if multiplier is None:
+                continue
+            leaf: Node = [to_text(x) for x in motion]
+            if multiplier:
+                leaf = self.contacts.bound_leaf(motion, rows[place], multiplier)
+            regions[n].close(leaf)
+            done.add(n)
         return [region for n, region in enumerate(regions) if n not in done]
 
     def _outside(self, region: _OpenRegion) -> bool:
         """Close a region in which one bound of the range holds nowhere; return whether it does."""
-        rows, leaves = self.contacts.bounds
-        if not leaves:
+        if not len(self.rows):
             return False
+        rows, _ = self.contacts.bounds
         generators = np.array(region.generators, dtype=object)
         values = generators.dot(rows.T)
         least = (values < 0) | ((values == 0) & (generators[:, :1] == 0))
         for k in np.flatnonzero(least.all(axis=0))[:1]:
-            region.close(leaves[k])
+            region.close(self.contacts.bound_leaf((0, 0, 0), int(k), Fraction(1)))
             return True
         return False
 

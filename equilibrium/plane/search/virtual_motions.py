@@ -10,6 +10,8 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -21,6 +23,8 @@ from equilibrium.plane.contacts import FloatContacts, IntegerContacts, nearest, 
 #: Entries of the virtual motions tried first.
 _RANGE = 2
 _TINY = 1e-12
+#: Multipliers of a range have denominators up to this where that will do.
+_SIMPLE = 2**16
 _AROUND = np.array([x for x in itertools.product((-1, 0, 1), repeat=3) if any(x)], dtype=float)
 
 
@@ -75,6 +79,8 @@ class VirtualMotions:
         ):
             total += np.where((pos & chosen)[:, None, :], spring, 0.0) @ kappa
             total += np.where((mixed & chosen)[:, None, :], lifted, 0.0) @ np.minimum(kappa, 0.0)
+        if regions.beyond.any():
+            total -= _multiplier(total, regions.beyond[:, :, None]) * regions.beyond[:, :, None]
         far = (regions.weight == 0)[:, :, None]
         total = np.where(far & (total > -_TINY), np.inf, total - _TINY)
         value: Floats = np.nan_to_num(total.min(axis=1), nan=-1.0)
@@ -120,10 +126,15 @@ class Regions:
         spring, shift: (R, 4, m), spring force and slip at the generators.
         touching, mixed: (R, m), where the spring force is >= 0 everywhere, where it changes sign.
         slip: (R, m), the sign of the slip where it is the same everywhere, else 0.
+        beyond: (R, 4), a row of the range at the generators, below 0 at some, or zeros; row: (R,),
+            which row that is.
     """
 
-    def __init__(self, weight: Floats, spring: Floats, shift: Floats) -> None:
+    def __init__(
+        self, weight: Floats, spring: Floats, shift: Floats, beyond: Floats, row: Any
+    ) -> None:
         self.weight, self.spring, self.shift = weight, spring, shift
+        self.beyond, self.row = beyond, row
         low, high = spring.min(axis=1), spring.max(axis=1)
         self.touching = low >= -_TINY
         self.mixed = (high > _TINY) & ~self.touching
@@ -139,13 +150,30 @@ class Regions:
         return part
 
 
+def _multiplier(work: Floats, beyond: Floats) -> Floats:
+    """Return the multiplier of a row that leaves works above 0 at all generators, if one does.
+
+    It takes the multiple of the row from the works, (R, 4, L), and the row is below 0 at some.
+    """
+    with np.errstate(all="ignore"):
+        ratio = work / beyond
+    low = np.where(beyond < -_TINY, ratio, 0.0).max(axis=1, keepdims=True)
+    high = np.where(beyond > _TINY, ratio, np.inf).min(axis=1, keepdims=True)
+    low = np.maximum(low, 0.0)
+    middle: Floats = np.where(high == np.inf, 2 * low, (low + high) / 2)
+    return np.where((low > 0) & (low < high), middle, 0.0)
+
+
 def closed(
     contacts: IntegerContacts,
     wrench: RationalVector,
     regions: Sequence[Sequence[IntegerVector]],
     motions: Sequence[Sequence[int]],
-) -> list[bool]:
+    rows: Sequence[int] = (),
+) -> list[Fraction | None]:
     """Return for each region whether the virtual motion beside it closes it, exactly.
+
+    That is 0 where it does, or a multiplier of a row of the range with which it does, or None.
 
     With ``a = lambda . N``, ``b = lambda . T``, the contacts' least work for the spring force e is
     ``kappa e``: kappa = a - mu b where the contact surely slips +, a + mu b where it slips -, else
@@ -171,5 +199,31 @@ def closed(
     load = primitive([*wrench, 1])
     work = terms.astype(object).dot(contacts.shares) * load[3]
     work = work + (chosen.dot(whole([load[:3]], (3,))) * unit)[:, None] * generators[:, :, 0]
-    passed = np.where(generators[:, :, 0] > 0, work > 0, work >= 0)
-    return [bool(x) for x in passed.all(axis=1)]
+    passed = np.where(generators[:, :, 0] > 0, work > 0, work >= 0).all(axis=1)
+    found: list[Fraction | None] = [Fraction(0) if good else None for good in passed]
+    for n, k in enumerate(rows):
+        if found[n] is None:
+            beyond = generators[n].dot(contacts.bounds[0][k]).tolist()
+            unit = contacts.common_unit * load[3]
+            number = _exact_multiplier(work[n].tolist(), beyond, generators[n, :, 0].tolist())
+            found[n] = number and number / unit
+    return found
+
+
+def _exact_multiplier(
+    work: Sequence[int], beyond: Sequence[int], weight: Sequence[int]
+) -> Fraction | None:
+    """Return a number that takes a multiple of a row from works and leaves all above 0, or None."""
+    low = max((Fraction(x, y) for x, y in zip(work, beyond, strict=True) if y < 0), default=None)
+    if low is None:
+        return None
+    low = max(low, Fraction(0))
+    high = min((Fraction(x, y) for x, y in zip(work, beyond, strict=True) if y > 0), default=None)
+    middle = 2 * low + 1 if high is None else (low + high) / 2
+    for number in (middle.limit_denominator(_SIMPLE), middle):
+        left = [x - number * y for x, y in zip(work, beyond, strict=True)]
+        if number > 0 and all(
+            x > 0 or (x == 0 and not w) for x, w in zip(left, weight, strict=True)
+        ):
+            return number
+    return None

@@ -3,7 +3,7 @@
     This file is the statement: whoever believes the theorems on counts has to read it, and the
     theorems, and nothing else. *)
 
-Require Import Reals ZArith List Bool.
+Require Import Reals ZArith List Bool Permutation.
 Import ListNotations.
 Open Scope R_scope.
 Set Implicit Arguments.
@@ -69,3 +69,36 @@ Definition real_form (f : form Z) : form R :=
   Form (IZR (constant f)) (map IZR (coefficients f)).
 
 Definition real_planes (planes : list (form Z)) : list (form R) := map real_form planes.
+
+(** * Words of the claims *)
+
+Definition size T (l : list T) : Z := Z.of_nat (length l).
+
+(** Planes of R^d; planes through the origin; both, in R^3: great circles of the sphere. *)
+Definition of_space (d : nat) (planes : list (form R)) : Prop :=
+  Forall (fun f => length (coefficients f) = d) planes.
+
+Definition central (f : form R) : Prop := constant f = 0.
+
+Definition great_circles (planes : list (form R)) : Prop :=
+  of_space 3 planes /\ Forall central planes.
+
+(** General position of central planes: any [d] of them, or fewer, have independent normals. *)
+Definition general (d : nat) (planes : list (form R)) : Prop :=
+  forall fs rest, Permutation planes (fs ++ rest) -> (length fs <= d)%nat -> independent fs.
+
+Open Scope Z_scope.
+
+(** Binomial coefficients; choose n 0 + ... + choose n k; a 0 + ... + a (n - 1). *)
+Fixpoint choose (n k : nat) : Z :=
+  match n, k with
+  | _, O => 1
+  | O, S _ => 0
+  | S n, S k => choose n k + choose n (S k)
+  end.
+
+Fixpoint choose_upto (n k : nat) : Z :=
+  match k with O => 1 | S k => choose_upto n k + choose n (S k) end.
+
+Fixpoint total (a : nat -> Z) (n : nat) : Z :=
+  match n with O => 0 | S n => total a n + a n end.

@@ -480,3 +480,21 @@ Proof.
 Qed.
 
 End Recursion.
+
+Lemma codimension_number planes k n :
+  number (apart [] planes k) n -> number (face_of_codimension k planes) n.
+Proof.
+  intros (l & (N & L) & <-). exists (map fst l). split; [|now rewrite map_length]. split.
+  - assert (forall p, In p l -> snd p = []) as E.
+    { intros p H. apply L in H. destruct H as (x & _ & <- & _). reflexivity. }
+    clear L. induction l as [|[a b] l IH]; cbn; constructor; inversion N; subst.
+    + intros ([a' b'] & H & I)%in_map_iff. cbn in H. subst a'.
+      pose proof (E (a, b) (or_introl eq_refl)) as E1. pose proof (E _ (or_intror I)) as E2.
+      cbn in E1, E2. subst. easy.
+    + apply IH; trivial. intros; apply E. now right.
+  - intros s. rewrite in_map_iff. split.
+    + intros ([a b] & <- & H). apply L in H. destruct H as (x & X & Y & _ & R). cbn in *.
+      split; [now exists x|]. unfold zeros in R. now rewrite X in R.
+    + intros [(x & <-) R]. exists (signs planes x, []). split; trivial. apply L.
+      exists x. refine (conj _ (conj _ (conj _ _))); trivial. easy.
+Qed.

@@ -1,7 +1,6 @@
 // What every page needs. All numbers that are shown come from exact texts; floats only draw.
 const data = JSON.parse(document.getElementById("data").textContent);
-/** @type {(id: string) => any} */
-const at = (id) => document.getElementById(id);
+/** @type {(id: string) => any} */ const at = (id) => document.getElementById(id);
 
 function make(name, attributes = {}, parent = null, text = null) {
   const element = document.createElement(name);

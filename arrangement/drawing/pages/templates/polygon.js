@@ -3,8 +3,7 @@
 /** @type {(corners: number[][], line: number[], tolerance: number) => number[][]} */
 function cut(corners, [a, b, c], tolerance) {
   const length = Math.hypot(a, b);
-  /** @type {(p: number[]) => number} */
-  const height = ([x, y]) => (length ? (a * x + b * y + c) / length : c);
+  /** @type {(p: number[]) => number} */ const height = ([x, y]) => (length ? (a * x + b * y + c) / length : c);
   const least = length ? -tolerance : -1e-12;
   const found = [];
   corners.forEach((p, i) => {
@@ -19,5 +18,4 @@ function cut(corners, [a, b, c], tolerance) {
   return found;
 }
 
-/** @type {(points: number[][]) => string} */
-const pathOf = (points) => `M${points.map((p) => p.map(fixed).join(",")).join("L")}`;
+/** @type {(points: number[][]) => string} */ const pathOf = (points) => `M${points.map((p) => p.map(fixed).join(",")).join("L")}`;

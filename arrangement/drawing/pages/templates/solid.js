@@ -5,8 +5,7 @@ const LIGHT = unit([-0.35, 0.65, 0.68]);
 
 // Nodes from the farthest to the nearest.
 function* ordered() {
-  /** @type {[number, boolean][]} */
-  const todo = data.nodes.length ? [[0, false]] : [];
+  /** @type {[number, boolean][]} */ const todo = data.nodes.length ? [[0, false]] : [];
   while (todo.length) {
     const [k, ready] = todo.pop();
     if (k < 0) continue;

@@ -2,6 +2,7 @@
 
 make census ARGS="8 -o types.json"     types of 3 to 8 planes, byte for byte as they are shipped
 make census ARGS="9 -o types9.npz"     types of nine planes (32 minutes of processor time)
+    make census ARGS="9 --numbers -o finschi_fukuda.npz"     the numbers of Finschi and Fukuda
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ import numpy as np
 from arrangement.console import terminal
 from arrangement.console.writing import write_bytes_atomically, write_text_atomically
 from arrangement.errors import InputError
-from arrangement.library.census import MOST_PLANES
+from arrangement.library.census import MOST_PLANES, finschi_fukuda
 from arrangement.numbers.budget import limit
 
 from .build import build
@@ -42,6 +43,8 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument(
         "--jobs", type=terminal.integer_argument, default=1, metavar="N", help="processes"
     )
+    text = "in place of types their numbers in the catalogue of Finschi and Fukuda, 3 to M planes"
+    parser.add_argument("--numbers", action="store_true", help=text)
     parser.set_defaults(command=_write)
     return terminal.run(parser, argv)
 
@@ -55,11 +58,17 @@ def _write(arguments: argparse.Namespace) -> int:
         if output.endswith(".json"):
             write_text_atomically(output, generate(planes, Path(store)))
             return terminal.YES
-        arrays = build(store, arguments.jobs, planes)
+        if arguments.numbers:
+            arrays = {f"of_{m}": finschi_fukuda.numbers(m) for m in range(3, planes + 1)}
+        else:
+            arrays = build(store, arguments.jobs, planes)
     stream = io.BytesIO()
     np.savez_compressed(stream, **arrays)  # type: ignore[arg-type]
     write_bytes_atomically(output, stream.getvalue())
-    print(f"{len(arrays['parents']):,} types, {len(arrays['without'])} more without coordinates")
+    if not arguments.numbers:
+        print(
+            f"{len(arrays['parents']):,} types, {len(arrays['without'])} more without coordinates"
+        )
     return terminal.YES
 
 

@@ -42,11 +42,11 @@ from arrangement.library.census.chirotopes import (
     carried,
     chirotope_of,
     extended,
+    extensions,
     pairs,
     regions,
     triples,
 )
-from arrangement.library.census.extensions import extensions
 from arrangement.library.census.final_polynomials import OrderedProducts
 from arrangement.library.families import perles
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from arrangement import counts
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import sign_text
+from arrangement.numbers import budget
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -36,6 +37,8 @@ def lattice(arrangement: Arrangement) -> nx.Graph[int]:
     import networkx as nx
 
     found = counts.intersection_lattice(arrangement)
+    arrows = sum(len(above) for covers in found.covers for above in covers)
+    budget.ask(f"a graph of {arrows:,} covers of flats", "draw fewer planes", bytes=700 * arrows)
     graph: nx.DiGraph[int] = nx.DiGraph()
     first = 0
     for level, covers in zip(found.flats, found.covers, strict=True):

@@ -14,8 +14,7 @@ function primitive(vector) {
   return common > 1n ? vector.map((x) => x / common) : vector;
 }
 
-/** @type {(a: bigint[], b: bigint[]) => bigint} */
-const dotOf = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0n);
+/** @type {(a: bigint[], b: bigint[]) => bigint} */ const dotOf = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0n);
 
 // The system { equal rows = 0, atLeast rows >= 0 } in n free unknowns; a row has its constant last.
 // Each row is a variable: basic ones are written over the columns, x_i = (sum t_ij x_j + t_in) / det,
@@ -176,8 +175,7 @@ function generators(n, atLeast, equal = []) {
 }
 
 // A direction that floats hold, however long the integers are; the same for the same array.
-/** @type {WeakMap<bigint[], number[]>} */
-const floated = new WeakMap();
+/** @type {WeakMap<bigint[], number[]>} */ const floated = new WeakMap();
 /** @type {(v: bigint[]) => number[]} */
 function floats(v) {
   const known = floated.get(v);

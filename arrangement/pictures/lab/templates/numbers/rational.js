@@ -2,8 +2,7 @@
 /** @typedef {{ n: bigint, d: bigint }} Rational */
 /** @typedef {Rational[]} Row */
 
-/** @type {(a: bigint, b: bigint) => bigint} */
-const gcdOf = (a, b) => { while (b) [a, b] = [b, a % b]; return a < 0n ? -a : a; };
+/** @type {(a: bigint, b: bigint) => bigint} */ const gcdOf = (a, b) => { while (b) [a, b] = [b, a % b]; return a < 0n ? -a : a; };
 
 /** @type {(n: bigint, d?: bigint) => Rational} */
 function ratio(n, d = 1n) {
@@ -28,24 +27,16 @@ function readNumber(text) {
 const NUMBER_RULE = "a number such as 3/4, 0.75 or -1e-3";
 const ZERO = ratio(0n);
 const ONE = ratio(1n);
-/** @type {(x: Rational, y: Rational) => Rational} */
-const plus = (x, y) => ratio(x.n * y.d + y.n * x.d, x.d * y.d);
-/** @type {(x: Rational, y: Rational) => Rational} */
-const times = (x, y) => ratio(x.n * y.n, x.d * y.d);
-/** @type {(x: Rational) => Rational} */
-const minus = (x) => ({ n: -x.n, d: x.d });
-/** @type {(x: Rational, y: Rational) => Rational} */
-const less = (x, y) => plus(x, minus(y));
-/** @type {(x: Rational, y: Rational) => Rational} */
-const over = (x, y) => times(x, ratio(y.d, y.n));
-/** @type {(x: Rational, y: Rational) => boolean} */
-const same = (x, y) => x.n === y.n && x.d === y.d;
+/** @type {(x: Rational, y: Rational) => Rational} */ const plus = (x, y) => ratio(x.n * y.d + y.n * x.d, x.d * y.d);
+/** @type {(x: Rational, y: Rational) => Rational} */ const times = (x, y) => ratio(x.n * y.n, x.d * y.d);
+/** @type {(x: Rational) => Rational} */ const minus = (x) => ({ n: -x.n, d: x.d });
+/** @type {(x: Rational, y: Rational) => Rational} */ const less = (x, y) => plus(x, minus(y));
+/** @type {(x: Rational, y: Rational) => Rational} */ const over = (x, y) => times(x, ratio(y.d, y.n));
+/** @type {(x: Rational, y: Rational) => boolean} */ const same = (x, y) => x.n === y.n && x.d === y.d;
 /** @type {(x: Rational, y: Rational) => -1 | 0 | 1} */
 const order = (x, y) => { const v = x.n * y.d - y.n * x.d; return v < 0n ? -1 : v > 0n ? 1 : 0; };
-/** @type {(x: Rational) => Rational} */
-const size = (x) => (x.n < 0n ? minus(x) : x);
-/** @type {(x: Rational) => string} */
-const textOf = (x) => (x.d === 1n ? String(x.n) : `${x.n}/${x.d}`);
+/** @type {(x: Rational) => Rational} */ const size = (x) => (x.n < 0n ? minus(x) : x);
+/** @type {(x: Rational) => string} */ const textOf = (x) => (x.d === 1n ? String(x.n) : `${x.n}/${x.d}`);
 
 // A place on the grid of 1 / steps.
 /** @type {(value: number, steps: number) => Rational} */
@@ -73,16 +64,11 @@ function shortText(x) {
 }
 
 // Rows of rationals.
-/** @type {(row: Row, x: Rational) => Row} */
-const scaledBy = (row, x) => row.map((y) => times(x, y));
-/** @type {(a: Row, b: Row) => Row} */
-const added = (a, b) => a.map((x, i) => plus(x, b[i]));
-/** @type {(a: Row, b: Row) => Rational} */
-const dotted = (a, b) => a.reduce((sum, x, i) => plus(sum, times(x, b[i])), ZERO);
-/** @type {(row: Row) => Row} */
-const minusRow = (row) => row.map(minus);
-/** @type {(v: Row) => string} */
-const vectorText = (v) => `(${v.map(shortText).join(", ")})`;
+/** @type {(row: Row, x: Rational) => Row} */ const scaledBy = (row, x) => row.map((y) => times(x, y));
+/** @type {(a: Row, b: Row) => Row} */ const added = (a, b) => a.map((x, i) => plus(x, b[i]));
+/** @type {(a: Row, b: Row) => Rational} */ const dotted = (a, b) => a.reduce((sum, x, i) => plus(sum, times(x, b[i])), ZERO);
+/** @type {(row: Row) => Row} */ const minusRow = (row) => row.map(minus);
+/** @type {(v: Row) => string} */ const vectorText = (v) => `(${v.map(shortText).join(", ")})`;
 
 // The text of a number, its middle left out where it is long.
 /** @type {(text: string) => string} */

@@ -171,8 +171,7 @@ function slice(piece, box) {
 /** @type {(corners: number[][], row: number[]) => number[][]} */
 function onLine(corners, [a, b, c]) {
   const length = Math.hypot(a, b);
-  /** @type {(p: number[]) => number} */
-  const height = ([x, y]) => (a * x + b * y + c) / length;
+  /** @type {(p: number[]) => number} */ const height = ([x, y]) => (a * x + b * y + c) / length;
   const found = [];
   corners.forEach((p, i) => {
     const q = corners[(i + 1) % corners.length];

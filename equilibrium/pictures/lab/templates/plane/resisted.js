@@ -17,12 +17,12 @@ function sureSign(row, floats) {
 }
 
 // The exact sign of a form at a point.
-const signOf = (row, point, floats) => sureSign(row.float, floats) ?? order(dotted(row.exact, point), ZERO);
+const signAt = (row, point, floats) => sureSign(row.float, floats) ?? order(dotted(row.exact, point), ZERO);
 
 function piecesAt(pieces, point) {
   const floats = point.map(near);
-  return pieces.filter((piece) => piece.equal.every((row) => signOf(row, point, floats) === 0)
-    && piece.atLeast.every((row) => signOf(row, point, floats) >= 0));
+  return pieces.filter((piece) => piece.equal.every((row) => signAt(row, point, floats) === 0)
+    && piece.atLeast.every((row) => signAt(row, point, floats) >= 0));
 }
 
 // Returns the pieces that lie in no other one, of equal ones the first; yields null.

@@ -74,8 +74,7 @@ Object.assign(window, { lab: {
     const [contacts, applied] = [readGrasp(grasp), readWrench(wrench)];
     const found = firstOf(contacts, applied);
     const certificate = certificateOf(contacts, applied, found);
-    /** @type {any} */
-    const { motion = null, forces = null, tree: proof = null } = certificate;
+    /** @type {any} */ const { motion = null, forces = null, tree: proof = null } = certificate;
     return { stable: found.stable, motion, forces, proof, certificate };
   },
   async equilibria(grasp, wrench) {

@@ -9,14 +9,14 @@ const METHODS = {
 
 // As printed no contact lets go, and d = 0 is not listed, unless the planes share a line.
 function* printedChoices(grasp) {
-  const thin = rankOf(grasp.map((contact) => wrenchesOf(contact).T)) < 3;
+  const thin = planeRank(grasp.map((contact) => wrenchesOf(contact).T)) < 3;
   for (const one of statesOf(grasp, ["slip+", "slip-", "stick"])) {
     if (!one) yield null;
     else if (thin || one.states.some((state) => state !== "stick")) yield { states: one.states };
   }
 }
 
-const rankOf = (rows) => {
+const planeRank = (rows) => {
   const { lines } = generators(3, [], rows.map((row) => integers(row).row));
   return 3 - lines.length;
 };

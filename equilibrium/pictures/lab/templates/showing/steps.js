@@ -73,3 +73,15 @@ function judged({ n, balance, equal, atLeast }) {
 }
 
 const rowText = (row, names) => sumText(row.map((x, k) => [textOf(x), names[k] ? ` ${names[k]}` : ""]), (text) => shortText(readNumber(text)));
+
+// The distinct central planes T . d = 0 with the contacts of each, in order of appearance.
+function slipPlanes(grasp) {
+  const found = Map.groupBy(grasp.keys(), (i) => unoriented(integers(wrenchesOf(grasp[i]).T).row).join());
+  return [...found].map(([key, contacts]) => ({ row: key.split(",").map(BigInt), contacts }));
+}
+
+// Counts of the arrangement of central planes: regions, their common facets, rays.
+function countsOf(planes) {
+  const { regions, arcs, crossings } = circlesOf(planes.map(({ row }) => row));
+  return { regions: regions.length, facets: arcs.length || planes.length, rays: 2 * crossings.length };
+}

@@ -15,11 +15,9 @@ function pieceFrom(grasp, { states, cone = null }, printed = false) {
     for (const { row, keep } of cuts) if (!cone || row.slice(4).some((x) => x)) all = cutCone(all, wide(row, i), keep);
   });
   // The wrench that all forces together balance, over a scale that is common to all contacts.
-  /** @type {bigint} */
-  const scale = parts.reduce((common, { whole }) => common * (whole.scale / gcdOf(common, whole.scale)), 1n);
+  /** @type {bigint} */ const scale = parts.reduce((common, { whole }) => common * (whole.scale / gcdOf(common, whole.scale)), 1n);
   const image = (v) => {
-    /** @type {bigint[]} */
-    const sum = [0n, 0n, 0n, scale * v[3]];
+    /** @type {bigint[]} */ const sum = [0n, 0n, 0n, scale * v[3]];
     parts.forEach(({ own, whole }, i) => {
       const x = [...v.slice(0, 4), ...v.slice(starts[i], starts[i] + own)];
       const factor = scale / whole.scale;

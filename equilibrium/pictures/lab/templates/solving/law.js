@@ -32,8 +32,7 @@ function partOf(contact, state, printed = false) {
   const spring = padded(scaledBy(N, minus(contact.stiffness)), contact.preload);
   const slip = padded(T, ZERO);
   const mu = contact.friction;
-  /** @type {any} */
-  const part = { own, equal: [], atLeast: [], normal: none, tangential: none };
+  /** @type {any} */ const part = { own, equal: [], atLeast: [], normal: none, tangential: none };
   const put = (name, row) => part.atLeast.push({ name, row });
   const cone = () => {
     put("cone", added(scaledBy(part.normal, mu), minusRow(part.tangential)));

@@ -192,8 +192,7 @@ function holds(grasp, piece, motion, forces) {
   return grasp.every((contact, i) => {
     const { spring, slip } = contactAt(contact, motion);
     const [normal, tangential] = forces[i];
-    /** @type {bigint | undefined} */
-    const way = { "slip+": 1n, "slip-": -1n }[piece.states[i]];
+    /** @type {bigint | undefined} */ const way = { "slip+": 1n, "slip-": -1n }[piece.states[i]];
     if (piece.states[i] === "detached") return spring.n <= 0n && !normal.n && !tangential.n;
     if (!same(normal, spring)) return false;
     if (!way) return slip.n === 0n;

@@ -12,10 +12,8 @@
 
 /** @type {(a: bigint[], b: bigint[]) => bigint[]} */
 const crossOf = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-/** @type {(x: bigint) => number} */
-const signOf = (x) => (x > 0n ? 1 : x < 0n ? -1 : 0);
-/** @type {(v: bigint[]) => bigint[]} */
-const opposite = (v) => v.map((x) => -x);
+/** @type {(x: bigint) => number} */ const signOf = (x) => (x > 0n ? 1 : x < 0n ? -1 : 0);
+/** @type {(v: bigint[]) => bigint[]} */ const opposite = (v) => v.map((x) => -x);
 
 // The primitive multiple whose first entry other than 0 is positive: equal for planes that coincide.
 /** @type {(v: bigint[]) => bigint[]} */
@@ -64,10 +62,8 @@ function circlesOf(normals) {
   const crossings = crossingsOf(normals);
   const number = crossings.length;
   const signsAt = (p) => (p < number ? crossings[p].signs : crossings[p - number].signs.map((s) => -s || 0));
-  /** @type {Arc[]} */
-  const arcs = [];
-  /** @type {Map<string, Region>} */
-  const regions = new Map();
+  /** @type {Arc[]} */ const arcs = [];
+  /** @type {Map<string, Region>} */ const regions = new Map();
   const regionOf = (signs) => {
     const key = signs.map((s) => (s > 0 ? "+" : "-")).join("");
     if (!regions.has(key)) regions.set(key, { key, darts: [], id: regions.size, opposite: 0, corners: [] });

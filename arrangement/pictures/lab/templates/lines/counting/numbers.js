@@ -31,10 +31,8 @@ function spoken() {
     + `${counts.simplicial ? "simplicial" : "not simplicial"}${type ? `, type ${type}` : ""}.`;
 }
 
-/** @type {(kind?: string) => number[]} */
-const stepsOf = () => state.rows.map((_, k) => k + 1);
-/** @type {(step?: number) => void} */
-const stepShown = () => refresh();
+/** @type {(kind?: string) => number[]} */ const stepsOf = () => state.rows.map((_, k) => k + 1);
+/** @type {(step?: number) => void} */ const stepShown = () => refresh();
 
 // Deletion and restriction: what plane k adds to those before it.
 function tellStep(box, k, all) {

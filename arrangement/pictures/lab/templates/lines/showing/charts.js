@@ -41,8 +41,7 @@ function barycentric() {
 const chartOf = () => CHARTS[state.dimension === 2 ? "z" : state.chart];
 const times3 = (matrix, v) => matrix.map((row) => row[0] * v[0] + row[1] * v[1] + row[2] * v[2]);
 // (X, Y, W) of a point; the line (m0, m1, m2) has m0 X + m1 Y + m2 W = 0.
-/** @type {(ray: bigint[]) => number[]} */
-const charted = (ray) => times3(chartOf().matrix, floats(ray));
+/** @type {(ray: bigint[]) => number[]} */ const charted = (ray) => times3(chartOf().matrix, floats(ray));
 /** @type {(normal: bigint[]) => number[]} */
 function lineIn(normal) {
   const { inverse } = chartOf();

@@ -54,8 +54,7 @@ const names = (members) => members.map((k) => k + 1).join(",");
 function labelPlace([p, q]) {
   const length = Math.hypot(q[0] - p[0], q[1] - p[1]) || 1;
   const [u, v] = [(q[0] - p[0]) / length, (q[1] - p[1]) / length];
-  /** @type {(end: number[], way: number) => number[]} */
-  const beside = (end, way) => {
+  /** @type {(end: number[], way: number) => number[]} */ const beside = (end, way) => {
     const [x, y] = [end[0] + way * 7 * u - 5 * v, end[1] + way * 7 * v + 5 * u];
     return [Math.min(122, Math.max(-122, x)), Math.min(102, Math.max(-102, y))];
   };

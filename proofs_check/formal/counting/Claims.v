@@ -1,0 +1,109 @@
+(** Claims of the registry that hold for every number of planes, and counterexamples of those that
+    do not. Words are defined in Planes.v; proofs stand in other files. *)
+
+Require Import Reals ZArith List Lia.
+Require Import Planes Sides Rank Recursion Counting Bounds General Sphere.
+Import ListNotations.
+Open Scope Z_scope.
+
+(** * Great circles *)
+
+Theorem great_circle_regions : forall planes n, great_circles planes ->
+  number (region planes) n ->
+  n <= size planes * size planes - size planes + 2.
+Proof. intros planes n C. exact (circle_regions C (n := n)). Qed.
+
+Theorem great_circle_regions_attained : forall planes, great_circles planes ->
+  general 3 planes -> 1 <= size planes ->
+  number (region planes) (size planes * size planes - size planes + 2).
+Proof. exact general_circle_regions. Qed.
+
+Theorem state_formula : forall planes, great_circles planes ->
+  general 3 planes -> 3 <= size planes ->
+  let m := size planes in
+  number (face_of_codimension 3 planes) 1 /\
+  number (face_of_codimension 2 planes) (m * (m - 1)) /\
+  number (face_of_codimension 1 planes) (2 * m * (m - 1)) /\
+  number (face_of_codimension 0 planes) (m * m - m + 2).
+Proof. exact general_circles. Qed.
+
+Theorem euler : forall planes vertices edges faces, great_circles planes -> rank planes 3 ->
+  number (face_of_codimension 2 planes) vertices ->
+  number (face_of_codimension 1 planes) edges ->
+  number (face_of_codimension 0 planes) faces ->
+  vertices - edges + faces = 2.
+Proof. intros planes v e f [S C]. now apply sphere_euler. Qed.
+
+Theorem step_1_square_bound : forall planes n, great_circles planes -> 2 <= size planes ->
+  number (region planes) n ->
+  n <= size planes * size planes.
+Proof. intros planes n C M N. pose proof (circle_regions C N). lia. Qed.
+
+(** [f i] regions of the first i planes, each tested against the next one. *)
+Theorem step_1_time : forall planes f, great_circles planes ->
+  (forall i, (i < length planes)%nat -> number (region (firstn i planes)) (f i)) ->
+  total f (length planes) <= size planes ^ 3.
+Proof. exact tests_bound. Qed.
+
+Theorem step_2_time : forall planes n, great_circles planes -> 1 <= size planes ->
+  number (region planes) n ->
+  n * (n - 1) / 2 <= size planes ^ 4.
+Proof.
+  intros planes n C M N. pose proof (circle_regions C N). pose proof (number_nonneg N).
+  apply Z.div_le_upper_bound; [lia|]. set (m := size planes) in *.
+  assert (0 <= m * m - m) by nia.
+  assert (0 <= (m * m - m + 2 - n) * (m * m - m + 2 + n - 1)) by (apply Z.mul_nonneg_nonneg; lia).
+  assert (n * (n - 1) <= (m * m - m + 2) * (m * m - m + 1)) by lia.
+  enough ((m * m - m + 2) * (m * m - m + 1) <= 2 * m ^ 4) by lia.
+  replace (m ^ 4) with (m * m * (m * m)) by ring.
+  assert (m * m - m + 1 <= m * m) by nia. assert (m * m - m + 2 <= 2 * (m * m)) by nia. nia.
+Qed.
+
+Theorem step_3_time : forall planes regions edges, great_circles planes -> 1 <= size planes ->
+  number (face_of_codimension 0 planes) regions ->
+  number (face_of_codimension 1 planes) edges ->
+  regions <= size planes * size planes - size planes + 2 /\ edges <= 2 * (size planes * size planes).
+Proof.
+  intros planes r e C M R E. split; [exact (circle_faces C R)|].
+  pose proof (edges_at_most C E). lia.
+Qed.
+
+(** * Any dimension *)
+
+Theorem fukuda_bound : forall d k planes n, of_space d planes -> (k <= d)%nat ->
+  number (face_of_codimension (d - k) planes) n ->
+  n <= choose (length planes) (d - k) * choose_upto (length planes - (d - k)) k.
+Proof.
+  intros d k planes n S K N. pose proof (@affine_faces_at_most d planes (d - k) n S ltac:(lia) N) as H.
+  now replace (d - (d - k))%nat with k in H by lia.
+Qed.
+
+(** [f k] faces of codimension k. *)
+Theorem bound_not_attained : forall planes f, great_circles planes -> 4 <= size planes ->
+  (forall k, number (face_of_codimension k planes) (f k)) ->
+  f 0%nat + f 1%nat + f 2%nat + f 3%nat <
+  choose_upto (length planes) 3 + choose (length planes) 1 * choose_upto (length planes - 1) 2 +
+  choose (length planes) 2 * choose_upto (length planes - 2) 1 + choose (length planes) 3.
+Proof. intros planes f C M N. now apply total_below. Qed.
+
+(** * Counterexamples, computed *)
+
+Definition one_plane := real_planes [Form 0 [1; 0; 0]].
+Definition two_planes := real_planes [Form 0 [1; 0; 0]; Form 0 [0; 1; 0]].
+
+Theorem step_1_square_bound_needs_two_planes :
+  great_circles one_plane /\ number (region one_plane) 2.
+Proof.
+  split; [split; repeat constructor|]. exact (regions_counted [Form 0 [1; 0; 0]]).
+Qed.
+
+Theorem euler_needs_rank_3 : great_circles two_planes /\
+  number (face_of_codimension 2 two_planes) 1 /\
+  number (face_of_codimension 1 two_planes) 4 /\
+  number (face_of_codimension 0 two_planes) 4.
+Proof.
+  split; [split; repeat constructor|].
+  repeat split; [exact (faces_counted [Form 0 [1; 0; 0]; Form 0 [0; 1; 0]] 2)
+    | exact (faces_counted [Form 0 [1; 0; 0]; Form 0 [0; 1; 0]] 1)
+    | exact (faces_counted [Form 0 [1; 0; 0]; Form 0 [0; 1; 0]] 0)].
+Qed.

@@ -1,0 +1,42 @@
+"""A third route for claims about counts: the program that is proved in Coq."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from arrangement.planes.planes import Planes
+from arrangement.planes.proved import proved_f_vector, proved_whitney_numbers
+
+
+def _tests(planes: Planes) -> int:
+    """The regions of the first i planes, for i below their number."""
+    starts = (Planes(planes.normals[:i]) for i in range(1, len(planes)))
+    return 1 + sum(sum(map(abs, proved_whitney_numbers(start))) for start in starts)
+
+
+def _of_faces(quantity: Callable[[tuple[int, ...]], Any]) -> Callable[[Planes], Any]:
+    return lambda planes: quantity(proved_f_vector(planes))
+
+
+_REGIONS = _of_faces(lambda f: f[-1])
+_F_VECTOR = _of_faces(lambda f: f)
+_DUAL = _of_faces(lambda f: (f[3], f[2], f[1]))
+#: The quantities of claims, by their ids.
+COUNTS: Mapping[str, Callable[[Planes], Any]] = {
+    "great-circle-regions": _REGIONS,
+    "state-formula": _F_VECTOR,
+    "fukuda-bound": _F_VECTOR,
+    "fukuda-bound-attained": _F_VECTOR,
+    "bound-not-attained": _F_VECTOR,
+    "step-1-square-bound": _REGIONS,
+    "euler": _DUAL,
+    "dual-edge-and-face-bounds": _DUAL,
+    "dual-bipartite-bounds": _DUAL,
+    "step-1-time": _tests,
+    "step-2-time": _of_faces(lambda f: math.comb(f[-1], 2)),
+    "step-3-time": _of_faces(lambda f: (f[3], f[2])),
+    "slip-state-counts": _of_faces(lambda f: f[3] + f[2] + (f[2] - f[3] + 2)),
+    "different-slip-states": _of_faces(sum),
+}
