@@ -1,7 +1,7 @@
 (** The checker and the counts as an OCaml program, its integers those of zarith. *)
 
 Require Import ZArith Extraction ExtrOcamlZBigInt.
-Require Import Checker Soundness Counting Claims.
+Require Import Checker Soundness Counting Whitney Claims.
 
 (** One line beyond the standard library's: without it, gcd counts down bits one by one. *)
 Extract Constant Z.gcd => "Big_int_Z.gcd_big_int".
@@ -18,6 +18,7 @@ Print Assumptions zaslavsky.
 Print Assumptions faces_alternating.
 Print Assumptions regions_complete.
 Print Assumptions faces_complete.
+Print Assumptions whitney.
 
 Print Assumptions great_circle_regions.
 Print Assumptions great_circle_regions_attained.

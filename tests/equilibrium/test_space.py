@@ -319,7 +319,8 @@ def test_what_floats_leave_open_is_decided(kind, seed):
 @pytest.mark.parametrize("kind", exotic.KINDS)
 def test_most_questions_that_are_not_in_general_position_are_decided(kind):
     harder = ("huge friction", "unequal stiffness", "line", "box")
-    assert decided(kind, range(100, 140)) >= 39 - 2 * (kind in harder)
+    size = 15 if kind == "huge friction" else 40  # of which each takes seconds
+    assert decided(kind, range(100, 100 + size)) >= size - (3 if kind in harder else 1)
 
 
 def test_without_friction_a_load_is_resisted_if_normals_alone_balance_it():

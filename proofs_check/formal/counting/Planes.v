@@ -70,6 +70,28 @@ Definition real_form (f : form Z) : form R :=
 
 Definition real_planes (planes : list (form Z)) : list (form R) := map real_form planes.
 
+(** * Whitney's formula for the characteristic polynomial *)
+
+(** The forms that a mask keeps; a subset of the planes is a mask as long as their list. *)
+Fixpoint pick T (mask : list bool) (l : list T) : list T :=
+  match mask, l with
+  | true :: mask, a :: l => a :: pick mask l
+  | false :: mask, _ :: l => pick mask l
+  | _, _ => []
+  end.
+
+(** Some point is on all of them. *)
+Definition meet (fs : list (form R)) : Prop := exists x, forall f, In f fs -> value f x = 0.
+
+(** Subsets of rank k that have a common point, with an even number of planes or an odd one. *)
+Definition subset (planes : list (form R)) (k : nat) (even : bool) (mask : list bool) : Prop :=
+  length mask = length planes /\ meet (pick mask planes) /\ rank (pick mask planes) k /\
+  Nat.even (length (pick mask planes)) = even.
+
+(** The sum of (-1)^|S| over these subsets S. *)
+Definition whitney_number (planes : list (form R)) (k : nat) (c : Z) : Prop :=
+  exists e o, number (subset planes k true) e /\ number (subset planes k false) o /\ c = (e - o)%Z.
+
 (** * Words of the claims *)
 
 Definition size T (l : list T) : Z := Z.of_nat (length l).
