@@ -174,11 +174,15 @@ height = heights.pop() if heights else Fraction(0)
 _NODES = 400
     400 -> 401 | 400 -> 399 | how large a tree may be was chosen
 if t == high and start is not None and high - start > near:
+    Gt -> GtE | how near an edge is enough was chosen
     dropped: start is not None | the tree ends before the end that is resisted
 if t == low and end is not None and end - low > near:
+    Gt -> GtE | how near an edge is enough was chosen
     dropped: end is not None | the tree ends before the end that is resisted
 if found.verdict == NOT_RESISTED and found.certificate is not None:
     dropped: found.certificate is not None | a verdict that is decided has its certificate
+if slope > 0:
+    Gt -> GtE | the slope is not 0 here
 if undecided and end - start <= max(enough, (high - low) / _SHARP):
     dropped: undecided | without them the part is the whole
 [enclosure]

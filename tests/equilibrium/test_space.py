@@ -125,6 +125,10 @@ class TestKnownLoads:
         assert not any(blends(FEET, slip, other) for other in others)
         tilted = replace(slip, motion=(*slip.motion[:3], Fraction(3), Fraction(0), Fraction(0)))
         assert not blends(FEET, slip, tilted)
+        known = self.known(FEET, across(1, 0))
+        for t, solution in ((0, slip), (2, further), (1, slip), (3, tilted)):
+            known._hold(Fraction(t), solution)
+        assert known.held == [(0, 2), (0, 1), (1, 2)]
 
     def test_magnitudes_are_refuted_where_all_works_are_above_0(self):
         known = self.known(FINGERS, (1, 0, 0, 0, 0, 0))
