@@ -241,6 +241,10 @@ if rank * prime**2 < 1 << _DOUBLE_BITS:  # then sums of doubles are exact
 values = _modulo((vectors[base][:, None, :] @ forms)[:, 0, :], prime)
     0 -> -1 | this axis has length 1
 [lowrank]
+_INT64_MAX = 2**63 - 1
+    1 -> 2 | bounds are even
+return np.array(rows, dtype=np.int64 if bound <= _INT64_MAX else object)
+    LtE -> Lt | bounds are even
 return _keep(_flats_only(_concatenate(groups), m), lambda g: g.first > g.row)
     Gt -> GtE | a plane is in no group of its own row
 counted = group.first > lines.first[group.row]

@@ -135,6 +135,9 @@ def test_int64_is_used_up_to_its_proven_bound_and_not_beyond():
     extreme = [(largest, largest, -largest), (largest, -largest, largest)]
     assert integer_array(extreme).dtype == np.int64
     assert integer_array([(largest + 1, 0, 0)]).dtype == object
+    # Slopes are made of floats as long as their numerators are exact in them.
+    for size, dtype in ((2**17, np.float64), (2**17 + 1, np.int64)):
+        assert ExactSigns(integer_array([(-size, 1, 0), (0, 1, 0)]))._columns.dtype == dtype
 
 
 @pytest.mark.parametrize("seed", range(3))
