@@ -263,7 +263,15 @@ def interval(self, bits: int = 10) -> tuple[Fraction, Fraction]:
 while (self._high - self._low) * (1 << bits) > 1:
     Gt -> GtE | the interval is half as long at most
 while len(rows) < self.degree - 1:
-    Lt -> LtE | one more power, which no product has
+    Lt -> LtE | 1 -> 0 | one more power, which no product has
+found = [0] * (2 * n - 1)
+    1 -> 0 | one more 0
+if divisor != 1:
+    1 -> 0 | what is divided by 1 stays
+if len(coefficients) == 2:
+    2 -> 1 | the equations serve for degree 2 as well
+return 1, math.isqrt(-lower[0]) + 1
+    1 -> 2 | 1 -> 2 (2) | a larger bound
 j, bits = 0, 64
     64 -> 65 | 64 -> 63 | more bits are taken where needed
 _MORE_BITS = 64

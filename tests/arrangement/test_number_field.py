@@ -96,6 +96,7 @@ ROOTS = [
     ([7, -7, 0, 1], ["1.5", 2], 1.6920214716300959, ["3/2", 2]),
     ([-1000, -100, -10, 1], [0, 20], 18.392867552141612, [18, 19]),
     ([-(10**30) - 1, 0, 0, 0, 0, 1], [0, 10**7], 10.0**6, [10**6, 10**6 + 1]),
+    ([-1, 0, -1000, 1], [0, 2000], 1000.000001, [1000, 1001]),
 ]
 
 
@@ -111,7 +112,8 @@ def test_the_root_is_the_one_in_the_interval(polynomial, interval, root, ends):
     sizes = [abs(x) for x in sympy.Poly([*reversed(field.minimal_polynomial)], x).nroots()]
     for k in range(field.degree):
         unit = [int(j == k) for j in range(field.degree)]
-        assert field.size(unit) >= max(size**k for size in sizes)
+        assert field.size([100 * j for j in unit]) >= 100 * max(size**k for size in sizes)
+        assert field.float_powers[k] == pytest.approx(float(field.generator) ** k, rel=1e-15)
 
 
 def test_fields_of_other_roots_differ():
