@@ -134,8 +134,6 @@ contact, due = split.at[0], "attached" if split.kind == "slip" else "undecided"
 corners = product(region[1:3], region[3:5], region[5:7])
     7 -> 8 | the half space has seven generators
 [leaves]
-_WORD = 2**62
-    2 -> 1 | all products are then taken with integers of Python, which are right too
 spring = product(generators.reshape(-1, 4), contacts.spring.T).reshape(count, 4, m)
     1 -> 2 | numpy takes any negative length as the one to work out
 slip = product(generators[:, :, 1:].reshape(-1, 3), contacts.tangent.T).reshape(count, 4, m)
@@ -149,11 +147,6 @@ _COARSE = 16
     16 -> 17 | 16 -> 15 | how finely guessed motions are rounded was chosen
 point = [0] * size
     0 -> 1 | 0 -> -1 | every entry is set below before it is read
-[splits]
-_SIZES = (1, 2, 3, 4, 5, 7, 10, 20, 50, 100, 1000, 10**4, 10**6)
-    1 -> 0 | 1 -> 2 | 10 -> 9 | 10 -> 11 | chosen; what multipliers close is tested exactly
-low, high = self.spring.min(axis=0, initial=0), self.spring.max(axis=0, initial=0)
-    0 -> 1 | a contact without force in the whole region gets no row either
 [space]
 if isinstance(state, tuple) and not isinstance(state, SlipFace):
     dropped: not isinstance(state, SlipFace) | faces are states of pyramids, which return before
@@ -161,8 +154,6 @@ if square < 0:
     Lt -> LtE | where the square is 0 both bounds ask for room >= 0
 contact, ends = split.at[0], list(split.directions)
     0 -> -1 | the tuple has one entry
-work, rest = dot(question.load, motion), [0] * 6
-    6 -> 7 | one more 0
 if isinstance(state, tuple) and not (turn(state[0], b) >= 0 and turn(b, state[1]) >= 0):
     GtE -> Gt | along an end the product with its unit vector is the length
 return "" if room >= 0 or room * room * size <= friction**2 * -square else _LARGE
