@@ -104,8 +104,10 @@ Forger = Callable[[dict[str, Any], Random], None]
 
 
 def _repeated(document: dict[str, Any], source: Random) -> None:
-    document["faces"][source.randrange(len(document["faces"]))] = document["faces"][0]
-    document["faces"].append(document["faces"][0])
+    """One face twice, in place of another: the number is right."""
+    faces = document["faces"]
+    first, second = source.sample(range(len(faces)), 2)
+    faces[first] = faces[second]
 
 
 def _left_out(document: dict[str, Any], source: Random) -> None:
