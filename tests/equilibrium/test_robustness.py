@@ -342,6 +342,14 @@ def test_contacts_within_bounds_do_at_least_what_is_counted(dimension):
     assert tight > 8
 
 
+@pytest.mark.parametrize("motions", [[(1, 0, -1, 0)], [(1, 2, -1, 0), (1, -2, -1, 0)]])
+def test_a_slip_of_unknown_sign_has_friction_both_ways(motions):
+    bounded = _Uncertain(Contact((0, 0), (0, 1), "1/2", 1, 1), Bounds(degrees=2))
+    corners = [bounded.corner(motion) for motion in motions]
+    for way in (1, -1):
+        assert max(bounded.works((way, 0, 0), corners)) < 0
+
+
 SPATIAL = [
     Contact(p, [-x for x in p], "1/2", 1, 1) for p in ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0))
 ]
