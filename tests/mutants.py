@@ -190,6 +190,8 @@ right[-1] = 1
     1 -> 2 | weights are found up to a factor
 used = np.flatnonzero(np.abs(found.x) > _TINY)
     Gt -> GtE | a bound in floating point that was chosen; weights are then found exactly
+elif third == 0 and smaller < larger:
+    Lt -> LtE | the two differ
 [final]
 swaps = sum(x > y for x, y in itertools.combinations(bracket, 2))
     Gt -> GtE | the three are distinct
