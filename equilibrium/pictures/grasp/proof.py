@@ -59,14 +59,14 @@ def draw_proof(
     Below, the three virtual motions of the largest regions, by their centres and by arrows at the
     contacts; at each contact its least work, as a factor of its normal force.
 
+    Of a grasp in space, up to three leaves of the proof: each virtual motion as a screw, and the
+    states of contacts against which it stands.
+
     Args:
         grasp: contacts.
         wrench: one that is not resisted.
         turn: the angle r of the rotations shown (linearised), above 0, where it matters; if
             omitted, about the largest one at which a preloaded spring still touches, and no border.
-
-    Of a grasp in space, up to three leaves of the proof: each virtual motion as a screw, and the
-    states of contacts against which it stands.
 
     Raises:
         GraspError: the wrench is resisted, or a turn that is not above 0.
