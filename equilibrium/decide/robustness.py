@@ -89,7 +89,7 @@ class Robustness(Shown):
             yield f"for all {self.bounds}: undecided; no proof and no counterexample was found"
         else:
             yield f"not for all {self.bounds}: {self.counterexample.verdict} for"
-            yield from _change_lines(self.counterexample.grasp, self.change)
+            yield from _change_lines(self.counterexample, self.change)
 
 
 @dataclass(frozen=True, repr=False)
@@ -138,11 +138,11 @@ class WithinError(Shown):
             yield f"{self.asked} other roundings of the data: no other verdict{left}"
             return
         yield f"{DEPENDS}: {self.turned.verdict} for, within the error of the data,"
-        yield from _change_lines(self.turned.grasp, self.change)
+        yield from _change_lines(self.turned, self.change)
 
 
-def _change_lines(grasp: Grasp, change: dict[str, Fraction]) -> Iterator[str]:
-    for i, c in enumerate(grasp, 1):
+def _change_lines(other: Any, change: dict[str, Fraction]) -> Iterator[str]:
+    for i, c in enumerate(other.grasp, 1):
         point, normal = (", ".join(f"≈{float(x):.10g}" for x in v) for v in (c.point, c.normal))
         friction = f"≈{float(c.friction):.6g}"
         yield f"    contact {i}  point ({point})  normal ({normal})  friction {friction}"
@@ -150,6 +150,7 @@ def _change_lines(grasp: Grasp, change: dict[str, Fraction]) -> Iterator[str]:
     least = f"; ≈{float(change['kept']):.2g} times as much does not turn the verdict"
     yield f"    changed by up to: {sizes}{least if change['kept'] else ''}"
     yield "    found by search: a smaller change may turn it, too"
+    yield from (f"    {line}" for line in other.warnings)
 
 
 def _nearest(found: Any, turned: Any, solve: Solve) -> tuple[Any, dict[str, Fraction]]:

@@ -191,6 +191,10 @@ class TestRobust:
             assert dot(old.normal, new.normal) >= math.cos(math.radians(1))
             assert abs(new.friction - old.friction) <= old.friction / 20
 
+    def test_a_grasp_that_refutes_by_large_motions_alone_says_so(self):
+        found = solve(self.grasp, (0, 2, 0)).robust(degrees=1)
+        assert "every equilibrium turns" in list(found.lines())[-1]
+
     @pytest.mark.parametrize("seed", range(4))
     def test_random_grasps_within_bounds_do_not_contradict_a_proof(self, seed):
         from equilibrium.grasps.inputs import random_grasp, random_wrench
