@@ -23,6 +23,8 @@ Print Assumptions whitney.
 Print Assumptions great_circle_regions.
 Print Assumptions great_circle_regions_attained.
 Print Assumptions state_formula.
+Print Assumptions slip_states_at_most.
+Print Assumptions slip_states_attained.
 Print Assumptions euler.
 Print Assumptions step_1_square_bound.
 Print Assumptions step_1_time.
@@ -32,3 +34,4 @@ Print Assumptions fukuda_bound.
 Print Assumptions bound_not_attained.
 Print Assumptions step_1_square_bound_needs_two_planes.
 Print Assumptions euler_needs_rank_3.
+Print Assumptions different_slip_states.

@@ -180,7 +180,7 @@ def _origins(result: Record) -> list[str]:
         entries.append(f"Proof: docs/proofs.rst, {section}: {words}")
     # What the badge means, in one line.
     entries += [
-        f"Theorem {name}: checked by Coq for every m" for name in result.get("theorems", [])
+        f"Theorem {name}: checked by Coq" for name in result.get("theorems", [])
     ]
     return entries
 

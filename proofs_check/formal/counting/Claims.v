@@ -1,7 +1,7 @@
 (** Claims of the registry that hold for every number of planes, and counterexamples of those that
     do not. Words are defined in Planes.v; proofs stand in other files. *)
 
-Require Import Reals ZArith List Lia.
+Require Import Reals ZArith List Lia Permutation.
 Require Import Planes Sides Rank Recursion Counting Bounds General Sphere.
 Import ListNotations.
 Open Scope Z_scope.
@@ -26,6 +26,17 @@ Theorem state_formula : forall planes, great_circles planes ->
   number (face_of_codimension 1 planes) (2 * m * (m - 1)) /\
   number (face_of_codimension 0 planes) (m * m - m + 2).
 Proof. exact general_circles. Qed.
+
+(** All sign vectors: at most this number of slip states, in general position exactly. *)
+Theorem slip_states_at_most : forall planes n, great_circles planes ->
+  number (face planes) n ->
+  n <= 4 * size planes * size planes - 4 * size planes + 3.
+Proof. intros planes n C. exact (slip_states_bound (n := n) C). Qed.
+
+Theorem slip_states_attained : forall planes, great_circles planes ->
+  general 3 planes -> 3 <= size planes ->
+  number (face planes) (4 * size planes * size planes - 4 * size planes + 3).
+Proof. exact general_slip_states. Qed.
 
 Theorem euler : forall planes vertices edges faces, great_circles planes -> rank planes 3 ->
   number (face_of_codimension 2 planes) vertices ->
@@ -106,4 +117,26 @@ Proof.
   repeat split; [exact (faces_counted [Form 0 [1; 0; 0]; Form 0 [0; 1; 0]] 2)
     | exact (faces_counted [Form 0 [1; 0; 0]; Form 0 [0; 1; 0]] 1)
     | exact (faces_counted [Form 0 [1; 0; 0]; Form 0 [0; 1; 0]] 0)].
+Qed.
+
+Lemma two_planes_general : general 3 two_planes.
+Proof.
+  intros fs rest P _ values L. apply Permutation_length_2_inv in P.
+  destruct fs as [|f [|g [|h fs]]]; [| | |now destruct P].
+  1: now exists (fun _ => 0%R); destruct values.
+  all: destruct values as [|a [|b [|c values]]]; try easy.
+  - destruct P as [[= -> _]|[= -> _]]; [exists (fun i => match i with O => a | _ => 0%R end)
+      | exists (fun i => match i with 1%nat => a | _ => 0%R end)]; cbn; f_equal; ring.
+  - destruct P as [[= -> -> _]|[= -> -> _]];
+    [exists (fun i => match i with O => a | 1%nat => b | _ => 0%R end)
+      | exists (fun i => match i with O => b | 1%nat => a | _ => 0%R end)];
+    cbn; (f_equal; [ring|]); (f_equal; ring).
+Qed.
+
+(** Two planes in general position have 9 slip states, not 10. *)
+Theorem different_slip_states : great_circles two_planes /\ general 3 two_planes /\
+  number (face two_planes) 9.
+Proof.
+  split; [split; repeat constructor|].
+  split; [exact two_planes_general|exact (all_faces_counted [Form 0 [1; 0; 0]; Form 0 [0; 1; 0]])].
 Qed.

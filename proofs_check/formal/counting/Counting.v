@@ -252,36 +252,8 @@ Qed.
 Theorem all_faces_counted : forall planes,
   number (face (real_planes planes)) (fold_right Z.add 0%Z (count_faces planes)).
 Proof.
-  intros planes. pose proof (faces_counted planes) as F. revert F.
-  generalize (count_faces planes) as l. intros l F.
-  assert (forall s, face (real_planes planes) s ->
-    exists k, face_of_codimension k (real_planes planes) s) as Some.
-  { intros s (x & <-). pose proof (@zeros_form _ real_form x planes) as (A' & E & _).
-    destruct (@rank_exists _ look restrict real_form look_vanishes look_constant look_plane _ A'
-      (le_n _)) as (k & R). exists k. split; [now exists x|].
-    unfold zeros in E. unfold real_planes. now rewrite E. }
-  assert (forall n, number (fun s => exists k, (k < n)%nat /\
-    face_of_codimension k (real_planes planes) s) (fold_right Z.add 0 (firstn n l))%Z) as Sum.
-  { induction n as [|n IH].
-    - apply number_none. intros s (k & ? & _). lia.
-    - assert (fold_right Z.add 0 (firstn (S n) l) =
-        fold_right Z.add 0 (firstn n l) + nth n l 0)%Z as ->.
-      { clear. revert l. induction n as [|n IH]; intros [|a l]; cbn; try lia.
-        change (match l with [] => [] | a0 :: l0 => a0 :: firstn n l0 end) with (firstn (S n) l).
-        rewrite IH. lia. }
-      eapply number_iff; [|apply number_or; [|exact IH|apply (F n)]].
-      + intros s. split.
-        * intros [(k & K & H)|H]; [exists k; split; [lia|trivial]|exists n; split; [lia|trivial]].
-        * intros (k & K & H). destruct (Nat.eq_dec k n) as [->|]; [now right|].
-          left. exists k. split; [lia|trivial].
-      + intros s (k & K & [_ H]) [_ H']. pose proof (rank_unique H H'). lia. }
-  specialize (Sum (length l)). rewrite firstn_all in Sum. revert Sum. apply number_iff.
-  intros s. split.
-  - now intros (k & _ & [H _]).
-  - intros H. destruct (Some s H) as (k & K). exists k. split; trivial.
-    destruct (Nat.lt_ge_cases k (length l)) as [|G]; trivial.
-    destruct (F k) as (l' & (_ & L') & Len). rewrite nth_overflow in Len by trivial.
-    destruct l'; [|cbn in Len; lia]. now apply L' in K.
+  intros planes. apply codimensions_total; [|apply faces_counted].
+  exact (@codimension_exists _ look restrict real_form look_vanishes look_constant look_plane planes).
 Qed.
 
 Theorem zaslavsky : forall planes,

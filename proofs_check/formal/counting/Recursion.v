@@ -479,6 +479,14 @@ Proof.
       injection E as E _. apply N. left. rewrite <- E, V. now apply sgn_zero.
 Qed.
 
+Lemma codimension_exists A s : face (map real A) s ->
+  exists k, face_of_codimension k (map real A) s.
+Proof.
+  intros (x & <-). destruct (zeros_form x A) as (A' & E & _).
+  destruct (@rank_exists _ A' (le_n _)) as (k & R). exists k. split; [now exists x|].
+  unfold zeros in E. now rewrite E.
+Qed.
+
 End Recursion.
 
 Lemma codimension_number planes k n :
@@ -497,4 +505,35 @@ Proof.
       split; [now exists x|]. unfold zeros in R. now rewrite X in R.
     + intros [(x & <-) R]. exists (signs planes x, []). split; trivial. apply L.
       exists x. refine (conj _ (conj _ (conj _ _))); trivial. easy.
+Qed.
+
+(** One face, one codimension: together they are all faces. *)
+Lemma codimensions_total planes l :
+  (forall s, face planes s -> exists k, face_of_codimension k planes s) ->
+  (forall k, number (face_of_codimension k planes) (nth k l 0%Z)) ->
+  number (face planes) (fold_right Z.add 0%Z l).
+Proof.
+  intros Some F.
+  assert (forall n, number (fun s => exists k, (k < n)%nat /\
+    face_of_codimension k planes s) (fold_right Z.add 0 (firstn n l))%Z) as Sum.
+  { induction n as [|n IH].
+    - apply number_none. intros s (k & ? & _). lia.
+    - assert (fold_right Z.add 0 (firstn (S n) l) =
+        fold_right Z.add 0 (firstn n l) + nth n l 0)%Z as ->.
+      { clear. revert l. induction n as [|n IH]; intros [|a l]; cbn; try lia.
+        change (match l with [] => [] | a0 :: l0 => a0 :: firstn n l0 end) with (firstn (S n) l).
+        rewrite IH. lia. }
+      eapply number_iff; [|apply number_or; [|exact IH|apply (F n)]].
+      + intros s. split.
+        * intros [(k & K & H)|H]; [exists k; split; [lia|trivial]|exists n; split; [lia|trivial]].
+        * intros (k & K & H). destruct (Nat.eq_dec k n) as [->|]; [now right|].
+          left. exists k. split; [lia|trivial].
+      + intros s (k & K & [_ H]) [_ H']. pose proof (rank_unique H H'). lia. }
+  specialize (Sum (length l)). rewrite firstn_all in Sum. revert Sum. apply number_iff.
+  intros s. split.
+  - now intros (k & _ & [H _]).
+  - intros H. destruct (Some s H) as (k & K). exists k. split; trivial.
+    destruct (Nat.lt_ge_cases k (length l)) as [|G]; trivial.
+    destruct (F k) as (l' & (_ & L') & Len). rewrite nth_overflow in Len by trivial.
+    destruct l'; [|cbn in Len; lia]. now apply L' in K.
 Qed.

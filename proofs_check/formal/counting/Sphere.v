@@ -152,3 +152,61 @@ Proof.
       rewrite firstn_length_le in H1 by lia. exact H1. }
   rewrite Nat2Z.inj_succ. unfold Z.succ. destruct n as [|n]; [cbn in *; lia|]. nia.
 Qed.
+
+(** * All faces *)
+
+Lemma slip_states_total planes : number (face planes) (fold_right Z.add 0 (faces_real planes)).
+Proof.
+  apply codimensions_total; [|apply faces_real_count]. intros s F.
+  pose proof (@codimension_exists _ look_real restrict_real (fun f => f) look_real_vanishes
+    look_real_constant look_real_plane planes s) as H.
+  rewrite map_id in H. now apply H.
+Qed.
+
+Lemma four_terms planes : great_circles planes -> fold_right Z.add 0 (faces_real planes) =
+  nth 0 (faces_real planes) 0 + nth 1 (faces_real planes) 0 + nth 2 (faces_real planes) 0 +
+  nth 3 (faces_real planes) 0.
+Proof.
+  intros [S C].
+  assert (forall k, (4 <= k)%nat -> nth k (faces_real planes) 0 = 0) as Far.
+  { intros k K. pose proof (number_nonneg (faces_real_count planes k)).
+    pose proof (@deep_faces 3 planes k S C ltac:(lia)) as H1. destruct (Nat.eqb_spec k 3); lia. }
+  assert (forall l, (forall k, nth k l 0 = 0) -> fold_right Z.add 0 l = 0) as Zeros.
+  { induction l as [|a l IH]; trivial. intros H. cbn. rewrite IH.
+    - specialize (H O). cbn in H. lia.
+    - intros k. apply (H (Datatypes.S k)). }
+  destruct (faces_real planes) as [|a [|b [|c [|z l]]]]; cbn [fold_right nth]; try lia.
+  rewrite (Zeros l); [lia|]. intros k. apply (Far (Datatypes.S (Datatypes.S (Datatypes.S (Datatypes.S k))))). lia.
+Qed.
+
+Lemma slip_states_bound planes n : great_circles planes -> number (face planes) n ->
+  n <= 4 * size planes * size planes - 4 * size planes + 3.
+Proof.
+  intros G N. rewrite (number_unique N (slip_states_total planes)), (four_terms G).
+  pose proof (circle_faces G (faces_real_count planes 0)) as F0.
+  assert (nth 3 (faces_real planes) 0 <= 1) as F3.
+  { destruct G as [S C]. apply (@deep_faces 3 planes 3 S C (le_n _)). }
+  destruct (Z.le_gt_cases 2 (size planes)) as [M|M].
+  - pose proof (circle_arcs G M (faces_real_count planes 1)) as F1. destruct G as [S C].
+    pose proof (@central_faces_at_most 3 planes 2 _ S C ltac:(lia) (faces_real_count planes 2)) as F2.
+    pose proof (choose_2 (length planes)) as Two. change (3 - 2)%nat with 1%nat in F2.
+    assert (central_regions (length planes - 2) 1 <= 2) by (destruct (length planes - 2)%nat; cbn; lia).
+    pose proof (choose_nonneg (length planes) 2). unfold size in *. nia.
+  - pose proof (@faces_length (length planes) [] planes (le_n _)) as L. fold (faces_real planes) in L.
+    unfold size in *. destruct G as [S C].
+    pose proof (@central_faces_at_most 3 planes 1 _ S C ltac:(lia) (faces_real_count planes 1)) as F1.
+    rewrite (@nth_overflow _ (faces_real planes) 2), (@nth_overflow _ (faces_real planes) 3) by lia.
+    destruct (length planes) as [|[|k]]; cbn in *; lia.
+Qed.
+
+Lemma general_slip_states planes : great_circles planes -> general 3 planes -> 3 <= size planes ->
+  number (face planes) (4 * size planes * size planes - 4 * size planes + 3).
+Proof.
+  intros G Ge M. destruct (general_circles G Ge M) as (F3 & F2 & F1 & F0).
+  pose proof (slip_states_total planes) as T. rewrite (four_terms G) in T.
+  rewrite <- (number_unique F0 (faces_real_count planes 0)), <- (number_unique F1 (faces_real_count planes 1)),
+    <- (number_unique F2 (faces_real_count planes 2)), <- (number_unique F3 (faces_real_count planes 3)) in T.
+  replace (4 * size planes * size planes - 4 * size planes + 3) with
+    (size planes * size planes - size planes + 2 + 2 * size planes * (size planes - 1) +
+     size planes * (size planes - 1) + 1) by ring. exact T.
+Qed.
