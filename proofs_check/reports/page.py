@@ -179,9 +179,7 @@ def _origins(result: Record) -> list[str]:
         section, words = result["proof"]
         entries.append(f"Proof: docs/proofs.rst, {section}: {words}")
     # What the badge means, in one line.
-    entries += [
-        f"Theorem {name}: checked by Coq" for name in result.get("theorems", [])
-    ]
+    entries += [f"Theorem {name}: checked by Coq" for name in result.get("theorems", [])]
     return entries
 
 
