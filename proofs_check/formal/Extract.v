@@ -26,6 +26,10 @@ Print Assumptions state_formula.
 Print Assumptions slip_states_at_most.
 Print Assumptions slip_states_attained.
 Print Assumptions euler.
+Print Assumptions dual_edge_and_face_bounds.
+Print Assumptions dual_bipartite_bounds.
+Print Assumptions dual_bipartite_bounds_attained.
+Print Assumptions two_facets_for_each_ray.
 Print Assumptions step_1_square_bound.
 Print Assumptions step_1_time.
 Print Assumptions step_2_time.
@@ -33,5 +37,6 @@ Print Assumptions step_3_time.
 Print Assumptions fukuda_bound.
 Print Assumptions bound_not_attained.
 Print Assumptions step_1_square_bound_needs_two_planes.
+Print Assumptions dual_bounds_need_two_planes.
 Print Assumptions euler_needs_rank_3.
 Print Assumptions different_slip_states.

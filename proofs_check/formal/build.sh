@@ -26,7 +26,7 @@ cd _build
 
 # In the order in which they build on one another.
 for file in Model Checker Numbers Rows Leaves Regions Witness Soundness \
-  Planes Sides Rank Recursion Counting Whitney Bounds General Sphere Claims; do
+  Planes Sides Rank Recursion Counting Whitney Bounds General Sphere Merge Dual Claims; do
   echo "coqc $file.v"
   coqc "$file.v"
 done

@@ -2,7 +2,7 @@
     do not. Words are defined in Planes.v; proofs stand in other files. *)
 
 Require Import Reals ZArith List Lia Permutation.
-Require Import Planes Sides Rank Recursion Counting Bounds General Sphere.
+Require Import Planes Sides Rank Recursion Counting Bounds General Sphere Dual.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -44,6 +44,42 @@ Theorem euler : forall planes vertices edges faces, great_circles planes -> rank
   number (face_of_codimension 0 planes) faces ->
   vertices - edges + faces = 2.
 Proof. intros planes v e f [S C]. now apply sphere_euler. Qed.
+
+(** The dual graph has the regions as vertices, the facets as edges, and a face for each ray. *)
+Theorem dual_edge_and_face_bounds : forall planes rays facets regions,
+  great_circles planes -> rank planes 3 ->
+  number (face_of_codimension 2 planes) rays ->
+  number (face_of_codimension 1 planes) facets ->
+  number (face_of_codimension 0 planes) regions ->
+  facets <= 3 * regions - 6 /\ rays <= 2 * regions - 4.
+Proof. intros planes v e f C R V E F. pose proof (dual_faces C R V E F). lia. Qed.
+
+Theorem dual_bipartite_bounds : forall planes rays facets regions,
+  great_circles planes -> rank planes 3 ->
+  number (face_of_codimension 2 planes) rays ->
+  number (face_of_codimension 1 planes) facets ->
+  number (face_of_codimension 0 planes) regions ->
+  facets <= 2 * regions - 4 /\ rays <= regions - 2.
+Proof. intros planes v e f C R V E F. pose proof (dual_faces C R V E F). lia. Qed.
+
+Theorem dual_bipartite_bounds_attained : forall planes, great_circles planes ->
+  general 3 planes -> 3 <= size planes ->
+  exists regions, number (face_of_codimension 0 planes) regions /\
+    number (face_of_codimension 1 planes) (2 * regions - 4) /\
+    number (face_of_codimension 2 planes) (regions - 2).
+Proof.
+  intros planes C G M. destruct (general_circles C G M) as (_ & V & E & F).
+  set (m := size planes) in *. exists (m * m - m + 2). split; [exact F|]. split.
+  - now replace (2 * (m * m - m + 2) - 4) with (2 * m * (m - 1)) by ring.
+  - now replace (m * m - m + 2 - 2) with (m * (m - 1)) by ring.
+Qed.
+
+Theorem two_facets_for_each_ray : forall planes rays facets,
+  great_circles planes -> rank planes 3 ->
+  number (face_of_codimension 2 planes) rays ->
+  number (face_of_codimension 1 planes) facets ->
+  2 * rays <= facets.
+Proof. intros planes v e C R V E. exact (ray_facets C R V E). Qed.
 
 Theorem step_1_square_bound : forall planes n, great_circles planes -> 2 <= size planes ->
   number (region planes) n ->
@@ -108,6 +144,12 @@ Proof.
   split; [split; repeat constructor|]. exact (regions_counted [Form 0 [1; 0; 0]]).
 Qed.
 
+Theorem dual_bounds_need_two_planes :
+  number (face_of_codimension 1 one_plane) 1 /\ number (face_of_codimension 0 one_plane) 2.
+Proof.
+  split; [exact (faces_counted [Form 0 [1; 0; 0]] 1)|exact (faces_counted [Form 0 [1; 0; 0]] 0)].
+Qed.
+
 Theorem euler_needs_rank_3 : great_circles two_planes /\
   number (face_of_codimension 2 two_planes) 1 /\
   number (face_of_codimension 1 two_planes) 4 /\
@@ -133,7 +175,7 @@ Proof.
     cbn; (f_equal; [ring|]); (f_equal; ring).
 Qed.
 
-(** Two planes in general position have 9 slip states, not 10. *)
+(** Two planes, any of which are independent, have 9 slip states, not 10. *)
 Theorem different_slip_states : great_circles two_planes /\ general 3 two_planes /\
   number (face two_planes) 9.
 Proof.
