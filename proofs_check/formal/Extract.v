@@ -35,6 +35,7 @@ Print Assumptions step_1_time.
 Print Assumptions step_2_time.
 Print Assumptions step_3_time.
 Print Assumptions fukuda_bound.
+Print Assumptions fukuda_bound_attained.
 Print Assumptions bound_not_attained.
 Print Assumptions step_1_square_bound_needs_two_planes.
 Print Assumptions dual_bounds_need_two_planes.

@@ -125,6 +125,15 @@ Proof.
   now replace (d - (d - k))%nat with k in H by lia.
 Qed.
 
+Theorem fukuda_bound_attained : forall d k planes, of_space d planes -> simple d planes ->
+  (1 <= d)%nat -> (k <= d)%nat ->
+  number (face_of_codimension (d - k) planes)
+    (choose (length planes) (d - k) * choose_upto (length planes - (d - k)) k).
+Proof.
+  intros d k planes _ G D K. pose proof (@simple_faces d planes (d - k) D ltac:(lia) G) as H.
+  now replace (d - (d - k))%nat with k in H by lia.
+Qed.
+
 (** [f k] faces of codimension k. *)
 Theorem bound_not_attained : forall planes f, great_circles planes -> 4 <= size planes ->
   (forall k, number (face_of_codimension k planes) (f k)) ->

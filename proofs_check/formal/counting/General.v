@@ -167,6 +167,116 @@ Proof.
   - now apply of_space_within.
 Qed.
 
+(** * Affine planes in general position *)
+
+Lemma simple_permutation d B B' : Permutation B B' -> simple d B -> simple d B'.
+Proof.
+  intros P [G N]. split; [now apply general_permutation with B|].
+  intros fs rest P'. apply N with rest. now transitivity B'.
+Qed.
+
+Lemma simple_tail d h B : simple d (h :: B) -> simple d B.
+Proof.
+  intros [G N]. split; [now apply general_tail with h|].
+  intros fs rest P. apply N with (h :: rest). rewrite <- Permutation_middle. now constructor.
+Qed.
+
+Lemma simple_restrict d h B : simple (S d) (h :: B) -> simple d (map (restrict_real h) B).
+Proof.
+  intros [G N]. split; [now apply general_restrict|]. intros fs' rest' P L (x & X).
+  destruct (Permutation_map_inv _ _ (Permutation_sym P)) as (l & E & P').
+  apply eq_sym, map_eq_app in E. destruct E as (fs & rest & -> & <- & <-).
+  rewrite map_length in L. apply (N (h :: fs) rest); [cbn; now constructor|cbn; lia|].
+  pose proof (@general_plane d (h :: B) h G (or_introl eq_refl)) as K.
+  exists (foot h (pivot_real (coefficients h)) x). intros f [<-|F].
+  - now apply foot_on, look_real_slope.
+  - destruct (@restrict_real_below h f K) as (p & Pos & V).
+    pose proof (X _ (in_map (restrict_real h) _ _ F)) as Z. rewrite V in Z.
+    apply Rmult_integral in Z as [Z|]; [lra|trivial].
+Qed.
+
+Lemma simple_constant B : simple 0 B -> Forall (fun f => look_real f = Constant) B.
+Proof.
+  intros [_ N]. apply Forall_forall. intros f (l1 & l2 & ->)%in_split.
+  destruct (look_real f) eqn:K; trivial; exfalso;
+  (apply (N [f] (l1 ++ l2)); [cbn; symmetry; apply Permutation_middle|reflexivity|]).
+  - exists origin. intros g [<-|[]]. now apply look_real_vanishes.
+  - exists (foot f (pivot_real (coefficients f)) origin). intros g [<-|[]].
+    now apply foot_on, look_real_slope.
+Qed.
+
+Lemma onto_constant r B : Forall (fun f => look_real f = Constant) (map r B) ->
+  onto look_real r B = Some [] /\ skim look_real r B = [].
+Proof.
+  induction B as [|g B IH]; intros C; [now split|]. inversion C as [|? ? K C']; subst.
+  destruct (IH C'). cbn. now rewrite K.
+Qed.
+
+Lemma affine_regions_exact n : forall d B, (length B <= n)%nat -> simple (S d) B ->
+  regions look_real restrict_real n B = choose_upto (length B) (S d).
+Proof.
+  induction n as [|n IH]; intros d [|h B] L G; try (cbn in L; lia);
+    try (now rewrite upto_zero).
+  cbn in L. cbn [regions length]. rewrite (@general_plane d (h :: B) h (proj1 G) (or_introl eq_refl)), upto_step.
+  rewrite (IH d B ltac:(lia) (simple_tail G)). f_equal.
+  pose proof (simple_restrict G) as G'. destruct d as [|d].
+  - destruct (@onto_constant _ _ (simple_constant G')) as [-> _]. now destruct n.
+  - rewrite (@onto_full _ _ (restricted_planes (proj1 G))).
+    rewrite (IH d) by (rewrite ?map_length; trivial; lia). now rewrite map_length.
+Qed.
+
+Lemma affine_faces_exact n : forall d nz A k, (length A <= n)%nat -> (k <= S d)%nat ->
+  simple (S d) (nz ++ A) ->
+  nth k (faces look_real restrict_real n nz A) 0 =
+  choose (length A) k * choose_upto (length nz + length A - k) (S d - k).
+Proof.
+  assert (forall d nz k, simple (S d) (nz ++ []) ->
+    nth k [regions look_real restrict_real (length nz) nz] 0 =
+    choose 0 k * choose_upto (length nz + 0 - k) (S d - k)) as Nil.
+  { intros d nz [|k] G; rewrite app_nil_r in *.
+    - rewrite choose_none, Nat.add_0_r, !Nat.sub_0_r, Z.mul_1_l. cbn [nth].
+      now apply affine_regions_exact.
+    - replace (nth (S k) [regions look_real restrict_real (length nz) nz] 0) with 0 by now destruct k.
+      reflexivity. }
+  induction n as [|n IH]; intros d nz [|h A] k L K G; try (cbn in L; lia);
+    try (now apply Nil).
+  cbn in L. assert (simple (S d) (h :: nz ++ A)) as G1.
+  { apply simple_permutation with (2 := G). symmetry. apply Permutation_middle. }
+  pose proof (@general_plane d (h :: nz ++ A) h (proj1 G1) (or_introl eq_refl)) as Kind.
+  cbn [faces length]. rewrite Kind, nth_sum, (IH d (h :: nz) A k ltac:(lia) K G1). cbn [length].
+  destruct k as [|k].
+  - rewrite !choose_none. replace (nth 0 _ 0) with 0
+      by now destruct (onto look_real (restrict_real h) nz).
+    rewrite !Nat.sub_0_r. replace (length nz + S (length A))%nat with (S (length nz) + length A)%nat
+      by lia. lia.
+  - change (choose (S (length A)) (S k)) with (choose (length A) k + choose (length A) (S k)).
+    replace (S (length nz) + length A - S k)%nat with (length nz + length A - k)%nat by lia.
+    replace (length nz + S (length A) - S k)%nat with (length nz + length A - k)%nat by lia.
+    cbn [Nat.sub]. rewrite Z.mul_add_distr_r, Z.add_comm. f_equal.
+    pose proof (simple_restrict G1) as G'. destruct d as [|d].
+    + apply simple_constant in G'. rewrite map_app in G'. apply Forall_app in G' as [C1 C2].
+      destruct (@onto_constant _ _ C1) as [-> _], (@onto_constant _ _ C2) as [_ ->].
+      assert (k = O) as -> by lia. rewrite choose_none. now destruct n.
+    + pose proof (restricted_planes (proj1 G1)) as P.
+      apply Forall_app in P as [P1 P2]. rewrite (@onto_full _ _ P1), (@skim_full _ _ P2). cbn [nth].
+      rewrite (IH d) by (rewrite <- ?map_app, ?map_length; trivial; lia). now rewrite !map_length.
+Qed.
+
+Theorem simple_faces d planes k : (1 <= d)%nat -> (k <= d)%nat -> simple d planes ->
+  number (face_of_codimension k planes)
+    (choose (length planes) k * choose_upto (length planes - k) (d - k)).
+Proof.
+  intros D K G. pose proof (faces_real_count planes k) as N. unfold faces_real in N.
+  destruct d as [|d]; [lia|]. now rewrite (@affine_faces_exact (length planes) d [] planes k) in N.
+Qed.
+
+Theorem simple_regions d planes : (1 <= d)%nat -> simple d planes ->
+  number (region planes) (choose_upto (length planes) d).
+Proof.
+  intros D G. pose proof (regions_real_count planes) as N. unfold regions_real in N.
+  destruct d as [|d]; [lia|]. now rewrite (@affine_regions_exact (length planes) d planes) in N.
+Qed.
+
 (** * Euler's relation *)
 
 (** a 0 - a 1 + a 2 - ..., n terms *)

@@ -109,6 +109,11 @@ Definition great_circles (planes : list (form R)) : Prop :=
 Definition general (d : nat) (planes : list (form R)) : Prop :=
   forall fs rest, Permutation planes (fs ++ rest) -> (length fs <= d)%nat -> independent fs.
 
+(** General position of any planes of R^d: also, no d + 1 of them have a common point. *)
+Definition simple (d : nat) (planes : list (form R)) : Prop :=
+  general d planes /\
+  forall fs rest, Permutation planes (fs ++ rest) -> length fs = S d -> ~ meet fs.
+
 Open Scope Z_scope.
 
 (** Binomial coefficients; choose n 0 + ... + choose n k; a 0 + ... + a (n - 1). *)
