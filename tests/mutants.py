@@ -174,6 +174,10 @@ if found.verdict == NOT_RESISTED and found.certificate is not None:
     dropped: found.certificate is not None | a verdict that is decided has its certificate
 if slope > 0:
     Gt -> GtE | the slope is not 0 here
+return tuple((a, b) for a, b in pairs if a.resisted < a.refused and b.refused < b.resisted)
+    And -> Or | dropped: a.resisted < a.refused | yes and no alternate from border to border
+    dropped: b.refused < b.resisted | yes and no alternate from border to border
+    Lt -> LtE | Lt -> LtE (2) | the two ends of a border have different verdicts
 if undecided and end - start <= max(enough, (high - low) / _SHARP):
     dropped: undecided | without them the part is the whole
 [enclosure]
@@ -203,6 +207,8 @@ bound: int = isqrt(prod(squares[: self.rank])) + 1
     1 -> 2 | a larger bound
 squares = sorted((sum(_size(x) ** 2 for x in row) for row in self._vectors), reverse=True)
     2 -> 3 | a larger bound
+for coordinate in images[1:]:
+    1 -> 0 | where the first coordinate is 0, it is put in its own place
 lead[members] = 1
     1 -> 2 | what members get is not read
 if len(values) < 32:

@@ -126,14 +126,15 @@ class TestKnownLoads:
         tilted = replace(slip, motion=(*slip.motion[:3], Fraction(3), Fraction(0), Fraction(0)))
         assert not blends(FEET, slip, tilted)
         known = self.known(FEET, across(1, 0))
-        for t, solution in ((0, slip), (2, further), (1, slip), (3, tilted)):
+        for t, solution in ((1, slip), (3, further), (2, slip), (4, tilted), (0, slip)):
             known._hold(Fraction(t), solution)
-        assert known.held == [(0, 2), (0, 1), (1, 2)]
+        assert known.held == [(1, 3), (1, 2), (2, 3), (0, 1)]
 
     def test_magnitudes_are_refuted_where_all_works_are_above_0(self):
         known = self.known(FINGERS, (1, 0, 0, 0, 0, 0))
         for works, due in [
             ([(1, -2)], (2, None)),
+            ([(1, -2), (1, -1)], (2, None)),
             ([(-2, 6)], (None, 3)),
             ([(Fraction(-1, 2), 1)], (None, 2)),
             ([(1, -2), (-1, 3), (1, -1), (-1, 4), (0, 1)], (2, 3)),
@@ -146,9 +147,23 @@ class TestKnownLoads:
         ]:
             rows = tuple(((Fraction(slope), *[0] * 5), Fraction(rest)) for slope, rest in works)
             assert known._range(rows) == due
-        known.refuted, known.held = [(2, 3)], [(4, 5)]
-        assert [known.refuting(t) for t in (2, Fraction(5, 2), 3)] == [None, (2, 3), None]
+        known.refuted, known.held = [(None, 1), (2, 3)], [(4, 5)]
+        found = [known.refuting(t) for t in (0, 1, 2, Fraction(5, 2), 3)]
+        assert found == [(None, 1), None, None, (2, 3), None]
         assert [known.verdict(t) for t in (4, 5)] == ["resisted"] * 2
+
+    def test_the_range_of_each_new_proof_is_remembered(self):
+        works = [(((1,) * 6, -low), ((-1,) * 6, high)) for low, high in ((0, 2), (3, 5))]
+        trees = []
+
+        def ask(wrench):
+            trees.append(works[len(trees)])
+            return SimpleNamespace(verdict="not resisted", solution=None)
+
+        loads = SimpleNamespace(grasp=FINGERS, trees=trees, ask=ask)
+        known = KnownMagnitudes(loads, (1, *[0] * 5), (0,) * 6)
+        assert [known.verdict(t) for t in (1, 4)] == ["not resisted"] * 2
+        assert known.refuted == [(0, 2), (3, 5)]
 
     def test_contacts_do_the_same_on_one_side_of_the_spring_in_one_direction(self):
         contact = Contact((0, 0, 0), (0, 0, 1), 1, 1, 1, (1, 0, 0))
@@ -183,6 +198,17 @@ def turned(rule):
     return lambda t: no.get(rule(t), rule(t))
 
 
+def bracket_of(rule, low, high, tree):
+    """Return the bracket of given verdicts and one tree, and the magnitudes that were asked for."""
+    tried, edges = [], [x and Fraction(x) for x in tree]
+    known = SimpleNamespace(
+        verdict=lambda t: tried.append(t) or rule(t),
+        refuting=lambda t: edges if tree and rule(t) == "not resisted" else None,
+    )
+    ends = ((Fraction(t), rule(Fraction(t))) for t in (low, high))
+    return _bracket(known, *ends, Fraction(1, 1000)), tried
+
+
 class TestBrackets:
     """Of verdicts that are given: brackets hold the border, and ask for no more than they need."""
 
@@ -192,29 +218,36 @@ class TestBrackets:
             (answers("4/3", "4/3"), 1, 2, (), "333/250 4/3", 7),
             (answers("4/3", "4/3"), 1, 2, ("4/3", None), "533/400 891/668", 6),
             (turned(answers("7/5", "7/5")), 1, 2, (None, "7/5"), "753/538 276/197", 7),
-            (answers("4/3", "4/3"), 1, 2, ("4/3", 3), "533/400 891/668", 6),
-            (turned(answers("7/5", "7/5")), 1, 2, ("1/2", "7/5"), "753/538 276/197", 7),
+            (answers("66/47", "66/47"), 1, 2, ("66/47", 3), "73/52 184/131", 6),
+            (turned(answers("75/47", "75/47")), 1, 2, ("1/2", "75/47"), "209/131 91/57", 6),
             (answers("1.4999", "1.4999"), 1, 2, ("1.4999", None), "502/335 3/2", 6),
             (turned(answers("1.5001", "1.5001")), 1, 2, (None, "1.5001"), "3/2 737/491", 7),
             (answers("6/5", "13/10", "undecided"), 1, 2, (), "7/6 17/13 6/5 5/4 9/7", 9),
             (turned(answers("6/5", "5/4", "undecided")), 1, 2, (), "13/11 14/11 6/5 5/4", 9),
             (answers(1, 1, "resisted"), 1, 2, (), "1 1335/1334", 6),
+            (answers("63/38", "63/38", "resisted"), "63/38", 2, (), "63/38 73/44", 5),
             (answers(2, 2), 1, 2, (), "999/500 2", 5),
             (answers(0, 0, "resisted"), 0, 1, (), "0 1/1022677257", 34),
         ],
     )
     def test_a_bracket_of_given_verdicts(self, rule, low, high, tree, ends, asked):
-        tried, edges = [], [x and Fraction(x) for x in tree]
-        known = SimpleNamespace(
-            verdict=lambda t: tried.append(t) or rule(t),
-            refuting=lambda t: edges if tree and rule(t) == "not resisted" else None,
-        )
-        width = Fraction(1, 1000)
-        found = _bracket(known, *((Fraction(t), rule(t)) for t in (low, high)), width)
+        found, tried = bracket_of(rule, low, high, tree)
         assert (rule(found.resisted), rule(found.refused)) == ("resisted", "not resisted")
         two = sorted((found.resisted, found.refused))
         assert " ".join(map(str, (*two, *found.undecided))) == ends
         assert len(tried) == asked
+
+    @pytest.mark.parametrize(
+        ("rule", "tree"),
+        [
+            (answers("1.499625", "3/2", "undecided"), ("1.499625", None)),
+            (turned(answers("3/2", "1.500375", "undecided")), (None, "1.500375")),
+        ],
+    )
+    def test_what_a_later_proof_refutes_is_not_left_undecided(self, rule, tree):
+        found, tried = bracket_of(rule, 1, 2, tree)
+        assert tried[0] == found.refused == Fraction(3, 2)
+        assert (rule(found.refused), found.undecided) == ("undecided", ())
 
     def test_magnitudes_are_sampled_from_both_ends_and_borders_lie_between_them(self):
         """Resisted up to 1/2 and from 3 to 5; of 64 and beyond nothing is found."""
