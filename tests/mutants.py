@@ -209,16 +209,12 @@ squares = sorted((sum(_size(x) ** 2 for x in row) for row in self._vectors), rev
     2 -> 3 | a larger bound
 for coordinate in images[1:]:
     1 -> 0 | where the first coordinate is 0, it is put in its own place
-lead[members] = 1
-    1 -> 2 | what members get is not read
 if len(values) < 32:
     Lt -> LtE | 32 -> 33 | 32 -> 31 | where the recursion ends was chosen
 prime = nextprime(self.hadamard_bound) if self.hadamard_bound < largest else largest
     Lt -> LtE | what lies beyond the largest is not taken
 while prime < largest and not self._has_image(prime):
     Lt -> LtE | dropped: prime < largest | what is not below the largest is not taken
-if prime < largest:
-    Lt -> LtE | sums of the largest one fit, too
 while prod(primes) <= self.hadamard_bound:
     LtE -> Lt | the bound is above every minor
 radix = 1
