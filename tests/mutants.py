@@ -235,9 +235,42 @@ if rank * prime**2 < 1 << _DOUBLE_BITS:  # then sums of doubles are exact
     1 -> 0 | 2 -> 3 | integers are taken where doubles would do
 values = _modulo((vectors[base][:, None, :] @ forms)[:, 0, :], prime)
     0 -> -1 | this axis has length 1
+[circles]
+VERTICAL = 2.0**1000
+    1000 -> 999 | any number beyond all slopes will do
+exact_in_int64 = factor * largest(rows) ** degree_bound < 2**63
+    Lt -> LtE | no multiple of 3 is a power of two
+array[...] = np.array(rows, dtype=array.dtype).reshape(-1, 3)
+    1 -> 2 | numpy takes any negative length as the one to work out
+if len(undecided[0]):
+    0 -> -1 | there are as many indices of each axis
+backward: Booleans = denominators < 0  # it is the first coordinate that is not 0
+    Lt -> LtE | 0 -> 1 | they are integers, and where they are 0 this is set below
+backward.ravel()[vertical] = numerators.take(vertical) * upper < 0
+    Lt -> LtE | 0 -> 1 | integers, 0 for a circle with itself alone, whose turn is not read
+self._absolute[...], self._least[...] = 1, 0
+    1 -> 2 | any size above 0 leaves all to exact numbers
+    0 -> 1 | 0 -> -1 | sizes are 2 or more, so all is left to exact numbers
+slopes = np.nan_to_num(super().slopes(block)[0], posinf=VERTICAL, neginf=-VERTICAL)
+    minus dropped | what is only a proposal may be wrong
+minor(self._absolute, (here, there), 1),
+    1 -> 2 | larger sizes leave more to exact numbers
+    1 -> 0 | near 0 the products are alike, and minors take 4 of the 8 roundings
+_determinants([self._absolute[at] for at in circles], sign=1),
+    1 -> 2 | larger sizes leave more to exact numbers
+lambda at: minor(self.normals, (here[at[0], 0], at[1]), -1),
+    0 -> -1 | this axis has length 1
+return slopes, turns((component(0), component(1), component(2))) < 0
+    Lt -> LtE | 0 -> 1 | a turn is 0 for a circle with itself alone, and is not read
 [lowrank]
+MAX_RANK = 4
+    4 -> 3 | the lattice then counts rank 4, more slowly
+_CHUNK = 1 << 19
+    1 -> 2 | 1 -> 0 | 19 -> 20 | 19 -> 18 | how many entries are taken at once was chosen
 _INT64_MAX = 2**63 - 1
     1 -> 2 | bounds are even
+if parts[0].dtype == object:
+    Eq -> NotEq | either way keys are equal exactly for proportional coordinates
 return np.array(rows, dtype=np.int64 if bound <= _INT64_MAX else object)
     LtE -> Lt | bounds are even
 return _keep(_flats_only(_concatenate(groups), m), lambda g: g.first > g.row)

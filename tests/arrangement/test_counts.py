@@ -129,8 +129,47 @@ def test_work_is_split_without_changing_the_sums(monkeypatch):
         [sum(row) % 3 for row in np.ndindex(3, 3, 3) if any(row)],
     )
     whole = counts.doubly_indexed_whitney_numbers(planes)
-    monkeypatch.setattr(lowrank, "_CHUNK", 64)
-    assert counts.doubly_indexed_whitney_numbers(planes) == whole
+    for entries in (64, 8):
+        monkeypatch.setattr(lowrank, "_CHUNK", entries)
+        assert counts.doubly_indexed_whitney_numbers(planes) == whole
+
+
+@pytest.mark.parametrize("root", [1, sqrt(2)])
+def test_comparisons_of_flats_with_planes_are_foreseen(root, monkeypatch):
+    """At most m^2 / 2 flats of rank 2; in rank 4 each of them with all planes, if these are many.
+
+    Irrational numbers take ten times as long.
+    """
+    asked = []
+    monkeypatch.setattr(lowrank.budget, "ask", lambda *_, **takes: asked.append(takes))
+    rational = root == 1
+    factor = 2.5e-7 if rational else 10 * 3.03 * 2.5e-7
+
+    def foreseen(m, rank):
+        rows = [[root, *(t**k for k in range(1, rank))] for t in range(1, m + 1)]
+        config = configuration(Arrangement(rows))
+        del asked[:]
+        lowrank.whitney_matrix(config)
+        return asked
+
+    def takes(comparisons, numbers):
+        seconds = pytest.approx(comparisons * factor, rel=0.04)
+        return {"seconds": seconds, "bytes": pytest.approx(numbers, rel=0.05)}
+
+    assert foreseen(20, 3) == [takes(200, 130 * 400)]
+    assert foreseen(16, 4) == [takes(128, 130 * 256)]
+    assert foreseen(20, 4) == [takes(20 * (190 if rational else 200), 0), takes(200, 130 * 400)]
+
+
+@pytest.mark.parametrize("affine", [False, True])
+def test_flats_of_rank_2_are_known_from_those_through_all_planes_of_a_small_sample(affine):
+    rows = [(1, *row) for row in np.ndindex(3, 2, 3)][:14]
+    rows = [(1, -1, 0, 0), *rows, (0, 1, 1, 1)]
+    planes = Arrangement([row[:3] for row in rows], [row[3] for row in rows])
+    config = configuration(planes if affine else Arrangement(rows))
+    assert (len(config.vectors), config.rank) == (16, 4)
+    lines = len(lowrank.rank_two_groups(config).row)
+    assert lowrank._about_rank_two(config) == pytest.approx(lines)
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ from arrangement.enumeration.great_circles import crossings, sphere_arrangement
 from arrangement.enumeration.great_circles.predicates import (
     ExactSigns,
     FilteredSigns,
+    along_rows,
     integer_array,
     turns,
 )
@@ -88,6 +89,16 @@ def test_reliable_slopes_may_be_wrong_by_four_units_of_roundoff(normals, monkeyp
 @pytest.mark.parametrize("bits", [12, 20, 40, 51])
 def test_slopes_with_few_bits_left_lead_to_the_same_arrangement(normals, bits, monkeypatch):
     assert_same_incidence(normals, monkeypatch, LEAST_BITS=bits)
+
+
+@pytest.mark.parametrize("normals", CLOSE)
+def test_blocks_of_one_circle_lead_to_the_same_arrangement(normals, monkeypatch):
+    assert_same_incidence(normals, monkeypatch, BLOCK=1)
+
+
+def test_entries_are_taken_along_rows_of_any_length():
+    values, columns = np.arange(10).reshape(2, 5), np.array([[4, 0, 3], [1, 1, 2]])
+    assert along_rows(values, columns).tolist() == [[4, 0, 3], [6, 6, 7]]
 
 
 def test_bounds_are_those_of_their_derivations():
