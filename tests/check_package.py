@@ -53,9 +53,8 @@ RUBBISH = re.compile(
 )
 #: Makes shipped data, in a checkout.
 WORKSHOP = "arrangement/library/census/workshop/"
-#: Seconds of processor time for --help: the median of so many runs. Loading numpy takes half of it
-#: on a busy machine.
-HELP_LIMIT, HELP_RUNS = 0.6, 3
+#: Seconds of processor time for --help: the median of so many runs, on a machine that may be busy.
+HELP_LIMIT, HELP_RUNS = 1.0, 3
 
 Done = subprocess.CompletedProcess[str]
 

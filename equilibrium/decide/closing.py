@@ -18,7 +18,6 @@ from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import nnls
 
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from equilibrium.certificate.robust import Bounds, Box, corners_of, halves
@@ -198,6 +197,8 @@ class Closing:
         all samples and directions of slip. Of the hull of those known so far the point of least
         norm is asked for the vectors that do the least along it.
         """
+        from scipy.optimize import nnls  # slow to load, and few verdicts need it
+
         share, m = motions[:, 0], len(self.grasp)
         spring = self.preload[..., None] * share
         spring = spring - self.stiffness[..., None] * (self.normal @ motions[:, 1:].T)

@@ -23,7 +23,6 @@ from typing import Any, NamedTuple
 
 import clarabel
 import numpy as np
-from scipy.sparse import csc_matrix
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
@@ -283,9 +282,7 @@ class Relaxation:
         bounds = np.eye(rows + 1)[[*range(6), rows]]
         table = np.concatenate(
             [
-                np.column_stack(
-                    [csc_matrix(matrix[:3], matrix.shape).toarray().T, np.zeros(columns)]
-                ),
+                np.column_stack([_sparse(matrix[:3], matrix.shape).toarray().T, np.zeros(columns)]),
                 [np.append(right, 1.0)],
                 bounds,
                 -bounds[:6],
@@ -301,7 +298,7 @@ class Relaxation:
             kept += [] if isinstance(kind, clarabel.ZeroConeT) else [kind]
             k += kind.dim
         table, ends = np.delete(table, free, axis=0), np.delete(ends, free)
-        program = (csc_matrix((rows + 1, rows + 1)), -last, csc_matrix(table), ends, kept)
+        program = (_sparse((rows + 1, rows + 1)), -last, _sparse(table), ends, kept)
         found = np.array(clarabel.DefaultSolver(*program, self.settings).solve().x)
         return self._ray(states, blocks, starts, found[:-1]) if found[-1] > -_NO_ROOM else None
 
@@ -319,7 +316,14 @@ class Relaxation:
         return values
 
 
+def _sparse(*given: Any, **more: Any) -> Any:
+    """Return a matrix of SciPy, which loads too slowly for help and grasps in the plane."""
+    from scipy.sparse import csc_matrix
+
+    return csc_matrix(*given, **more)
+
+
 @cache
 def _squares(n: int) -> Any:
     """Return the weights of squares: small motions are preferred."""
-    return csc_matrix((np.full(6, _SMALL_MOTION), (range(6), range(6))), shape=(n, n))
+    return _sparse((np.full(6, _SMALL_MOTION), (range(6), range(6))), shape=(n, n))
