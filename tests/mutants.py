@@ -269,7 +269,17 @@ _CHUNK = 1 << 19
     1 -> 2 | 1 -> 0 | 19 -> 20 | 19 -> 18 | how many entries are taken at once was chosen
 _INT64_MAX = 2**63 - 1
     1 -> 2 | bounds are even
+step = max(1, _CHUNK // max(1, columns))
+    1 -> 2 | FloorDiv -> Mult | max -> min (2) | how many entries are taken at once was chosen
+    1 -> 2 (2) | 1 -> 0 (2) | there are two columns or more
+_ask(f"the flats of rank 2 of {m:,} planes", config, m * m / 2, 130 * m * m)
+    130 -> 131 | 130 -> 129 | how many bytes a pair takes was estimated
+return [columns[order[:, k]] * a[:, :1] - at_pivot * a[:, k, None] for k in range(1, rank)]
+    1 -> 0 | one more coordinate, which is 0
+alternating = sum((-1) ** (rank - 1 - j) * value for j, value in enumerate(row))
+    Sub -> Add | Sub -> Add (2) | as even or odd
 if parts[0].dtype == object:
+    0 -> 1 | 0 -> -1 | all are of one type
     Eq -> NotEq | either way keys are equal exactly for proportional coordinates
 return np.array(rows, dtype=np.int64 if bound <= _INT64_MAX else object)
     LtE -> Lt | bounds are even

@@ -134,6 +134,19 @@ def test_work_is_split_without_changing_the_sums(monkeypatch):
         assert counts.doubly_indexed_whitney_numbers(planes) == whole
 
 
+def test_planes_of_rank_4_stretched_by_a_root_have_the_same_counts():
+    rows = families.type_b(4).normals
+    stretched = Arrangement([(x * sqrt(2), *rest) for x, *rest in rows])
+    found = lowrank.whitney_matrix(configuration(stretched))
+    assert found == lowrank.whitney_matrix(configuration(Arrangement(rows)))
+
+
+def test_each_pair_of_columns_has_the_two_others():
+    for pair, rest in zip(lowrank._COLUMN_PAIRS, lowrank._COLUMN_REST, strict=True):
+        assert sorted([*pair, *rest]) == [0, 1, 2, 3]
+    assert len({tuple(sorted(pair)) for pair in lowrank._COLUMN_PAIRS}) == 6
+
+
 @pytest.mark.parametrize("root", [1, sqrt(2)])
 def test_comparisons_of_flats_with_planes_are_foreseen(root, monkeypatch):
     """At most m^2 / 2 flats of rank 2; in rank 4 each of them with all planes, if these are many.

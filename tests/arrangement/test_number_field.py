@@ -77,6 +77,59 @@ def test_powers_too_small_for_their_bits_have_exact_signs(bits):
             assert (k * low > c) == (k * high > c) == (field.number([-c, 0, k]) > 0)
 
 
+@pytest.mark.parametrize("name", FIELDS)
+def test_numbers_behave_as_rational_ones_do(name):
+    field, a = FIELDS[name], FIELDS[name].generator
+    assert [a < a, a > a, a <= a, a >= a] == [False, False, True, True]
+    half = Fraction(1, 2)
+    assert [a - half < a < a + half, a > a - 2, a + 2 > a, a < a - half] == [True] * 3 + [False]
+    assert (a**0, a**1, a**3) == (1, a, a * a * a)
+    assert ((a / 6).numerator, (a / 6 + 1).numerator) == (a, a + 6)
+    assert 3 - a == -(a - 3)
+    assert [a == a / 2, field == 3, a == "a"] == [False] * 3
+    near, x = float(a), 0.375
+    found = (a + x, x + a, a - x, x - a, a * x, x * a, a / x, x / a)
+    exact = (near + x, near + x, near - x, x - near, near * x, near * x, near / x, x / near)
+    assert found == pytest.approx(exact, rel=1e-15)
+    for b in (a / 3, a - 5, 7 * a + 1, 10**30 * a):
+        assert abs(b) <= b.size() == -(-b.numerator.size() // b.denominator)
+        assert b.bit_length() == int(abs(to_sympy(b))).bit_length()
+
+
+def test_numbers_of_two_fields_are_not_taken_together():
+    a, b = GOLDEN.generator, NumberField([-2, 0, 1], [1, 2]).generator
+    same = NumberField([-5, 0, 1], [2, 3]).generator
+    assert (a + same, a * same) == (2 * a, 5)
+    for operation in (add, mul):
+        with pytest.raises(InputError, match="two different fields"):
+            operation(a, b)
+
+
+@pytest.mark.parametrize("name", FIELDS)
+def test_residues_are_those_of_sums_and_products(name):
+    field = FIELDS[name]
+    for prime in sympy.primerange(5, 200):
+        root = field.root_modulo(prime)
+        if root is not None:
+            a = field.generator
+            b, c = 2 * a + 3, (a - 4) / 2
+            x, y, product = (z.residue(prime, root) for z in (b, c, b * c + a))
+            assert (x, 2 * y % prime) == ((2 * root + 3) % prime, (root - 4) % prime)
+            assert product == (x * y + root) % prime
+
+
+def test_numbers_are_written_as_sums_of_powers():
+    field = FIELDS["the third root of 2"]
+    for parts, text in {
+        (1, -1, Fraction(1, 2)): "1 - a + 1/2*a^2",
+        (0, -1, 1): "-a + a^2",
+        (-2, 0, -3): "-2 - 3*a^2",
+        (0, 2, 0): "2*a",
+        (1, 1, -1): "1 + a - a^2",
+    }.items():
+        assert repr(field.number(parts)) == text
+
+
 def test_one_rounding_has_the_error_of_floats():
     assert sys.float_info.epsilon == 2 * number_field._UNIT
 
@@ -87,6 +140,8 @@ ROOTS = [
     ([-2, 0, 1], [-2, 1], -(2**0.5), [1, 2]),
     ([-2, 0, 1], [-2, 0], -(2**0.5), [1, 2]),
     ([-2, 0, 1], [-1, 2], 2**0.5, [1, 2]),
+    ([-2, 0, 1], [-1, "1.42"], 2**0.5, [1, 2]),
+    ([-2, 0, 1], [-2, "1.4"], -(2**0.5), [1, 2]),
     ([-1, -1, 1], [-1, 1], (1 - 5**0.5) / 2, [2, 3]),
     ([-1, -1, 1], [0, 9], (1 + 5**0.5) / 2, [2, 3]),
     ([-2, 0, 0, 1], [1, "1.26"], 2 ** (1 / 3), [1, 2]),
@@ -117,7 +172,7 @@ def test_the_root_is_the_one_in_the_interval(polynomial, interval, root, ends):
 
 
 def test_fields_of_other_roots_differ():
-    fields = [NumberField(polynomial, interval) for polynomial, interval, *_ in ROOTS[7:11]]
+    fields = [NumberField(polynomial, interval) for polynomial, interval, *_ in ROOTS[9:13]]
     for one in fields:
         for other in fields:
             assert (one == other) == (one is other)
