@@ -164,7 +164,9 @@ def test_the_root_is_the_one_in_the_interval(polynomial, interval, root, ends):
     assert high - low <= Fraction(1, 2**300)
     powers = [Fraction(low) ** k for k in range(field.degree)]
     assert all(abs(p * 2**99 - q) <= 1 for p, q in zip(powers, field._scaled(99), strict=True))
-    sizes = [abs(x) for x in sympy.Poly([*reversed(field.minimal_polynomial)], x).nroots()]
+    roots = sympy.Poly([*reversed(field.minimal_polynomial)], x)
+    assert field.index == roots.count_roots(None, Rational(low))
+    sizes = [abs(x) for x in roots.nroots()]
     for k in range(field.degree):
         unit = [int(j == k) for j in range(field.degree)]
         assert field.size([100 * j for j in unit]) >= 100 * max(size**k for size in sizes)
