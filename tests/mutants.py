@@ -296,6 +296,30 @@ _SMALLEST = 2.0 ** (64 - _BITS)
     64 -> 65 | 64 -> 63 | any bits well beyond 53 will do
 self._rising = value_at(integers, self._high) > 0
     Gt -> GtE | an irreducible polynomial is not 0 at a rational number
+if high <= start or (low < start and value_at(monic, high) < 0):
+    dropped: high <= start | LtE -> Lt | up to there it is below 0, beyond the smaller root
+    dropped: low < start | Lt -> LtE | above the smaller root it is below 0 for no larger one
+    Lt -> LtE (2) | an irreducible polynomial is not 0 at a rational number
+self._low, self._high = Fraction(0), Fraction(1 - integers[0])
+    0 -> 1 | 0 -> -1 | 1 -> 2 | 1 -> 0 | square roots of d >= 2 are between 1 and d, the others < -1
+if self.degree == 2:
+    2 -> 1 | the count of roots is right for degree 2 as well
+bits *= 2
+    2 -> 3 | more bits are taken where needed
+j, bits = j + 1, bits + 1
+    1 -> 2 (2) | 1 -> 0 (2) | Add -> Sub (2) | more bits are taken where needed
+if (value_at(self.minimal_polynomial, middle) > 0) == self._rising:
+    Gt -> GtE | an irreducible polynomial is not 0 at a rational number
+if type(other) is int and not other:
+    dropped: type(other) is int | the difference from any 0 has the same sign
+return self.sign() < 0
+    Lt -> LtE | 0 -> 1 | a sign is 1 or -1
+return difference.sign() < 0
+    Lt -> LtE | 0 -> 1 | a sign is 1 or -1
+return self if self.sign() > 0 else -self
+    Gt -> GtE | 0 -> -1 | a sign is 1 or -1
+if p == q == 1:
+    1 -> 0 | the sum of fractions serves for integers as well
 def interval(self, bits: int = 10) -> tuple[Fraction, Fraction]:
     10 -> 11 | 10 -> 9 | how short an interval is if nothing is asked was chosen
 while (self._high - self._low) * (1 << bits) > 1:
@@ -329,7 +353,7 @@ if abs(total) >> bits > error:
 k *= 2
     2 -> 3 | more bits are taken where needed
 if abs(value) > (len(products) + 6) * _UNIT * sum(map(abs, products)):
-    Gt -> GtE | 6 -> 7 | 6 -> 5 | four units of the error are spare
+    6 -> 7 | 6 -> 5 | four units of the error are spare
     Mult -> Add | Mult -> Add (2) | integers decide then
 [law]
 if slip and tangential != (-limit if slip > 0 else limit):
