@@ -150,6 +150,7 @@ class TestKnownLoads:
         known.refuted, known.held = [(None, 1), (2, 3)], [(4, 5)]
         found = [known.refuting(t) for t in (0, 1, 2, Fraction(5, 2), 3)]
         assert found == [(None, 1), None, None, (2, 3), None]
+        known.known = None  # Nothing is asked.
         assert [known.verdict(t) for t in (4, 5)] == ["resisted"] * 2
 
     def test_the_range_of_each_new_proof_is_remembered(self):
