@@ -174,6 +174,8 @@ if found.verdict == NOT_RESISTED and found.certificate is not None:
     dropped: found.certificate is not None | a verdict that is decided has its certificate
 if slope > 0:
     Gt -> GtE | the slope is not 0 here
+unit = max((c.preload for c in grasp), default=Fraction(0)) or Fraction(1)
+    0 -> 1 | 0 -> -1 | a grasp without contacts is one in the plane
 return tuple((a, b) for a, b in pairs if a.resisted < a.refused and b.refused < b.resisted)
     And -> Or | dropped: a.resisted < a.refused | yes and no alternate from border to border
     dropped: b.refused < b.resisted | yes and no alternate from border to border
