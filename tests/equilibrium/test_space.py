@@ -125,6 +125,13 @@ class TestKnownLoads:
         assert not any(blends(FEET, slip, other) for other in others)
         tilted = replace(slip, motion=(*slip.motion[:3], Fraction(3), Fraction(0), Fraction(0)))
         assert not blends(FEET, slip, tilted)
+        x, y, _ = FEET.contacts[
+            0
+        ].point  # About which it turns as well: the other feet slip elsewhere.
+        turning = replace(slip, motion=(1 + y, -x, *slip.motion[2:5], Fraction(1)))
+        both = [(slip.motion, ()), (turning.motion, ())]
+        assert [_same(contact, both) for contact in FEET] == [True, False, False, False]
+        assert not blends(FEET, slip, turning)
         known = self.known(FEET, across(1, 0))
         for t, solution in ((1, slip), (3, further), (2, slip), (4, tilted), (0, slip)):
             known._hold(Fraction(t), solution)
