@@ -327,7 +327,7 @@ def interval(self, bits: int = 10) -> tuple[Fraction, Fraction]:
 while (self._high - self._low) * (1 << bits) > 1:
     Gt -> GtE | the interval is half as long at most
 while len(rows) < self.degree - 1:
-    Lt -> LtE | 1 -> 0 | one more power, which no product has
+    Lt -> LtE | 1 -> 0 | Sub -> Add | one more power, which no product has
 found = [0] * (2 * n - 1)
     1 -> 0 | one more 0
 if divisor != 1:

@@ -85,6 +85,7 @@ def test_numbers_behave_as_rational_ones_do(name):
     assert [a - half < a < a + half, a > a - 2, a + 2 > a, a < a - half] == [True] * 3 + [False]
     assert (a**0, a**1, a**3) == (1, a, a * a * a)
     assert ((a / 6).numerator, (a / 6 + 1).numerator) == (a, a + 6)
+    assert [a > 1000, a < 1000, 2 * a / 2 == a] == [False, True, True]
     assert 3 - a == -(a - 3)
     assert [a == a / 2, field == 3, a == "a"] == [False] * 3
     near, x = float(a), 0.375
@@ -99,7 +100,7 @@ def test_numbers_behave_as_rational_ones_do(name):
 def test_numbers_of_two_fields_are_not_taken_together():
     a, b = GOLDEN.generator, NumberField([-2, 0, 1], [1, 2]).generator
     same = NumberField([-5, 0, 1], [2, 3]).generator
-    assert (a + same, a * same) == (2 * a, 5)
+    assert (a + same, a * same, a == b) == (2 * a, 5, False)
     for operation in (add, mul):
         with pytest.raises(InputError, match="two different fields"):
             operation(a, b)
