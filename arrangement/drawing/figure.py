@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import inspect
 from collections.abc import Callable
 from itertools import groupby
 from typing import TYPE_CHECKING, Any, ParamSpec
@@ -22,8 +23,8 @@ _PIXELS = 256
 
 
 #: What holds for every view: said once, and added to the docstrings.
-_WIDTH = "        width: of the figure, in millimetres.\n"
-_ABSENT = "        MissingExtraError: matplotlib is absent.\n"
+_WIDTH = "    width: of the figure, in millimetres.\n"
+_ABSENT = "    MissingExtraError: matplotlib is absent.\n"
 
 
 def picture(least: float = 40.0) -> Callable[[Callable[P, Scene]], Callable[P, Figure]]:
@@ -47,10 +48,10 @@ def picture(least: float = 40.0) -> Callable[[Callable[P, Scene]], Callable[P, F
         def draw(*args: P.args, **options: P.kwargs) -> Figure:
             return figure(laid_out(scene(*args, **options)))
 
-        told = view.__doc__ or ""
-        if "        width:" not in told:
-            told = told.replace("\n    Raises:", f"{_WIDTH}\n    Raises:")
-        draw.__doc__ = f"{told.rstrip()}\n{_ABSENT}    "
+        told = inspect.cleandoc(view.__doc__ or "")  # Python 3.13 takes the indent away itself
+        if "    width:" not in told:
+            told = told.replace("\nRaises:", f"{_WIDTH}\nRaises:")
+        draw.__doc__ = f"{told}\n{_ABSENT}"
         draw.__annotations__ = {**view.__annotations__, "return": "Figure"}
         draw.scene = scene  # type: ignore[attr-defined]
         return draw
