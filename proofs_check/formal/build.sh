@@ -21,7 +21,7 @@ fi
 
 rm -rf _build
 mkdir _build
-cp ./*.v grasps/*.v counting/*.v program/*.ml _build/
+cp ./*.v grasps/*.v counting/*.v claims/*.v program/*.ml _build/
 cd _build
 
 # In the order in which they build on one another.

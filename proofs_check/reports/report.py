@@ -114,7 +114,7 @@ def theorem(name: str) -> str:
 @lru_cache(maxsize=1)
 def theorems() -> dict[str, str]:
     """Return the statements of all theorems for claims, by name."""
-    source = files("proofs_check").joinpath("formal", "counting", "Claims.v")
+    source = files("proofs_check").joinpath("formal", "claims", "Claims.v")
     stated = source.read_text(encoding="utf-8").split("\nTheorem ")[1:]
     return {text.split()[0]: f"Theorem {text.partition('Proof.')[0].strip()}" for text in stated}
 
