@@ -277,7 +277,7 @@ def within_error(found: Any, solve: Solve) -> WithinError:
         GraspError: the grasp was not converted.
     """
     bounds, every = _error_bounds(found.grasp)
-    if every and found.verdict != OPEN and _may_be_proved(found):
+    if every and found.verdict != OPEN and _may_be_proved(found) and _fits_floats(found):
         proof = _proof(found, Closing(found, bounds, _PROOF))
         if proof is not None:
             return WithinError(found.verdict, 0, 0, certificate=proof)
@@ -303,7 +303,8 @@ def others(found: Any, solve: Solve) -> Iterator[Grasp]:
     """
     for seed in range(_ROUNDINGS):
         yield other_rounding(found.grasp, seed)
-    if found.verdict == RESISTED or found.grasp.data_error.as_given:
+    against = found.verdict == RESISTED or found.grasp.data_error.as_given
+    if against and _fits_floats(found):
         yield from _against(found, Closing(found, _error_bounds(found.grasp)[0], _PROOF), solve)
 
 
@@ -335,12 +336,19 @@ def robust(found: Any, bounds: Bounds, solve: Solve) -> Robustness:
     """Decide, if possible, whether a verdict holds for all grasps within bounds.
 
     Raises:
-        GraspError: the verdict is about a range of motions and forces, or about pyramids.
+        GraspError: the verdict is about a range of motions and forces, or about pyramids, or its
+            numbers are too large or small for the search in floats.
     """
     if not _may_be_proved(found):
         raise GraspError(
             "whether a verdict holds for all grasps is decided without a largest turn or force, "
             "and in space for round cones; leave these out"
+        )
+    if not _fits_floats(found):
+        raise GraspError(
+            "whether a verdict holds for all grasps is searched in floats, and the size of load, "
+            "points, friction, stiffness, preload, motion or forces is not between 1e-38 and 1e38; "
+            "take other units"
         )
     name, wrench = found.verdict, found.wrench
     if name == OPEN:
@@ -359,6 +367,17 @@ def robust(found: Any, bounds: Bounds, solve: Solve) -> Robustness:
 def _may_be_proved(found: Any) -> bool:
     """Return whether there are proofs for all grasps about such a question."""
     return not found.within and getattr(found, "pyramid", None) is None
+
+
+def _fits_floats(found: Any) -> bool:
+    """Return whether products of some numbers of the question and its solution fit floats."""
+    columns = [found.wrench, [x for c in found.grasp for x in c.point]]
+    columns += [[getattr(c, name) for c in found.grasp] for name in VALUES]
+    columns += [[1 / c.stiffness] for c in found.grasp]
+    if found.solution is not None:
+        columns += [found.solution.motion, [x for f in found.solution.forces for x in f]]
+    sizes = [max(map(abs, column), default=0) for column in columns]
+    return all(1 <= size * 2**128 <= 2**256 for size in sizes if size)
 
 
 def _proof(found: Any, search: Closing) -> Certificate | None:

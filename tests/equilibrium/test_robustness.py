@@ -2,6 +2,7 @@
 
 import json
 import math
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from random import Random
@@ -18,6 +19,7 @@ from equilibrium.decide.closing import moved
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import from_float_data, read_csv
 from equilibrium.grasps.inputs.incidences import other_rounding
+from equilibrium.model.data_error import DataError
 from equilibrium.model.errors import GraspError
 
 from .converted_grasps import SHAPES, converted, original
@@ -228,6 +230,27 @@ class TestRobust:
         for verdict in (pyramids, solve(self.grasp, (0, 1, 0), largest_turn=1)):
             with pytest.raises(GraspError, match="leave these out"):
                 verdict.robust(friction="1%")
+
+    @pytest.mark.parametrize(
+        ("dimension", "change"),
+        [
+            (2, {"preload": 10**300}),
+            (3, {"preload": 10**300}),
+            (2, {"point": 10**400}),
+            (2, {"stiffness": "1e-400"}),
+        ],
+    )
+    def test_numbers_beyond_floats_are_refused_and_no_proof_is_tried(self, dimension, change):
+        wanted = {"point": 1, "friction": "1/2", "preload": 0, **change}
+        size = wanted.pop("point")
+        around = [c.point[:dimension] for c in SPATIAL]
+        grasp = Grasp(Contact([size * x for x in p], [-x for x in p], **wanted) for p in around)
+        load = (0, 1, *[0] * (3 * dimension - 5))
+        with pytest.raises(GraspError, match="other units"):
+            solve(grasp, load).robust(degrees=1)
+        error = DataError(*[Fraction(1, 10**6)] * 3)
+        found = solve(replace(grasp, data_error=error), load).within_error()
+        assert (found.verdict, found.asked, found.proved) == ("resisted", 4, False)
 
     def test_the_proof_is_written_and_read_back(self, tmp_path, capsys):
         proof = str(tmp_path / "proof.json")

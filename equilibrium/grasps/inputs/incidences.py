@@ -136,7 +136,8 @@ def rounded_contacts(
     flat = equal_numbers([x for point in points for x in point], how.snap, how)
     n = len(points[0]) if points else 2
     places = [tuple(flat[n * i : n * i + n]) for i in range(len(points))]
-    if not how.keep or not how.error or len(points) < 2:
+    plain = max(map(abs, flat), default=0) < _LARGEST
+    if not (how.keep and how.error and plain and len(points) > 1):
         return places, [how.normal(d, d, str(i)) for i, d in enumerate(directions)], ()
     work = _Work(points, places, directions, how)
     work.settle()
@@ -167,11 +168,10 @@ def converted(
     check_number(len(normals), len(places))
     points = [point for point, _ in places]
     sizes = {len(vector) for vector in (*points, *wanted)}
-    plain = max((abs(x) for point in points for x in point), default=Fraction(0)) < _LARGEST
     exact = not how.snap and not any(normal.angle_error for normal in normals)
     kept: tuple[ContactIncidence, ...] = ()
     moved = points
-    if not exact and len(sizes) == 1 and plain:
+    if not exact and len(sizes) == 1:
         moved, normals, kept = rounded_contacts(points, wanted, how)
     changed = [
         (new, error + max(map(abs, difference(new, old))))
