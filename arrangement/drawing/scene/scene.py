@@ -492,20 +492,30 @@ class Scene:
         self.legend.extend(other.legend)
 
 
+#: Room beside and above what is drawn, in points.
+Margins: TypeAlias = tuple[float, float]
+#: 6 mm all around.
+AROUND = (6 * POINTS, 6 * POINTS)
+
+
 def fitted(
-    width: float, points: Floats, tallest: float | None = None, margin: float = 6 * POINTS
+    width: float, *parts: tuple[Floats, Margins], tallest: float | None = None
 ) -> tuple[Scene, float, Floats]:
-    """Return an empty sheet, and the scale and shift that put points (k, 2) on it.
+    """Return an empty sheet, and the scale and shift that put points on it.
 
     Args:
         width: of the sheet, in millimetres.
-        points: whose box is to fill it but for a margin.
-        tallest: height of the sheet, at most; if omitted, the box is a little lower than wide.
-        margin: in points.
+        parts: points (k, 2 or more), whose box is to fit in the sheet with these margins.
+        tallest: height of the sheet, at most; if omitted, the boxes are a little lower than wide.
     """
-    low, high = points.min(axis=0), points.max(axis=0)
-    wide, spread = width * POINTS, np.maximum(high - low, 1e-3)
-    room = 0.95 * wide if tallest is None else tallest * POINTS - 2 * margin
-    scale = float(min((wide - 2 * margin) / spread[0], room / spread[1]))
-    scene = Scene(width, (scale * float(spread[1]) + 2 * margin) / POINTS)
-    return scene, scale, np.array([scene.width, scene.height]) / 2 - scale * (low + high) / 2
+    margins = np.array([margin for _, margin in parts])
+    low = np.array([points.min(axis=0)[:2] for points, _ in parts])
+    high = np.array([points.max(axis=0)[:2] for points, _ in parts])
+    wide = width * POINTS
+    tall = 0.95 * wide + 2 * margins[:, 1].max() if tallest is None else tallest * POINTS
+    # Any two parts may be the first and the last.
+    room = np.array([wide, tall]) - margins[:, None] - margins
+    scale = float((room / np.maximum(high - low[:, None], 1e-3)).min())
+    least, most = (scale * low - margins).min(axis=0), (scale * high + margins).max(axis=0)
+    scene = Scene(width, (most[1] - least[1]) / POINTS)
+    return scene, scale, np.array([(wide - least[0] - most[0]) / 2, -least[1]])

@@ -1,20 +1,22 @@
-"""Flat patches in space in an order in which none hides one that is painted later.
+"""Pieces in space in an order in which none hides one that is painted later.
 
 A plane with the viewer on one side: what lies beyond it cannot hide what lies in it, nor that what
-lies before it. So patches are split along the planes of some of them until each part of space has
-one plane at most (H. Fuchs, Z. Kedem, B. Naylor, SIGGRAPH 1980). Signs are exact. The tree does not
-depend on the view.
+lies before it. So flat patches are split along the planes of some of them until each part of space
+has one plane at most (H. Fuchs, Z. Kedem, B. Naylor, SIGGRAPH 1980). Pieces that planes cut out,
+such as the cells of an arrangement and their facets, hang on the tree of these planes. Signs are
+exact. The tree does not depend on the view.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, TypeAlias, TypeVar
 
 import numpy as np
 
-from arrangement.drawing.scene.scene import Floats, fitted
+from arrangement.drawing.scene.scene import Floats, Margins, fitted
 from arrangement.numbers.exact import IntegerVector, dot
 
 from .flat_polygons import Segment, between, clipped
@@ -49,28 +51,64 @@ class Node(Generic[_Drawn]):
         return Node(self.row, list(map(draw, self.patches)), self.front, self.back)
 
 
-def depth_tree(patches: Sequence[Patch]) -> list[Node[Patch]]:
+#: A plane, what lies in it, before it and behind it.
+_Parts: TypeAlias = tuple[IntegerVector, list[_Drawn], list[_Other], list[_Other]]
+
+
+def depth_tree(patches: Iterable[Patch]) -> list[Node[Patch]]:
     """Return the nodes of a tree; the first one is the root. Patches may be cut."""
-    nodes: list[Node[Patch]] = []
-    todo: list[tuple[list[Patch], int, str]] = [(list(patches), -1, "")]
+
+    def split(group: Sequence[Patch]) -> _Parts[Patch, Patch]:
+        row = _best_row(group)
+        found: _Parts[Patch, Patch] = (row, [], [], [])
+        for patch in group:
+            if any(dot(row, p) for p in patch.corners):
+                found[2].extend(_half(patch, row, 1))
+                found[3].extend(_half(patch, row, -1))
+            else:
+                found[1].append(patch)
+        return found
+
+    return _tree(list(patches), split)
+
+
+def plane_tree(
+    rows: Sequence[IntegerVector], pieces: Iterable[tuple[Sequence[int], _Drawn]]
+) -> list[Node[_Drawn]]:
+    """Return the tree of given planes; the first node is the root, and none has one side only.
+
+    Args:
+        rows: the planes.
+        pieces: each with its side of every plane: 1 in front, -1 behind, 0 in the plane.
+    """
+
+    def split(group: Sequence[tuple[Sequence[int], _Drawn]]) -> _Parts[_Drawn, Any]:
+        columns = zip(*(sides for sides, _ in group), strict=True)
+        k = next((k for k, at in enumerate(columns) if 0 in at or len(set(at)) > 1), None)
+        if k is None:
+            return (0,) * 4, [piece for _, piece in group], [], []
+        parts = ([entry for entry in group if entry[0][k] == side] for side in (0, 1, -1))
+        inside, before, behind = parts
+        return rows[k], [piece for _, piece in inside], before, behind
+
+    return _tree(list(pieces), split)
+
+
+def _tree(
+    pieces: list[_Other], split: Callable[[Sequence[_Other]], _Parts[_Drawn, _Other]]
+) -> list[Node[_Drawn]]:
+    """Return the nodes of the tree that `split` makes of pieces, again and again."""
+    nodes: list[Node[_Drawn]] = []
+    todo = [(pieces, -1, "")]
     while todo:
         group, parent, side = todo.pop()
         if not group:
             continue
-        row = _best_row(group)
-        node: Node[Patch] = Node(row)
-        before, behind = [], []
-        for patch in group:
-            values = [dot(row, p) for p in patch.corners]
-            if not any(values):
-                node.patches.append(patch)
-            else:
-                before += _half(patch, row, 1)
-                behind += _half(patch, row, -1)
+        row, inside, before, behind = split(group)
         if parent >= 0:
             setattr(nodes[parent], side, len(nodes))
-        nodes.append(node)
-        todo += [(before, len(nodes) - 1, "front"), (behind, len(nodes) - 1, "back")]
+        todo += [(before, len(nodes), "front"), (behind, len(nodes), "back")]
+        nodes.append(Node(row, inside))
     return nodes
 
 
@@ -134,24 +172,28 @@ class SolidSheet:
     """A picture of pieces in space, seen from a direction.
 
     Args:
-        tree: of the pieces.
         towards: the viewer.
-        points: (k, 3), whose box in the picture is to fill it.
-        room: width of the sheet and what else `fitted` takes.
+        width, parts, tallest: as for `fitted`; points in the axes of the picture.
     """
 
     def __init__(
-        self, tree: Sequence[Node[Patch]], towards: IntegerVector, points: Floats, *room: Any
+        self,
+        towards: IntegerVector,
+        width: float,
+        *parts: tuple[Floats, Margins],
+        tallest: float | None = math.inf,
     ) -> None:
-        self.tree, self.towards = tree, towards
-        self.axes = picture_axes(towards)
-        flat = (points @ self.axes.T)[:, :2]
-        self.scene, self.scale, self.shift = fitted(room[0], flat, *room[1:])
+        self.towards, self.axes = towards, picture_axes(towards)
+        self.scene, self.scale, self.shift = fitted(width, *parts, tallest=tallest)
+
+    def place(self, points: Any) -> Floats:
+        """Return points in the axes of the picture (.., 2 or 3) on the scene."""
+        placed: Floats = np.asarray(points)[..., :2] * self.scale + self.shift
+        return placed
 
     def at(self, points: Any) -> Floats:
         """Return points of space on the scene."""
-        placed: Floats = (np.asarray(points) @ self.axes.T)[..., :2] * self.scale + self.shift
-        return placed
+        return self.place(np.asarray(points) @ self.axes.T)
 
     def at_exact(self, points: Iterable[IntegerVector]) -> Floats:
         """Return homogeneous points of space on the scene."""
@@ -161,8 +203,10 @@ class SolidSheet:
         """Return whether the outer side of a piece is seen."""
         return bool(dot(patch.row[:3], self.towards) > 0)
 
-    def layers(self, bottom: float) -> Iterator[tuple[float, list[Patch]]]:
+    def layers(
+        self, tree: Sequence[Node[_Drawn]], bottom: float
+    ) -> Iterator[tuple[float, list[_Drawn]]]:
         """Yield the pieces in each plane and their place in the order, from `bottom` to 1 more."""
-        nodes = list(back_to_front(self.tree, self.towards))
+        nodes = list(back_to_front(tree, self.towards))
         for k, node in enumerate(nodes):
             yield bottom + k / (len(nodes) + 1), node.patches

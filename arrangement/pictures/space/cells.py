@@ -3,7 +3,7 @@
 Each cell moves away from the centre by the same multiple of the way to its own middle. Planes keep
 the cells apart after that: if x and the middle c of a cell are beyond a plane ``n . x = b``, then
 ``x + t c`` is beyond ``n . x = (1 + t) b``. So the order of painting is that of the cells in place,
-and exact (see `painting`).
+and exact (see `depth_tree`).
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from arrangement.drawing.output import millimetres
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage
 from arrangement.drawing.registry import Exact, Vector
 from arrangement.drawing.scene.scene import Floats, Scene
-from arrangement.drawing.solids.depth_tree import Node
+from arrangement.drawing.solids.depth_tree import plane_tree
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes, triangles
 from arrangement.drawing.solids.sight import picture_axes, view_direction
 from arrangement.duals.cells import Cell, Cells, cut_cells
@@ -42,8 +42,6 @@ from .view_direction import clear_sight
 
 #: Up to so many cells have labels.
 _NAMED = 60
-#: The plane of a node that nothing lies before or behind.
-_NOWHERE = (0, 0, 1)
 
 
 @picture()
@@ -134,13 +132,12 @@ def cells_page(
     cells = _cells(arrangement, "cube", centre, radius, explode)
     towards = clear_sight(cells) if direction is None else view_direction(direction)
     points = unit_points(cells)
-    tree: list[Node[PageFace]] = [Node(_NOWHERE)]
+    faces: list[tuple[tuple[int, ...], PageFace]] = []
     told = []
     regions = {face.signs: face for face in arrangement.regions()}
     firsts = arrangement.distinct_planes
     for k, cell in enumerate(cells.cells):
-        leaf = _leaf(tree, [plane[:3] for plane in firsts], cell.sides)
-        tree[leaf].patches += _faces(points, cell, k)
+        faces += [(cell.sides, face) for face in _faces(points, cell, k)]
         walls = sorted({wall for wall in cell.walls if wall >= 0})
         sign = "".join("+" if s > 0 else "\u2212" for s in cell.signs)
         planes = "; ".join(equation(firsts[w][:3], firsts[w][3]) for w in walls)
@@ -162,7 +159,7 @@ def cells_page(
         f"{float(2 * body.radius):.4g}",
         picture_axes(towards),
         3**0.5,
-        tree,
+        plane_tree(firsts, faces),
         told,
         [*legend, (SKIN, "cut by the cube")],
         apart=float(explode),
@@ -178,21 +175,6 @@ def _cells(
     cells = cut_cells(arrangement, body, centre, radius)
     budget.keep(len(cells.cells), "cells in a picture", "a smaller radius shows fewer")
     return cells
-
-
-def _leaf(
-    tree: list[Node[PageFace]], normals: list[tuple[int, ...]], sides: tuple[int, ...]
-) -> int:
-    """Return the branch of a cell below those of all planes, which are made as they are needed."""
-    at = 0
-    for normal, side in zip(normals, sides, strict=True):
-        tree[at].row = normal
-        way = "front" if side > 0 else "back"
-        if getattr(tree[at], way) < 0:
-            setattr(tree[at], way, len(tree))
-            tree.append(Node(_NOWHERE))
-        at = getattr(tree[at], way)
-    return at
 
 
 def _faces(points: Floats, cell: Cell, number: int) -> list[PageFace]:

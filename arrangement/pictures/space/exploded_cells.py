@@ -8,21 +8,21 @@ from the whole body; two lifted cells are compared where they overlap in the pic
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from graphlib import CycleError, TopologicalSorter
 from itertools import pairwise
-from typing import Any
+from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
-import numpy.typing as npt
 
 from arrangement.drawing.scene.scene import Floats
+from arrangement.drawing.solids.depth_tree import Node, back_to_front, plane_tree
 from arrangement.drawing.solids.sight import face_normal, picture_axes
 from arrangement.duals.cells import Cell, Cells
 from arrangement.errors import InputError
-from arrangement.numbers.exact import IntegerVector, dot, sign
+from arrangement.numbers.exact import IntegerVector, dot
 from arrangement.numbers.linear.rank import cycle_edges
 from arrangement.pictures.parts.coordinates import REACH
 from arrangement.planes.planes import Planes
@@ -212,7 +212,9 @@ def sharp(wall: int, other: int, smooth: bool) -> bool:
     return wall != other and not (smooth and wall < 0 and other < 0)
 
 
-Key = tuple[int, ...]
+#: Of the first plane of each class.
+Sides: TypeAlias = tuple[int, ...]
+_Drawn = TypeVar("_Drawn")
 
 
 @dataclass(frozen=True)
@@ -227,7 +229,7 @@ class Facet:
     """
 
     label: int
-    sides: tuple[int, ...]
+    sides: Sides
     corners: tuple[int, ...]
     rim: tuple[bool, ...]
 
@@ -254,30 +256,23 @@ class Stage:
         return self.cells.arrangement
 
     @cached_property
-    def viewer(self) -> tuple[int, ...]:
-        """For each class of planes the side, of its first plane, on which the viewer is."""
-        return tuple(
-            sign(dot(self.arrangement.integer_planes[members[0]][:3], self.direction))
-            for members in self.arrangement.distinct
-        )
-
-    def key(self, sides: Sequence[int]) -> Key:
-        """Return what pieces are sorted by, back to front."""
-        return tuple(v * s for v, s in zip(self.viewer, sides, strict=True))
-
-    @cached_property
     def facets(self) -> tuple[Facet, ...]:
         """All facets, back to front."""
         found = [facet for cell in self.cells.cells for facet in _facets_below(cell)]
-        return tuple(sorted(found, key=lambda facet: (self.key(facet.sides), facet.label)))
+        found.sort(key=lambda facet: (facet.label, facet.sides))
+        nodes = back_to_front(self.tree((f.sides, f) for f in found), self.direction)
+        return tuple(facet for node in nodes for facet in node.patches)
+
+    def tree(self, pieces: Iterable[tuple[Sequence[int], _Drawn]]) -> list[Node[_Drawn]]:
+        """Return the tree of the planes, with pieces that have these sides of them."""
+        return plane_tree([(*p[:3], -p[3]) for p in self.arrangement.distinct_planes], pieces)
 
     @cached_property
     def planes(self) -> tuple[tuple[Floats, float], ...]:
         """For each class the unit normal and offset of its first plane, in the picture."""
         body = self.cells.body
         found = []
-        for members in self.arrangement.distinct:
-            plane = self.arrangement.integer_planes[members[0]]
+        for plane in self.arrangement.distinct_planes:
             offset = plane[3] - dot(body.centre, plane[:3])
             scale = max(map(abs, plane[:3]))
             normal = np.array([float(x / scale) for x in plane[:3]])
@@ -287,17 +282,16 @@ class Stage:
             )
         return tuple(found)
 
-    def body_edges(self) -> tuple[tuple[Key, tuple[int, ...], npt.NDArray[np.int64]], ...]:
-        """Return key, sign vector and ends of the segments of the edges of a cube."""
-        found = []
+    def body_edges(self) -> Iterator[tuple[Sides, Floats]]:
+        """Yield sides and ends of the segments of the edges of a cube."""
         for cell in self.cells.cells:
             ends = {
                 (min(edge), max(edge))
                 for edge, (one, other) in walls_of_edges(cell).items()
                 if one < 0 and other < 0 and one != other
             }
-            found += [(self.key(cell.sides), cell.signs, np.array(pair)) for pair in sorted(ends)]
-        return tuple(found)
+            for pair in sorted(ends):
+                yield cell.sides, self.points[list(pair)]
 
 
 def unit_points(cells: Cells) -> Floats:
@@ -372,9 +366,9 @@ class StagedAxes:
         ways = stage.axes.T[: len(names)]
         self.tips = self.origin + (self._out[: len(names), None] + REACH - 1) * ways
 
-    def pieces(self) -> Iterator[tuple[int, Key, Floats]]:
-        """Yield when to paint a piece (see `Lifted.place`), its key, and its ends (2, 3)."""
-        for way, out, tip in zip(self.stage.axes.T, self._out, self.tips, strict=False):
+    def inside(self) -> Iterator[tuple[Sides, Floats]]:
+        """Yield the sides and the ends (2, 3) of each piece in the body."""
+        for way, out in zip(self.stage.axes.T[: len(self.names)], self._out, strict=False):
             cuts = [0.0, float(out)]
             for normal, offset in self.stage.planes:
                 slope = float(normal @ way)
@@ -387,6 +381,9 @@ class StagedAxes:
                     middle = ends.mean(axis=0)
                     # In floats: an axis may lie in planes.
                     heights = [float(n @ middle) - offset for n, offset in self.stage.planes]
-                    sides = [0 if abs(h) < 1e-9 else 1 if h > 0 else -1 for h in heights]
-                    yield 0, self.stage.key(sides), ends
-            yield (2 if way[2] > 0 else -2), (), np.array([self.origin + out * way, tip])
+                    yield tuple(0 if abs(h) < 1e-9 else 1 if h > 0 else -1 for h in heights), ends
+
+    def outside(self) -> Iterator[tuple[bool, Floats]]:
+        """Yield for each axis whether it comes out of the body in front, and the ends (2, 3)."""
+        for way, out, tip in zip(self.stage.axes.T, self._out, self.tips, strict=False):
+            yield bool(way[2] > 0), np.array([self.origin + out * way, tip])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import groupby
@@ -16,15 +16,16 @@ from arrangement.drawing.colours import SKIN, chosen, fill_colour, pale
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import AxisNames, Exact, Vector
 from arrangement.drawing.scene.labels import keep_off, spread, turn, write_beside, write_inside
-from arrangement.drawing.scene.scene import POINTS, Floats, Scene, area, measure
+from arrangement.drawing.scene.scene import Floats, Scene, area, measure
 from arrangement.drawing.scene.shapes import arrow
+from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import light, lit, unit, view_direction
 from arrangement.duals.cells import cut_cells, read_signs
 from arrangement.pictures.parts.coordinates import INK, drawn_axes, in_coordinates
 from arrangement.pictures.parts.essential import shown_as
 from arrangement.pictures.parts.names import RegionLabels, plane_names, thinner
 
-from .exploded_cells import Facet, Key, Lifted, Stage, StagedAxes, lifted_cells
+from .exploded_cells import Facet, Lifted, Sides, Stage, StagedAxes, lifted_cells
 from .view_direction import clear_sight
 
 
@@ -48,7 +49,7 @@ def draw_planes(
     """Draw the planes of an arrangement in R^3 inside a ball or a cube, cell by cell.
 
     Every facet is a polygon of its own (``facet-3-plane-1``), cut at the other planes. They are
-    painted back to front in an exact order (see `painting`), so that nothing hides wrongly. The
+    painted back to front in an exact order (see `depth_tree`), so that nothing hides wrongly. The
     projection is orthographic. A number beside the body names a plane: k for the k-th, counted
     from 1. For planes that are not central, the body contains all vertices (see `body_around`).
 
@@ -137,7 +138,7 @@ class DrawnFacet:
 FacetPainter: TypeAlias = Callable[[DrawnFacet], str]
 
 
-class PlanesSheet:
+class PlanesSheet(SolidSheet):
     """The picture; see `planes.draw_planes`."""
 
     def __init__(
@@ -154,38 +155,20 @@ class PlanesSheet:
 
         `apart` says that all cells are lifted, each inside its cone, and nothing else is drawn.
         """
-        self.axes, self.apart = axes, apart
+        self.half_axes, self.apart = axes, apart
         self.stage, self.lifted, self.paint = stage, lifted, paint
         self.round = stage.cells.body.kind == "ball"
         self.outline = self._outline()
         self.thinner = thinner(len(stage.arrangement.distinct))
-        bounds = np.vstack([self.outline, axes.tips[:, :2]])
-        low, high = bounds.min(axis=0), bounds.max(axis=0)
-        loose = [item.corners[:, :2] for item in lifted] or [np.zeros((1, 2))]
-        corner = np.concatenate(loose)
-        least, most = corner.min(axis=0), corner.max(axis=0)
-        paper = width * POINTS
+        loose = [item.corners[:, :2] for item in lifted]
         numbers = map(plane_names, stage.arrangement.distinct)
         margin = max(MARGIN, 10.0 + max((measure(text, 7.0)[0] for text in numbers), default=0.0))
-        self.scale = min(
-            (paper - a - b) / (right - left)
-            for left, a in ((low[0], margin), (least[0], 3.0))
-            for right, b in ((high[0], margin), (most[0], 3.0))
-            if right - left > 0.5
-        )
-        left = min(low[0] * self.scale - margin, least[0] * self.scale - 3)
-        bottom = min(low[1] * self.scale - MARGIN, least[1] * self.scale - 10)
-        top = max(high[1] * self.scale + MARGIN, most[1] * self.scale + 10)
-        self.shift = np.array([-left, -bottom])
-        self.scene = Scene(width, (top - bottom) / POINTS)
+        bounds = np.vstack([self.outline, axes.tips[:, :2]])
+        parts = [(bounds, (margin, MARGIN)), *((corners, (3.0, 10.0)) for corners in loose)]
+        super().__init__(stage.direction, width, *parts)
         self.areas: list[tuple[float, Floats]] = []
         self.painted_at: dict[tuple[int, ...], float] = {}
         self._paint_all()
-
-    def place(self, points: Any) -> Floats:
-        """Return points of the picture (.., 2 or 3) on the scene."""
-        placed: Floats = np.asarray(points)[..., :2] * self.scale + self.shift
-        return placed
 
     def _outline(self) -> Floats:
         """Return the outline of the body, (k, 2), counter-clockwise."""
@@ -201,25 +184,34 @@ class PlanesSheet:
     # Pieces, back to front
 
     def _paint_all(self) -> None:
-        """Paint everything in the order of its keys."""
+        """Paint everything back to front: by the tree of the planes what is in the body."""
         stage = self.stage
-        todo: list[tuple[int, Key, Callable[[], None]]] = []
+        pieces: list[tuple[Sides, Callable[[], None]]] = []
         if not self.apart:
             self.scene.polygon(self.place(self.outline), fc="#f7f7f5", ec="none", zorder=0)
             for number, facet in enumerate(stage.facets):
-                todo.append((0, stage.key(facet.sides), partial(self._facet, facet, number)))
+                pieces.append((facet.sides, partial(self._facet, facet, number)))
+        # Behind the body, in it, and in front of it.
+        order: list[list[Callable[[], None]]] = [[], [], []]
+        for front, ends in self.half_axes.outside():
+            order[2 * front].append(partial(self._axis, self.place(ends), True))
         for item in self.lifted:
-            key = stage.key(item.cell.sides) if item.place == 0 else ()
-            todo.append((item.place, key, partial(self._solid, item)))
-        gone = {item.cell.signs for item in self.lifted}
-        for key, signs, ends in () if self.apart else self._frame_pieces():
-            if signs not in gone:
+            solid = partial(self._solid, item)
+            if item.place:
+                order[1 + item.place].append(solid)
+            else:
+                pieces.append((item.cell.sides, solid))
+        gone = {item.cell.sides for item in self.lifted}
+        for sides, ends in () if self.apart else self._frame_pieces():
+            if sides not in gone:
                 style = {"lw": 0.5, "ec": "#555555"}
-                todo.append((0, key, partial(self._line, self.place(ends), style)))
-        for place, key, ends in self.axes.pieces():
-            todo.append((place, key, partial(self._axis, self.place(ends), place != 0)))
-        todo.sort(key=lambda item: item[:2])
-        for step, (_, _, paint) in enumerate(todo):
+                pieces.append((sides, partial(self._line, self.place(ends), style)))
+        for sides, ends in self.half_axes.inside():
+            pieces.append((sides, partial(self._axis, self.place(ends), False)))
+        for _, paints in self.layers(stage.tree(pieces), 1):
+            order[1] += paints
+        todo = [paint for paints in order for paint in paints]
+        for step, paint in enumerate(todo):
             self.z = 1 + step / (len(todo) + 1)
             paint()
 
@@ -256,26 +248,25 @@ class PlanesSheet:
         else:
             self.scene.line(ends, ec=INK, lw=0.8, **style)
 
-    def _frame_pieces(self) -> list[tuple[Key, tuple[int, ...], Floats]]:
-        """Return the edges of the cube, or the outline of the ball, cut at the planes."""
+    def _frame_pieces(self) -> Iterator[tuple[Sides, Floats]]:
+        """Yield the edges of the cube, or the outline of the ball, cut at the planes."""
         stage = self.stage
         if not self.round:
-            return [(k, signs, stage.points[ends]) for k, signs, ends in stage.body_edges()]
+            yield from stage.body_edges()
+            return
         cuts: set[float] = set()
         for normal, offset in stage.planes:
             length = math.hypot(normal[0], normal[1])
             if length > abs(offset):
                 turned, half = math.atan2(normal[1], normal[0]), math.acos(offset / length)
                 cuts |= {(turned + half) % (2 * math.pi), (turned - half) % (2 * math.pi)}
-        ends, pieces = sorted(cuts) or [0.0], []
+        ends = sorted(cuts) or [0.0]
         for start, stop in zip(ends, [*ends[1:], ends[0] + 2 * math.pi], strict=True):
             angles = np.linspace(start, stop, max(3, math.ceil((stop - start) / 0.03)))
             if stop - start > 1e-9:
                 run = np.column_stack([np.cos(angles), np.sin(angles), 0 * angles])
                 middle = run[len(run) // 2]
-                sides = tuple(1 if float(n @ middle) > b else -1 for n, b in stage.planes)
-                pieces.append((stage.key(sides), stage.arrangement.over_planes(sides), run))
-        return pieces
+                yield tuple(1 if float(n @ middle) > b else -1 for n, b in stage.planes), run
 
     def _solid(self, item: Lifted) -> None:
         """Paint a lifted cell: its visible faces, shaded, then its edges."""
@@ -381,8 +372,8 @@ class PlanesSheet:
     def name_axes(self) -> None:
         """Write the names of the axes beyond their tips."""
         closed = [np.vstack([loop, loop[:1]]) for _, loop in self.areas]
-        for name, tip in zip(self.axes.names, self.axes.tips, strict=True):
-            tip, origin = self.place(tip), self.place(self.axes.origin)
+        for name, tip in zip(self.half_axes.names, self.half_axes.tips, strict=True):
+            tip, origin = self.place(tip), self.place(self.half_axes.origin)
             off = keep_off([*closed, np.array([origin, tip])])
             look: dict[str, Any] = {"away": tip - origin, "distance": 2.0, "style": "italic"}
             write_beside(self.scene, tip, [name], (7.0, 6.0), off=off, **look)

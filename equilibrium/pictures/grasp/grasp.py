@@ -11,7 +11,7 @@ from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Corner, Exact, Vector, Wrench
 from arrangement.drawing.scene.labels import Labels, flattened, ring
-from arrangement.drawing.scene.scene import Floats, Legend, Scene, fitted
+from arrangement.drawing.scene.scene import AROUND, Floats, Legend, Scene, fitted
 from arrangement.drawing.scene.shapes import arrow, turning_arrow
 from equilibrium.decide.verdict import Solver
 from equilibrium.model.errors import GraspError
@@ -112,7 +112,7 @@ def _content(layout: Layout) -> Floats:
 
 def drawn(layout: Layout, width: float, tallest: float | None = None) -> Scene:
     """Return the picture; see `fitted` for its size."""
-    scene, scale, shift = fitted(width, _content(layout), tallest)
+    scene, scale, shift = fitted(width, (_content(layout), AROUND), tallest=tallest)
     _describe(layout, scene.legend, scale)
     picture = GraspPicture(layout, scene, scale, shift)
     picture.body()

@@ -11,9 +11,16 @@ import numpy as np
 from arrangement.drawing.colours import BLACK, GREY, PALE
 from arrangement.drawing.registry import Vector, Wrench
 from arrangement.drawing.scene.labels import Labels
-from arrangement.drawing.scene.scene import Floats, Key, Legend, Scene
+from arrangement.drawing.scene.scene import AROUND, Floats, Key, Legend, Scene
 from arrangement.drawing.solids.depth_tree import SolidSheet
-from arrangement.drawing.solids.sight import best_view, unit, unit_vectors, view_direction, views
+from arrangement.drawing.solids.sight import (
+    best_view,
+    picture_axes,
+    unit,
+    unit_vectors,
+    view_direction,
+    views,
+)
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.numbers.exact import IntegerVector
 from equilibrium.certificate.leaves import spatial_leaves
@@ -91,9 +98,10 @@ class _SpatialGraspPicture(SolidSheet):
         self.solid, self.stated = solid, solid.body[2]
         nodes = solid.tree(np.array(towards, float))
         held = [rounded(p.corners) for node in nodes for p in node.patches]
-        super().__init__(nodes, towards, np.concatenate([np.zeros((1, 3)), *held]), width)
+        content = np.concatenate([np.zeros((1, 3)), *held]) @ picture_axes(towards).T
+        super().__init__(towards, width, (content, AROUND), tallest=None)
         self.count, self.labels = 0, Labels(self.scene)
-        for z, patches in self.layers(1):
+        for z, patches in self.layers(nodes, 1):
             for patch in patches:
                 self._patch(patch, z)
         self._pads()

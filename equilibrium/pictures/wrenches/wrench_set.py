@@ -15,7 +15,7 @@ from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact, Vector, Wrench
 from arrangement.drawing.scene.scene import Floats, Legend, Scene
 from arrangement.drawing.solids.depth_tree import SolidSheet
-from arrangement.drawing.solids.sight import light, unit_vectors, view_direction
+from arrangement.drawing.solids.sight import light, picture_axes, unit_vectors, view_direction
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.numbers.exact import IntegerVector, dot
 from equilibrium.model.grasp import Grasp, read_wrench
@@ -97,8 +97,8 @@ class _WrenchSetPicture(SolidSheet):
     def __init__(
         self, grasp: Grasp, box: WrenchBox, towards: IntegerVector, applied: Any, width: float
     ) -> None:
-        corners = np.array(list(product((-1.0, 1.0), repeat=3)))
-        super().__init__(box.tree, towards, corners, width, math.inf, _MARGIN)
+        corners = np.array(list(product((-1.0, 1.0), repeat=3))) @ picture_axes(towards).T
+        super().__init__(towards, width, (corners, (_MARGIN, _MARGIN)))
         self.grasp, self.box = grasp, box
         self._describe(self.scene.legend, applied)
         self._frame(behind=True)
@@ -132,7 +132,7 @@ class _WrenchSetPicture(SolidSheet):
     def _set(self) -> None:
         """Paint the surface back to front."""
         count = 0
-        for z, patches in self.layers(2):
+        for z, patches in self.layers(self.box.tree, 2):
             seen = [p for p in patches if p.sheet or self.faces(p)]
             for patch in seen:
                 count += 1
