@@ -31,6 +31,11 @@ def add_commands(parser: argparse.ArgumentParser) -> None:
         help="types of eight planes to extend (default: 20)",
     )
     check.add_argument("--seed", type=terminal.count_argument, default=0, help="of their choice")
+    check.add_argument(
+        "--proved",
+        action="store_true",
+        help="check the proofs by the program that is proved in Coq (built by `make formal`)",
+    )
     check.set_defaults(command=_check)
 
     for command in (show, check):
@@ -75,13 +80,18 @@ def _check(arguments: argparse.Namespace) -> int:
     if not 0 <= arguments.sample <= PUBLISHED[MOST_PLANES - 1]:
         raise InputError(f"--sample is {arguments.sample}; give 0 to {PUBLISHED[MOST_PLANES - 1]}")
     with limit(math.inf):  # whoever asks for it waits, and is told how far it is
-        found = check(arguments.sample, arguments.seed)
+        found = check(arguments.sample, arguments.seed, proved=arguments.proved)
+    speaker = "proved" if arguments.proved else "Python"
     if arguments.json:
-        terminal.print_json({**asdict(found), "holds": found.holds})
+        said = {**asdict(found), "checker": speaker.lower(), "holds": found.holds}
+        terminal.print_json(said)
     else:
         words = "all different" if found.different else "NOT in order: some may be the same"
         print(f"the list's types are {words}")
-        print(f"{found.proofs} types have none, by proofs that hold")
+        print(
+            f"{found.proofs} types have no coordinates, by proofs that hold (by the {speaker} "
+            "checker)"
+        )
         print(
             f"{found.parents} types of eight planes have {found.extensions:,} extensions: "
             f"{found.listed:,} in the list, {found.without} without coordinates, "

@@ -1,13 +1,14 @@
-(** The checker and the counts as an OCaml program, its integers those of zarith. *)
+(** The checkers and the counts as an OCaml program, its integers those of zarith. *)
 
 Require Import ZArith Extraction ExtrOcamlZBigInt.
-Require Import Checker Soundness Counting Whitney Claims.
+Require Import Checker Soundness Counting Whitney Claims FinalPolynomials.
 
 (** One line beyond the standard library's: without it, gcd counts down bits one by one. *)
 Extract Constant Z.gcd => "Big_int_Z.gcd_big_int".
 
 Extraction "checker.ml" check
-  count_regions count_faces characteristic_polynomial code complete_regions complete_faces.
+  count_regions count_faces characteristic_polynomial code complete_regions complete_faces
+  final.
 
 Print Assumptions not_resisted.
 Print Assumptions resisted.
@@ -41,3 +42,5 @@ Print Assumptions step_1_square_bound_needs_two_planes.
 Print Assumptions dual_bounds_need_two_planes.
 Print Assumptions euler_needs_rank_3.
 Print Assumptions different_slip_states.
+
+Print Assumptions no_coordinates.

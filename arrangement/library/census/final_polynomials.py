@@ -15,9 +15,14 @@ workshop of the census); the check is in integers and looks at nothing but the s
 from __future__ import annotations
 
 import itertools
+import json
+import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
+
+from arrangement.console.number_form import sign_text
+from arrangement.console.proved_program import ask_proved
 
 Triple: TypeAlias = tuple[int, int, int]
 Product: TypeAlias = tuple[Triple, Triple]
@@ -58,6 +63,31 @@ def proves_no_coordinates(signs: Mapping[Triple, int], proof: Sequence[OrderedPr
             for bracket in products[side]:
                 total[sorted_bracket(bracket)] += sign
     return strict and not any(total.values())
+
+
+def proved_no_coordinates(signs: Sequence[int], proof: Sequence[OrderedProducts]) -> bool:
+    """Return what the program that is proved in Coq says of a proof; no Python checks here.
+
+    Args:
+        signs: of all triples of the elements, in lexicographic order.
+        proof: as `proves_no_coordinates` takes it.
+
+    Raises:
+        InputError: the program is not built.
+    """
+    text = json.dumps(final_document(signs, proof))
+    return ask_proved("-", text=text) == ("accepted", "no coordinates")
+
+
+def final_document(signs: Sequence[int], proof: Sequence[OrderedProducts]) -> dict[str, Any]:
+    """Return signs and proof as the proved program reads them."""
+    return {
+        "schema_version": 1,
+        "certificate": "no coordinates",
+        "elements": next(n for n in itertools.count(3) if math.comb(n, 3) >= len(signs)),
+        "signs": sign_text(signs),
+        "proof": [[*row.relation, row.smaller, row.larger, row.times] for row in proof],
+    }
 
 
 def products_of(relation: Sequence[int]) -> tuple[Product, Product, Product]:

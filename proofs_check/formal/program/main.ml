@@ -1,6 +1,7 @@
 (* proved-checker FILE...: a line for each file, exit code 0 all accepted, 1 one refused, 2 one
-   malformed. A file is a certificate, of a grasp or of a complete list of faces. With --question
-   first: print what was read of grasp and wrench, or of planes, as JSON. With --regions, --faces or
+   malformed. A file is a certificate: of a grasp, of a complete list of faces, or of signs that no
+   vectors have. With --question first: print what was read of grasp and wrench, of planes, or of
+   signs, as JSON. With --regions, --faces or
    --polynomial first, files are arrangements: print what is counted. *)
 
 module Zarith = Z
@@ -43,6 +44,11 @@ let planes forms =
 
 type task = Check | Question | Count of (Z.t form list -> Z.t list)
 
+(* Each triple with its sign. *)
+let signs entries =
+  let entry (((i, j), k), s) = quoted (List.map Z.to_string [ i; j; k; s ]) in
+  "{\"signs\":[" ^ String.concat "," (List.map entry entries) ^ "]}"
+
 let answer accepted kind =
   if accepted then (0, "accepted: " ^ kind) else (1, "refused: " ^ kind)
 
@@ -58,6 +64,9 @@ let work task document =
       match kind with
       | Planes_reader.Regions -> answer (complete_regions forms faces) "all regions"
       | Planes_reader.All_faces -> answer (complete_faces forms faces) "all faces")
+  | _ when Signs_reader.about document ->
+    let entries, proof = Signs_reader.certificate document in
+    if task = Question then (0, signs entries) else answer (final entries proof) "no coordinates"
   | _ ->
     let kind, asked, proof = Reader.document document in
     if task = Question then (0, question asked) else answer (check asked proof) kind

@@ -1,0 +1,142 @@
+"""Proofs that there are no coordinates, by the proved program, where `make formal` has built it."""
+
+from __future__ import annotations
+
+import itertools
+import json
+import subprocess
+from collections.abc import Iterable
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import pytest
+
+from arrangement.console import proved_program
+from arrangement.errors import InputError
+from arrangement.library.census.catalogue import without_coordinates
+from arrangement.library.census.final_polynomials import (
+    OrderedProducts,
+    final_document,
+    proves_no_coordinates,
+)
+from arrangement.library.census.tables import check
+
+PROGRAM = proved_program.program()
+built = pytest.mark.skipif(PROGRAM is None, reason="`make formal` has not built the program")
+
+
+def answers(documents: Iterable[Any], folder: Path, *options: str) -> list[str]:
+    paths = []
+    for i, document in enumerate(documents):
+        paths.append(folder / f"{i}.json")
+        paths[-1].write_text(json.dumps(document))
+    done = subprocess.run([PROGRAM or "", *options, *paths], capture_output=True, text=True)
+    assert not done.stderr
+    assert done.returncode in (0, 1, 2)
+    return done.stdout.splitlines()
+
+
+@built
+def test_no_type_without_coordinates_is_left_out():
+    assert check(0, order=False, proved=True).proofs == 274
+
+
+def test_without_the_program_one_line_says_what_to_do(tmp_path, monkeypatch):
+    monkeypatch.setattr(proved_program.sys, "executable", str(tmp_path / "python"))
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(InputError, match="run `make formal`"):
+        check(0, order=False, proved=True)
+
+
+Case = tuple[list[int], list[OrderedProducts]]
+
+
+def forged(signs: list[int], proof: list[OrderedProducts], source: Random) -> Case:
+    """Change a proof, or the signs that it is about, in one place."""
+    k = source.randrange(len(proof))
+    row = proof[k]
+    pick = source.randrange(7)
+    if pick == 0:
+        at = source.randrange(len(signs))
+        signs = [*signs[:at], source.choice([-1, 0, 1]), *signs[at + 1 :]]
+    elif pick == 1:
+        row = row._replace(times=row.times + source.choice([-1, 1, 10**40]))
+    elif pick == 2:
+        row = row._replace(times=-row.times)
+    elif pick == 3:
+        row = row._replace(smaller=source.randrange(3), larger=source.randrange(3))
+    elif pick == 4:
+        relation = list(row.relation)
+        relation[source.randrange(5)] = source.randrange(9)
+        a, b, c, d, e = relation
+        row = row._replace(relation=(a, b, c, d, e))
+    elif pick == 5:
+        a, b, c, d, e = source.sample(row.relation, 5)
+        row = row._replace(relation=(a, b, c, d, e))
+    middle = [] if pick == 6 else [row]
+    return signs, [*proof[:k], *middle, *proof[k + 1 :]]
+
+
+def valid(source: Random) -> Case:
+    """Return a proof of signs of nine elements, its comparisons in some other order or split."""
+    signs, rows = source.choice(without_coordinates())
+    proof = [row._replace(times=row.times * 6) for row in rows]
+    k = source.randrange(len(proof))
+    part = source.randrange(proof[k].times + 1) if proof[k].times > 0 else proof[k].times
+    proof.append(proof[k]._replace(times=proof[k].times - part))
+    proof[k] = proof[k]._replace(times=part)
+    source.shuffle(proof)
+    return signs.tolist(), proof
+
+
+@built
+def test_forged_proofs_are_refused_and_both_checkers_agree(tmp_path):
+    source = Random("forged")
+    cases = [valid(source) for _ in range(60)]
+    cases += [forged(*valid(source), source) for _ in range(600)]
+    names = list(itertools.combinations(range(9), 3))
+    ours = [
+        proves_no_coordinates(dict(zip(names, signs, strict=True)), proof) for signs, proof in cases
+    ]
+    said = answers([final_document(*case) for case in cases], tmp_path)
+    words = {True: "accepted: no coordinates", False: "refused: no coordinates"}
+    assert said == [words[answer] for answer in ours]
+    assert all(ours[:60])
+    # A sign that the proof does not use, or a relation in other words, changes nothing.
+    assert 400 < ours.count(False) < 600
+
+
+@built
+def test_the_signs_are_read_as_python_numbers_them(tmp_path):
+    signs, proof = without_coordinates()[0]
+    (line,) = answers([final_document(signs.tolist(), proof)], tmp_path, "--question")
+    wanted = zip(itertools.combinations(range(9), 3), signs.tolist(), strict=True)
+    assert json.loads(line)["signs"] == [[*map(str, names), str(sign)] for names, sign in wanted]
+
+
+@built
+def test_what_is_no_such_proof_is_malformed(tmp_path):
+    good = final_document(*valid(Random(0)))
+    row = good["proof"][0]
+    rows = [
+        row[:-1],
+        [*row, 0],
+        [9, *row[1:]],
+        [-1, *row[1:]],
+        [*row[:5], 3, 1, 1],
+        [*row[:7], "1"],
+    ]
+    changes: list[dict[str, Any]] = [
+        *({"elements": n} for n in (8, 10, -1, 101, "9", 10**30)),
+        *({"signs": text} for text in ("", good["signs"] + "0", "x" + good["signs"][1:], 3)),
+        *({"proof": [bad]} for bad in (*rows, None)),
+        {"proof": {}},
+        {"certificate": "resisted"},
+        {"schema_version": 2},
+        {"planes": []},
+        {"other": 1},
+    ]
+    first, *rest = answers([good, *({**good, **change} for change in changes)], tmp_path)
+    assert first == "accepted: no coordinates"
+    assert [line.partition(":")[0] for line in rest] == ["malformed"] * len(changes)
