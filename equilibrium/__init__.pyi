@@ -1,7 +1,8 @@
 from . import methods as methods, wrench_sets as wrench_sets
 from .certificate.checker import Report as Report, check as check
 from .certificate.document import Certificate as Certificate
-from .decide.verdict import Solver as Solver, Verdict as Verdict, solve as solve
+from .decide.solver import Solver as Solver, solve as solve
+from .decide.verdict import Verdict as Verdict
 from .grasps import inputs as inputs
 from .grasps.files import (
     read_certificate as read_certificate,
@@ -22,10 +23,10 @@ from .model.errors import (
 )
 from .model.grasp import Grasp as Grasp
 from .model.outline import Circle as Circle, Mesh as Mesh, Polygon as Polygon
+from .model.solution import Solution as Solution
 from .model.unit_normal import UnitNormal as UnitNormal, unit_normal as unit_normal
 from .model.units import Units as Units
 from .modes import ContactModes as ContactModes, Mode as Mode
-from .plane.search.state_equilibrium import Solution as Solution
 from .plane.states.contact_states import contact_states as contact_states
 from .plane.states.equilibrium import Equilibrium as Equilibrium
 from .wrench_sets import (

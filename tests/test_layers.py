@@ -217,7 +217,6 @@ assert solve(grasp, (0, 50, 0)).certificate.verify()
 ANNEXES = {
     "space": (
         "equilibrium/space",
-        "equilibrium/decide/spatial_verdict.py",
         "equilibrium/pictures/space",
         "equilibrium/wrench_sets/spatial.py",
     ),

@@ -12,9 +12,10 @@ from arrangement.console.number_form import Shown
 from arrangement.numbers.exact import RationalVector, to_text
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, Range
+from equilibrium.model.solution import Solution
 
 from .checker import Report, check
-from .reading import SCHEMA_VERSION, Enclosure
+from .reading import SCHEMA_VERSION
 
 
 @dataclass(frozen=True)
@@ -44,35 +45,32 @@ class Certificate(Shown):
 def resisted_certificate(
     grasp: Grasp,
     wrench: RationalVector,
-    motion: RationalVector,
-    forces: Iterable[RationalVector],
+    found: Solution,
     pyramid: int | None = None,
     within: Range = NO_RANGE,
 ) -> Certificate:
-    """Return the certificate of an equilibrium: its motion, normal and tangential forces."""
-    listed = [_texts(pair) for pair in forces]
-    proof = {"motion": _texts(motion), "forces": listed}
-    return _certificate("resisted", grasp, wrench, pyramid, within, **proof)
-
-
-def enclosed_certificate(
-    grasp: Grasp, wrench: RationalVector, enclosure: Enclosure, within: Range = NO_RANGE
-) -> Certificate:
-    """Return the certificate of an equilibrium in space whose numbers are not rational."""
+    """Return the certificate of an equilibrium: its motion and forces, or the box that holds it."""
+    box = found.box
+    if box is None:
+        proof: dict[str, Any] = {
+            "motion": _texts(found.motion),
+            "forces": list(map(_texts, found.forces)),
+        }
+        return _certificate("resisted", grasp, wrench, pyramid, within, **proof)
     friction = [
         "detached" if share is None else _texts(share) if share else "slip"
-        for share in enclosure.friction
+        for share in box.friction
     ]
     form = {
-        "basis": list(map(_texts, enclosure.basis)),
+        "basis": list(map(_texts, box.basis)),
         "friction": friction,
-        "pillars": [list(pair) for pair in enclosure.pillars],
-        "centre": _texts(enclosure.centre),
-        "radius": _texts(enclosure.radius),
-        "inverse": list(map(_texts, enclosure.inverse)),
+        "pillars": [list(pair) for pair in box.pillars],
+        "centre": _texts(box.centre),
+        "radius": _texts(box.radius),
+        "inverse": list(map(_texts, box.inverse)),
     }
-    if enclosure.idle:
-        form["idle"] = list(map(_texts, enclosure.idle))
+    if box.idle:
+        form["idle"] = list(map(_texts, box.idle))
     return _certificate("resisted", grasp, wrench, within=within, enclosure=form)
 
 

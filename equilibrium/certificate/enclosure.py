@@ -28,8 +28,8 @@ from typing import NamedTuple
 from arrangement.numbers.exact import RationalVector, dot
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, Range
+from equilibrium.model.solution import Enclosure
 
-from .reading import Enclosure
 from .space import frame
 
 _BITS = 192

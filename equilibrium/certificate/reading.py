@@ -47,6 +47,7 @@ from arrangement.numbers.exact import RationalVector, rational, rational_vector,
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.range import Range
+from equilibrium.model.solution import Enclosure
 
 SCHEMA_VERSION = 3
 _KEYS = {"resisted": ("motion", "forces"), "not resisted": ("tree",)}
@@ -96,28 +97,6 @@ class Plane(NamedTuple):
 
     axes: tuple[RationalVector, RationalVector]
     tree: Any
-
-
-class Enclosure(NamedTuple):
-    """What shows an equilibrium in space whose numbers are not rational.
-
-    Attributes:
-        basis: p motions; the motions looked at are their combinations.
-        friction: for each contact None if it is detached, () if it slips, and if it sticks its
-            friction force over ``mu c_n``, without that of pillars.
-        pillars: (contact, 0 or 1): tangents along which a sticking contact has one more force.
-        centre, radius: six intervals, of the combination and of the forces of pillars.
-        inverse: (6, 6), about the inverse of the derivative of the balance in the centre.
-        idle: motions that no loaded contact feels, as turns about the line of two, with a number.
-    """
-
-    basis: tuple[RationalVector, ...]
-    friction: tuple[RationalVector | None, ...]
-    pillars: tuple[tuple[int, int], ...]
-    centre: RationalVector
-    radius: RationalVector
-    inverse: tuple[RationalVector, ...]
-    idle: tuple[RationalVector, ...] = ()
 
 
 def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:

@@ -63,8 +63,7 @@ def add_commands(commands: Any) -> None:
 
 
 def _compare(arguments: argparse.Namespace) -> int:
-    from equilibrium.decide.spatial_verdict import solve_in_space
-    from equilibrium.decide.verdict import solve
+    from equilibrium.decide.solver import solve
     from equilibrium.grasps.inputs.documents import question_document
     from equilibrium.methods.compare import compare
 
@@ -74,8 +73,7 @@ def _compare(arguments: argparse.Namespace) -> int:
     found = compare(grasp, wrench, pyramid=arguments.cone)
     lines, document, yes = [*_comparison_lines(found)], found.to_dict(), found.answers[0].accepts
     if grasp.data_error is not None:
-        kind = {} if arguments.cone is None else {"pyramid": arguments.cone}
-        again = (solve_in_space if kind else solve)(grasp, wrench, **kind).within_error()
+        again = solve(grasp, wrench, pyramid=arguments.cone).within_error()
         document["within_error"] = again.to_dict()
         lines += again.lines()
         yes = yes if again.turned is None else None

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console import terminal
-from arrangement.console.number_form import vector
 from arrangement.numbers import budget
-from arrangement.numbers.exact import dot
 from equilibrium.model.contact import pyramid_words
-from equilibrium.model.range import NO_RANGE, Range
+from equilibrium.model.range import Range
 
 from . import draw, inputs, methods, modes, wrench_sets
 from .arguments import (
@@ -29,16 +26,12 @@ from .arguments import (
     show,
     usual_seconds,
 )
-from .proof_words import proof_lines, spatial_lines
+from .verdict_words import piece_lines, verdict_lines
 
 if TYPE_CHECKING:
     from arrangement.numbers.exact import RationalVector
-    from equilibrium.decide.spatial_verdict import SpatialVerdict
     from equilibrium.decide.verdict import Verdict
     from equilibrium.model.grasp import Grasp
-    from equilibrium.plane.search.state_equilibrium import Solution
-    from equilibrium.plane.states.equilibrium import Equilibrium
-    from equilibrium.plane.states.state_system import States
 
 #: Lines of the question of a proof.
 _MOST_LINES = 21
@@ -145,11 +138,9 @@ def _list(arguments: argparse.Namespace) -> int:
 
 
 def _solve(arguments: argparse.Namespace) -> int:
-    from equilibrium.decide.spatial_verdict import SpatialVerdict, solve_in_space
-    from equilibrium.decide.verdict import solve
+    from equilibrium.decide.solver import solve
     from equilibrium.grasps.files import write_certificate
     from equilibrium.methods.contact_laws.printed_model import solve_literal
-    from equilibrium.model.contact import FLAT
     from equilibrium.model.errors import GraspError
 
     if arguments.literal and arguments.certificate is not None:
@@ -161,36 +152,22 @@ def _solve(arguments: argparse.Namespace) -> int:
         if set(bounds.values()) != {None}:
             raise GraspError("a literal reading has no largest turn or force; omit one of the two")
         literal = solve_literal(grasp, wrench, arguments.literal)
-        lines = _verdict_lines(literal.equilibria, grasp)
+        lines = piece_lines(literal.equilibria, grasp)
         return show(arguments, literal.to_dict(), lines, literal.stable, grasp)
     limit = arguments.time_limit or usual_seconds(grasp) * budget.times()
-    if arguments.cone is None:
-        found = solve(grasp, wrench, time_limit=limit, shorten=arguments.shorten, **bounds)
-    elif grasp.dimension == 2:
-        raise GraspError(FLAT)
-    else:
-        found = solve_in_space(grasp, wrench, time_limit=limit, pyramid=arguments.cone, **bounds)
+    asked = {"shorten": arguments.shorten, "pyramid": arguments.cone, **bounds}
+    found = solve(grasp, wrench, time_limit=limit, **asked)
     if arguments.certificate is not None and found.certificate is not None:
         write_certificate(arguments.certificate, found.certificate)
-    if isinstance(found, SpatialVerdict):
-        yes = found.stable if found.decided else None
-        lines = chain(spatial_lines(found), found.warnings)
-        return _answer(arguments, found, found.to_dict(), lines, yes)
     every = arguments.all or None
-    lines = (
-        _verdict_lines(found.equilibria, grasp, found.within)
-        if found.lists_all(every)
-        else _one_of_many(found)
-    )
-    lines = chain(lines, found.warnings)
-    if not found.stable:
-        lines = chain(lines, proof_lines(found, arguments.certificate))
-    return _answer(arguments, found, found.to_dict(every), lines, found.stable)
+    lines = verdict_lines(found, every, arguments.certificate)
+    yes = found.stable if found.decided else None
+    return _answer(arguments, found, found.to_dict(every), lines, yes)
 
 
 def _answer(
     arguments: argparse.Namespace,
-    found: Verdict | SpatialVerdict,
+    found: Verdict,
     document: dict[str, Any],
     lines: Iterable[str],
     yes: bool | None,
@@ -218,46 +195,6 @@ def _answer(
             lines.append("the certificate written is the proof for all of them")
         yes = True if robust else None if robust.counterexample is None else False
     return show(arguments, document, lines, yes, found.grasp)
-
-
-def _verdict_lines(
-    pieces: Sequence[Equilibrium], grasp: Grasp, within: Range = NO_RANGE
-) -> Iterator[str]:
-    if not pieces:
-        yield f"not resisted{within}: no contact state admits an equilibrium"
-        return
-    yield f"resisted{within}: {len(pieces)} " + (
-        "equilibrium" if len(pieces) == 1 else "equilibria"
-    )
-    for piece in pieces:
-        yield from _equilibrium_lines(grasp, piece, piece.states, _freedom(piece))
-
-
-def _one_of_many(found: Verdict) -> Iterator[str]:
-    yield (
-        f"resisted{found.within}: the equilibrium found is below; there may be others, and --all "
-        "lists them"
-    )
-    if found.solution is not None:
-        yield from _equilibrium_lines(found.grasp, found.solution, found.states)
-
-
-def _equilibrium_lines(
-    grasp: Grasp, found: Equilibrium | Solution, states: States, freedom: str = ""
-) -> Iterator[str]:
-    yield f"  motion {vector(found.motion)}{freedom}"
-    for i, (contact, state, force) in enumerate(zip(grasp, states, found.forces, strict=True), 1):
-        still = state.startswith("slip") and dot(contact.tangential_wrench, found.motion) == 0
-        why = "  (not slipping: at the edge of its cone)" if still else ""
-        yield f"    contact {i}  {state:<8}  force {vector(force)}{why}"
-
-
-def _freedom(piece: Equilibrium) -> str:
-    if piece.unique:
-        return ""
-    if piece.forces_determined:
-        return "  (of least norm; the forces are determined, the motion is not)"
-    return "  (of least norm; neither motion nor forces need be determined)"
 
 
 def _verify(arguments: argparse.Namespace) -> int:

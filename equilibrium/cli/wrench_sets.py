@@ -26,7 +26,7 @@ from .arguments import (
 
 if TYPE_CHECKING:
     from arrangement.numbers.linear.intervals import Interval
-    from equilibrium.decide.verdict import Solver
+    from equilibrium.decide.solver import Solver
     from equilibrium.model.grasp import Grasp
     from equilibrium.wrench_sets import Gap, Magnitudes, Region, ResistedSet, SearchMap, Segment
     from equilibrium.wrench_sets.spatial import SpatialMagnitudes
@@ -83,7 +83,7 @@ def _add_plane(parser: argparse.ArgumentParser) -> None:
 
 
 def _solver(arguments: argparse.Namespace, grasp: Grasp) -> Solver:
-    from equilibrium.decide.verdict import Solver
+    from equilibrium.decide.solver import Solver
 
     return Solver(grasp, **range_given(arguments))
 
@@ -122,7 +122,7 @@ def _rounded(solver: Solver, found: Magnitudes) -> tuple[dict[str, Any], list[st
 def _spatial_limit(
     arguments: argparse.Namespace, grasp: Grasp, direction: Sequence[Fraction], base: Any
 ) -> int:
-    from equilibrium.decide.spatial_verdict import solve_in_space
+    from equilibrium.decide.solver import solve
     from equilibrium.model.grasp import read_wrench
     from equilibrium.plane.contact_rows import sum_row
     from equilibrium.wrench_sets.spatial import spatial_magnitudes
@@ -139,7 +139,7 @@ def _spatial_limit(
         document["within_error"] = []
         for t in inside:
             wrench = sum_row(read_wrench(start, 6), tuple(direction), t)
-            asked = solve_in_space(grasp, wrench, time_limit=_SECONDS, **range_given(arguments))
+            asked = solve(grasp, wrench, time_limit=_SECONDS, **range_given(arguments))
             document["within_error"].append({"t": to_text(t), "verdict": asked.answer})
             words = asked.doubt or f"{asked.answer}, also for others within the error of the data"
             lines.append(f"at {number(t)}: {words}")

@@ -9,13 +9,12 @@ not proved some grasps within the error are asked about, and what turns the verd
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cached_property
 from itertools import islice
 from random import Random
-from typing import Any, TypeAlias
+from typing import Any
 
 from arrangement.console.number_form import Shown
 from arrangement.numbers.exact import RationalVector, to_text
@@ -25,21 +24,17 @@ from equilibrium.grasps.inputs.incidences import other_rounding
 from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.errors import GraspError, TimeLimitError
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.range import Range, usual_range, warning
 from equilibrium.model.unit_normal import unit_normal
 
 from . import NOT_RESISTED, RESISTED, UNDECIDED
 from .closing import Closing
-
-#: A function of grasp, wrench and time_limit that returns a verdict.
-Solve: TypeAlias = Callable[..., Any]
 
 HOLDS, FAILS, OPEN = "holds", "does not hold", UNDECIDED
 DEPENDS = "depends on the rounding"
 #: Other roundings and random grasps that are asked about.
 _ROUNDINGS, _RANDOM = 4, 4
 #: For each of them; of the processor for a proof within the error of data, and within bounds.
-_SECONDS, _PROOF, _SEARCH = 3.0, 0.5, 10.0
+SECONDS, _PROOF, _SEARCH = 3.0, 0.5, 10.0
 #: Grasps that are tried on the way to one that turns a verdict.
 _STEPS = 12
 #: Virtual motions of one proof that are tried as a way to turn it.
@@ -153,7 +148,7 @@ def _change_lines(other: Any, change: dict[str, Fraction]) -> Iterator[str]:
     yield from (f"    {line}" for line in other.warnings)
 
 
-def _nearest(found: Any, turned: Any, solve: Solve) -> tuple[Any, dict[str, Fraction]]:
+def _nearest(found: Any, turned: Any) -> tuple[Any, dict[str, Fraction]]:
     """Return a verdict like `turned` of a grasp near, on the straight way between the two grasps.
 
     A share of the way that turns the verdict, and one that does not, are brought together: by
@@ -161,12 +156,12 @@ def _nearest(found: Any, turned: Any, solve: Solve) -> tuple[Any, dict[str, Frac
     of a coordinate, an entry of a normal and the values, and "kept": this share of the change does
     not turn the verdict (0: none is known).
     """
-    ends, deadline = (found.grasp, turned.grasp), time.monotonic() + _SECONDS
+    ends, deadline = (found.grasp, turned.grasp), time.monotonic() + SECONDS
     low, high = Fraction(0), Fraction(1)
     for _ in range(_STEPS):
         share = (low + high) / 2 if low else high / 8
         grasp = _between(*ends, share)
-        other = _in_time(solve, grasp, found.wrench)
+        other = _in_time(found, grasp, found.wrench)
         if other is not None and other.verdict == turned.verdict:
             turned, high = other, share
         else:
@@ -199,78 +194,7 @@ def _between(one: Grasp, two: Grasp, share: Fraction) -> Grasp:
     return Grasp(contacts)
 
 
-class AskedAgain:
-    """What verdicts in the plane and in space say of other grasps."""
-
-    grasp: Grasp
-    verdict: Any
-    wrench: RationalVector
-    within: Range
-    solution: Any
-
-    @property
-    def again(self) -> Solve:
-        """What decides other grasps in the same way."""
-        raise NotImplementedError
-
-    @cached_property
-    def warnings(self) -> tuple[str, ...]:
-        """Where no range was given: a line if no equilibrium is one of small motions.
-
-        Looking for another one than `solution` takes at most `_SECONDS` seconds.
-        """
-        if self.solution is None or self.within:
-            return ()
-        usual = usual_range(self.wrench, [c.preload for c in self.grasp])
-        if usual.holds(list(self.solution.motion), list(self.solution.forces)):
-            return ()
-        try:
-            bounds = usual.bounds
-            found = self.again(self.grasp, self.wrench, time_limit=_SECONDS, **bounds).verdict
-        except TimeLimitError:
-            found = UNDECIDED
-        return () if found == RESISTED else (warning(every=found == NOT_RESISTED),)
-
-    @cached_property
-    def rounding(self) -> WithinError | None:
-        """What other grasps within the error of converted data say; None of exact data."""
-        return None if self.grasp.data_error is None else within_error(self, self.again)
-
-    @property
-    def answer(self) -> str:
-        """The verdict, or "depends on the rounding" where the data were converted."""
-        return self.verdict if self.rounding is None else self.rounding.verdict
-
-    @property
-    def doubt(self) -> str:
-        """What is added to a verdict that depends on the rounding; else empty."""
-        if self.rounding is None or self.rounding.turned is None:
-            return ""
-        return f"{DEPENDS}: {self.rounding.turned.verdict} for others within the error of the data"
-
-    def _with_rounding(self, document: dict[str, Any]) -> dict[str, Any]:
-        """Return a JSON form with the answer in place of the verdict."""
-        more = {} if self.rounding is None else {"within_error": self.rounding.to_dict()}
-        return document | {"verdict": self.answer} | more
-
-    def robust(self, **bounds: Any) -> Robustness:
-        """Say whether this holds for all grasps within bounds: proved, refuted or undecided.
-
-        Args:
-            bounds: of `Bounds`: degrees, length, friction, stiffness, preload.
-        """
-        return robust(self, Bounds(**bounds), self.again)
-
-    def within_error(self) -> WithinError:
-        """Ask about other grasps within the error of the data that this one was converted from.
-
-        Raises:
-            GraspError: it was not converted.
-        """
-        return within_error(self, self.again) if self.rounding is None else self.rounding
-
-
-def within_error(found: Any, solve: Solve) -> WithinError:
+def within_error(found: Any) -> WithinError:
     """Ask again about a converted grasp: prove the verdict for all, or ask about `others`.
 
     Raises:
@@ -282,17 +206,17 @@ def within_error(found: Any, solve: Solve) -> WithinError:
         if proof is not None:
             return WithinError(found.verdict, 0, 0, certificate=proof)
     asked = left = 0
-    for grasp in others(found, solve):
+    for grasp in others(found):
         asked += 1
-        other = _in_time(solve, grasp, found.wrench)
+        other = _in_time(found, grasp, found.wrench)
         if other is None:
             left += 1
         elif found.verdict not in (OPEN, other.verdict):
-            return WithinError(DEPENDS, asked, left, *_nearest(found, other, solve))
+            return WithinError(DEPENDS, asked, left, *_nearest(found, other))
     return WithinError(found.verdict, asked, left)
 
 
-def others(found: Any, solve: Solve) -> Iterator[Grasp]:
+def others(found: Any) -> Iterator[Grasp]:
     """Yield grasps within the error of data: other roundings, and what is most against a yes.
 
     A no is about data whose incidences hold, so what breaks them does not speak against it, unless
@@ -305,7 +229,7 @@ def others(found: Any, solve: Solve) -> Iterator[Grasp]:
         yield other_rounding(found.grasp, seed)
     against = found.verdict == RESISTED or found.grasp.data_error.as_given
     if against and _fits_floats(found):
-        yield from _against(found, Closing(found, _error_bounds(found.grasp)[0], _PROOF), solve)
+        yield from _against(found, Closing(found, _error_bounds(found.grasp)[0], _PROOF))
 
 
 def _error_bounds(grasp: Grasp) -> tuple[Bounds, bool]:
@@ -323,16 +247,16 @@ def _error_bounds(grasp: Grasp) -> tuple[Bounds, bool]:
     return Bounds(**given), given == wanted
 
 
-def _in_time(solve: Solve, grasp: Grasp, wrench: RationalVector) -> Any:
+def _in_time(asked: Any, grasp: Grasp, wrench: RationalVector) -> Any:
     """Return a verdict that is decided soon; else None."""
     try:
-        found = solve(grasp, wrench, time_limit=_SECONDS)
+        found = asked.again(grasp, wrench, time_limit=SECONDS)
     except TimeLimitError:
         return None
     return None if found.verdict == OPEN else found
 
 
-def robust(found: Any, bounds: Bounds, solve: Solve) -> Robustness:
+def robust(found: Any, bounds: Bounds) -> Robustness:
     """Decide, if possible, whether a verdict holds for all grasps within bounds.
 
     Raises:
@@ -357,16 +281,16 @@ def robust(found: Any, bounds: Bounds, solve: Solve) -> Robustness:
     proof = _proof(found, search)
     if proof is not None:
         return Robustness(HOLDS, name, bounds, certificate=proof)
-    for other in _against(found, search, solve):
-        turned = _in_time(solve, other, wrench)
+    for other in _against(found, search):
+        turned = _in_time(found, other, wrench)
         if turned is not None and turned.verdict != name:
-            return Robustness(FAILS, name, bounds, *_nearest(found, turned, solve))
+            return Robustness(FAILS, name, bounds, *_nearest(found, turned))
     return Robustness(OPEN, name, bounds)
 
 
 def _may_be_proved(found: Any) -> bool:
     """Return whether there are proofs for all grasps about such a question."""
-    return not found.within and getattr(found, "pyramid", None) is None
+    return not found.within and found.pyramid is None
 
 
 def _fits_floats(found: Any) -> bool:
@@ -389,7 +313,7 @@ def _proof(found: Any, search: Closing) -> Certificate | None:
     return None
 
 
-def _against(found: Any, search: Closing, solve: Solve) -> Iterator[Grasp]:
+def _against(found: Any, search: Closing) -> Iterator[Grasp]:
     """Yield grasps within bounds that may have another verdict, the likeliest first.
 
     They are those of cells that stayed open, those that do the most on virtual motions (for which
@@ -401,9 +325,9 @@ def _against(found: Any, search: Closing, solve: Solve) -> Iterator[Grasp]:
         for way in search.weakest():
             yield search.worst(way)
         for more in (Fraction(1, 100), 1):
-            proof = _in_time(solve, found.grasp, tuple(x * (1 + more) for x in found.wrench))
+            proof = _in_time(found, found.grasp, tuple(x * (1 + more) for x in found.wrench))
             if proof is not None and proof.verdict == NOT_RESISTED:
-                tree = proof.certificate.to_dict()["tree"]
+                tree = proof.proof["tree"]
                 for motion in islice(_leaves(tree, len(found.wrench)), _LEAVES):
                     yield search.worst([*map(float, motion)])
     source = Random("robust")

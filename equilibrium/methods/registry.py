@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from arrangement.errors import refusal
 from arrangement.numbers.exact import RationalVector, shown
-from equilibrium.decide.spatial_verdict import solve_in_space
-from equilibrium.decide.verdict import Solver
+from equilibrium.decide.solver import Solver, solve
 from equilibrium.methods.contact_laws.printed_model import PRINTED
 from equilibrium.methods.contact_laws.springs import FRICTIONLESS_SLIP, LINEAR_COMPLIANCE
 from equilibrium.methods.friction_cones.cones import CONES
@@ -31,7 +30,7 @@ def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
 
 
 def _decide_in_space(grasp: Grasp, wrench: RationalVector, pyramid: int | None) -> Outcome:
-    found = solve_in_space(grasp, wrench, pyramid=pyramid)
+    found = solve(grasp, wrench, pyramid=pyramid)
     if not found.decided:
         return None, f"undecided: {found.reason}"
     return found.stable, f"{pyramid_words(pyramid) or 'round cones'}, proved"

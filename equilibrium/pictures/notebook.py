@@ -9,13 +9,13 @@ from collections.abc import Iterable
 from fractions import Fraction
 from html import escape
 
+from arrangement.console.number_form import counted
 from arrangement.drawing.output import svg_text
 from arrangement.numbers.exact import number_text, to_text
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.grasp import Grasp
-from equilibrium.plane.search.state_equilibrium import Solution
+from equilibrium.model.solution import Solution
 from equilibrium.plane.states.equilibrium import Equilibrium
-from equilibrium.plane.states.state_system import States
 
 from .grasp.grasp import draw_grasp
 
@@ -26,34 +26,32 @@ MOST_PIECES, LONGEST = 8, 24
 def verdict_html(verdict: Verdict) -> str:
     """Return the answer as HTML: state, normal and tangential force of each contact.
 
-    Contacts are numbered from 1, as in pictures. Of many contacts only the equilibrium that was
-    found is shown. A number too long for a cell is rounded, with a
-    sign that says so; its exact value is in the title of the cell.
+    Contacts are numbered from 1, as in pictures. Of many contacts, and in space, only the
+    equilibrium that was found is shown. A number too long for a cell is rounded, with a sign that
+    says so; its exact value is in the title of the cell.
     """
     stated = verdict.grasp.units
-    units = f"<p>{escape(str(stated))}</p>" if stated else ""
-    applied = f"w = {_vector(verdict.wrench)}"
+    head = f"<p>{escape(str(stated))}</p>" if stated else ""
     if verdict.doubt:
-        units += f"<p><b>{escape(verdict.doubt)}</b>; as it was rounded:</p>"
-    if not verdict.stable:
-        return (
-            f"<div>{units}<p><b>not resisted</b> under {applied}: there is no equilibrium</p></div>"
-        )
-    if not verdict.lists_all():
-        assert verdict.solution is not None
-        table = _table(verdict.states, verdict.solution)
+        head += f"<p><b>{escape(verdict.doubt)}</b>; as it was rounded:</p>"
+    tables = ""
+    if not verdict.decided:
+        note = escape(verdict.reason)
+    elif verdict.solution is None:
+        note = "there is no equilibrium"
+    elif verdict.lists_all():
+        found = verdict.equilibria
+        note = counted(len(found), "equilibrium", "equilibria")
+        tables = "".join(_table(x.states, x, _freedom(x)) for x in found[:MOST_PIECES])
+        more = len(found) - MOST_PIECES
+        tables += f"<p>and {more} more</p>" if more > 0 else ""
+    else:
         note = "one equilibrium, and there may be others"
-        return f"<div>{units}<p><b>resisted</b> under {applied}: {note}</p>{table}</div>"
-    equilibria = verdict.equilibria
-    number = len(equilibria)
-    heading = f"<b>resisted</b> under {applied}: {number} " + (
-        "equilibrium" if number == 1 else "equilibria"
-    )
-    tables = "".join(
-        _table(piece.states, piece, _freedom(piece)) for piece in equilibria[:MOST_PIECES]
-    )
-    more = f"<p>and {number - MOST_PIECES} more</p>" if number > MOST_PIECES else ""
-    return f"<div>{units}<p>{heading}</p>{tables}{more}</div>"
+        if verdict.solution.box is not None:
+            note = "exactly one equilibrium lies in a box around this one"
+        tables = _table(verdict.states, verdict.solution)
+    answer = f"<b>{verdict.verdict}</b> under w = {_vector(verdict.wrench)}: {note}"
+    return f"<div>{head}<p>{answer}</p>{tables}</div>"
 
 
 def grasp_svg(grasp: Grasp) -> str | None:
@@ -61,11 +59,12 @@ def grasp_svg(grasp: Grasp) -> str | None:
     return svg_text(lambda: draw_grasp(grasp))
 
 
-def _table(states: States, found: Equilibrium | Solution, freedom: str = "") -> str:
+def _table(states: Iterable[str], found: Equilibrium | Solution, freedom: str = "") -> str:
     head = "<tr><th>contact</th><th>state</th><th>c<sub>n</sub></th><th>c<sub>t</sub></th></tr>"
     rows = "".join(
-        f"<tr><td>{i}</td><td>{escape(state)}</td><td>{_number(c_n)}</td><td>{_number(c_t)}</td></tr>"
-        for i, (state, (c_n, c_t)) in enumerate(zip(states, found.forces, strict=True), 1)
+        f"<tr><td>{i}</td><td>{escape(state)}</td><td>{_number(c_n)}</td>"
+        f"<td>{', '.join(map(_number, c_t))}</td></tr>"
+        for i, (state, (c_n, *c_t)) in enumerate(zip(states, found.forces, strict=True), 1)
     )
     caption = f"d = {_vector(found.motion)}{freedom}"
     return f"<table><caption>{caption}</caption><thead>{head}</thead><tbody>{rows}</tbody></table>"

@@ -7,7 +7,6 @@ beside 10^-3, floats miss forces by as much as the load.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 from decimal import Context, Decimal, localcontext
 from fractions import Fraction
 from typing import Any
@@ -17,6 +16,7 @@ import numpy as np
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan
+from equilibrium.model.solution import Enclosure, Solution
 from equilibrium.plane.contacts import nearest
 from equilibrium.space.states import StateBalance
 
@@ -29,26 +29,7 @@ _CONTEXT = Context(prec=60, Emin=-200, Emax=200)
 _STEPS, _CLOSE = 24, 1e-9
 
 
-@dataclass(frozen=True)
-class Enclosed:
-    """A box that may hold one equilibrium; see `equilibrium.certificate.reading.Enclosure`.
-
-    Attributes:
-        motion, forces: in floats.
-    """
-
-    basis: tuple[RationalVector, ...]
-    friction: tuple[RationalVector | None, ...]
-    pillars: tuple[tuple[int, int], ...]
-    centre: RationalVector
-    radius: RationalVector
-    inverse: tuple[RationalVector, ...]
-    idle: tuple[RationalVector, ...]
-    motion: Floats
-    forces: Floats
-
-
-def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Enclosed]:
+def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Solution]:
     """Yield boxes around the solution that Newton's method finds near a motion."""
     p, size = len(balance.basis), len(balance.basis) + len(balance.pillars)
     if size != 6:
@@ -73,15 +54,16 @@ def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Enclosed]:
         except (ArithmeticError, np.linalg.LinAlgError):
             # A derivative has no inverse, or decimals grow without end.
             continue
-        point, value, inverse, moved, forces = found
+        point, value, inverse, *numbers = found
         if not (np.abs(value).max() <= _CLOSE * load and np.abs(inverse).max() < 1e200):
             continue
         sizes = np.abs(point).astype(float)
         error = np.abs(inverse).astype(float).sum(axis=1) * load
+        end, forces = (x.astype(float).tolist() for x in numbers)
         for radius, digits in _RADII if floats else _FINE:
             radii = radius * np.maximum(sizes, sizes[:p].max(initial=0.0))
             radii = np.maximum(radii, error * (1e-14 if floats else 1e-40))
-            yield Enclosed(
+            box = Enclosure(
                 tuple(balance.basis),
                 tuple(map(balance.named_share, range(len(c.grasp)))),
                 balance.pillars,
@@ -89,9 +71,9 @@ def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Enclosed]:
                 _short(np.maximum(radii, _LEAST), 2),
                 tuple(_short(row, digits) for row in inverse),
                 tuple(idle),
-                moved.astype(float),
-                forces.astype(float),
             )
+            moved, *pressed = (tuple(map(Fraction, row)) for row in (end, *forces))
+            yield Solution(moved, tuple(pressed), box)
 
 
 class _System:

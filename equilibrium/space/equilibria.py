@@ -9,32 +9,20 @@ proposals, which `equilibrium.certificate` checks.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
-from typing import TypeAlias
 
 import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan
+from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import SpatialContacts
-from equilibrium.space.enclosures import Enclosed, enclosures
+from equilibrium.space.enclosures import enclosures
 from equilibrium.space.states import StateBalance, States
 
 #: Motions that balance leaves open are multiples of one over this.
 _COARSE = 2**10
-
-
-@dataclass(frozen=True)
-class SpatialSolution:
-    """One equilibrium: the motion, and the normal and two tangential forces at each contact."""
-
-    motion: RationalVector
-    forces: tuple[RationalVector, ...]
-
-
-Proposal: TypeAlias = SpatialSolution | Enclosed
 
 
 def proposals(
@@ -43,7 +31,7 @@ def proposals(
     motion: Floats,
     states: States,
     tried: set[object],
-) -> Iterator[Proposal]:
+) -> Iterator[Solution]:
     """Yield equilibria of given states near a motion; those in `tried` are not tried again."""
     if (states.key, states.rational) in tried:
         return
@@ -59,7 +47,7 @@ def proposals(
         yield from enclosures(balance, motion)
 
 
-def _solved(balance: StateBalance, motion: Floats) -> SpatialSolution | None:
+def _solved(balance: StateBalance, motion: Floats) -> Solution | None:
     """Return the solution where no slip turns with the motion."""
     p, size = len(balance.basis), len(balance.basis) + len(balance.pillars)
     springs = _springs(balance, size)
@@ -82,7 +70,7 @@ def _solved(balance: StateBalance, motion: Floats) -> SpatialSolution | None:
             if pillar == i:
                 pair[j] += point[k]
         forces.append((normal, *pair))
-    return SpatialSolution(moved or (Fraction(0),) * 6, tuple(forces))
+    return Solution(moved or (Fraction(0),) * 6, tuple(forces))
 
 
 def _springs(balance: StateBalance, size: int) -> dict[int, list[Fraction]]:

@@ -17,10 +17,10 @@ import numpy as np
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.float_filter import Floats
 from equilibrium.model.contact import pyramid_edges
+from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import SpatialContacts
 
 from .cones import Pyramids, Slip, State
-from .equilibria import SpatialSolution
 from .state_program import ConeRow, Ends, StateProgram
 from .states import States, rational_direction
 
@@ -43,7 +43,7 @@ class ExactParts:
         self.grasp, self.wrench, self.deadline = contacts.grasp, wrench, deadline
         self.base = pyramid_edges(_SIDES)
 
-    def part(self, states: Sequence[State], towards: Floats) -> SpatialSolution | dict[str, Any]:
+    def part(self, states: Sequence[State], towards: Floats) -> Solution | dict[str, Any]:
         """Return a leaf, or a point that obeys the relaxed law, or nearly.
 
         Args:
@@ -57,7 +57,7 @@ class ExactParts:
                 for contact, state, directions in zip(self.grasp, states, around, strict=True)
             ]
             found = self._solve(ends, cones)
-            if not isinstance(found, SpatialSolution):
+            if not isinstance(found, Solution):
                 return found
             cut = False
             for contact, force, directions in zip(self.grasp, found.forces, around, strict=True):
@@ -71,7 +71,7 @@ class ExactParts:
                 break
         return found
 
-    def equilibrium(self, states: States) -> SpatialSolution | None:
+    def equilibrium(self, states: States) -> Solution | None:
         """Return an equilibrium of given states, if there is one whose slips are rational."""
         ends: list[Ends] = []
         cones: list[list[ConeRow]] = []
@@ -87,17 +87,17 @@ class ExactParts:
                 ends.append("stick" if mu else "attached")
                 cones.append(_inside(mu, [*self.base, *_near(*states.ratio[i].tolist())]))
         found = self._solve(ends, cones)
-        return found if isinstance(found, SpatialSolution) else None
+        return found if isinstance(found, Solution) else None
 
     def _solve(
         self, states: Sequence[Ends], cones: Sequence[Sequence[ConeRow]]
-    ) -> SpatialSolution | dict[str, Any]:
+    ) -> Solution | dict[str, Any]:
         found: Any = StateProgram(self.grasp, self.wrench, states, cones, self.deadline).solve()
         if not isinstance(found, tuple):
             leaf: dict[str, Any] = found
             return leaf
         forces = tuple(found[6 + 3 * i : 9 + 3 * i] for i in range(len(self.grasp)))
-        return SpatialSolution(found[:6], forces)
+        return Solution(found[:6], forces)
 
 
 class PyramidParts(ExactParts):
@@ -109,7 +109,7 @@ class PyramidParts(ExactParts):
         super().__init__(contacts, wrench, deadline)
         self.cones = cones
 
-    def part(self, states: Sequence[State], towards: Floats) -> SpatialSolution | dict[str, Any]:
+    def part(self, states: Sequence[State], towards: Floats) -> Solution | dict[str, Any]:
         """Return a leaf, or a point that obeys the relaxed law."""
         ends: list[Ends] = [s.ends if isinstance(s, Slip) else s for s in states]
         cones = [
@@ -118,10 +118,10 @@ class PyramidParts(ExactParts):
         ]
         return self._solve(ends, cones)
 
-    def holds(self, states: Sequence[State]) -> SpatialSolution | None:
+    def holds(self, states: Sequence[State]) -> Solution | None:
         """Return an equilibrium with all states decided, if there is one."""
         found = self.part(states, np.zeros((0, 2)))
-        return found if isinstance(found, SpatialSolution) else None
+        return found if isinstance(found, Solution) else None
 
     def near(self, normal: Floats, slips: Floats) -> tuple[State, ...]:
         """Return the states of normal forces and slips in floats, 0 where there is none."""

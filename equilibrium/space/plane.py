@@ -18,17 +18,15 @@ from equilibrium.model.errors import GraspError, TimeLimitError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.plane import in_plane
 from equilibrium.model.range import NO_RANGE, Range
+from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import IntegerContacts
 from equilibrium.plane.search.motion_regions import resistance
-from equilibrium.plane.search.state_equilibrium import Solution
 from equilibrium.plane.search.units import SearchUnits
-
-from .equilibria import SpatialSolution
 
 
 def decide_in_plane(
     grasp: Grasp, wrench: RationalVector, deadline: float, within: Range = NO_RANGE
-) -> SpatialSolution | dict[str, Any] | None:
+) -> Solution | dict[str, Any] | None:
     """Return an equilibrium or a proof, or None if no plane with rational axes has the question.
 
     The range is that of space: what turns within it there turns within it in the plane, and back.
@@ -74,9 +72,7 @@ def _axes(grasp: Grasp, wrench: RationalVector) -> tuple[RationalVector, Rationa
     return u, cross(tuple(x / length for x in normal), u)
 
 
-def _lifted(
-    grasp: Grasp, flat: Grasp, axes: Sequence[RationalVector], found: Solution
-) -> SpatialSolution:
+def _lifted(grasp: Grasp, flat: Grasp, axes: Sequence[RationalVector], found: Solution) -> Solution:
     """Return an equilibrium of the plane in space."""
     u, v = axes
     normal = cross(u, v)
@@ -88,4 +84,4 @@ def _lifted(
         a, b = planar.tangent
         pull = tuple(rubbed * (a * s + b * t) for s, t in zip(u, v, strict=True))
         forces.append((pressed, *(dot(pull, tangent) for tangent in contact.tangents)))
-    return SpatialSolution(motion, tuple(forces))
+    return Solution(motion, tuple(forces))

@@ -19,12 +19,12 @@ import numpy as np
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from equilibrium.model.range import NO_RANGE, Range
+from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import SpatialContacts, nearest
 
 from .balance import SpatialContinuation
 from .cones import OpenSplit, Pyramids, RoundCones, State, split_of
-from .enclosures import Enclosed
-from .equilibria import Proposal, SpatialSolution, proposals
+from .equilibria import proposals
 from .exact_parts import ExactParts, PyramidParts
 from .leaves import Leaves
 from .plane import decide_in_plane
@@ -82,7 +82,7 @@ class SpatialSearch:
         self,
         contacts: SpatialContacts,
         wrench: RationalVector,
-        accept: Callable[[Proposal], bool],
+        accept: Callable[[Solution], bool],
         deadline: float = math.inf,
         nodes: int = NODES,
         within: Range = NO_RANGE,
@@ -110,7 +110,7 @@ class SpatialSearch:
         #: Nodes since the last leaf, and how many of them are borne.
         self.idle, self.patience = 0, max(_PATIENCE, 2 * len(contacts.grasp))
 
-    def decide(self) -> Proposal | Any | Open:
+    def decide(self) -> Solution | Any | Open:
         """Return an accepted equilibrium, a tree that refutes all, or what is open."""
         with np.errstate(all="ignore"):
             try:
@@ -121,7 +121,7 @@ class SpatialSearch:
             except TimeoutError as late:
                 return Open(str(late), self.residual)
 
-    def _decide(self) -> Proposal | Any | Open:
+    def _decide(self) -> Solution | Any | Open:
         root: tuple[State, ...] = ("undecided",) * len(self.contacts.grasp)
         ray = self.relaxation.inner_ray(["loose"] * len(root), 0.0)
         leaf = ray and self.leaves.leaf(root, ray)
@@ -145,7 +145,7 @@ class SpatialSearch:
                 self.exactly = True
         return self._tree(root, self.nodes)
 
-    def _exact_equilibrium(self) -> Proposal | None:
+    def _exact_equilibrium(self) -> Solution | None:
         """Return an equilibrium of states looked at since this was asked last, found exactly."""
         asked, self.states = self.states, []
         for states in reversed(asked):
@@ -157,7 +157,7 @@ class SpatialSearch:
                 return found
         return None
 
-    def _near(self, motion: Floats, sharpness: float) -> Proposal | None:
+    def _near(self, motion: Floats, sharpness: float) -> Solution | None:
         """Return an equilibrium that the smoothed balance leads to."""
         for end, eps in self.smooth.path(motion, sharpness):
             if time.monotonic() > self.deadline:
@@ -172,7 +172,7 @@ class SpatialSearch:
         self.residual = min(self.residual, self.smooth.reached / (self.smooth.size or 1.0))
         return None
 
-    def _equilibrium(self, motion: Floats, states: States) -> Proposal | None:
+    def _equilibrium(self, motion: Floats, states: States) -> Solution | None:
         """Return an accepted equilibrium of given states near a motion."""
         self.states.append(states)
         for found in proposals(self.contacts, self.wrench, motion, states, self.tried):
@@ -180,19 +180,19 @@ class SpatialSearch:
                 return found
         return None
 
-    def _smooth_pyramids(self, exact: PyramidParts, end: Floats, eps: float) -> Proposal | None:
+    def _smooth_pyramids(self, exact: PyramidParts, end: Floats, eps: float) -> Solution | None:
         """Return an equilibrium of the states of pyramids at a motion of the smooth balance."""
         c = self.contacts
         normal = np.maximum(0.0, c.spring[:, 0] + c.spring[:, 1:] @ end)
         return self._of(exact, exact.near(normal, exact.cones.directions(c.tangents @ end, eps)))
 
-    def _of(self, exact: PyramidParts, states: tuple[State, ...]) -> Proposal | None:
+    def _of(self, exact: PyramidParts, states: tuple[State, ...]) -> Solution | None:
         """Return the equilibrium of decided states, asked for once."""
         found = None if states in self.tried else exact.holds(states)
         self.tried.add(states)
         return found if found is not None and self.accept(found) else None
 
-    def _near_point(self, found: Point) -> Proposal | None:
+    def _near_point(self, found: Point) -> Solution | None:
         """Return an equilibrium with the states of a relaxation that nearly obeys the law."""
         normal = found.forces[:, 0]
         normal = np.where(normal * np.maximum(1.0, self.contacts.friction) > _LOOSE, normal, 0.0)
@@ -216,7 +216,7 @@ class SpatialSearch:
             leaf = inner and self.leaves.leaf(states, inner)
         return leaf
 
-    def _tree(self, root: tuple[State, ...], most: int) -> Proposal | Any | Open:
+    def _tree(self, root: tuple[State, ...], most: int) -> Solution | Any | Open:
         """Search depth first; a node is filled in when all below it are closed."""
         top: list[Any] = [None]
         waiting: list[tuple[tuple[State, ...], list[Any], int]] = [(root, top, 0)]
@@ -230,7 +230,7 @@ class SpatialSearch:
             states, parent, position = waiting.pop()
             nodes, self.idle = nodes + 1, self.idle + 1
             found = self._node(states)
-            if isinstance(found, (SpatialSolution, Enclosed)):
+            if isinstance(found, Solution):
                 return found
             if isinstance(found, OpenSplit):
                 parent[position] = found.node
@@ -244,7 +244,7 @@ class SpatialSearch:
             return Open("a relaxation neither closes nor splits further", self.residual)
         return _finished(top[0])
 
-    def _node(self, states: tuple[State, ...]) -> Proposal | Any | OpenSplit | None:
+    def _node(self, states: tuple[State, ...]) -> Solution | Any | OpenSplit | None:
         """Return an equilibrium, a leaf, a cut, or None where there is none of them."""
         found = self.relaxation.solve(states)
         leaf = self._leaf(states, found)
@@ -260,13 +260,13 @@ class SpatialSearch:
         if split is not None or not self.exactly:
             return split
         exact = self.exact.part(states, self._towards(found))
-        if not isinstance(exact, SpatialSolution):
+        if not isinstance(exact, Solution):
             return exact
         point = self._point(exact)
         near = exact if self.accept(exact) else self._exact_equilibrium()
         return near or self._equilibrium_or_cut(states, point) or self._any_split(states, point)
 
-    def _point(self, found: SpatialSolution) -> Point:
+    def _point(self, found: Solution) -> Point:
         """Return a solution in scaled units."""
         numbers = np.array([nearest(x) for x in chain(found.motion, *found.forces)])
         forces = numbers[6:].reshape(-1, 3) / self.relaxation.force
@@ -274,7 +274,7 @@ class SpatialSearch:
 
     def _equilibrium_or_cut(
         self, states: tuple[State, ...], found: Point
-    ) -> Proposal | OpenSplit | None:
+    ) -> Solution | OpenSplit | None:
         """Return an equilibrium near a point of a relaxation, or a cut where it fails the law."""
         values = self.relaxation.violations(states, found)
         worst = float(values.max(initial=0.0))

@@ -18,7 +18,7 @@ from arrangement.console.number_form import Documented
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector, rational, shown
 from arrangement.numbers.linear import programs
-from equilibrium.decide.verdict import Solver, prepare
+from equilibrium.decide.solver import Solver, prepare
 from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench

@@ -28,7 +28,7 @@ from arrangement.numbers.linear.intervals import (
 )
 from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.decide.robustness import DEPENDS, others
-from equilibrium.decide.verdict import Solver, prepare
+from equilibrium.decide.solver import Solver, prepare
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
@@ -145,7 +145,7 @@ def ends_within_error(solver: Solver, found: Magnitudes) -> RoundedEnds | None:
     low, high = found.intervals[-1] if found.intervals else (Fraction(0), None)
     at = sum_row(found.base, found.direction, (low or Fraction(0)) + 1 if high is None else high)
     verdict, ends = solver.solve(at), [_ends(found.intervals)]
-    for grasp in others(verdict, verdict.again):
+    for grasp in others(verdict):
         prepared = Solver(grasp, **solver.within.bounds)
         other = resisted_magnitudes(prepared, found.direction, found.base).intervals
         ends.append(_ends(other))

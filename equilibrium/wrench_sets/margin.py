@@ -16,7 +16,7 @@ from typing import Any
 from arrangement.console.number_form import Documented
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.intervals import Interval, holds, union
-from equilibrium.decide.verdict import Solver, prepare
+from equilibrium.decide.solver import Solver, prepare
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.states.contact_states import states_of_code
 from equilibrium.plane.states.state_system import state_system

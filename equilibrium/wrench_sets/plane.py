@@ -24,7 +24,7 @@ from arrangement.numbers.exact import (
 from arrangement.numbers.linear.intervals import Interval
 from arrangement.numbers.linear.polyhedron import Polyhedron
 from arrangement.numbers.linear.rank import cross
-from equilibrium.decide.verdict import Solver, prepare
+from equilibrium.decide.solver import Solver, prepare
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.states.state_system import States

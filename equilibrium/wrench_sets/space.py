@@ -18,7 +18,7 @@ from arrangement.numbers.linear.cones import Cone, both_ways
 from arrangement.numbers.linear.intervals import Interval, intersection, union
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
 from arrangement.numbers.linear.separation import surely_outside
-from equilibrium.decide.verdict import Solver, prepare
+from equilibrium.decide.solver import Solver, prepare
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.plane.contact_rows import (

@@ -21,19 +21,15 @@ from typing import Any, TypeAlias
 
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from equilibrium.certificate.leaves import spatial_leaves
-from equilibrium.decide.spatial_verdict import (
-    NOT_RESISTED,
-    RESISTED,
-    UNDECIDED,
-    SpatialVerdict,
-    solve_in_space,
-)
+from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
+from equilibrium.decide.solver import solve
+from equilibrium.decide.verdict import Verdict
 from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.range import NO_RANGE, Range
-from equilibrium.space.equilibria import SpatialSolution
+from equilibrium.model.solution import Solution
 
 #: The works of the leaves of a tree: of each a virtual motion, and what the preloads add.
 Works: TypeAlias = tuple[tuple[RationalVector, Fraction], ...]
@@ -56,11 +52,11 @@ class KnownLoads:
         self.grasp, self.nodes, self.within = grasp, nodes, within
         self.trees: list[Works] = []
 
-    def ask(self, wrench: RationalVector) -> SpatialVerdict:
+    def ask(self, wrench: RationalVector) -> Verdict:
         """Decide one load, and remember its proof."""
-        found = solve_in_space(self.grasp, wrench, nodes=self.nodes, **self.within.bounds)
-        if found.verdict == NOT_RESISTED and found.certificate is not None:
-            self.trees.append(self._works(found.certificate.to_dict()["tree"]))
+        found = solve(self.grasp, wrench, nodes=self.nodes, **self.within.bounds)
+        if found.verdict == NOT_RESISTED:
+            self.trees.append(self._works(found.proof["tree"]))
         return found
 
     def _works(self, tree: object) -> Works:
@@ -75,7 +71,7 @@ class KnownMagnitudes:
         self.known, self.along, self.base = known, along, base
         self.refuted = [found for tree in known.trees if (found := self._range(tree)) is not None]
         self.held: list[tuple[Fraction, Fraction]] = []
-        self._equilibria: list[tuple[Fraction, SpatialSolution]] = []
+        self._equilibria: list[tuple[Fraction, Solution]] = []
 
     def verdict(self, t: Fraction) -> str:
         """Return what follows from earlier proofs, or decide."""
@@ -87,11 +83,11 @@ class KnownMagnitudes:
         found = self.known.ask(wrench)
         if found.verdict == NOT_RESISTED and (around := self._range(self.known.trees[-1])):
             self.refuted.append(around)
-        if isinstance(found.solution, SpatialSolution):
+        if found.solution is not None and found.solution.box is None:
             self._hold(t, found.solution)
         return found.verdict
 
-    def _hold(self, t: Fraction, solution: SpatialSolution) -> None:
+    def _hold(self, t: Fraction, solution: Solution) -> None:
         """Remember an equilibrium, and what lies between it and its neighbours."""
         new = (t, solution)
         self._equilibria = sorted([*self._equilibria, new], key=lambda x: x[0])
@@ -134,7 +130,7 @@ class KnownMagnitudes:
         return None if low is not None and high is not None and low >= high else (low, high)
 
 
-def blends(grasp: Grasp, one: SpatialSolution, other: SpatialSolution) -> bool:
+def blends(grasp: Grasp, one: Solution, other: Solution) -> bool:
     """Return whether all that is between two equilibria is one, as each contact does the same."""
     return all(
         _same(contact, [(x.motion, x.forces[i]) for x in (one, other)])

@@ -9,7 +9,7 @@ from fractions import Fraction
 from functools import partial
 from itertools import product
 
-from equilibrium.decide.verdict import solve
+from equilibrium.decide.solver import solve
 from equilibrium.methods.compare import ask
 from proofs_check.routes.oracle import Touch
 

@@ -14,7 +14,7 @@ from arrangement.enumeration.paper_steps import published_enumeration as publish
 from arrangement.library.census.chirotopes import Signs as Signs
 from arrangement.numbers.exact import RationalVector as RationalVector
 from arrangement.numbers.float_filter import Booleans as Booleans
-from equilibrium.decide.verdict import Solver as Solver
+from equilibrium.decide.solver import Solver as Solver
 from equilibrium.grasps.files import read_grasp as read_grasp
 from equilibrium.model.contact import Contact as Contact
 from equilibrium.model.grasp import Grasp as Grasp

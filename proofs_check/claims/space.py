@@ -12,7 +12,7 @@ from random import Random
 from typing import TypeAlias
 
 from arrangement.numbers.linear.programs import Infeasible, feasible_point
-from equilibrium.decide.spatial_verdict import solve_in_space
+from equilibrium.decide.solver import solve
 from equilibrium.decide.verdict import Verdict as Decision
 from equilibrium.grasps.inputs.random import random_grasp
 from proofs_check.instances.printed import FOUR_CONTACT_GRASP, FRICTION, THREE_CONTACT_GRASP
@@ -31,7 +31,7 @@ _LOADS = tuple(
 def _in_space(question: Question, pyramid: int | None) -> bool:
     x, y, torque = question.wrench
     wrench = (x, y, 0, 0, 0, torque)
-    return solve_in_space(grasp_of(question).in_space(), wrench, pyramid=pyramid).stable
+    return solve(grasp_of(question).in_space(), wrench, pyramid=pyramid).stable
 
 
 @lru_cache(maxsize=64)
@@ -107,7 +107,7 @@ def _boxed_by_programs(finger: _Finger) -> _Pair:
             for along, load in zip(normal, wrench, strict=True)
         ]
         found = found or not isinstance(feasible_point(6, rows, balance), Infeasible)
-    return solve_in_space(Grasp([contact]), wrench).stable, found
+    return solve(Grasp([contact]), wrench).stable, found
 
 
 def _boxed_by_hand(finger: _Finger) -> _Pair:
@@ -169,17 +169,16 @@ def _pyramids(source: Random) -> Iterator[Case]:
 
 
 def _by_search(grasp: Grasp) -> tuple[bool, ...]:
-    return tuple(solve_in_space(grasp, _LET_GO, pyramid=edges).stable for edges in _FINER)
+    return tuple(solve(grasp, _LET_GO, pyramid=edges).stable for edges in _FINER)
 
 
 def _by_proofs(grasp: Grasp) -> tuple[bool, ...]:
     """What the checker says that the certificates prove."""
     found = []
     for edges in _FINER:
-        verdict = solve_in_space(grasp, _LET_GO, pyramid=edges)
+        verdict = solve(grasp, _LET_GO, pyramid=edges)
         assert verdict.verify()
-        assert verdict.certificate is not None
-        found.append(verdict.certificate.kind == "resisted")
+        found.append(verdict.proof["certificate"] == "resisted")
     return tuple(found)
 
 
@@ -218,7 +217,7 @@ def _checked(question: Question) -> int:
 
 
 def _evaluated(question: Question) -> int:
-    return leaf_count(question, _decided(question).certificate.to_dict()["tree"])
+    return leaf_count(question, _decided(question).proof["tree"])
 
 
 def _jaw_cases() -> Iterator[Case]:

@@ -24,7 +24,7 @@ from arrangement.drawing.pages.html_page import BASE_STYLE, Template, framed
 from arrangement.errors import InputError, MissingExtraError
 from arrangement.library.files.table import read_arrangement
 from arrangement.pictures.views import DRAWINGS as OF_PLANES
-from equilibrium.decide.verdict import solve
+from equilibrium.decide.solver import solve
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.views import DRAWINGS as OF_GRASPS
 from proofs_check.reports.formula import mathml

@@ -37,7 +37,7 @@ from scipy.sparse import csc_matrix
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from equilibrium import Grasp
-from equilibrium.decide.spatial_verdict import solve_in_space
+from equilibrium.decide.solver import solve
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from tests.equilibrium import exotic
 
@@ -72,7 +72,7 @@ def instance(contacts: int | str, seed: int) -> tuple[Grasp, Wrench]:
 def ours(grasp: Grasp, wrench: Wrench) -> Found:
     """Verdict and proof; the check of the proof."""
     start = time.process_time()
-    verdict = solve_in_space(grasp, wrench, time_limit=SECONDS)
+    verdict = solve(grasp, wrench, time_limit=SECONDS)
     written = time.process_time()
     found = {"verdict": verdict.verdict, "seconds": written - start}
     if not verdict.decided:

@@ -30,6 +30,7 @@ from equilibrium.certificate.document import Certificate, refuted_certificate, r
 from equilibrium.grasps.schemas import certificate_schema
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.range import NO_RANGE, Range
+from equilibrium.model.solution import Solution
 
 from . import judge, oracle, trees
 from .awkward import question
@@ -57,7 +58,8 @@ def refuted(seed: int, tree: int) -> dict[str, Any]:
 def resisted(seed: int) -> dict[str, Any]:
     asked = question(seed)
     found = next(oracle.solutions(asked.grasp, asked.wrench))
-    return resisted_certificate(asked.grasp, asked.wrench, found.motion, found.forces).to_dict()
+    held = Solution(found.motion, found.forces)
+    return resisted_certificate(asked.grasp, asked.wrench, held).to_dict()
 
 
 @pytest.fixture(scope="module")
@@ -507,7 +509,8 @@ def test_the_law_is_named_where_it_fails(motion, forces, words):
     """One contact at the origin, normal upwards, tangent to the left: spring 1 - y, slip -x."""
     wrench = (Fraction(1), Fraction(-2), Fraction(0))
     numbers = [tuple(map(Fraction, pair)) for pair in forces]
-    report = resisted_certificate(ONE, wrench, tuple(map(Fraction, motion)), numbers).verify()
+    found = Solution(tuple(map(Fraction, motion)), tuple(numbers))
+    report = resisted_certificate(ONE, wrench, found).verify()
     assert bool(report) == (not words)
     assert re.search(words, report.problem)
 
@@ -524,7 +527,7 @@ def test_the_law_is_named_where_it_fails(motion, forces, words):
     ],
 )
 def test_what_is_no_equilibrium_is_one_clear_error(motion, forces, words):
-    document = resisted_certificate(ONE, (Fraction(0),) * 3, (), ()).to_dict()
+    document = resisted_certificate(ONE, (Fraction(0),) * 3, Solution((), ())).to_dict()
     with pytest.raises(InputError, match=words):
         check({**document, "motion": motion, "forces": forces})
 
@@ -544,7 +547,7 @@ def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
     }
     values |= {"equilibrium.model.contact", "arrangement.console.number_form"}
     values |= {"equilibrium.model.errors", "equilibrium.model.contact", "collections.abc"}
-    values |= {"equilibrium.model.plane", "equilibrium.model.range"}
+    values |= {f"equilibrium.model.{name}" for name in ("plane", "range", "solution")}
     values |= {"enclosure", "law", "reading", "robust", "space"}
     assert imported <= standard | values
     for node in ast.walk(tree):

@@ -15,7 +15,7 @@ from arrangement.drawing.scene.scene import Label, Path as Line, Scene
 from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, GraspError, Mesh, read_grasp
 from equilibrium.cli.program import main
-from equilibrium.decide.spatial_verdict import RESISTED, UNDECIDED
+from equilibrium.decide import RESISTED, UNDECIDED
 from equilibrium.pictures.grasp.grasp import draw_grasp
 from equilibrium.pictures.grasp.proof import draw_proof
 from equilibrium.pictures.space import space_slice

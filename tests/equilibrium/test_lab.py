@@ -13,7 +13,7 @@ from arrangement import InputError
 from equilibrium import Contact, Grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.law import law_problem
-from equilibrium.decide.verdict import Solver
+from equilibrium.decide.solver import Solver
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.instances import paths
 from equilibrium.pictures.lab.page import lab_page

@@ -7,7 +7,7 @@ from hypothesis import given, settings, strategies as st
 from scipy.optimize import linprog
 
 from arrangement.numbers.exact import dot
-from equilibrium.decide.verdict import solve
+from equilibrium.decide.solver import solve
 from equilibrium.methods.contact_laws.springs import frictionless_slip, linear_compliance
 from equilibrium.methods.friction_cones.cones import cones
 from equilibrium.methods.friction_cones.form_closure import form_closure

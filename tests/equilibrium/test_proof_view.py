@@ -16,7 +16,7 @@ from equilibrium import Contact, Grasp, GraspError, Solver, Verdict, check, read
 from equilibrium.certificate.document import refuted_certificate
 from equilibrium.certificate.leaves import ClosedPart, parts, works
 from equilibrium.cli.program import main
-from equilibrium.cli.proof_words import proof_lines
+from equilibrium.cli.verdict_words import verdict_lines
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.pictures import draw_proof
 
@@ -114,11 +114,10 @@ def test_a_proof_by_states_is_drawn_and_said_by_their_planes():
     inner = {"contact": 2, "attachment": {"detached": ["1", "2", "0"], "attached": aside}}
     tree = {"contact": 0, "attachment": {"detached": ["-1", "2", "0"], "attached": inner}}
     wrench = (Fraction(0), Fraction(1), Fraction(0))
-    verdict = Verdict(THREE, wrench, None, Solver(THREE), tree)
+    verdict = Solver(THREE)._verdict(wrench, tree)
     assert verdict.verify()
-    assert "contact 1 attached, contact 3 detached: on the virtual" in "\n".join(
-        proof_lines(verdict)
-    )
+    said = "\n".join(verdict_lines(verdict))
+    assert "contact 1 attached, contact 3 detached: on the virtual" in said
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(Solver, "solve", lambda *_: verdict)
         assert_filled(verdict)

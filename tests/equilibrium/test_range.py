@@ -11,7 +11,6 @@ from arrangement.drawing.pages.html_page import _text
 from equilibrium import Contact, Grasp, Solver, check, read_grasp, solve
 from equilibrium.certificate.leaves import parts
 from equilibrium.cli.program import main
-from equilibrium.decide.spatial_verdict import solve_in_space
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.model.range import Range, usual_range
 from equilibrium.pictures.lab.page import DECIDES
@@ -176,16 +175,16 @@ def test_a_range_in_space_bounds_magnitudes():
 @pytest.mark.parametrize("seed", range(4))
 def test_pyramids_have_a_range_too(seed):
     grasp, wrench = random_grasp(3, seed, dimension=3), random_wrench(seed, dimension=3, bound=1)
-    free = solve_in_space(grasp, wrench, pyramid=4)
+    free = solve(grasp, wrench, pyramid=4)
     if not free.stable:
-        assert solve_in_space(grasp, wrench, pyramid=4, largest_force=9).verdict == free.verdict
+        assert solve(grasp, wrench, pyramid=4, largest_force=9).verdict == free.verdict
         return
     turn = sum(x * x for x in free.solution.motion[3:])
     force = max(x for x, *_ in free.solution.forces)
     for largest in ({"largest_turn": turn + 1}, {"largest_force": force}):
-        assert solve_in_space(grasp, wrench, pyramid=4, **largest).stable
+        assert solve(grasp, wrench, pyramid=4, **largest).stable
     size = max(map(abs, wrench[:3]))
-    none = solve_in_space(grasp, wrench, pyramid=4, largest_force=size / 100)
+    none = solve(grasp, wrench, pyramid=4, largest_force=size / 100)
     assert none.verdict == "not resisted"
     assert none.verify()
     assert not check({**none.certificate.to_dict(), "largest_force": str(10 * force)})

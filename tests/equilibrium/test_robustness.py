@@ -224,9 +224,9 @@ class TestRobust:
         assert solve(Grasp(), (0, 0, 0)).robust(degrees=1).answer == "undecided"
 
     def test_a_verdict_in_a_range_or_with_pyramids_is_not_asked_for_all(self):
-        from equilibrium.decide.spatial_verdict import solve_in_space
+        from equilibrium.decide.solver import solve
 
-        pyramids = solve_in_space(Grasp(SPATIAL), (0, 0, 1, 0, 0, 0), pyramid=4)
+        pyramids = solve(Grasp(SPATIAL), (0, 0, 1, 0, 0, 0), pyramid=4)
         for verdict in (pyramids, solve(self.grasp, (0, 1, 0), largest_turn=1)):
             with pytest.raises(GraspError, match="leave these out"):
                 verdict.robust(friction="1%")

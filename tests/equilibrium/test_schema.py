@@ -11,7 +11,7 @@ import pytest
 from arrangement.errors import InputError
 from equilibrium.certificate.checker import check
 from equilibrium.cli.program import main
-from equilibrium.decide.verdict import solve
+from equilibrium.decide.solver import solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.grasps.instances import paths

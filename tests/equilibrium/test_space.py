@@ -20,16 +20,15 @@ from arrangement.numbers.linear.programs import Infeasible, feasible_point
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.cli.program import main
-from equilibrium.decide.spatial_verdict import solve_in_space
-from equilibrium.decide.verdict import Solver, solve
+from equilibrium.decide.solver import Solver, solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import random_grasp, random_wrench, read_any
 from equilibrium.grasps.schemas import certificate_schema
 from equilibrium.model.contact import Contact, pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.solution import Solution
 from equilibrium.model.unit_normal import unit_normal
-from equilibrium.space.equilibria import SpatialSolution
 from equilibrium.space.plane import decide_in_plane
 from equilibrium.wrench_sets.spatial import (
     KnownLoads,
@@ -48,7 +47,7 @@ PYTHAGORAS = [(1, 0), ("3/5", "4/5"), ("-5/13", "12/13"), ("8/17", "-15/17")]
 
 
 def verdict(grasp, wrench):
-    found = solve_in_space(grasp, wrench)
+    found = solve(grasp, wrench)
     if found.decided:
         assert found.verify(), found.verify().problem
     return found.verdict
@@ -100,26 +99,26 @@ class TestKnownLoads:
         assert known.verdict(Fraction(2)) == "not resisted"
         low, high = known.refuting(Fraction(2))
         assert (1 <= low < 2, high) == (True, None)
-        tree = solve_in_space(FINGERS, [2 * x for x in known.along]).certificate.to_dict()
+        tree = solve(FINGERS, [2 * x for x in known.along]).certificate.to_dict()
         for t, valid in ((low, False), (low + Fraction(1, 10**9), True), (10**9, True)):
             wrench = [str(t * x) for x in known.along]
             assert bool(check({**tree, "wrench": wrench})) == valid
 
     def test_between_equilibria_that_blend_there_are_equilibria(self):
         loads = [on_the_table("1/8", 0), on_the_table(0, "1/4"), on_the_table("1/16", "1/8", 1)]
-        one, *others = [solve_in_space(FEET, load) for load in loads]
+        one, *others = [solve(FEET, load) for load in loads]
         for other in others:
             share, (a, b) = Fraction(1, 3), (one.solution, other.solution)
             assert blends(FEET, a, b)
             middle = [mixed(share, *pair) for pair in zip(a.forces, b.forces, strict=True)]
             load = mixed(share, one.wrench, other.wrench)
-            proof = resisted_certificate(FEET, load, mixed(share, a.motion, b.motion), middle)
-            assert proof.verify()
+            found = Solution(mixed(share, a.motion, b.motion), tuple(middle))
+            assert resisted_certificate(FEET, load, found).verify()
 
     def test_contacts_that_do_something_else_do_not_blend(self):
         motions = [(1, 0, -1), (2, 0, -1), (-1, 0, -1), (0, 1, -1), (0, 0, -1), (0, 1, 1)]
         forces = ((Fraction(0),) * 3,) * 4
-        found = [SpatialSolution((*map(Fraction, v), *[Fraction(0)] * 3), forces) for v in motions]
+        found = [Solution((*map(Fraction, v), *[Fraction(0)] * 3), forces) for v in motions]
         slip, further, *others = found
         assert blends(FEET, slip, further)
         assert not any(blends(FEET, slip, other) for other in others)
@@ -315,7 +314,7 @@ def embedded(seeds):
     for seed in seeds:
         grasp, wrench = random_grasp(2 + seed % 3, seed), random_wrench(seed, bound=1)
         planar = Solver(grasp).solve(wrench).stable
-        found = solve_in_space(grasp.in_space(), in_space(wrench))
+        found = solve(grasp.in_space(), in_space(wrench))
         if found.decided:
             decided += 1
             assert found.stable == planar
@@ -334,7 +333,7 @@ def test_many_planar_grasps_answer_as_in_the_plane():
 
 def decided(kind, seeds):
     """Return how many questions of a kind have a proof that the checker accepts."""
-    found = [solve_in_space(*exotic.question(kind, seed)) for seed in seeds]
+    found = [solve(*exotic.question(kind, seed)) for seed in seeds]
     assert all(answer.verify() for answer in found if answer.decided)
     return sum(answer.decided for answer in found)
 
@@ -377,14 +376,14 @@ def test_without_friction_a_load_is_resisted_if_normals_alone_balance_it():
         m = len(grasp)
         signs = [[int(i == j) for j in range(m + 1)] for i in range(m)]
         balanced = not isinstance(feasible_point(m, signs, rows), Infeasible)
-        assert solve_in_space(grasp, wrench).stable == balanced, seed
+        assert solve(grasp, wrench).stable == balanced, seed
 
 
 class TestPlanes:
     @pytest.mark.parametrize("seed", [1, 3, 6, 7, 8, 9, 17, 19, 20, 32, 36])
     def test_in_any_plane_of_space_they_answer_as_in_the_plane(self, seed):
         flat = awkward.question(seed)
-        found = solve_in_space(*exotic.question("plane", seed))
+        found = solve(*exotic.question("plane", seed))
         assert found.stable == Solver(flat.grasp).solve(flat.wrench).stable
         assert found.verify()
 
@@ -493,7 +492,7 @@ def floats_of_directions(node):
 def test_whatever_the_motion_its_leaf_shows_that_forces_do_not_balance(contacts, seed):
     grasp = random_grasp(contacts, seed, dimension=3)
     wrench = random_wrench(seed, dimension=3, bound=1)
-    found = solve_in_space(grasp, wrench)
+    found = solve(grasp, wrench)
     assert found.verdict == "not resisted"
     tree = floats_of_directions(found.certificate.to_dict()["tree"])
     places, source = [at(contact) for contact in grasp], Random(seed)
@@ -513,10 +512,10 @@ def test_whatever_the_motion_its_leaf_shows_that_forces_do_not_balance(contacts,
 
 
 class TestChecker:
-    tree = solve_in_space(FINGERS, [HAIR * x for x in across(1, 0)]).certificate.to_dict()
+    tree = solve(FINGERS, [HAIR * x for x in across(1, 0)]).certificate.to_dict()
     # Its equilibrium has no rational numbers.
     grasp = random_grasp(6, 2, dimension=3)
-    box = solve_in_space(grasp, random_wrench(2, dimension=3, bound=1)).certificate.to_dict()
+    box = solve(grasp, random_wrench(2, dimension=3, bound=1)).certificate.to_dict()
 
     def test_the_border_is_where_the_proof_ends(self):
         for size, valid in ((HAIR, True), (1, False)):
@@ -584,7 +583,7 @@ class TestChecker:
 
     def test_two_contacts_have_an_enclosure_but_for_a_turn_about_their_line(self):
         grasp = random_grasp(2, 1, dimension=3)
-        found = solve_in_space(grasp, balanced(Random(1), grasp))
+        found = solve(grasp, balanced(Random(1), grasp))
         document = found.certificate.to_dict()
         given, third = document["enclosure"], random_grasp(3, 1, dimension=3).to_dict()
         (turn,) = given["idle"]
@@ -614,7 +613,7 @@ class TestChecker:
 
 class TestAnswers:
     def test_an_undecided_verdict_is_neither_yes_nor_no(self):
-        found = solve_in_space(read_grasp("peg-in-a-hole"), (0, 0, "-3/2", 0, 0, 0), nodes=1)
+        found = solve(read_grasp("peg-in-a-hole"), (0, 0, "-3/2", 0, 0, 0), nodes=1)
         assert (found.verdict, found.certificate) == ("undecided", None)
         for question in (bool, lambda x: x.stable, lambda x: x.verify()):
             with pytest.raises(UndecidedError, match="after 1 nodes"):
@@ -770,7 +769,7 @@ def agrees_with_sectors(contacts, seeds, load):
     for seed in seeds:
         grasp = random_grasp(contacts, seed, dimension=3)
         wrench = load(Random(seed), grasp)
-        answer = solve_in_space(grasp, wrench)
+        answer = solve(grasp, wrench)
         found[answer.verdict] += 1
         if answer.decided:
             assert answer.verify(), seed
@@ -806,7 +805,7 @@ def agrees_with_all_states(contacts, seeds):
     for seed in seeds:
         grasp = random_grasp(contacts, seed, dimension=3)
         wrench = loaded(Random(seed), grasp)
-        found = solve_in_space(grasp, wrench, pyramid=4)
+        found = solve(grasp, wrench, pyramid=4)
         assert found.verify(), found.verify().problem
         assert found.stable == resisted_by_all_states(grasp, wrench, edges), seed
         resisted += found.stable
@@ -839,15 +838,15 @@ class TestPyramids:
         loads = [(0, 0, -1, 0, 0, 0), ("1/2", "1/3", 1, 0, "1/5", 0), (1, 2, 3, "1/2", -1, 1)]
         for load in loads:
             for edges in (4, 6, 8):
-                found = solve_in_space(ball, load, pyramid=edges)
+                found = solve(ball, load, pyramid=edges)
                 assert found.stable
                 assert found.verify()
 
     def test_a_force_along_an_edge_is_held_as_by_the_round_cone_and_between_edges_it_is_not(self):
         for size, held in ((1, True), (HAIR, False)):
-            along = solve_in_space(FINGERS, [size * x for x in across(1, 0)], pyramid=4)
+            along = solve(FINGERS, [size * x for x in across(1, 0)], pyramid=4)
             between = [size * x / Fraction(7, 5) for x in across("3/5", "4/5")]
-            assert (along.stable, solve_in_space(FINGERS, between, pyramid=4).stable) == (held,) * 2
+            assert (along.stable, solve(FINGERS, between, pyramid=4).stable) == (held,) * 2
             assert along.verify()
 
     def test_edges_are_on_the_circle_in_order_and_opposite(self):
@@ -870,7 +869,7 @@ class TestPyramids:
         assert "even number" in capsys.readouterr().err
 
     def test_a_proof_for_a_pyramid_is_none_for_the_round_cone(self):
-        found = solve_in_space(FINGERS, across("3/5", "4/5"), pyramid=4)
+        found = solve(FINGERS, across("3/5", "4/5"), pyramid=4)
         document = found.certificate.to_dict()
         assert check(document)
         assert found.verify()

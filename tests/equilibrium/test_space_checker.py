@@ -10,9 +10,9 @@ import pytest
 import sympy
 
 from arrangement.numbers.exact import dot
-from equilibrium.certificate.document import enclosed_certificate, resisted_certificate
+from equilibrium.certificate.document import resisted_certificate
 from equilibrium.certificate.enclosure import BrokenLaw, Interval, _balance, interval, total
-from equilibrium.certificate.reading import Enclosure, Leaf, Split
+from equilibrium.certificate.reading import Leaf, Split
 from equilibrium.certificate.space import (
     SpatialQuestion,
     _broken_bound,
@@ -24,6 +24,7 @@ from equilibrium.model.contact import Contact, pyramid_edges
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, Range
+from equilibrium.model.solution import Enclosure, Solution
 
 F = Fraction
 ENDS = [
@@ -274,7 +275,7 @@ def test_an_equilibrium_holds_exactly_where_the_law_does(pyramid):
         right += [source.random() > 0.1]
         load = plus(load, (0 if right[3] else 1, rows[source.randrange(3)]))
         motion = plus([0] * 6, *zip((up, *slip), rows, strict=True))
-        proof = resisted_certificate(Grasp([contact]), load, motion, [force], pyramid)
+        proof = resisted_certificate(Grasp([contact]), load, Solution(motion, (force,)), pyramid)
         report = proof.verify()
         words = ("its spring gives", "longer than its limit", "while it slips by", "add up to")
         due = "" if all(right) else words[right.index(False)]
@@ -388,7 +389,8 @@ def enclosed(
         tuple(tuple(F(part * x) for x in inverse.row(j)) for j in range(6)),
         tuple(plus(row) for row in idle),
     )
-    return enclosed_certificate(Grasp(contacts), plus(wrench), enclosure, within).verify()
+    found = Solution((), (), enclosure)
+    return resisted_certificate(Grasp(contacts), plus(wrench), found, within=within).verify()
 
 
 #: Two contacts, and the turn about their line that neither feels.

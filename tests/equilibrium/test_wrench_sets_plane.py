@@ -6,7 +6,7 @@ from hypothesis import given, settings, strategies as st
 
 from arrangement.numbers.linear.intervals import holds, remainder, union
 from arrangement.numbers.linear.polyhedron import from_conditions
-from equilibrium.decide.verdict import solve
+from equilibrium.decide.solver import solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp

@@ -13,7 +13,7 @@ from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.polyhedron import from_conditions, from_generators
 from arrangement.numbers.linear.rank import cross
 from arrangement.numbers.linear.separation import possibly_meeting, sides, surely_outside
-from equilibrium.decide.verdict import solve
+from equilibrium.decide.solver import solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.model.contact import Contact

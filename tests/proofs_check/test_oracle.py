@@ -4,7 +4,7 @@ from fractions import Fraction
 
 from hypothesis import given, settings, strategies as st
 
-from equilibrium.decide.verdict import solve
+from equilibrium.decide.solver import solve
 from proofs_check.instances.domains import contact_numbers
 from proofs_check.instances.grasps import grasp_of, paper_question
 from proofs_check.instances.printed import FOUR_CONTACT_GRASP, THREE_CONTACT_GRASP

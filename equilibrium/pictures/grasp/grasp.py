@@ -13,10 +13,11 @@ from arrangement.drawing.registry import Corner, Exact, Vector, Wrench
 from arrangement.drawing.scene.labels import Labels, flattened, ring
 from arrangement.drawing.scene.scene import AROUND, Floats, Legend, Scene, fitted
 from arrangement.drawing.scene.shapes import arrow, turning_arrow
-from equilibrium.decide.verdict import Solver
+from equilibrium.decide.solver import Solver
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import SMALL, Range
+from equilibrium.model.solution import Solution
 from equilibrium.pictures.parts.style import (
     CONE_EDGE,
     CONE_FILL,
@@ -29,7 +30,6 @@ from equilibrium.pictures.parts.style import (
     vector,
 )
 from equilibrium.pictures.space.space_grasp import drawn_in_space, solved_in_space
-from equilibrium.plane.search.state_equilibrium import Solution
 
 from .layout import ARC, FORCE, Layout, displaced
 

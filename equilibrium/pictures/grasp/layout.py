@@ -16,9 +16,9 @@ from equilibrium.decide.verdict import Verdict
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Polygon
+from equilibrium.model.solution import Solution
 from equilibrium.pictures.parts.body import body, frame_of, free_lengths, stated_body
 from equilibrium.pictures.parts.style import nice_near, rounded
-from equilibrium.plane.search.state_equilibrium import Solution
 from equilibrium.plane.states.contact_states import states_at
 from equilibrium.plane.states.equilibrium import Equilibrium
 from equilibrium.plane.states.state_system import States

@@ -13,7 +13,8 @@ from arrangement.numbers.exact import IntegerVector, RationalVector, primitive, 
 from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
 from equilibrium.certificate.leaves import ClosedPart, parts
-from equilibrium.decide.verdict import Solver, Verdict
+from equilibrium.decide.solver import Solver
+from equilibrium.decide.verdict import Verdict
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.body import Frame, frame_of
@@ -64,7 +65,7 @@ def proof_maps(grasp: Grasp, wrench: Wrench, turn: Exact | None) -> ProofMaps:
             "the wrench is resisted, so no proof refutes it; the view grasp shows what balances it"
         )
     frame = frame_of(grasp, grasp.outline)
-    found = list(parts(verdict.certificate.to_dict()))
+    found = list(parts(verdict.proof))
     angle = _angle(grasp, frame, found, turn)
     window = Window(frame.centre, MAP * frame.size)
     shapes = [

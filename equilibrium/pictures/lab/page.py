@@ -17,7 +17,7 @@ from arrangement.drawing.registry import Wrench
 from arrangement.errors import InputError
 from arrangement.numbers.exact import shown
 from arrangement.pictures.lab.page import LINEAR, RATIONAL, lab, read_exercises
-from equilibrium.decide.verdict import solve
+from equilibrium.decide.solver import solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs.documents import question_document
 from equilibrium.model.contact import Contact

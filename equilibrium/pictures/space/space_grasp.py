@@ -24,7 +24,8 @@ from arrangement.drawing.solids.sight import (
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.numbers.exact import IntegerVector
 from equilibrium.certificate.leaves import spatial_leaves
-from equilibrium.decide.spatial_verdict import NOT_RESISTED, solve_in_space
+from equilibrium.decide import NOT_RESISTED
+from equilibrium.decide.solver import solve
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, SMALL, Range
@@ -47,7 +48,7 @@ def solved_in_space(
     """Return the pieces of a grasp, with the equilibrium under a wrench, and what is said of it."""
     if wrench is None:
         return SolidGrasp(grasp), ""
-    verdict = solve_in_space(grasp, wrench, **within.bounds)
+    verdict = solve(grasp, wrench, **within.bounds)
     found = verdict.solution
     if found is None:
         return SolidGrasp(grasp, wrench=verdict.wrench), "; ".join(
@@ -200,12 +201,12 @@ def proof_in_space(grasp: Grasp, wrench: Wrench, width: float) -> Scene:
     Raises:
         GraspError: the wrench is resisted, or that is undecided.
     """
-    verdict = solve_in_space(grasp, wrench)
-    if verdict.verdict != NOT_RESISTED or verdict.certificate is None:
+    verdict = solve(grasp, wrench)
+    if verdict.verdict != NOT_RESISTED:
         raise GraspError(
             f"the wrench is {verdict.verdict}, so there is no proof that it is not; draw the grasp"
         )
-    leaves = list(spatial_leaves(grasp, verdict.certificate.to_dict()["tree"], verdict.within))
+    leaves = list(spatial_leaves(grasp, verdict.proof["tree"], verdict.within))
     if not leaves:
         raise GraspError(
             "contacts and wrench lie in one plane, and so does the proof; draw the planar grasp"

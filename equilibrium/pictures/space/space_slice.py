@@ -12,7 +12,7 @@ from arrangement.console.progress import watched
 from arrangement.drawing.colours import BLACK, VERMILION
 from arrangement.drawing.scene.scene import Floats, Legend, Scene
 from arrangement.numbers.exact import shown
-from equilibrium.decide.spatial_verdict import NOT_RESISTED, RESISTED, UNDECIDED
+from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal

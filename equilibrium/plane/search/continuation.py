@@ -17,9 +17,10 @@ import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
+from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import FloatContacts, IntegerContacts, SpatialContacts, nearest
 
-from .state_equilibrium import Guess, Solution, exact_equilibrium
+from .state_equilibrium import Guess, exact_equilibrium
 
 _STEPS = 30
 #: Sharpness grows by one over this, or less where a step fails.

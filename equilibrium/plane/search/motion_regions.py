@@ -23,10 +23,10 @@ from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, RationalVector, to_text
 from arrangement.numbers.float_filter import Floats
 from equilibrium.model.errors import TimeLimitError
+from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import IntegerContacts
 from equilibrium.plane.search.continuation import find_equilibrium, motion_scale
 from equilibrium.plane.search.part_program import Node
-from equilibrium.plane.search.state_equilibrium import Solution
 from equilibrium.plane.search.state_splits import StateSplits, TooManyParts
 from equilibrium.plane.search.virtual_motions import Regions, VirtualMotions, closed
 

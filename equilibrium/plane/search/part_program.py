@@ -18,9 +18,8 @@ import numpy as np
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, to_text
 from arrangement.numbers.linear import programs
+from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import IntegerContacts, product
-
-from .state_equilibrium import Solution
 
 #: A node of a proof, as certificates write it.
 Node: TypeAlias = Any

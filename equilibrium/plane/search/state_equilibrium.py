@@ -13,29 +13,16 @@ from fractions import Fraction
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.console.number_form import Documented
-from arrangement.numbers.exact import RationalVector, vector_text
+from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan, rank
+from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import IntegerContacts, product
 
 #: Shares of the friction limit are multiples of one over this.
 _SHARES = 2**14
 #: Rounded motions are multiples of one over this.
 _COARSE = 16
-
-
-@dataclass(frozen=True)
-class Solution(Documented):
-    """One equilibrium: the motion, and the (normal, tangential) force at each contact."""
-
-    in_document = ("motion", "forces")
-
-    motion: RationalVector
-    forces: tuple[tuple[Fraction, Fraction], ...]
-
-    def __repr__(self) -> str:
-        return f"<Solution: motion {vector_text(self.motion)}, {len(self.forces)} forces>"
 
 
 @dataclass(frozen=True)

@@ -13,10 +13,10 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot
+from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import IntegerContacts
 
 from .part_program import Cut, Node, PartProgram, RegionRows, States
-from .state_equilibrium import Solution
 
 _ZERO = Fraction(0)
 

@@ -16,10 +16,10 @@ from typing import Any
 from arrangement.numbers.exact import IntegerVector, RationalVector, primitive, rational, to_text
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import Range
+from equilibrium.model.solution import Solution
 
 from .motion_regions import HALF_SPACE, ORTHANTS
 from .part_program import Node
-from .state_equilibrium import Solution
 
 #: Bits of a number that is a unit itself.
 _SHORT = 48

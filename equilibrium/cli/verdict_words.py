@@ -1,0 +1,156 @@
+"""What each answer prints: equilibria, or a short proof that a wrench is not resisted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+from arrangement.console.number_form import DIGITS, counted, number, vector
+from arrangement.numbers.exact import RationalVector, dot
+from equilibrium.certificate.leaves import SpatialLeaf, parts, spatial_leaves, works
+from equilibrium.certificate.reading import read_plane
+from equilibrium.model.contact import pyramid_words
+from equilibrium.model.range import NO_RANGE, Range
+
+if TYPE_CHECKING:
+    from equilibrium.certificate.leaves import ClosedPart
+    from equilibrium.decide.verdict import Verdict
+    from equilibrium.model.grasp import Grasp
+    from equilibrium.model.solution import Solution
+    from equilibrium.plane.states.equilibrium import Equilibrium
+
+#: Longer proofs are only counted.
+_MOST = 3
+_UNFELT = "that no attached contact feels"
+
+
+def verdict_lines(
+    found: Verdict, every: bool | None = None, path: str | None = None
+) -> Iterator[str]:
+    """Yield the answer, its equilibria or the proof that there is none, and warnings.
+
+    Args:
+        every: see `Verdict.to_dict`.
+        path: where the certificate was written, if it was.
+    """
+    within = pyramid_words(found.pyramid, before=", with ") + str(found.within)
+    solution = found.solution
+    if not found.decided:
+        yield f"undecided{within}: neither an equilibrium nor a proof that there is none; " + (
+            found.reason
+        )
+        yield f"best motion found: {found.residual:.2g} of the largest force is left over"
+    elif solution is None:
+        yield from _refusal(found, within, path)
+    elif found.lists_all(every):
+        yield from piece_lines(found.equilibria, found.grasp, found.within)
+    else:
+        how = (
+            "the equilibrium found is below; there may be others, and --all lists them"
+            if found.grasp.dimension == 2
+            else "an exact equilibrium"
+            if solution.box is None
+            else "exactly one equilibrium lies in a box of intervals"
+        )
+        yield f"resisted{within}: {how}"
+        if solution.box is not None and solution.box.idle:
+            yield f"  (but for motions {_UNFELT}, as a turn about the line of two)"
+        yield from _equilibrium_lines(found.grasp, solution, found.states)
+    yield from found.warnings
+
+
+def piece_lines(
+    pieces: Sequence[Equilibrium], grasp: Grasp, within: Range = NO_RANGE
+) -> Iterator[str]:
+    """Yield what is said of all equilibria in the plane."""
+    if not pieces:
+        yield f"not resisted{within}: no contact state admits an equilibrium"
+        return
+    yield f"resisted{within}: {counted(len(pieces), 'equilibrium', 'equilibria')}"
+    for piece in pieces:
+        freedom = "(of least norm; neither motion nor forces need be determined)"
+        if piece.forces_determined:
+            freedom = "(of least norm; the forces are determined, the motion is not)"
+        more = "" if piece.unique else f"  {freedom}"
+        yield from _equilibrium_lines(grasp, piece, piece.states, more)
+
+
+def _equilibrium_lines(
+    grasp: Grasp, found: Equilibrium | Solution, states: Iterable[str], freedom: str = ""
+) -> Iterator[str]:
+    rounded = getattr(found, "box", None) is not None
+    shown = _floats if rounded else vector
+    yield f"  motion {shown(found.motion)}{freedom}"
+    for i, (contact, state, force) in enumerate(zip(grasp, states, found.forces, strict=True), 1):
+        moves = any(dot(row, found.motion) for row in contact.tangential_wrenches)
+        still = state.startswith("slip") and not moves
+        why = "  (not slipping: at the edge of its cone)" if still else ""
+        yield f"    contact {i}  {state:<8}  force {shown(force)}{why}"
+
+
+def _refusal(found: Verdict, within: str, path: str | None) -> Iterator[str]:
+    if found.grasp.dimension == 2:
+        yield from piece_lines((), found.grasp, found.within)
+        yield from _proof_lines(found, path)
+        return
+    leaves, tree = found.verify().leaves, found.proof["tree"]
+    where = " in the plane of the contacts" if read_plane(tree) else ""
+    yield f"not resisted{within}: proof{where} with {counted(leaves, 'leaf', 'leaves')}"
+    if leaves <= _MOST:
+        for leaf in spatial_leaves(found.grasp, tree, found.within):
+            yield from _leaf_lines(found.wrench, leaf)
+
+
+def _proof_lines(verdict: Verdict, path: str | None) -> Iterator[str]:
+    """Yield the cases of the proof of a "no" if they are few, else the number of its leaves."""
+    found = list(parts(verdict.proof))
+    cases = _cases(found)
+    if not 0 < len(cases) <= _MOST:
+        where = f", in {path}" if path else "; --certificate OUT.json writes it"
+        yield f"proof: {len(found)} leaves{where}"
+        return
+    yield f"proof{verdict.within}: whatever the contacts do, no forces balance"
+    for where, together in cases.items():
+        done = works(verdict.grasp, verdict.wrench, together, verdict.within)
+        yield (
+            f"  {where}on the virtual motion {vector(together[0].leaf.motion)} the load does work "
+            f"{number(done.load)}, the contacts at least {number(done.least)}"
+        )
+        for i, factor in enumerate(done.factors, 1):
+            work = "none" if factor is None else f"at least {number(factor)} times its normal force"
+            yield f"    contact {i}  {work}"
+
+
+def _cases(found: list[ClosedPart]) -> dict[str, list[ClosedPart]]:
+    """Return the parts by conditions in words; none if they cannot be told in signs and states.
+
+    Orthants with one virtual motion are one case if they fill the part with their common signs.
+    """
+    groups: dict[Any, list[ClosedPart]] = {}
+    for part in found:
+        if any(sum(map(abs, g)) > 1 for g in part.region):
+            return {}
+        groups.setdefault((part.leaf.motion, *part.states.items()), []).append(part)
+    cases = {}
+    for (_, *states), together in groups.items():
+        words = []
+        for axis, name in enumerate("xyr", 1):
+            signs = {sum(g[axis] for g in part.region) for part in together} - {0}
+            words += [f"{name} {'>=' if max(signs) > 0 else '<='} 0"] if len(signs) == 1 else []
+        if len(together) != (1 if len(together[0].region) == 7 else 2 ** (3 - len(words))):
+            return {}
+        words += [f"contact {i + 1} {state}" for i, state in states]
+        cases[f"{', '.join(words)}: " if words else ""] = together
+    return cases
+
+
+def _leaf_lines(wrench: RationalVector, leaf: SpatialLeaf) -> Iterator[str]:
+    states = ", ".join(f"contact {i + 1} {words}" for i, words in sorted(leaf.states.items()))
+    yield f"  {states or 'whatever the contacts do'}:"
+    yield f"    on the virtual motion {vector(leaf.motion)} the load does work"
+    work = number(dot(wrench, leaf.motion))
+    yield f"    {work}, and all contacts together at least {number(leaf.least)}"
+
+
+def _floats(numbers: RationalVector) -> str:
+    return f"(≈{', ≈'.join(f'{float(x):.{DIGITS}g}' for x in numbers)})"

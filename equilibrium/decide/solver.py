@@ -1,0 +1,217 @@
+"""The complete decision: does a grasp hold a wrench passively, and in which ways.
+
+In the plane a search finds an equilibrium or a tree of virtual motions. All equilibria are found in
+another way: each satisfies the conditions of one of `contact_states`, which are linear; one system
+for each is solved. In space the search may end without either.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Iterable, Iterator
+from functools import cached_property
+from typing import Any
+
+from arrangement.console.number_form import Shown
+from arrangement.console.progress import watched
+from arrangement.numbers.exact import RationalVector
+from equilibrium.model.contact import FLAT, pyramid_edges
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.range import Range
+from equilibrium.model.solution import Solution
+from equilibrium.plane.contacts import FloatContacts, IntegerContacts, SpatialContacts
+from equilibrium.plane.search.motion_regions import resistance
+from equilibrium.plane.search.units import SearchUnits
+from equilibrium.plane.states.contact_states import Codes, state_codes, states_at, states_of_code
+from equilibrium.plane.states.equilibrium import Equilibrium, equilibrium_of, maximal
+from equilibrium.plane.states.interval_filter import Screen
+from equilibrium.plane.states.state_system import States, state_system
+
+from . import NOT_RESISTED, RESISTED, UNDECIDED
+from .verdict import Verdict
+
+
+def solve(
+    grasp: Grasp,
+    wrench: Iterable[Any],
+    *,
+    time_limit: float | None = None,
+    shorten: bool = False,
+    nodes: int | None = None,
+    pyramid: int | None = None,
+    largest_turn: Any = None,
+    largest_force: Any = None,
+) -> Verdict:
+    """Decide exactly whether a grasp resists a wrench; the verdict finds all ways when asked.
+
+    Args:
+        grasp: contacts in the object frame.
+        wrench: applied, ``(f_x, f_y, tau)``, the torque about the origin; in space
+            ``(f_x, f_y, f_z, tau_x, tau_y, tau_z)``.
+        time_limit: in seconds; none by default. In space the verdict is undecided when it is over.
+        shorten: in the plane look longer for a smaller proof that nothing balances the wrench.
+        nodes: in space, of a tree; when they do not do the verdict is undecided.
+        pyramid: in space, edges of a friction pyramid in place of the round cone, see
+            `pyramid_edges`; then every verdict is decided, exactly, if nodes and time do.
+        largest_turn, largest_force: only equilibria count whose rotation (in space the length of
+            the rotation vector) and whose normal force at each contact are at most that; exact
+            numbers.
+
+    Raises:
+        TimeLimitError: in the plane, the time has passed without an answer.
+        GraspError: a wrench of the wrong length, or a pyramid in the plane or of no such number.
+
+    The search is in floating point, each answer exact. In the plane it always ends: see
+    "Completeness" in the documentation of proofs. On random grasps the time is nearly linear in the
+    number of contacts.
+
+    >>> from equilibrium.grasps.files import read_grasp
+    >>> solve(read_grasp("paper-three-contacts-preload-1"), [0, 1, 0]).stable
+    True
+    >>> solve(read_grasp("two-opposed-fingers"), [0, "3/5", "4/5", 0, 0, 0]).verdict
+    'resisted'
+    """
+    solver = Solver(grasp, largest_turn, largest_force, pyramid)
+    return solver.solve(wrench, time_limit=time_limit, shorten=shorten, nodes=nodes)
+
+
+class Solver(Shown):
+    """A grasp prepared for many wrenches: what one question computes serves the next.
+
+    Every function about the wrenches that a planar grasp resists takes a solver in its place.
+    With bounds only equilibria in their range count; see the function `solve`.
+
+    >>> from equilibrium.grasps.files import read_grasp
+    >>> solver = Solver(read_grasp("paper-three-contacts-preload-1"))
+    >>> [verdict.stable for verdict in solver.solve_many([[0, 1, 0], [0, 2, 0]])]
+    [True, False]
+    """
+
+    shown_fields = ("grasp",)
+
+    def __init__(
+        self,
+        grasp: Grasp,
+        largest_turn: Any = None,
+        largest_force: Any = None,
+        pyramid: int | None = None,
+    ) -> None:
+        if pyramid is not None and grasp.dimension == 2:
+            raise GraspError(FLAT)
+        self.grasp, self.within = grasp, Range.of(largest_turn, largest_force)
+        self.pyramid = pyramid
+        self._scaled: dict[Range, IntegerContacts] = {}
+
+    @cached_property
+    def _codes(self) -> Codes:
+        self.grasp.require_plane()
+        return state_codes(self.grasp)
+
+    @cached_property
+    def screen(self) -> Screen:
+        """The systems of all choices of contact states in floating point, with error bounds."""
+        return Screen(FloatContacts(self.grasp), self._codes)
+
+    @property
+    def states(self) -> tuple[States, ...]:
+        """The choices of contact states; see `contact_states`."""
+        return tuple(map(states_of_code, self._codes.tolist()))
+
+    def solve(
+        self,
+        wrench: Iterable[Any],
+        *,
+        time_limit: float | None = None,
+        shorten: bool = False,
+        nodes: int | None = None,
+    ) -> Verdict:
+        """Decide one wrench; see the function `solve`."""
+        applied = read_wrench(wrench, self.grasp.dimension)
+        if self.grasp.dimension == 3:
+            return self._in_space(applied, time_limit, nodes)
+        units = SearchUnits.of(self.grasp, applied)
+        # Without preload no number of the contacts depends on the unit of force, with it that is
+        # the grasp's own; so all wrenches share them but for the range.
+        within = units.range(self.within)
+        scaled = self._scaled.get(within)
+        if scaled is None:
+            scaled = IntegerContacts(units.grasp(self.grasp), within)
+            self._scaled = {within: scaled}
+        found = resistance(scaled, units.wrench(applied), time_limit, shorten)
+        if isinstance(found, Solution):
+            return self._verdict(applied, units.solution_back(found))
+        return self._verdict(applied, units.tree_back(found))
+
+    def _in_space(
+        self, wrench: RationalVector, time_limit: float | None, nodes: int | None
+    ) -> Verdict:
+        from equilibrium.space.cones import Pyramids
+        from equilibrium.space.tree import NODES, Open, SpatialSearch
+
+        cones = None if self.pyramid is None else Pyramids(pyramid_edges(self.pyramid))
+        deadline = math.inf if time_limit is None else time.monotonic() + time_limit
+
+        def accept(found: Solution) -> bool:
+            return bool(self._verdict(wrench, found).verify())
+
+        contacts, most = SpatialContacts(self.grasp), NODES if nodes is None else nodes
+        search = SpatialSearch(contacts, wrench, accept, deadline, most, self.within, cones)
+        found = search.decide()
+        if isinstance(found, Open):
+            return self._verdict(wrench, None, UNDECIDED, found.reason, found.residual)
+        return self._verdict(wrench, found)
+
+    def _verdict(
+        self,
+        wrench: RationalVector,
+        found: Any,
+        answer: str = NOT_RESISTED,
+        reason: str = "",
+        residual: float = 0.0,
+    ) -> Verdict:
+        """Return the verdict of an equilibrium, of a tree, or of neither."""
+        held = found if isinstance(found, Solution) else None
+        tree = None if held else found
+        question = self.grasp, wrench, RESISTED if held else answer, held, tree
+        how = self._equilibria, solve, self.within, self.pyramid
+        return Verdict(*question, *how, reason, residual)
+
+    def solve_many(self, wrenches: Iterable[Iterable[Any]]) -> Iterator[Verdict]:
+        """Decide one wrench after the other."""
+        return map(self.solve, wrenches)
+
+    def _equilibria(self, wrench: RationalVector) -> tuple[Equilibrium, ...]:
+        """Return the maximal pieces of all solutions: every choice of contact states is decided.
+
+        The states at a motion on the border of normal planes may be none of the choices; where
+        they hold more of the solutions, theirs is the piece to report.
+        """
+        possible = self._codes[self.screen.possible(wrench)].tolist()
+
+        def piece_of(states: States) -> Equilibrium | None:
+            return equilibrium_of(state_system(self.grasp, states, wrench, within=self.within))
+
+        tried = map(states_of_code, watched(possible, "contact states"))
+        pieces = [piece for piece in map(piece_of, tried) if piece]
+        known = {piece.states for piece in pieces}
+        for piece in pieces:
+            states = states_at(self.grasp, piece.motion)
+            if states not in known:
+                known.add(states)
+                further = piece_of(states)
+                if further:
+                    pieces.append(further)
+        return maximal(pieces)
+
+
+def prepare(grasp: Grasp | Solver) -> Solver:
+    """Return the solver of a planar grasp; a solver is returned as it is.
+
+    Raises:
+        GraspError: the grasp is in space.
+    """
+    solver = grasp if isinstance(grasp, Solver) else Solver(grasp)
+    solver.grasp.require_plane()
+    return solver
