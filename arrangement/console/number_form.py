@@ -113,10 +113,35 @@ DIGITS = 6
 
 @dataclass(frozen=True)
 class Form:
-    """Whether every number is written exactly, or else with how many digits the long ones."""
+    """How numbers are written.
+
+    Attributes:
+        exact: every number exactly, however long.
+        digits: of a number that is not written exactly.
+        longest: characters up to which a number is.
+        minus: the sign.
+    """
 
     exact: bool = False
     digits: int = DIGITS
+    longest: int = 12
+    minus: str = "-"
+
+    def number(self, value: Fraction | int) -> str:
+        """Return a number as text.
+
+        >>> LABEL.number(Fraction(-1, 2)), LABEL.number(Fraction(10**20 + 1, 3))
+        ('−1/2', '≈3.333e+19')
+        """
+        if not self.exact:
+            text = number_text(value, self.digits, self.longest)
+        else:
+            text = to_text(value) if isinstance(value, (int, Fraction)) else repr(value)
+        return text.replace("-", self.minus)
+
+    def vector(self, numbers: Iterable[Fraction | int]) -> str:
+        """Return numbers in parentheses."""
+        return f"({', '.join(map(self.number, numbers))})"
 
     @contextmanager
     def used(self) -> Iterator[None]:
@@ -130,19 +155,27 @@ class Form:
 
 _USUAL = Form()
 _form: ContextVar[Form] = ContextVar("_form", default=_USUAL)
+#: All digits; labels of pictures.
+EXACT, LABEL = Form(exact=True), Form(digits=4, longest=7, minus="−")
 
 
 def number(value: Fraction | int) -> str:
     """Return a number as the command that runs writes it."""
-    form = _form.get()
-    if not form.exact:
-        return number_text(value, form.digits)
-    return to_text(value) if isinstance(value, (int, Fraction)) else repr(value)
+    return _form.get().number(value)
 
 
 def vector(numbers: Iterable[Fraction | int]) -> str:
     """Return numbers in parentheses."""
-    return f"({', '.join(map(number, numbers))})"
+    return _form.get().vector(numbers)
+
+
+def near(value: float | Fraction, digits: int = DIGITS) -> str:
+    """Return a number that is known to be rounded.
+
+    >>> near(2 / 3, 2)
+    '≈0.67'
+    """
+    return f"≈{float(value):.{digits}g}"
 
 
 def sign_text(signs: Sequence[int], minus: str = "-") -> str:

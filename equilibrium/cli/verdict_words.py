@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from arrangement.console.number_form import DIGITS, counted, number, vector
+from arrangement.console.number_form import counted, near, number, vector
 from arrangement.numbers.exact import RationalVector, dot
 from equilibrium.certificate.leaves import SpatialLeaf, parts, spatial_leaves, works
 from equilibrium.certificate.reading import read_plane
@@ -153,4 +153,4 @@ def _leaf_lines(wrench: RationalVector, leaf: SpatialLeaf) -> Iterator[str]:
 
 
 def _floats(numbers: RationalVector) -> str:
-    return f"(≈{', ≈'.join(f'{float(x):.{DIGITS}g}' for x in numbers)})"
+    return f"({', '.join(map(near, numbers))})"

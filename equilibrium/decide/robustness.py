@@ -16,7 +16,7 @@ from itertools import islice
 from random import Random
 from typing import Any
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import Shown, near
 from arrangement.numbers.exact import RationalVector, to_text
 from equilibrium.certificate.document import Certificate, bounded_certificate
 from equilibrium.certificate.robust import Bounds
@@ -138,11 +138,11 @@ class WithinError(Shown):
 
 def _change_lines(other: Any, change: dict[str, Fraction]) -> Iterator[str]:
     for i, c in enumerate(other.grasp, 1):
-        point, normal = (", ".join(f"≈{float(x):.10g}" for x in v) for v in (c.point, c.normal))
-        friction = f"≈{float(c.friction):.6g}"
+        point, normal = (", ".join(near(x, 10) for x in v) for v in (c.point, c.normal))
+        friction = near(c.friction)
         yield f"    contact {i}  point ({point})  normal ({normal})  friction {friction}"
-    sizes = ", ".join(f"{k} by ≈{float(x):.2g}" for k, x in change.items() if k != "kept" and x)
-    least = f"; ≈{float(change['kept']):.2g} times as much does not turn the verdict"
+    sizes = ", ".join(f"{k} by {near(x, 2)}" for k, x in change.items() if k != "kept" and x)
+    least = f"; {near(change['kept'], 2)} times as much does not turn the verdict"
     yield f"    changed by up to: {sizes}{least if change['kept'] else ''}"
     yield "    found by search: a smaller change may turn it, too"
     yield from (f"    {line}" for line in other.warnings)

@@ -9,9 +9,9 @@ from collections.abc import Iterable
 from fractions import Fraction
 from html import escape
 
-from arrangement.console.number_form import counted
+from arrangement.console.number_form import Form, counted
 from arrangement.drawing.output import svg_text
-from arrangement.numbers.exact import number_text, to_text
+from arrangement.numbers.exact import to_text
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Solution
@@ -21,6 +21,7 @@ from .grasp.grasp import draw_grasp
 
 #: How many equilibria are listed, and how long an exact number may be before it is rounded.
 MOST_PIECES, LONGEST = 8, 24
+_CELL = Form(longest=LONGEST)
 
 
 def verdict_html(verdict: Verdict) -> str:
@@ -87,4 +88,4 @@ def _number(value: Fraction) -> str:
     if len(text) <= LONGEST:
         return escape(text)
     exact = text if len(text) <= 400 else f"{text[:400]}…"
-    return f'<span title="{escape(exact, quote=True)}">{number_text(value, longest=LONGEST)}</span>'
+    return f'<span title="{escape(exact, quote=True)}">{_CELL.number(value)}</span>'

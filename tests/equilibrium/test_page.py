@@ -9,13 +9,13 @@ from typing import Any
 
 import pytest
 
+from arrangement.console.number_form import LABEL
 from equilibrium import solve
 from equilibrium.certificate.leaves import parts, works
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures import proof_page, resist_page
-from equilibrium.pictures.parts.style import number, vector
 from tests.browser import Browser
 from tests.labs import enter
 
@@ -166,13 +166,14 @@ def expected(index: int) -> tuple[str, list[str]]:
     found = list(parts(verdict.certificate.to_dict()))
     part = found[index]
     done = works(GRASP, verdict.wrench, [part])
-    load, least, total = map(number, (done.load, done.least, done.load + done.least))
+    load, least, total = map(LABEL.number, (done.load, done.least, done.load + done.least))
     rows = [
-        "no force in this part" if factor is None else f"at least {number(factor)} c"
+        "no force in this part" if factor is None else f"at least {LABEL.number(factor)} c"
         for factor in done.factors
     ]
+    motion = LABEL.vector(part.leaf.motion)
     words = (
-        f"Part {index + 1} of {len(found)}. The virtual motion λ = {vector(part.leaf.motion)} ",
+        f"Part {index + 1} of {len(found)}. The virtual motion λ = {motion} ",
         f"the load does work {load}, the contacts at least {least}: together at least {total}, ",
     )
     return "|".join(words), rows

@@ -8,12 +8,11 @@ from functools import cached_property
 from typing import Any
 
 from arrangement.arrangement import Arrangement
-from arrangement.console.number_form import Form, vector
 from arrangement.drawing.colours import GREY, Colouring, DrawnRegion
 from arrangement.drawing.scene.labels import sign_text
 from arrangement.drawing.scene.scene import POINTS, Legend, Scene, Symbol
 from arrangement.errors import refusal
-from arrangement.numbers.exact import IntegerVector, RationalVector, shown, to_text
+from arrangement.numbers.exact import IntegerVector, shown, to_text
 
 LABELS = ("signs", "numbers", "none")
 #: Planes up to which sign vectors are written of themselves.
@@ -160,12 +159,6 @@ def equation(normal: IntegerVector, offset: int = 0) -> str:
                 factor = f"({factor}) " if " " in factor else f"{factor} "
             text += f"{joint}{factor}{name}"
     return f"{text} = {to_text(offset)}"
-
-
-def point_text(point: RationalVector) -> str:
-    """Return the exact coordinates of a point, however long they are."""
-    with Form(exact=True).used():
-        return vector(point)
 
 
 def generator_text(arrangement: Arrangement) -> str:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.console.number_form import counted
+from arrangement.console.number_form import EXACT, counted
 from arrangement.drawing.colours import SKIN, DrawnRegion, Painter, fill_colour, painter, pale
 from arrangement.drawing.figure import picture
 from arrangement.drawing.output import millimetres
@@ -33,7 +33,6 @@ from arrangement.pictures.parts.names import (
     equation,
     generator_text,
     plane_names,
-    point_text,
 )
 
 from .exploded_cells import Lifted, Stage, StagedAxes, sharp, unit_points, walls_of_edges
@@ -142,7 +141,7 @@ def cells_page(
         sign = "".join("+" if s > 0 else "\u2212" for s in cell.signs)
         planes = "; ".join(equation(firsts[w][:3], firsts[w][3]) for w in walls)
         whole = "whole" if len(walls) == len(set(cell.walls)) else "cut off"
-        point = point_text(regions[cell.signs].witness)
+        point = EXACT.vector(regions[cell.signs].witness)
         facts = [("planes", planes or "none"), ("a point", point), ("in the cube", whole)]
         told.append((sign or "all", facts))
     legend = [

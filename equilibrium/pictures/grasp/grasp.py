@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Corner, Exact, Vector, Wrench
@@ -25,9 +26,7 @@ from equilibrium.pictures.parts.style import (
     explain_grasp,
     mark,
     nice_near,
-    number,
     symbol,
-    vector,
 )
 from equilibrium.pictures.space.space_grasp import drawn_in_space, solved_in_space
 
@@ -243,7 +242,7 @@ def _bar(layout: Layout, scale: float) -> tuple[float, str] | None:
     force = nice_near(layout.reference)
     share = float(force / layout.reference) / layout.longest
     unit = f" {layout.grasp.units.force}" if layout.grasp.units else ""
-    return share * FORCE * scale, f"force {number(force)}{unit}"
+    return share * FORCE * scale, f"force {LABEL.number(force)}{unit}"
 
 
 def _describe(layout: Layout, legend: Legend, scale: float) -> None:
@@ -257,7 +256,9 @@ def _describe(layout: Layout, legend: Legend, scale: float) -> None:
         if name in states:
             legend.key(symbol(name), name)
     if layout.found is not None and layout.step is not None:
-        text = f"motion (x, y, r) = {vector(layout.found.motion)} × {number(layout.step)}"
+        text = (
+            f"motion (x, y, r) = {LABEL.vector(layout.found.motion)} × {LABEL.number(layout.step)}"
+        )
         legend.key(symbol("shift" if layout.curve is None else "motion"), text)
     if (found := _bar(layout, scale)) is not None:
         legend.key(bar(found[0]), found[1])
@@ -269,7 +270,7 @@ def _lines(layout: Layout) -> Iterator[tuple[str, bool]]:
         return
     if layout.moved:
         assert layout.applied is not None
-        torque = number(layout.applied[2])
+        torque = LABEL.number(layout.applied[2])
         yield f"w drawn about the middle of the contacts, torque {torque}", False
     if found is not None and layout.step is None:
         yield "no motion", False

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLUE, GREY, VERMILION, fill_colour, pale
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact, Wrench
@@ -22,7 +23,7 @@ from equilibrium.decide.verdict import Verdict
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.panel import ABOVE, BELOW, GAP, LEFT, RIGHT, Panel
-from equilibrium.pictures.parts.style import number, symbol, vector
+from equilibrium.pictures.parts.style import symbol
 from equilibrium.pictures.parts.window import roomiest
 from equilibrium.pictures.space.space_grasp import proof_in_space
 
@@ -103,7 +104,7 @@ def draw_proof(
     for line in _EXAMPLES[len(grasp) > _WRITTEN]:
         legend.line(line)
     for motion, i in list(ranks.items())[:_NAMED]:
-        legend.key(symbol(_fill(i)), f"{i + 1}: λ = {vector(motion)}")
+        legend.key(symbol(_fill(i)), f"{i + 1}: λ = {LABEL.vector(motion)}")
     return scene
 
 
@@ -154,7 +155,7 @@ def _example(
     scale = size / 2 / half
     drawn = _grasp(scene, layout, scale, middle, name)
     done = works(verdict.grasp, verdict.wrench, together, verdict.within)
-    load, least, both = map(number, (done.load, done.least, done.load + done.least))
+    load, least, both = map(LABEL.number, (done.load, done.least, done.load + done.least))
     for k, text in enumerate((f"{i + 1}: load {load}, contacts ≥ {least}", f"together ≥ {both}")):
         place = middle[0], middle[1] + size / 2 + 12 - 9 * k
         scene.text(place, text, weight="normal" if k else "bold")
@@ -183,6 +184,6 @@ def _example(
     if len(verdict.grasp) <= _WRITTEN:
         drawn.numbers()
         for k, (factor, colour) in enumerate(zip(done.factors, colours, strict=True)):
-            text = "no force" if factor is None else f"{number(factor)} c"
+            text = "no force" if factor is None else f"{LABEL.number(factor)} c"
             out = -layout.normals[k]
             drawn.labels.beside(text, drawn.places[k], out, color=colour, gid=f"{name}work-{k + 1}")

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
+from arrangement.console.number_form import LABEL
 from arrangement.drawing.registry import Exact, Wrench
 from arrangement.drawing.scene.scene import Floats, area
 from arrangement.numbers.exact import IntegerVector, RationalVector, primitive, rational
@@ -18,7 +19,7 @@ from equilibrium.decide.verdict import Verdict
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.body import Frame, frame_of
-from equilibrium.pictures.parts.style import nice_near, number, vector
+from equilibrium.pictures.parts.style import nice_near
 from equilibrium.pictures.parts.window import Window
 from equilibrium.plane.contact_rows import negated, normal_force_row, slip_row
 
@@ -130,7 +131,7 @@ def summary_lines(maps: ProofMaps, named: int) -> Iterator[str]:
     """Yield what is shown, in words; `named` virtual motions are named beside."""
     some = f", {named} of them named" if len(maps.ranks) > named else ""
     yield (
-        f"w = {vector(maps.verdict.wrench)} is not resisted; "
+        f"w = {LABEL.vector(maps.verdict.wrench)} is not resisted; "
         + (f"{maps.verdict.doubt}; " if maps.verdict.doubt else "")
         + f"regions of motions: {len(maps.parts)}; "
         f"virtual motions λ = (x, y, r): {len(maps.ranks)}{some}"
@@ -138,6 +139,6 @@ def summary_lines(maps: ProofMaps, named: int) -> Iterator[str]:
     yield (
         "regions: motions of every size; farther centres and translations lie beyond the edges"
         if maps.angle is None
-        else f"regions: only the motions with r = {number(maps.angle)} (left) and r = "
-        f"{number(-maps.angle)} (right) are shown; the proof has all"
+        else f"regions: only the motions with r = {LABEL.number(maps.angle)} (left) and r = "
+        f"{LABEL.number(-maps.angle)} (right) are shown; the proof has all"
     )

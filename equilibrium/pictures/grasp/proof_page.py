@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import fill_colour, pale
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
 from arrangement.drawing.registry import Exact, Wrench
@@ -19,7 +20,7 @@ from arrangement.drawing.scene.scene import area
 from arrangement.numbers.exact import RationalVector, sign, to_text
 from equilibrium.certificate.leaves import ClosedPart, works
 from equilibrium.model.grasp import Grasp
-from equilibrium.pictures.parts.style import SKETCH_SCRIPT, SKETCH_STYLE, number, vector
+from equilibrium.pictures.parts.style import SKETCH_SCRIPT, SKETCH_STYLE
 from equilibrium.pictures.parts.window import roomiest
 
 from .layout import Layout, shift_at
@@ -53,7 +54,7 @@ def proof_page(
     """
     maps = proof_maps(grasp, wrench, turn)
     heading = (
-        title if title is not None else f"Why w = {vector(maps.verdict.wrench)} is not resisted"
+        f"Why w = {LABEL.vector(maps.verdict.wrench)} is not resisted" if title is None else title
     )
     shapes = sorted(maps.shapes, key=lambda shape: -area(shape.corners))
     places = {id(part): i for i, part in enumerate(maps.parts)}
@@ -99,13 +100,13 @@ def _motion(maps: ProofMaps, motion: RationalVector) -> dict[str, Any]:
     centre = None
     if r:
         point = (-y / r, x / r)
-        words = f"turns the object {TURNS[sign(r)]} about {vector(point)}"
+        words = f"turns the object {TURNS[sign(r)]} about {LABEL.vector(point)}"
         place = maps.window.paper(point)
         centre = _floats(MAP * place) if abs(place).max() <= 1 else None
     else:
-        words = f"moves the object along {vector((x, y))}"
+        words = f"moves the object along {LABEL.vector((x, y))}"
     return {
-        "text": vector(motion),
+        "text": LABEL.vector(motion),
         "exact": f"({', '.join(map(to_text, motion))})",
         "words": words,
         "turn": sign(r),
@@ -122,9 +123,9 @@ def _part(maps: ProofMaps, part: ClosedPart) -> dict[str, Any]:
         "motion": maps.ranks[part.leaf.motion],
         "cone": [f"({', '.join(map(to_text, generator))})" for generator in part.region],
         "states": [f"contact {i + 1} {state}" for i, state in part.states.items()],
-        "works": [number(value) for value in (done.load, done.least, total)],
+        "works": [LABEL.number(value) for value in (done.load, done.least, total)],
         "exact": [to_text(value) for value in (done.load, done.least, total)],
-        "factors": [None if factor is None else number(factor) for factor in done.factors],
+        "factors": [None if factor is None else LABEL.number(factor) for factor in done.factors],
     }
 
 

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
+from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALETTE, VERMILION
 from arrangement.drawing.scene.scene import POINTS, Floats, Legend, Scene, Symbol
 from arrangement.drawing.scene.shapes import arc, arrow
-from arrangement.numbers.exact import RationalVector, number_text
+from arrangement.numbers.exact import RationalVector
 from arrangement.pictures.parts.names import HALF, WIDTH, canvas, stroke, swatch
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.units import Units
@@ -40,20 +41,6 @@ def rounded(value: Fraction | int) -> float:
         return math.inf if value > 0 else -math.inf
 
 
-def number(value: Fraction | int) -> str:
-    """Return a number as a label: exact where that is short, else rounded with a sign that says so.
-
-    >>> number(Fraction(-1, 2)), number(Fraction(10**20 + 1, 3))
-    ('−1/2', '≈3.333e+19')
-    """
-    return number_text(value, 4, 7).replace("-", "−")
-
-
-def vector(values: Iterable[Fraction | int]) -> str:
-    """Return a vector as a label."""
-    return f"({', '.join(map(number, values))})"
-
-
 def wrench_text(wrench: RationalVector, units: Units | None) -> str:
     """Return a wrench as a label, with its units where they are stated.
 
@@ -61,10 +48,10 @@ def wrench_text(wrench: RationalVector, units: Units | None) -> str:
     'w = (0, 3) N, 1/2 N cm'
     """
     if units is None:
-        return f"w = {vector(wrench)}"
+        return f"w = {LABEL.vector(wrench)}"
     k = (len(wrench) + 1) // 2
-    torque = number(wrench[2]) if k == 2 else vector(wrench[k:])
-    return f"w = {vector(wrench[:k])} {units.force}, {torque} {units.torque}"
+    torque = LABEL.number(wrench[2]) if k == 2 else LABEL.vector(wrench[k:])
+    return f"w = {LABEL.vector(wrench[:k])} {units.force}, {torque} {units.torque}"
 
 
 def ticks(middle: Fraction, half: Fraction, factor: Fraction = _ONE) -> Iterator[tuple[float, str]]:

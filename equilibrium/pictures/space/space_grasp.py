@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLACK, GREY, PALE
 from arrangement.drawing.registry import Vector, Wrench
 from arrangement.drawing.scene.labels import Labels
@@ -29,7 +30,7 @@ from equilibrium.decide.solver import solve
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, SMALL, Range
-from equilibrium.pictures.parts.style import CONE_EDGE, CONE_FILL, explain_grasp, number, symbol
+from equilibrium.pictures.parts.style import CONE_EDGE, CONE_FILL, explain_grasp, symbol
 
 from .solid_grasp import INKS, SolidGrasp
 
@@ -226,6 +227,6 @@ def proof_in_space(grasp: Grasp, wrench: Wrench, width: float) -> Scene:
         against = ", ".join(f"{i + 1} {text}" for i, text in sorted(states.items()))
         scene.legend.line(
             f"{k} of {len(leaves)}: {against or 'whatever the contacts do'}; λ is "
-            f"{screw_text(solid)}; the load does work {number(work)}"
+            f"{screw_text(solid)}; the load does work {LABEL.number(work)}"
         )
     return scene

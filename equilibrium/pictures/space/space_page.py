@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.console.number_form import counted
+from arrangement.console.number_form import LABEL, counted
 from arrangement.drawing.colours import BLACK
 from arrangement.drawing.output import millimetres
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage, page_face
@@ -19,7 +19,7 @@ from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.errors import InputError
 from equilibrium.model.contact import VALUES
 from equilibrium.model.grasp import Grasp
-from equilibrium.pictures.parts.style import CONE_EDGE, CONE_FILL, number, vector, wrench_text
+from equilibrium.pictures.parts.style import CONE_EDGE, CONE_FILL, wrench_text
 
 from .pieces import Arrow, head_of, open_edges
 from .solid_grasp import INKS, SolidGrasp
@@ -90,8 +90,8 @@ def _face(patch: Patch) -> PageFace:
 def _told(solid: SolidGrasp, i: int) -> list[tuple[str, str]]:
     """Return what the page says of a contact."""
     contact = solid.grasp.contacts[i]
-    facts = [("point", vector(contact.point)), ("normal", vector(contact.normal))]
-    facts += [(name, number(getattr(contact, name))) for name in VALUES]
+    facts = [("point", LABEL.vector(contact.point)), ("normal", LABEL.vector(contact.normal))]
+    facts += [(name, LABEL.number(getattr(contact, name))) for name in VALUES]
     if solid.forces:
         force = ", ".join(f"{float(x):.4g}" for x in solid.forces[i])
         facts.append(("force", f"({force})"))

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from fractions import Fraction
 
+from arrangement.console.number_form import LABEL
 from arrangement.console.progress import watched
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact, Wrench
@@ -16,7 +17,7 @@ from equilibrium.methods.registry import METHODS, WITH_REGION, method_named
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.panel import PlaneQuestion, explain_borders, fill_of, row_of_panels
-from equilibrium.pictures.parts.style import FILLS, SHADE, SYMBOLS, number, symbol, wrench_text
+from equilibrium.pictures.parts.style import FILLS, SHADE, SYMBOLS, symbol, wrench_text
 from equilibrium.pictures.parts.window import joint_window
 from equilibrium.pictures.space.space_slice import slice_in_space
 from equilibrium.plane.states.state_system import States
@@ -50,7 +51,7 @@ def draw_resist(
     window = joint_window([region], question.marked, half, pieces=True)
     scene, (panel,) = row_of_panels(1, window, width, grasp)
     unit = f" {grasp.units.torque}" if grasp.units else ""
-    panel.title(f"resisted forces at torque {number(torque)}{unit}")
+    panel.title(f"resisted forces at torque {LABEL.number(torque)}{unit}")
     states = panel.region(region)
     _describe(grasp, region, states, question, scene.legend)
     if half is None:
@@ -178,9 +179,9 @@ def draw_parts(
     scene, panels = row_of_panels(len(parts), window, width, grasp, columns)
     legend = scene.legend
     if any(region.polygons for region in found):
-        legend.key(symbol(SHADE), f"resisted forces at torque {number(question.torque)}")
+        legend.key(symbol(SHADE), f"resisted forces at torque {LABEL.number(question.torque)}")
     else:
-        legend.line(f"nothing is resisted at torque {number(question.torque)}")
+        legend.line(f"nothing is resisted at torque {LABEL.number(question.torque)}")
     explain_borders(legend, found, fades)
     if question.wrench is not None:
         legend.key(symbol("wrench-points"), f"{wrench_text(question.wrench, grasp.units)}: yes, no")
@@ -202,7 +203,7 @@ def slices(grasp: Grasp, torque: Fraction, preload: Fraction | None) -> list[tup
         title, loaded = "(c) the preloads of the grasp", grasp
     else:
         chosen = (max(own, default=0) or 1) if preload is None else preload
-        title, loaded = f"(c) preload {number(chosen)}", grasp.with_preload(chosen)
+        title, loaded = f"(c) preload {LABEL.number(chosen)}", grasp.with_preload(chosen)
     return [
         ("(a) Grasp Wrench Space, L1", METHODS["wrench-space-L1"].region(grasp, origin=origin)),
         ("(b) no preload", resisted_region(grasp.with_preload(0), origin=origin)),

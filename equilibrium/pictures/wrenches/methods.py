@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import GREY
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Wrench
@@ -13,7 +14,7 @@ from equilibrium.methods import METHODS, Comparison, compare
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.pictures.parts.panel import explain_error
-from equilibrium.pictures.parts.style import MARKS, symbol, vector
+from equilibrium.pictures.parts.style import MARKS, symbol
 
 _ROW, _SIDE, _TINT = 4.6 * POINTS, 3.0 * POINTS, "#f3c9a5"
 _ANSWERS = {True: "accepted", False: "refusal", None: "silence"}
@@ -39,7 +40,7 @@ def draw_methods(grasp: Grasp, *, wrenches: Iterable[Wrench], width: float = 88.
     budget.keep(len(questions), "wrenches in a picture")
     answers = [compare(grasp, wrench) for wrench in questions]
     names = [answer.method for answer in answers[0].answers]
-    heads = [vector(wrench) for wrench in questions]
+    heads = [LABEL.vector(wrench) for wrench in questions]
     above = max(measure(head)[0] for head in heads) + 3.0 * POINTS
     height = above + _ROW * len(names) + 2.0 * POINTS
     scene = Scene(width, height / POINTS)

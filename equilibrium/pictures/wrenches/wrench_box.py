@@ -11,6 +11,7 @@ from statistics import median
 
 import numpy as np
 
+from arrangement.console.number_form import LABEL
 from arrangement.drawing.scene.scene import Floats
 from arrangement.drawing.solids.depth_tree import Node, depth_tree
 from arrangement.drawing.solids.sight import best_view, views
@@ -19,7 +20,7 @@ from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primit
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
 from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.grasp import Grasp
-from equilibrium.pictures.parts.style import number, rounded
+from equilibrium.pictures.parts.style import rounded
 from equilibrium.wrench_sets import Piece, resisted_set
 
 #: How far the box reaches beyond the corners of the set, as a share of the largest extent.
@@ -169,7 +170,7 @@ def box_text(grasp: Grasp, box: WrenchBox) -> str:
     """Return the extent of a box in words."""
     units = f" ({grasp.units.force}, {grasp.units.torque})" if grasp.units else ""
     texts = [
-        f"{name} {number(m - h)} to {number(m + h)}"
+        f"{name} {LABEL.number(m - h)} to {LABEL.number(m + h)}"
         for name, m, h in zip(NAMES, box.middle, box.half, strict=True)
     ]
     return f"box: {', '.join(texts)}{units}"
