@@ -193,9 +193,9 @@ def test_a_lecturer_brings_own_exercises(browser, tmp_path):
         ({"start": "1|1,2|0,0,0"}, "seven numbers"),
         ({"start": "1|0,0,1,1,1,1,0|0,0,0"}, "start: .*normal"),
         ({"fixed": ["colour"]}, "'colour'"),
-        ({"fixed": "points"}, "list of texts"),
+        ({"fixed": "points"}, "fixed is 'points'; expected a list"),
         ({"name": ""}, '"name" must be a text'),
-        ({"extra": 1}, 'no field "extra"'),
+        ({"extra": 1}, "unknown key 'extra'"),
     ],
 )
 def test_own_exercises_that_are_wrong_are_explained(change, why, tmp_path):
@@ -207,7 +207,8 @@ def test_own_exercises_that_are_wrong_are_explained(change, why, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("text", "why"), [("{", "no JSON"), ("[]", "schema_version"), ('{"schema_version": 1}', "list")]
+    ("text", "why"),
+    [("{", "not valid JSON"), ("[]", "JSON object"), ('{"schema_version": 1}', "exercises")],
 )
 def test_a_file_without_exercises_is_explained_and_nothing_is_written(text, why, tmp_path, capsys):
     path = tmp_path / "own.json"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Callable, Collection, Iterable, Mapping
 from importlib.resources.abc import Traversable
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import Any, TypeAlias
 
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, POLYGON, Template, one_page
 from arrangement.errors import InputError
+from arrangement.library.files.json_files import check_keys, check_list, read_document
 from arrangement.numbers.exact import shown
 
 _OWN = "arrangement.pictures.lab"
@@ -59,7 +61,7 @@ _LONGEST = 2000
 
 
 def read_exercises(
-    path: str | Path | Traversable,
+    source: str | Path | Traversable,
     goals: Goals,
     fixed: Collection[str],
     read_start: Callable[[str], object],
@@ -72,7 +74,7 @@ def read_exercises(
     of what must stay as it starts).
 
     Args:
-        path: of the file.
+        source: the file, by its path or as a part of a package.
         goals: what checks the value of each kind of goal.
         fixed: names that may stand in ``fixed``.
         read_start: what checks a start.
@@ -80,47 +82,38 @@ def read_exercises(
     Raises:
         InputError: no such form; the message names the exercise, the value and the rule.
     """
-    try:
-        source = Path(path) if isinstance(path, str) else path
-        form = json.loads(source.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"exercises: cannot read {path}: {error.strerror}") from None
-    except ValueError as error:
-        raise InputError(f"exercises: {path} is no JSON: {error}") from None
-    if not isinstance(form, dict) or form.get("schema_version") != 1:
-        raise InputError(f'exercises: {path} needs "schema_version": 1 and a list "exercises"')
-    entries = form.get("exercises")
-    if not isinstance(entries, list) or not entries:
-        raise InputError(f'exercises: "exercises" in {path} must be a list with an entry or more')
+    if isinstance(source, (str, os.PathLike)):
+        document = read_document(source, ("exercises",))
+    else:
+        document = read_document(json.loads(source.read_text("utf-8")), ("exercises",))
+    check_keys(document, ("schema_version", "exercises"), ("description",), "the document")
     read = []
-    for number, entry in enumerate(entries, 1):
+    for number, entry in enumerate(check_list(document["exercises"], "exercises"), 1):
         try:
             read.append(_exercise(entry, goals, fixed, read_start))
         except InputError as error:
             raise InputError(f"exercise {number}: {error}") from None
+    if not read:
+        raise InputError("exercises is an empty list; write one or more")
     return read
 
 
 def _exercise(
     entry: Any, goals: Goals, fixed: Collection[str], read_start: Callable[[str], object]
 ) -> dict[str, Any]:
-    if not isinstance(entry, dict):
-        raise InputError('must be an object with "name", "task", "start" and "goal"')
-    unknown = sorted(set(entry) - {*_TEXTS, "goal", "hints", "fixed"})
-    if unknown:
-        raise InputError(f'has no field "{unknown[0]}"')
+    check_keys(entry, (*_TEXTS, "goal"), ("hints", "fixed"), "it")
     for name in _TEXTS:
-        text = entry.get(name)
+        text = entry[name]
         if not isinstance(text, str) or not 0 < len(text) <= _LONGEST:
             raise InputError(f'"{name}" must be a text of 1 to {_LONGEST} characters')
-    lists = {name: entry.get(name, []) for name in ("hints", "fixed")}
+    lists = {name: check_list(entry.get(name, []), name) for name in ("hints", "fixed")}
     for name, texts in lists.items():
-        if not isinstance(texts, list) or not all(isinstance(text, str) for text in texts):
+        if not all(isinstance(text, str) for text in texts):
             raise InputError(f'"{name}" must be a list of texts')
     strange = next((name for name in lists["fixed"] if name not in fixed), None)
     if strange is not None:
         raise InputError(f'"fixed" has {shown(strange)}; known are {", ".join(fixed)}')
-    goal = entry.get("goal")
+    goal = entry["goal"]
     if not isinstance(goal, dict) or len(goal) != 1 or not set(goal) <= set(goals):
         raise InputError(f'"goal" must be an object with one of: {", ".join(goals)}')
     for where, check, value in (
