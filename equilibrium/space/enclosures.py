@@ -27,6 +27,8 @@ _LEAST = 1e-40
 _CENTRE, _SHORT = 45, 20
 _CONTEXT = Context(prec=60, Emin=-200, Emax=200)
 _STEPS, _CLOSE = 24, 1e-9
+#: Relative error of sums in floats, with room.
+_ROUNDING = 1e-13
 
 
 def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Solution]:
@@ -63,6 +65,8 @@ def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Solution]:
         for radius, digits in _RADII if floats else _FINE:
             radii = radius * np.maximum(sizes, sizes[:p].max(initial=0.0))
             radii = np.maximum(radii, error * (1e-14 if floats else 1e-40))
+            if _leaves_states(balance, np.array(end), radii[:p]):
+                continue
             box = Enclosure(
                 tuple(balance.basis),
                 tuple(map(balance.named_share, range(len(c.grasp)))),
@@ -74,6 +78,19 @@ def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Solution]:
             )
             moved, *pressed = (tuple(map(Fraction, row)) for row in (end, *forces))
             yield Solution(moved, tuple(pressed), box)
+
+
+def _leaves_states(balance: StateBalance, motion: Floats, radii: Floats) -> bool:
+    """Return whether some motion of a box surely detaches a touching contact, or attaches another.
+
+    The checker would refuse it, after far longer.
+    """
+    spring = balance.contacts.spring
+    force = spring[:, 0] + spring[:, 1:] @ motion
+    basis = np.array([[nearest(x) for x in row] for row in balance.basis]).reshape(-1, 6)
+    reach = np.abs(spring[:, 1:] @ basis.T) @ radii
+    reach -= _ROUNDING * (np.abs(spring[:, 0]) + np.abs(spring[:, 1:]) @ np.abs(motion))
+    return bool((np.where(balance.states.touching, -force, force) + reach > 0).any())
 
 
 class _System:

@@ -96,8 +96,7 @@ class ExactParts:
         if not isinstance(found, tuple):
             leaf: dict[str, Any] = found
             return leaf
-        forces = tuple(found[6 + 3 * i : 9 + 3 * i] for i in range(len(self.grasp)))
-        return Solution(found[:6], forces)
+        return Solution(*found)
 
 
 class PyramidParts(ExactParts):
@@ -113,7 +112,7 @@ class PyramidParts(ExactParts):
         """Return a leaf, or a point that obeys the relaxed law."""
         ends: list[Ends] = [s.ends if isinstance(s, Slip) else s for s in states]
         cones = [
-            [] if state == "detached" else self._cone(contact.friction, state)
+            self._cone(contact.friction, state) if contact.friction else []
             for contact, state in zip(self.grasp, states, strict=True)
         ]
         return self._solve(ends, cones)
@@ -175,15 +174,10 @@ def _scaled(vector: Sequence[Fraction]) -> list[Fraction]:
     return [x / size for x in vector]
 
 
-_NO_FRICTION: list[ConeRow] = [(True, (0, 1, 0)), (True, (0, 0, 1))]
-
-
 def _outside(mu: Fraction, state: State, directions: Sequence[RationalVector]) -> list[ConeRow]:
     """Return conditions that all forces in the cone fulfil, and in a sector all of its slips."""
-    if state == "detached":
+    if state == "detached" or not mu:
         return []
-    if not mu:
-        return _NO_FRICTION
     rows: list[ConeRow] = [(False, (mu, -x, -y)) for x, y in directions]
     if isinstance(state, tuple):
         ends = np.array(state, dtype=float)
@@ -198,7 +192,7 @@ def _outside(mu: Fraction, state: State, directions: Sequence[RationalVector]) -
 def _inside(mu: Fraction, corners: Sequence[RationalVector]) -> list[ConeRow]:
     """Return the conditions of the polygon of some unit vectors."""
     if not mu:
-        return _NO_FRICTION
+        return []
     order = sorted(set(corners), key=lambda pair: np.arctan2(float(pair[1]), float(pair[0])))
     rows: list[ConeRow] = []
     for (a, b), (c, d) in pairwise([*order, order[0]]):

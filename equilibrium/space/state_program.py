@@ -27,7 +27,7 @@ class StateProgram:
 
     Args:
         cones: of each contact, the conditions on its forces besides that the normal one is at
-            least 0.
+            least 0; without friction there are none.
         deadline: of `time.monotonic`.
     """
 
@@ -39,7 +39,13 @@ class StateProgram:
         cones: Sequence[Sequence[ConeRow]],
         deadline: float,
     ) -> None:
-        self.deadline, self.m, self.size = deadline, len(grasp), 6 + 3 * len(grasp)
+        self.deadline = deadline
+        # A detached contact has no unknown, one without friction only its normal force.
+        self.places, self.size = list[slice](), 6
+        for contact, state in zip(grasp, states, strict=True):
+            count = 0 if state == "detached" else 3 if contact.friction else 1
+            self.places.append(slice(self.size, self.size + count))
+            self.size += count
         self.equal: list[RationalVector] = []
         self.least: list[RationalVector] = []
         #: Contact and (alpha, h) of one of each row.
@@ -47,16 +53,18 @@ class StateProgram:
         rows = [[Fraction(0)] * self.size + [w] for w in wrench]
         for i, contact in enumerate(grasp):
             wrenches = (contact.normal_wrench, *contact.tangential_wrenches)
-            for j, unit in enumerate(wrenches):
+            columns = range(self.size)[self.places[i]]
+            for j, unit in zip(columns, wrenches, strict=False):
                 for row, x in zip(rows, unit, strict=True):
-                    row[6 + 3 * i + j] = x
+                    row[j] = x
         self.equal += map(tuple, rows)
         for i, (contact, state, cone) in enumerate(zip(grasp, states, cones, strict=True)):
             self._add_contact(i, contact, state, cone)
 
     def _row(self, i: int, motion: Sequence[Fraction], force: Sequence[Any], constant: Any) -> Any:
-        row = [*motion, *[Fraction(0)] * (3 * self.m), Fraction(constant)]
-        row[6 + 3 * i : 9 + 3 * i] = map(Fraction, force)
+        place = self.places[i]
+        row = [*motion, *[Fraction(0)] * (self.size - 6), Fraction(constant)]
+        row[place] = map(Fraction, force[: place.stop - place.start])
         return tuple(row)
 
     def _add(self, equal: bool, row: RationalVector, i: int, part: tuple[Any, ...]) -> None:
@@ -71,7 +79,6 @@ class StateProgram:
         gap = [contact.stiffness * x for x in contact.normal_wrench]
         if state == "detached":
             self._add(False, self._row(i, gap, (0, 0, 0), -contact.preload), i, (1, 0, 0))
-            self.equal += [self._row(i, zero, [j == k for j in range(3)], 0) for k in range(3)]
             return
         row = self._row(i, gap, (1, 0, 0), -contact.preload)
         self._add(state != "undecided", row, i, (1, 0, 0))
@@ -92,11 +99,12 @@ class StateProgram:
             moved = [x * s + y * t for s, t in zip(one, other, strict=True)]
             self._add(equal, self._row(i, moved, (0, 0, 0), 0), i, (0, -x, -y))
 
-    def solve(self) -> RationalVector | Any:
-        """Return a point, or the leaf that shows that there is none."""
+    def solve(self) -> tuple[RationalVector, tuple[RationalVector, ...]] | Any:
+        """Return the motion and all forces, three each, or the leaf that shows there are none."""
         found = Program(self.size, self.least, self.equal, self.deadline).point()
         if not isinstance(found, Infeasible):
-            return found
+            forces = (found[place] for place in self.places)
+            return found[:6], tuple((*force, *[Fraction(0)] * (3 - len(force))) for force in forces)
         motion = [to_text(-x) for x in found.equality_multipliers[:6]]
         given: dict[int, list[Fraction]] = {}
         for (equal, k), (i, part) in self.parts.items():

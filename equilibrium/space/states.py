@@ -30,6 +30,8 @@ class States:
         touching, slipping: contacts with a force, and those among them that slip.
         shares: (m, 2), of the friction limit, rounded; those of slips only if they are rational.
         rational: whether all slips go along rational directions.
+        key: touching and slipping contacts, and how much all rub, about.
+        kind: the same, of which only rational slips rub in a certain way.
     """
 
     def __init__(self, contacts: SpatialContacts, force: Floats, ratio: Floats) -> None:
@@ -47,6 +49,8 @@ class States:
         self.rational = None not in self.shares
         near = tuple(np.rint(64 * ratio).astype(int).ravel().tolist())
         self.key = (tuple(self.touching), tuple(self.slipping), near)
+        pairs = zip(self.slipping, self.shares, strict=True)
+        self.kind = *self.key[:2], tuple(share if slip else None for slip, share in pairs)
 
 
 def rational_direction(

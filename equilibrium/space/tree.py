@@ -149,9 +149,9 @@ class SpatialSearch:
         """Return an equilibrium of states looked at since this was asked last, found exactly."""
         asked, self.states = self.states, []
         for states in reversed(asked):
-            if ("exact", states.key) in self.tried:
+            if states.kind in self.tried:
                 continue
-            self.tried.add(("exact", states.key))
+            self.tried.add(states.kind)
             found = self.exact.equilibrium(states)
             if found is not None and self.accept(found):
                 return found

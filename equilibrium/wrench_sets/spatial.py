@@ -51,12 +51,18 @@ class KnownLoads:
     def __init__(self, grasp: Grasp, nodes: int, within: Range = NO_RANGE) -> None:
         self.grasp, self.nodes, self.within = grasp, nodes, within
         self.trees: list[Works] = []
+        #: Without preload all multiples of a load have its verdict: the law scales.
+        self.scales = within == NO_RANGE and not any(contact.preload for contact in grasp)
+        self._verdicts: dict[RationalVector, Verdict] = {}
 
     def ask(self, wrench: RationalVector) -> Verdict:
-        """Decide one load, and remember its proof."""
+        """Decide one load, and remember the answer and its proof."""
+        if (known := self._verdicts.get(wrench)) is not None:
+            return known
         found = solve(self.grasp, wrench, nodes=self.nodes, **self.within.bounds)
         if found.verdict == NOT_RESISTED:
             self.trees.append(self._works(found.proof["tree"]))
+        self._verdicts[wrench] = found
         return found
 
     def _works(self, tree: object) -> Works:
@@ -69,12 +75,15 @@ class KnownMagnitudes:
 
     def __init__(self, known: KnownLoads, along: RationalVector, base: RationalVector) -> None:
         self.known, self.along, self.base = known, along, base
+        self.scales = known.scales and not any(base)
         self.refuted = [found for tree in known.trees if (found := self._range(tree)) is not None]
         self.held: list[tuple[Fraction, Fraction]] = []
         self._equilibria: list[tuple[Fraction, Solution]] = []
 
     def verdict(self, t: Fraction) -> str:
         """Return what follows from earlier proofs, or decide."""
+        if t and self.scales:
+            t = Fraction(1)
         if self.refuting(t) is not None:
             return NOT_RESISTED
         if any(low <= t <= high for low, high in self.held):

@@ -27,6 +27,7 @@ from equilibrium.grasps.schemas import certificate_schema
 from equilibrium.model.contact import Contact, pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.range import Range
 from equilibrium.model.solution import Solution
 from equilibrium.model.unit_normal import unit_normal
 from equilibrium.space.plane import decide_in_plane
@@ -167,10 +168,24 @@ class TestKnownLoads:
             trees.append(works[len(trees)])
             return SimpleNamespace(verdict="not resisted", solution=None)
 
-        loads = SimpleNamespace(grasp=FINGERS, trees=trees, ask=ask)
+        loads = SimpleNamespace(grasp=FINGERS, trees=trees, ask=ask, scales=False)
         known = KnownMagnitudes(loads, (1, *[0] * 5), (0,) * 6)
         assert [known.verdict(t) for t in (1, 4)] == ["not resisted"] * 2
         assert known.refuted == [(0, 2), (3, 5)]
+
+    def test_without_preload_one_verdict_is_that_of_all_multiples(self):
+        for base, bounds, asked in [
+            ((0,) * 6, {}, {(0, 0, -1, 0, 0, 0)}),
+            ((0, 0, -1, 0, 0, 0), {}, {(0, 0, -3, 0, 0, 0), (0, 0, -5, 0, 0, 0)}),
+            ((0,) * 6, {"largest_force": 1}, {(0, 0, -2, 0, 0, 0), (0, 0, -4, 0, 0, 0)}),
+        ]:
+            loads = KnownLoads(FEET.with_preload(0), 100, Range.of(**bounds))
+            known = KnownMagnitudes(loads, (0, 0, -1, 0, 0, 0), base)
+            found = [known.verdict(Fraction(t)) for t in (2, 4)]
+            direct = [
+                solve(loads.grasp, (0, 0, base[2] - t, 0, 0, 0), **bounds).verdict for t in (2, 4)
+            ]
+            assert (found, set(loads._verdicts)) == (direct, asked)
 
     def test_contacts_do_the_same_on_one_side_of_the_spring_in_one_direction(self):
         contact = Contact((0, 0, 0), (0, 0, 1), 1, 1, 1, (1, 0, 0))
@@ -270,7 +285,7 @@ class TestBrackets:
         one, other = FINGERS
         soft, hard = replace(one, preload=Fraction(0)), replace(other, preload=Fraction(2))
         for grasp, unit in ((Grasp([soft, hard]), 2), (Grasp([soft]), 1)):
-            loads = SimpleNamespace(grasp=grasp, trees=[], ask=ask)
+            loads = SimpleNamespace(grasp=grasp, trees=[], ask=ask, scales=False)
             tried.clear()
             found = spatial_magnitudes(grasp, across(1, 0), loads=loads)
             powers = [unit * Fraction(2) ** k for k in range(-6, 9)]
