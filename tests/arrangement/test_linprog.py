@@ -3,10 +3,12 @@
 from fractions import Fraction
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement.errors import ArrangementError
+from arrangement.numbers.linear.float_program import FloatProgram
 from arrangement.numbers.linear.programs import (
     Infeasible,
     Optimal,
@@ -191,3 +193,23 @@ def test_strict_cones_agree_with_elimination(normals):
     expected = oracle.satisfiable([], rows, 3)
     answer = feasible_point(3, [(*row[:-1], Fraction(-1)) for row in rows])
     assert (not isinstance(answer, Infeasible)) is expected
+
+
+@given(st.data(), st.integers(1, 4))
+def test_a_guess_in_floats_is_near_the_exact_answer_and_takes_in_further_rows(data, n):
+    """The greatest last coordinate in a cone cut off by a cube, with some rows added later."""
+    row = st.lists(st.integers(-3, 3), min_size=n, max_size=n)
+    cone = [(*entries, 0) for entries in data.draw(st.lists(row, max_size=8))]
+    cube = [(*(s * (j == k) for j in range(n)), 1) for k in range(n) for s in (1, -1)]
+    rows = np.array([*cube, *cone], dtype=float)
+    early = data.draw(st.integers(2 * n, len(rows)))
+    program = FloatProgram(rows[:early], [*range(0, 2 * n - 2, 2), 2 * n - 1])
+    assert program.solve()
+    if early < len(rows):
+        program.add(rows[early:])
+        assert program.solve()
+    exact = minimize([0] * (n - 1) + [-1], [*cube, *cone])
+    assert program.point[-1] == pytest.approx(-exact.value, abs=1e-8)
+    multipliers = program.multipliers()
+    assert multipliers.min() >= 0
+    assert multipliers @ rows == pytest.approx([*[0] * (n - 1), -1, -exact.value], abs=1e-8)

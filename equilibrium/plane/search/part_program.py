@@ -12,14 +12,18 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, to_text
 from arrangement.numbers.linear import programs
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import IntegerContacts, product
+
+from .part_guess import PartGuess, RegionFloats
 
 #: A node of a proof, as certificates write it.
 Node: TypeAlias = Any
@@ -56,6 +60,7 @@ class RegionRows:
         low, high = self.spring.min(axis=0, initial=0), self.spring.max(axis=0, initial=0)
         self.kept = [int(i) for i in np.flatnonzero(high > 0)]
         self.mixed = (low < 0) & (high > 0)
+        self.presses = self.spring > 0
         one, other = (self.slip > 0).all(axis=0), (self.slip < 0).all(axis=0)
         self.known = one.astype(int) - other.astype(int)
         #: The ways to turn in which some motions of the region go beyond the range.
@@ -63,23 +68,28 @@ class RegionRows:
         #: Whether contacts without a state have a multiplier of their spring.
         self.whole = len(generators) > 4
 
+    @cached_property
+    def floats(self) -> RegionFloats:
+        """The same in floating point."""
+        return RegionFloats(self)
+
     def turn_row(self, u: int) -> list[Any]:
         """Return ``Q g_0 - u r`` at the generators; zeros where there is no largest turn."""
         most = self.contacts.within.largest_turn
         return [0 if most is None else most * g[0] - u * g[3] for g in self.generators]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Cut:
     """One linear upper bound of the work at a generator.
 
     Attributes:
         generator: its number.
-        signs: of the friction of each contact without a state that counts.
+        signs: of the friction of each contact without a state that counts; 0 for all others.
     """
 
     generator: int
-    signs: dict[int, int]
+    signs: npt.NDArray[np.intp]
 
 
 class PartProgram:
@@ -101,7 +111,10 @@ class PartProgram:
         self.springs = [i for i in region.kept if i in states or (whole and region.mixed[i])]
         # A detached contact matters only where its spring could still push.
         self.slips = [i for i in self.springs if states.get(i) in ("stick", "slip+", "slip-")]
-        self.free = [i for i in region.kept if i not in self.springs]
+        self.is_free = np.zeros(len(region.known), dtype=bool)
+        self.is_free[region.kept] = True
+        self.is_free[self.springs] = False
+        self.sticks = [i for i in self.slips if states[i] == "stick"]
         self.alpha = {i: 3 + n for n, i in enumerate(self.springs)}
         self.h = {i: 3 + len(self.springs) + n for n, i in enumerate(self.slips)}
         used = 3 + len(self.springs) + len(self.slips)
@@ -112,11 +125,7 @@ class PartProgram:
         used += len(forced)
         self.turn = {u: used + n for n, u in enumerate(region.turns)}
         self.size = used + len(self.turn) + 1
-        free = set(self.free)
-        self.cuts = [
-            Cut(cut.generator, {i: sign for i, sign in cut.signs.items() if i in free})
-            for cut in cuts
-        ]
+        self.cuts = [Cut(cut.generator, cut.signs * self.is_free) for cut in cuts]
         self.binding: list[Cut] = []
         #: The motion is bounded.
         self.box = [self._row({k: sign}, 1) for k in range(3) for sign in (1, -1)]
@@ -157,47 +166,73 @@ class PartProgram:
             row[column] = x
         return row
 
-    def _cuts_at(self, motion: Sequence[Any]) -> list[Cut]:
-        """Return for each generator the bound that is exact at a virtual motion."""
-        region, free = self.region, np.array(self.free, dtype=int)
-        direction = np.array(primitive(motion), dtype=object)
-        along, across = region.along[free].dot(direction), region.across[free].dot(direction)
-        known = region.known[free]
+    def cuts_at(self, along: Any, across: Any) -> list[Cut]:
+        """Return for each generator the bound that is exact at a virtual motion.
+
+        Args:
+            along, across: the works of a unit normal force and of its largest friction force.
+        """
+        signs = self._friction_signs(along, across)
+        return [Cut(j, np.where(row, signs, 0)) for j, row in enumerate(self.region.presses)]
+
+    def _works(self, motion: Sequence[int]) -> tuple[Any, Any]:
+        """Return what `cuts_at` takes, in a common unit."""
+        direction, region = np.array(motion, dtype=object), self.region
+        return region.along.dot(direction), region.across.dot(direction)
+
+    def _friction_signs(self, along: Any, across: Any) -> npt.NDArray[np.intp]:
+        """Return the sign of friction with the least work, of each contact that counts."""
+        known = self.region.known
         sign = np.where(known == 0, np.where(across >= 0, 1, -1), known)
-        counts = ~region.mixed[free] | (along < sign * across)
-        result = []
-        for j, spring in enumerate(region.spring[:, free]):
-            chosen = counts & (spring > 0)
-            signs = dict(zip(free[chosen].tolist(), sign[chosen].tolist(), strict=True))
-            result.append(Cut(j, signs))
-        return result
+        counts = self.is_free & (~self.region.mixed | (along < sign * across))
+        return np.where(counts, sign, 0)
 
     def _cut_row(self, cut: Cut) -> list[Any]:
         region, j = self.region, cut.generator
-        chosen, signs = list(cut.signs), np.array(list(cut.signs.values()), dtype=object)
+        chosen = np.flatnonzero(cut.signs)
+        signs = cut.signs[chosen].astype(object)
         arm = region.along[chosen] - signs[:, None] * region.across[chosen]
         work = region.spring[j, chosen].dot(arm) + region.load[j]
-        unit = region.contacts.common_unit
         entries: dict[int, Any] = dict(enumerate(work))
+        return self._row({**entries, **self._own_entries(j), self.size - 1: -region.weight[j]})
+
+    def _own_entries(self, j: int) -> dict[int, Any]:
+        """Return what the multipliers give to the work at a generator."""
+        region, unit = self.region, self.region.contacts.common_unit
+        spring_unit, wrench_unit = region.contacts.spring_unit, region.contacts.wrench_unit
+        entries: dict[int, Any] = {}
         for i in self.springs:
-            entries[self.alpha[i]] = region.spring[j, i] * (unit // region.contacts.spring_unit[i])
+            entries[self.alpha[i]] = region.spring[j, i] * (unit // spring_unit[i])
         for i in self.slips:
-            entries[self.h[i]] = region.slip[j, i] * (unit // region.contacts.wrench_unit[i])
-        within = region.contacts.within
+            entries[self.h[i]] = region.slip[j, i] * (unit // wrench_unit[i])
         for column in self.rho.values():
-            entries[column] = -(within.largest_force or 0) * unit * region.weight[j]
+            entries[column] = -(region.contacts.within.largest_force or 0) * unit * region.weight[j]
         for u, column in self.turn.items():
             entries[column] = -unit * region.turn_row(u)[j]
-        entries[self.size - 1] = -region.weight[j]
-        return self._row(entries)
+        return entries
+
+    def decide(self, deadline: float = math.inf) -> Node | int | Solution:
+        """Return the leaf that closes the part, or the contact to split.
+
+        Where no contact violates the law, this is what `solve` returns.
+        """
+        if not self.region.contacts.floats.moderate:
+            return self.solve(deadline)
+        guess = PartGuess(self, self.cuts)
+        for numbers in guess.leaves():
+            for tried in self._integers(numbers.tolist()):
+                if self._closes(tried):
+                    return self._written(tried)
+        self.binding = guess.binding
+        return self.solve(deadline) if guess.contact is None else guess.contact
 
     def solve(self, deadline: float = math.inf) -> Node | Solution:
-        """Return the leaf that closes the part, or what balances the load in it.
+        """Return the leaf that closes the part, or what balances the load in it, exactly.
 
         Raises:
             TimeoutError: the deadline has passed, on the clock `time.monotonic`.
         """
-        cuts = self.cuts or self._cuts_at(self.region.wrench)
+        cuts = self.cuts or self.cuts_at(*self._works(primitive(self.region.wrench)))
         rows = [self._cut_row(cut) for cut in cuts]
         objective = [0] * (self.size - 1) + [-1]
         # So is the work, by what the rows could give: a smaller bound would leave leaves no room.
@@ -211,17 +246,17 @@ class PartProgram:
             if point[-1] == 0:
                 y = answer.inequality_multipliers[len(self.box) :]
                 return self._balanced(cuts, y[len(self.bounds) :], y[: len(self.limits)])
-            found = self._cuts_at(point[:3])
+            found = self.cuts_at(*self._works(primitive(point[:3])))
             made = [self._cut_row(cut) for cut in found]
             broken = [j for j, row in enumerate(made) if dot(row[:-1], point) < 0]
             if not broken:
-                return self._leaf(point[:-1])
+                numbers = [*self._integers(point[:-1]), primitive(point[:-1])]
+                return self._written(next(filter(self._closes, numbers)))
             cuts = [*cuts, *(found[j] for j in broken)]
             rows += [made[j] for j in broken]
 
-    def _leaf(self, numbers: Sequence[Fraction]) -> Node:
-        """Return the leaf, with the smallest integers found that still close the part."""
-        tried = next(filter(self._closes, self._integers(numbers)))
+    def _written(self, tried: Sequence[int]) -> Node:
+        """Return the leaf of integers that close the part."""
         motion = [to_text(x) for x in tried[:3]]
         given = {}
         for i, column in self.alpha.items():
@@ -238,7 +273,7 @@ class PartProgram:
         leaf = {"virtual_motion": motion, "multipliers": given}
         return {**leaf, "range": used} if used else leaf if given else motion
 
-    def _integers(self, numbers: Sequence[Fraction]) -> Iterator[Sequence[int]]:
+    def _integers(self, numbers: Sequence[Any]) -> Iterator[Sequence[int]]:
         """Yield roundings of multipliers, finer and finer; no alpha above its limit."""
         largest = max(map(abs, numbers[:3])) or max(map(abs, numbers)) or Fraction(1)
         for size in _SIZES:
@@ -250,15 +285,56 @@ class PartProgram:
                 )
                 rounded[self.alpha[i]] = min(rounded[self.alpha[i]], most)
             yield rounded
-        yield primitive(numbers)
 
     def _closes(self, numbers: Sequence[int]) -> bool:
         """Return whether a virtual motion, alphas and hs close the part."""
         if any(dot(row[:-2], numbers) < 0 for row in self.bounds):
             return False
-        rows = map(self._cut_row, self._cuts_at(numbers[:3]))
-        works = (dot(row[:-2], numbers) for row in rows)
-        return all(x > 0 if g else x >= 0 for x, g in zip(works, self.region.weight, strict=True))
+        region = self.region
+        along, across = self._works(numbers[:3])
+        signs = self._friction_signs(along, across)
+        least = np.where(signs == 0, 0, along - signs * across)
+        for j, g in enumerate(region.weight):
+            work = np.where(region.presses[j], region.spring[j], 0).dot(least)
+            work += region.load[j].dot(numbers[:3])
+            work += sum(x * numbers[column] for column, x in self._own_entries(j).items())
+            if work < 0 or (g and not work):
+                return False
+        return True
+
+    def violations(
+        self, force: Any, slip: Any, normal: Any, rub: Any, friction: Any, most: Any
+    ) -> Any:
+        """Return how much contacts without a final state violate the law.
+
+        Args:
+            force, slip: of springs that pull as well, and along tangents, of a motion.
+            normal, rub: forces.
+            most: the largest force of a range, or None.
+        """
+        wrong = 4 * abs(normal - np.maximum(force, 0))
+        if most is not None:
+            wrong = wrong + np.maximum(normal - most, 0)
+        limit = friction * normal
+        unlike = np.where(slip > 0, abs(limit + rub), abs(limit - rub))
+        return np.where(self._unsettled, wrong + np.where(slip == 0, 0, unlike), 0)
+
+    @cached_property
+    def _unsettled(self) -> npt.NDArray[np.bool_]:
+        found = np.zeros(len(self.region.known), dtype=bool)
+        found[[i for i in self.region.kept if self.states.get(i, "attached") == "attached"]] = True
+        return found
+
+    def worst(self, found: Solution) -> int | None:
+        """Return the contact at which forces violate the law most, or None."""
+        c, (normal, rub) = self.region.contacts, np.array(found.forces, dtype=object).T
+        motion = np.array(found.motion, dtype=object)
+        force = (c.spring[:, 0] + c.spring[:, 1:].dot(motion)) / c.spring_unit
+        friction = np.array([x.friction for x in c.grasp], dtype=object)
+        slip, most = c.tangent.dot(motion), c.within.largest_force
+        wrong = self.violations(force, slip, normal, rub, friction, most)
+        largest = int(wrong.argmax())
+        return largest if wrong[largest] else None
 
     def _balanced(
         self, cuts: list[Cut], weights: RationalVector, pushes: RationalVector
@@ -272,7 +348,8 @@ class PartProgram:
             if weight:
                 ends = region.generators[cut.generator][1:]
                 motion = [x + weight * g for x, g in zip(motion, ends, strict=True)]
-                for i, sign in cut.signs.items():
+                for i in np.flatnonzero(cut.signs).tolist():
+                    sign = int(cut.signs[i])
                     spring = Fraction(region.spring[cut.generator, i], contacts.spring_unit[i])
                     force = weight * spring
                     forces[i][0] += force

@@ -10,15 +10,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from fractions import Fraction
 
-from arrangement.numbers.exact import IntegerVector, RationalVector, dot
+from arrangement.numbers.exact import IntegerVector, RationalVector
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import IntegerContacts
 
 from .part_program import Cut, Node, PartProgram, RegionRows, States
-
-_ZERO = Fraction(0)
 
 
 class TooManyParts(Exception):
@@ -59,13 +56,11 @@ class StateSplits:
             raise TooManyParts
         program = PartProgram(self.region, states, cuts)
         try:
-            found = program.solve(self.deadline)
+            found = program.decide(self.deadline)
         except TimeoutError:
             raise TooManyParts from None
-        if not isinstance(found, Solution):
-            return found
-        contact = self._worst(found, states)
-        if contact is None:
+        contact = program.worst(found) if isinstance(found, Solution) else found
+        if not isinstance(contact, int):
             return found
         cuts, names = program.binding, ("stick", "slip+", "slip-")
         if contact in states:
@@ -99,24 +94,3 @@ class StateSplits:
     def _slides(self, i: int) -> bool:
         """Whether the direction of slip matters and is not known."""
         return not self.region.known[i] and bool(self.region.contacts.friction[i])
-
-    def _worst(self, found: Solution, states: States) -> int | None:
-        """Return the contact at which forces violate the law most, or None."""
-        worst, largest, most = None, _ZERO, self.region.contacts.within.largest_force
-        for i in self.region.kept:
-            if states.get(i) in ("detached", "stick", "slip+", "slip-"):
-                continue
-            c = self.region.contacts.grasp.contacts[i]
-            moved = dot(c.normal_wrench, found.motion)
-            slipped = dot(c.tangential_wrench, found.motion)
-            normal, rub = found.forces[i]
-            excess = normal - max(_ZERO, c.preload - c.stiffness * moved)
-            limit = c.friction * normal
-            wrong = abs(excess) * 4
-            if most is not None:
-                wrong += max(_ZERO, normal - most)
-            if slipped:
-                wrong += abs(limit + rub if slipped > 0 else limit - rub)
-            if wrong > largest:
-                worst, largest = i, wrong
-        return worst

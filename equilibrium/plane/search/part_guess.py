@@ -1,0 +1,186 @@
+"""The program of one part in floating point: a leaf, tested exactly, or the contact to split.
+
+A leaf is written only when its integers pass the exact test, and any contact may be split. So
+nothing rests on floats; where they do not tell, the exact program decides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from arrangement.numbers.float_filter import Floats
+from arrangement.numbers.linear.float_program import FloatProgram
+from equilibrium.plane.contacts import nearest
+
+if TYPE_CHECKING:
+    from .part_program import Cut, PartProgram, RegionRows
+
+#: What is taken for 0: the work of a part that cannot be closed, and what contacts violate.
+_CLOSED, _OBEYED = 1e-9, 1e-6
+#: How often bounds are added, and the bound of what is free, in units of the works.
+_ROUNDS, _FREE = 30, 1e4
+#: What is left at borders, in units of the works.
+_ROOM = 1 / 16
+
+
+class RegionFloats:
+    """The rows of a region in floating point, its generators with a largest entry of 1."""
+
+    def __init__(self, region: RegionRows) -> None:
+        self.contacts, c = region.contacts.floats, region.contacts
+        sizes = np.array([max(map(abs, g)) for g in region.generators], dtype=object)[:, None]
+        self.generators = (np.array(region.generators, dtype=object) / sizes).astype(float)
+        self.weight = self.generators[:, 0]
+        self.spring = (region.spring / (sizes * c.spring_unit)).astype(float)
+        self.slip = (region.slip / (sizes * c.wrench_unit)).astype(float)
+        self.load = np.array([nearest(w) for w in region.wrench])
+        most = c.within.largest_force
+        self.most = None if most is None else nearest(most)
+        self.turns = {
+            u: np.array(
+                [x / n for x, n in zip(region.turn_row(u), sizes[:, 0], strict=True)], float
+            )
+            for u in region.turns
+        }
+
+
+class PartGuess:
+    """The program of one part, see `PartProgram`, in floating point.
+
+    Attributes:
+        contact: one that violates the law where the forces balance, if any.
+        binding: the bounds that show that balance.
+    """
+
+    contact: int | None = None
+    _room = 0.0
+
+    def __init__(self, part: PartProgram, cuts: Sequence[Cut]) -> None:
+        self.part, self.region = part, part.region
+        self.floats = part.region.floats
+        self.binding: list[Cut] = []
+        self._scale = self._columns()
+        self._own = rows = self._own_rows()
+        first = [0, 2, 4]
+        bound = np.abs(rows[:, 3:-2]) > 0
+        first += [len(rows) - 1 - int(column[::-1].argmax()) for column in bound.T]
+        self._cuts = list(cuts) or self._cuts_at(self.floats.load)
+        made = self._cut_rows(self._cuts)
+        top = np.zeros((1, rows.shape[1]))
+        top[0, -2:] = -1.0, float(np.abs(made).sum(axis=1).max(initial=1.0))
+        self._largest = top[0, -1]
+        self._first_cut = len(rows) + 1
+        self._program = FloatProgram(np.concatenate([rows, top, made]), [*first, len(rows)])
+
+    def _columns(self) -> Floats:
+        """Return the unit of each variable: where works are about 1."""
+        part, floats = self.part, self.floats
+        scale = np.ones(part.size)
+        for columns, values in ((part.alpha, floats.spring), (part.h, floats.slip)):
+            chosen = np.abs(values[:, list(columns)]).max(axis=0, initial=0.0)
+            scale[list(columns.values())] = 1 / np.where(chosen > 0, chosen, 1.0)
+        if part.rho:
+            scale[list(part.rho.values())] = 1 / (floats.most or 1.0)
+        for u, column in part.turn.items():
+            scale[column] = 1 / np.abs(floats.turns[u]).max()
+        scale[-1] = 1 / floats.weight.max()
+        return scale
+
+    def _own_rows(self) -> Floats:
+        """Return the rows that are no bounds of the work; of what is free at first, two more."""
+        part, n = self.part, self.part.size
+        rows = np.zeros((6 + len(part.bounds) + 2 * len(part.sticks), n + 1))
+        for k in range(3):
+            rows[2 * k : 2 * k + 2, k] = 1, -1
+            rows[2 * k : 2 * k + 2, -1] = 1
+        for row, exact in zip(rows[6:], part.bounds, strict=False):
+            largest = max(map(abs, exact))
+            row[:] = [x / largest for x in exact]
+        rows[:, :-1] *= self._scale
+        for k, i in enumerate(part.sticks):
+            pair = rows[6 + len(part.bounds) + 2 * k :][:2]
+            pair[:, part.h[i]], pair[:, -1] = (1, -1), _FREE
+        return rows
+
+    def _cuts_at(self, motion: Floats) -> list[Cut]:
+        c = self.floats.contacts
+        return self.part.cuts_at(c.normal @ motion, c.pull @ motion)
+
+    def _cut_rows(self, cuts: Sequence[Cut]) -> Floats:
+        """Return bounds of the work as rows in these units."""
+        part, floats, c = self.part, self.floats, self.floats.contacts
+        at = [cut.generator for cut in cuts]
+        signs = np.array([cut.signs for cut in cuts]).reshape(len(cuts), len(part.region.known))
+        spring = floats.spring[at]
+        rows = np.zeros((len(cuts), part.size + 1))
+        rows[:, :3] = (spring * (signs != 0)) @ c.normal - (spring * signs) @ c.pull
+        rows[:, :3] += floats.weight[at, None] * floats.load
+        rows[:, list(part.alpha.values())] = spring[:, list(part.alpha)]
+        rows[:, list(part.h.values())] = floats.slip[at][:, list(part.h)]
+        if part.rho:
+            rows[:, list(part.rho.values())] = -(floats.most or 0) * floats.weight[at, None]
+        for u, column in part.turn.items():
+            rows[:, column] = -floats.turns[u][at]
+        rows[:, -2] = -floats.weight[at]
+        rows[:, :-1] *= self._scale
+        rows[floats.weight[at] == 0, -2] = -self._room
+        return rows
+
+    def leaves(self) -> Iterator[Floats]:
+        """Yield multipliers that seem to close the part, without the last variable.
+
+        The second ones leave room where the first are on a border, which roundings would cross.
+        Where there are none, forces balance, or floats do not tell.
+        """
+        if self._solved():
+            yield (self._program.point * self._scale)[:-1]
+            self._room = _ROOM
+            limits = self._own[6 : 6 + len(self.part.limits)]
+            limits[:, -2] = -self._room
+            self._program.add(np.concatenate([limits, self._cut_rows(self._cuts)]))
+            if self._solved():
+                yield (self._program.point * self._scale)[:-1]
+
+    def _solved(self) -> bool:
+        """Solve with as many bounds as matter; return whether the work can be above 0."""
+        for _ in range(_ROUNDS):
+            if not self._program.solve():
+                return False
+            point = self._program.point
+            if point[-1] <= _CLOSED * self._largest:
+                if not self._room:
+                    self.contact = self._violated()
+                return False
+            found = self._cuts_at(point[:3])
+            rows = self._cut_rows(found)
+            broken = np.flatnonzero(rows[:, :-1] @ point < -_CLOSED * np.abs(rows).max(axis=1))
+            if not len(broken):
+                return True
+            self._cuts += [found[j] for j in broken]
+            self._program.add(rows[broken])
+        return False
+
+    def _violated(self) -> int | None:
+        """Return the contact that surely violates the law most where forces balance, if any."""
+        part, floats, c = self.part, self.floats, self.floats.contacts
+        y = self._program.multipliers() * self._scale[-1]
+        weights, pushes = y[self._first_cut :], y[6 : 6 + len(part.limits)]
+        self.binding = [cut for cut, w in zip(self._cuts, weights, strict=True) if w > _CLOSED]
+        at = [cut.generator for cut in self._cuts]
+        signs = np.array([cut.signs for cut in self._cuts])
+        given = weights[:, None] * floats.spring[at]
+        motion = (weights @ floats.generators[at])[1:]
+        normal, rub = (given * (signs != 0)).sum(axis=0), -(given * signs).sum(axis=0) * c.friction
+        for (i, sign), exact, push in zip(part.limits, part.bounds, pushes, strict=False):
+            force = push * abs(exact[part.alpha[i]]) / max(map(abs, exact))
+            normal[i] += force
+            rub[i] -= sign * force * c.friction[i]
+        slip = c.tangent @ motion
+        slip[np.abs(slip) <= _OBEYED * (1e-3 + np.abs(motion).max())] = 0.0
+        force = c.preload + c.spring[:, 1:] @ motion
+        wrong = part.violations(force, slip, normal, rub, c.friction, floats.most)
+        worst = int(wrong.argmax())
+        return worst if wrong[worst] > _OBEYED * (1.0 + np.abs(normal).max()) else None
