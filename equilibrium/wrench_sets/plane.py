@@ -23,7 +23,7 @@ from arrangement.numbers.exact import (
 )
 from arrangement.numbers.linear.intervals import Interval
 from arrangement.numbers.linear.polyhedron import Polyhedron
-from arrangement.numbers.linear.rank import cross
+from arrangement.numbers.linear.rank import cross, triple_product
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
@@ -223,30 +223,20 @@ def region_of(
 
 
 def polygon_cycle(polygon: Polyhedron) -> tuple[RationalVector, ...]:
-    """Return the vertices of a polygon counter-clockwise; of an unbounded one from end to end."""
+    """Return the vertices of a polygon counter-clockwise, the lowest one last.
+
+    Those of an unbounded one are listed from end to end.
+    """
     if polygon.dimension < 2 or polygon.lines:
         return polygon.points
-    rows: dict[IntegerVector, IntegerVector] = {(r[1], -r[0]): r for r in polygon.inequalities}
-    edges = counter_clockwise(rows)
-    if polygon.rays:
-        first = next(i for i, edge in enumerate(edges) if _comes_in(edge, polygon.rays))
-        edges = [*edges[first:], *edges[:first]][:-1]
-    return tuple(_end_of(polygon, rows[edge], edge) for edge in edges)
-
-
-def _comes_in(edge: IntegerVector, rays: Iterable[IntegerVector]) -> bool:
-    """Return whether an edge comes from infinity: its direction is opposite to a ray."""
-    return any(edge[0] * y == edge[1] * x and dot(edge, (x, y)) < 0 for x, y in rays)
-
-
-def _end_of(polygon: Polyhedron, row: IntegerVector, edge: IntegerVector) -> RationalVector:
-    """Return the vertex at which an edge ends."""
-    tight = [k for k, x in enumerate(polygon.homogeneous[0]) if x[2] and dot(row, x) == 0]
-    if len(tight) == 1:
-        return polygon.points[tight[0]]
-    found = (polygon.homogeneous[0][k] for k in tight)
-    along = [Fraction(edge[0] * x + edge[1] * y, h) for x, y, h in found]
-    return polygon.points[tight[along.index(max(along))]]
+    rows, around = polygon.homogeneous[0], list(polygon.cycle())
+    if triple_product(*(rows[j] for j in around[:3])) < 0:
+        around.reverse()
+    corners = [polygon.points[j] for j in around if rows[j][-1]]
+    if polygon.bounded:
+        lowest = corners.index(min(corners, key=lambda p: p[::-1]))
+        corners = [*corners[lowest + 1 :], *corners[: lowest + 1]]
+    return tuple(corners)
 
 
 def _polygon_dict(piece: Piece) -> dict[str, Any]:

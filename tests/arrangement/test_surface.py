@@ -7,7 +7,7 @@ import pytest
 from hypothesis import assume, given, strategies as st
 
 from arrangement.drawing.solids.depth_tree import back_to_front, depth_tree
-from arrangement.drawing.solids.surface import Patch, facets, surface
+from arrangement.drawing.solids.surface import Patch, surface
 from arrangement.numbers.exact import IntegerVector
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions, from_generators
 
@@ -140,9 +140,9 @@ def depth(patch: Patch, start: np.ndarray, ahead: np.ndarray) -> float | None:
 
 
 def test_facets_run_counter_clockwise_seen_from_outside():
-    points, cycles, rows = facets(box((0, 0, 0), (1, 2, 3)))
-    places = np.array([[x / p[3] for x in p[:3]] for p in points])
-    for cycle, row in zip(cycles, rows, strict=True):
+    shape = box((0, 0, 0), (1, 2, 3))
+    places = np.array([[float(x) for x in p] for p in shape.points])
+    for cycle, row in zip(shape.cycles, shape.inequalities, strict=True):
         a, b, c = places[list(cycle[:3])]
-        assert np.cross(b - a, c - a) @ np.array(row[:3]) > 0
-    assert len(cycles) == 6
+        assert np.cross(b - a, c - a) @ np.array(row[:3]) < 0
+    assert len(shape.cycles) == 6

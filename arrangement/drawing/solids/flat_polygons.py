@@ -48,6 +48,12 @@ def flattened(row: IntegerVector, points: Iterable[IntegerVector]) -> Loop:
     return [reduced([x for k, x in enumerate(p) if k != gone]) for p in points]
 
 
+def facing(row: IntegerVector, loop: Loop) -> Loop:
+    """Return a loop, counter-clockwise seen from where a row is > 0, so that it is so flattened."""
+    gone = _dropped(row)
+    return loop if row[gone] * (-1) ** gone > 0 else loop[::-1]
+
+
 def ordered(row: IntegerVector, points: Iterable[IntegerVector]) -> Loop:
     """Return the corners of the hull of points in a plane, in cyclic order (A. Andrew, 1979)."""
     gone = _dropped(row)

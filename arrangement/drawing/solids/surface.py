@@ -20,9 +20,19 @@ from arrangement.console.progress import watched
 from arrangement.numbers.exact import IntegerVector, dot, primitive, unoriented
 from arrangement.numbers.linear.intervals import remainder
 from arrangement.numbers.linear.polyhedron import Polyhedron
-from arrangement.numbers.linear.rank import cycle_edges, determinant, difference
+from arrangement.numbers.linear.rank import cycle_edges, difference
 
-from .flat_polygons import Loop, Segment, between, creases_of, flattened, lifted, minus, ordered
+from .flat_polygons import (
+    Loop,
+    Segment,
+    between,
+    creases_of,
+    facing,
+    flattened,
+    lifted,
+    minus,
+    ordered,
+)
 
 #: Of rounded coordinates, over the largest of them: far above any error of rounding.
 _APART = 1e-9
@@ -86,32 +96,15 @@ def surface(shapes: Iterable[Polyhedron]) -> tuple[Patch, ...]:
     )
 
 
-def facets(
-    shape: Polyhedron,
-) -> tuple[Loop, tuple[tuple[int, ...], ...], tuple[IntegerVector, ...]]:
-    """Return the corners of a polytope of dimension 3, its facets as cycles, and outward rows.
-
-    Cycles run counter-clockwise seen from outside.
-    """
-    solid = _Polytope(shape)
-    number = {p: k for k, p in enumerate(solid.points)}
-    cycles = []
-    for row, loop in solid.facets:
-        p, q, r = loop[:3]
-        ahead = determinant([(*row[:3], 0), p, q, r])
-        cycles.append(tuple(number[x] for x in (loop if ahead > 0 else reversed(loop))))
-    return solid.points, tuple(cycles), tuple(row for row, _ in solid.facets)
-
-
 class _Polytope:
     """A polytope with its facets as (outward row, corners), and its edges."""
 
     def __init__(self, shape: Polyhedron) -> None:
         self.points = _homogeneous(shape)
-        self.facets = []
-        for inward in shape.inequalities:
-            row = _turned(inward)
-            self.facets.append((row, ordered(row, [p for p in self.points if not dot(row, p)])))
+        self.facets = [
+            (row, facing(row, [self.points[j] for j in cycle]))
+            for row, cycle in zip(map(_turned, shape.inequalities), shape.cycles, strict=True)
+        ]
         self.rows = {row for row, _ in self.facets}
         self.corners = set(self.points)
 

@@ -92,6 +92,37 @@ class Polyhedron:
                     waiting.append(part)
         return found
 
+    def cycle(self, face: int | None = None) -> tuple[int, ...]:
+        """Return the points and rays around a face of dimension 2; rays, if any, at the ends.
+
+        Args:
+            face: its points and rays, as bits; if omitted, all. The face has no lines.
+        """
+        rows = self.homogeneous[0]
+        whole = (1 << len(rows)) - 1 if face is None else face
+        finite = sum(1 << j for j, x in enumerate(rows) if x[-1])
+        beside: dict[int, list[int]] = {j: [] for j in bits(whole)}
+        for edge in {whole & facet for facet in self.facets}:
+            if edge.bit_count() == 2 and edge != whole and edge & finite:
+                j, k = bits(edge)
+                beside[j].append(k)
+                beside[k].append(j)
+        # Rays are listed last.
+        found = [min(beside, key=lambda j: (len(beside[j]), -j))]
+        while follow := [k for k in beside[found[-1]] if k not in found]:
+            found.append(follow[0])
+        return tuple(found)
+
+    @cached_property
+    def cycles(self) -> tuple[tuple[int, ...], ...]:
+        """For each facet of a polytope in R^3 its points, counter-clockwise seen from outside."""
+        points, found = self.homogeneous[0], []
+        for row, facet in zip(self.inequalities, self.facets, strict=True):
+            cycle = self.cycle(facet)
+            inward = determinant([(*row[:3], 0), *(points[j] for j in cycle[:3])]) > 0
+            found.append(cycle[::-1] if inward else cycle)
+        return tuple(found)
+
     @property
     def volume(self) -> Fraction:
         """The exact volume, if it is bounded: of pyramids over facets, again and again."""

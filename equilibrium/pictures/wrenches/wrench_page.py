@@ -10,7 +10,7 @@ from arrangement.drawing.pages.solid_page import PageFace, SolidPage, page_face
 from arrangement.drawing.registry import Exact, Wrench
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.drawing.solids.sight import picture_axes
-from arrangement.drawing.solids.surface import Patch, facets, rounded
+from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, number_text, primitive
 from equilibrium.model.data_error import AS_ROUNDED
@@ -114,10 +114,12 @@ def wrench_set_model(
     parts = []
     for piece, shape in zip(box.pieces, box.shapes, strict=True):
         if shape.dimension == 3:
-            points, faces, rows = facets(shape)
-            colours = tuple(CUT if row in WALLS else SOLID for row in rows)
-            name = "-".join(piece.states) or "all"
-            parts.append(ClosedSurface(name, half * rounded(points), faces, colours))
+            walls = [tuple(-x for x in row) for row in WALLS]
+            colours = tuple(CUT if row in walls else SOLID for row in shape.inequalities)
+            points = half * rounded(shape.homogeneous[0])
+            parts.append(
+                ClosedSurface("-".join(piece.states) or "all", points, shape.cycles, colours)
+            )
     if not parts:
         raise InputError(
             "the resisted wrenches have no volume; draw them as a picture: .svg, .pdf or .png"
