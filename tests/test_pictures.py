@@ -23,17 +23,9 @@ from arrangement.cli import main as draw_planes
 from arrangement.drawing.command import _KINDS
 from arrangement.drawing.figure import figure
 from arrangement.drawing.output import own_settings, picture_bytes
+from arrangement.drawing.scene.items import ROLES, Ball, Item, Label, Mark, Path as Drawn
 from arrangement.drawing.scene.layout import BELOW, laid_out, picture_width
-from arrangement.drawing.scene.scene import (
-    ROLES,
-    Ball,
-    Item,
-    Label,
-    Mark,
-    Path as Drawn,
-    Scene,
-    measure,
-)
+from arrangement.drawing.scene.scene import Scene, measure
 from arrangement.drawing.themes import _from_oklab, _oklab, themed
 from arrangement.drawing.tikz.tex_text import tex_text
 from arrangement.drawing.tikz.tikz import tikz

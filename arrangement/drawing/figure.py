@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any, ParamSpec
 import numpy as np
 
 from .output import require_matplotlib
+from .scene.items import SHADES, Ball, Item, Label, Mark, Path
 from .scene.layout import laid_out
-from .scene.scene import DPI, SHADES, Ball, Item, Label, Mark, Path, Scene, checked_width
+from .scene.scene import DPI, Scene, checked_width
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

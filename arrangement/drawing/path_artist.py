@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from .output import require_matplotlib
-from .scene.scene import Box, Path, Place
+from .scene.items import Box, Path, Place
 
 try:
     from matplotlib.artist import Artist

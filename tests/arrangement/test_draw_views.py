@@ -17,9 +17,10 @@ from arrangement.counts import bounded_region_count, f_vector, whitney_numbers
 from arrangement.drawing.colours import PALETTE, DrawnRegion, colouring
 from arrangement.drawing.figure import figure
 from arrangement.drawing.output import own_settings, picture_bytes
+from arrangement.drawing.scene.items import Label, Path as Drawn
 from arrangement.drawing.scene.labels import HAIR, spread
 from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.scene import Label, Path as Drawn, Scene, area
+from arrangement.drawing.scene.scene import Scene, area
 from arrangement.duals.inscribed.hull import representative_hull
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.library.files.table import read_arrangement

@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 from hypothesis import example, given, settings
 
+from arrangement.drawing.scene.items import Label
 from arrangement.drawing.scene.labels import flattened
 from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.scene import Label, Scene, measure
+from arrangement.drawing.scene.scene import Scene, measure
 from equilibrium import Contact, Grasp, read_grasp, solve
 from equilibrium.grasps.inputs import random_grasp, star_outline
 from equilibrium.methods import METHODS, resistance_figure

@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 import trimesh
 
+from arrangement.drawing.scene.items import Label, Path as Line
 from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.scene import Label, Path as Line, Scene
+from arrangement.drawing.scene.scene import Scene
 from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, GraspError, Mesh, read_grasp
 from equilibrium.cli.program import main

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from arrangement.drawing.scene.items import Label, Path
 from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.scene import Label, Path, area
+from arrangement.drawing.scene.scene import area
 from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp, GraspError, Solver, Verdict, check, read_grasp, solve
 from equilibrium.certificate.document import refuted_certificate

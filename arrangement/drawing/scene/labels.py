@@ -13,7 +13,8 @@ import numpy.typing as npt
 from arrangement.console import number_form
 from arrangement.drawing.colours import VERMILION
 
-from .scene import FONT, Box, Floats, Place, Scene
+from .items import Box, Floats, Place
+from .scene import FONT, Scene
 
 Booleans: TypeAlias = npt.NDArray[np.bool_]
 #: Sizes of sign vectors that are tried, in points.

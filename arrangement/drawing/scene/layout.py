@@ -7,7 +7,8 @@ from typing import Any
 
 from arrangement.drawing.colours import BLACK, VERMILION
 
-from .scene import POINTS, Key, Legend, Scene, measure, moved, wrapped
+from .items import moved
+from .scene import POINTS, Key, Legend, Scene, measure, wrapped
 
 #: The share of the width for a legend at the right, and of the height for keys and lines below.
 BESIDE, BELOW = 0.32, 1 / 6

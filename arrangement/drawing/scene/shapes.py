@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.drawing.scene.scene import Floats, Scene
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.scene import Scene
 
 
 def arrow(

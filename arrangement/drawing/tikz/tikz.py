@@ -18,7 +18,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from arrangement.drawing.scene.scene import (
+from arrangement.drawing.scene.items import (
     SHADES,
     Ball,
     Box,
@@ -28,8 +28,8 @@ from arrangement.drawing.scene.scene import (
     Mark,
     Path,
     Place,
-    Scene,
 )
+from arrangement.drawing.scene.scene import Scene
 
 from .tex_text import tex_text
 

@@ -14,8 +14,9 @@ from arrangement.counts import f_vector, fukuda_bound
 from arrangement.drawing.colours import BLACK
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import write_scene
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.scene import Floats, Scene
+from arrangement.drawing.scene.scene import Scene
 from arrangement.errors import InputError
 from arrangement.library.families import braid, generic, near_pencil, pencil, type_b
 from arrangement.numbers.exact import shown

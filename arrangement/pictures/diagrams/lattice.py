@@ -12,7 +12,8 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.counts import Flat, IntersectionLattice, intersection_lattice
 from arrangement.drawing.figure import picture
-from arrangement.drawing.scene.scene import GAP, POINTS, Floats, Scene
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.scene import GAP, POINTS, Scene
 from arrangement.numbers import budget
 from arrangement.pictures.parts.essential import RAISED
 from arrangement.pictures.parts.names import plane_names

@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.drawing.scene.scene import Floats
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.flat_polygons import between, clipped
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, quotient, sign
 from arrangement.numbers.linear.rank import cycle_edges

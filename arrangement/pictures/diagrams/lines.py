@@ -19,6 +19,7 @@ from arrangement.drawing.colours import (
     colouring,
 )
 from arrangement.drawing.figure import picture
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import (
     SIZES,
     along,
@@ -28,7 +29,7 @@ from arrangement.drawing.scene.labels import (
     sign_text,
     write_beside,
 )
-from arrangement.drawing.scene.scene import FONT, POINTS, Floats, Scene
+from arrangement.drawing.scene.scene import FONT, POINTS, Scene
 from arrangement.drawing.scene.shapes import arrow
 from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import shown

@@ -17,8 +17,9 @@ from arrangement.drawing.colours import (
 )
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Vector
+from arrangement.drawing.scene.items import Box, Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, ring, tried, write_along, write_beside
-from arrangement.drawing.scene.scene import Box, Floats, Scene
+from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import lit, unit, unit_vectors
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.numbers.exact import IntegerVector

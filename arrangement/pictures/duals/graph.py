@@ -21,8 +21,9 @@ from arrangement.drawing.colours import (
     plane_colour,
 )
 from arrangement.drawing.figure import picture
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, tried, write_along, write_beside
-from arrangement.drawing.scene.scene import Floats, Scene, area
+from arrangement.drawing.scene.scene import Scene, area
 from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.duals.zonohedron import dual_polygon, dual_polyhedron, dual_segment
 from arrangement.numbers import budget

@@ -13,7 +13,7 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import side_colour
 from arrangement.drawing.output import millimetres
-from arrangement.drawing.scene.scene import Floats
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.sight import face_normal, unit_vectors
 from arrangement.duals.zonohedron import DualPolyhedron, dual_polygon, dual_polyhedron, dual_segment
 from arrangement.numbers.exact import IntegerVector, dot

@@ -25,7 +25,7 @@ import numpy.typing as npt
 from arrangement.arrangement import Arrangement
 from arrangement.console.progress import note
 from arrangement.drawing.registry import AxisNames, Vector
-from arrangement.drawing.scene.scene import Floats
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.sight import unit, unit_vectors
 from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import IntegerVector, dot, primitive, shown

@@ -15,7 +15,8 @@ import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.counts.configuration import pivot_columns
-from arrangement.drawing.scene.scene import Floats, Scene
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.scene import Scene
 from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, dot

@@ -17,7 +17,8 @@ from arrangement.drawing.figure import picture
 from arrangement.drawing.output import millimetres
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage
 from arrangement.drawing.registry import Exact, Vector
-from arrangement.drawing.scene.scene import Floats, Scene
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.depth_tree import plane_tree
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes, triangles
 from arrangement.drawing.solids.sight import picture_axes, view_direction

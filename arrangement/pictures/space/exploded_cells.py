@@ -17,7 +17,7 @@ from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 
-from arrangement.drawing.scene.scene import Floats
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.depth_tree import Node, back_to_front, plane_tree
 from arrangement.drawing.solids.sight import face_normal, picture_axes
 from arrangement.duals.cells import Cell, Cells

@@ -15,8 +15,9 @@ from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import SKIN, chosen, fill_colour, pale
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import AxisNames, Exact, Vector
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import keep_off, spread, turn, write_beside, write_inside
-from arrangement.drawing.scene.scene import Floats, Scene, area, measure
+from arrangement.drawing.scene.scene import Scene, area, measure
 from arrangement.drawing.scene.shapes import arrow
 from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import light, lit, unit, view_direction

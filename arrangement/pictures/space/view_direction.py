@@ -7,7 +7,7 @@ from itertools import combinations
 
 import numpy as np
 
-from arrangement.drawing.scene.scene import Floats
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.sight import best_view, unit, unit_vectors, views
 from arrangement.duals.cells import Cells
 from arrangement.numbers.exact import IntegerVector, primitive, unoriented

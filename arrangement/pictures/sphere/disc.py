@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from arrangement.drawing.colours import DrawnRegion, Painter, letter_colour
+from arrangement.drawing.scene.items import Box, Floats
 from arrangement.drawing.scene.labels import (
     SIZES,
     Leaders,
@@ -21,7 +22,7 @@ from arrangement.drawing.scene.labels import (
     turn,
     write_inside,
 )
-from arrangement.drawing.scene.scene import Box, Floats, Scene
+from arrangement.drawing.scene.scene import Scene
 from arrangement.numbers.exact import dot
 from arrangement.pictures.parts.names import RegionLabels, plane_names, thinner
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import Colouring, DrawnRegion, Painter, colouring
-from arrangement.drawing.scene.scene import Floats
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.sight import (
     Score,
     best_view,

@@ -12,8 +12,9 @@ from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import Painter
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Vector
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import ring
-from arrangement.drawing.scene.scene import Floats, Scene
+from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import best_view, picture_axes, unit_vectors, views
 from arrangement.numbers.exact import IntegerVector, dot, reduced, unoriented
 from arrangement.numbers.linear.rank import cross

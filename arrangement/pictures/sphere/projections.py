@@ -15,7 +15,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from arrangement.drawing.scene.scene import Floats
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.shapes import joined
 from arrangement.drawing.solids.sight import across
 from arrangement.enumeration.great_circles import SphereArrangement

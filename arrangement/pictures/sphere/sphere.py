@@ -12,8 +12,9 @@ from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import Painter
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import AxisNames, Vector
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import keep_off, write_beside
-from arrangement.drawing.scene.scene import Floats, Scene
+from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.scene.shapes import arrow
 from arrangement.drawing.solids.sight import unit, unit_vectors
 from arrangement.pictures.parts.coordinates import (

@@ -12,6 +12,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import DrawnRegion, Painter
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Vector
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import (
     along,
     flattened,
@@ -20,7 +21,7 @@ from arrangement.drawing.scene.labels import (
     write_beside,
     write_inside,
 )
-from arrangement.drawing.scene.scene import Floats, Scene
+from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.errors import InputError
 from arrangement.pictures.parts.coordinates import in_coordinates

@@ -11,8 +11,9 @@ from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Corner, Exact, Vector, Wrench
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import Labels, flattened, ring
-from arrangement.drawing.scene.scene import AROUND, Floats, Legend, Scene, fitted
+from arrangement.drawing.scene.scene import AROUND, Legend, Scene, fitted
 from arrangement.drawing.scene.shapes import arrow, turning_arrow
 from equilibrium.decide.solver import Solver
 from equilibrium.model.errors import GraspError

@@ -14,8 +14,9 @@ from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLUE, GREY, VERMILION, fill_colour, pale
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact, Wrench
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import Labels, flattened
-from arrangement.drawing.scene.scene import POINTS, Floats, Scene, area, checked_width
+from arrangement.drawing.scene.scene import POINTS, Scene, area, checked_width
 from arrangement.drawing.scene.shapes import arc, arrow, turning_arrow
 from arrangement.numbers.exact import RationalVector
 from equilibrium.certificate.leaves import ClosedPart, works

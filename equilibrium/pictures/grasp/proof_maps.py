@@ -9,7 +9,8 @@ from typing import NamedTuple
 
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.registry import Exact, Wrench
-from arrangement.drawing.scene.scene import Floats, area
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.scene import area
 from arrangement.numbers.exact import IntegerVector, RationalVector, primitive, rational
 from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions

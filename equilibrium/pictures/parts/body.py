@@ -16,8 +16,8 @@ from itertools import pairwise
 
 import numpy as np
 
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import flattened
-from arrangement.drawing.scene.scene import Floats
 from arrangement.drawing.scene.shapes import arc
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.rank import cycle_edges

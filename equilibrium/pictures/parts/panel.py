@@ -12,17 +12,9 @@ import numpy as np
 
 from arrangement.drawing.colours import BLACK, GREY
 from arrangement.drawing.registry import Exact, Wrench
+from arrangement.drawing.scene.items import Box, Floats, Place
 from arrangement.drawing.scene.labels import Labels, covering, keep_off
-from arrangement.drawing.scene.scene import (
-    FONT,
-    POINTS,
-    Box,
-    Floats,
-    Legend,
-    Place,
-    Scene,
-    area,
-)
+from arrangement.drawing.scene.scene import FONT, POINTS, Legend, Scene, area
 from arrangement.numbers.exact import RationalVector, rational, shown
 from equilibrium.model.data_error import AS_ROUNDED
 from equilibrium.model.errors import GraspError

@@ -11,7 +11,8 @@ import numpy as np
 
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALETTE, VERMILION
-from arrangement.drawing.scene.scene import POINTS, Floats, Legend, Scene, Symbol
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.scene import POINTS, Legend, Scene, Symbol
 from arrangement.drawing.scene.shapes import arc, arrow
 from arrangement.numbers.exact import RationalVector
 from arrangement.pictures.parts.names import HALF, WIDTH, canvas, stroke, swatch

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.drawing.scene.scene import Floats
+from arrangement.drawing.scene.items import Floats
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
 from equilibrium.wrench_sets import Region, Segment, polygon_cycle

@@ -11,7 +11,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from arrangement.drawing.scene.scene import Floats
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.sight import across, face_normal, unit, unit_vectors
 from arrangement.drawing.solids.surface import Patch
 from arrangement.numbers.exact import IntegerVector, dot, primitive

@@ -15,7 +15,7 @@ from functools import cached_property
 import numpy as np
 
 from arrangement.drawing.colours import BLACK, BLUE, GREY, VERMILION
-from arrangement.drawing.scene.scene import Floats
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.depth_tree import Node, depth_tree
 from arrangement.drawing.solids.meshes import volume
 from arrangement.drawing.solids.sight import unit

@@ -11,8 +11,9 @@ import numpy as np
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLACK, GREY, PALE
 from arrangement.drawing.registry import Vector, Wrench
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import Labels
-from arrangement.drawing.scene.scene import AROUND, Floats, Key, Legend, Scene
+from arrangement.drawing.scene.scene import AROUND, Key, Legend, Scene
 from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import (
     best_view,

@@ -12,7 +12,7 @@ from arrangement.drawing.colours import BLACK
 from arrangement.drawing.output import millimetres
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage, page_face
 from arrangement.drawing.registry import Vector, Wrench
-from arrangement.drawing.scene.scene import Floats
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.drawing.solids.sight import picture_axes, view_direction
 from arrangement.drawing.solids.surface import Patch, rounded

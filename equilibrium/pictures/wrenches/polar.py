@@ -10,7 +10,8 @@ from typing import Any
 from arrangement.drawing.colours import VERMILION
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact
-from arrangement.drawing.scene.scene import Floats, Legend, Scene
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.scene import Legend, Scene
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, rational
 from arrangement.numbers.linear.intervals import Interval

@@ -12,7 +12,7 @@ from statistics import median
 import numpy as np
 
 from arrangement.console.number_form import LABEL
-from arrangement.drawing.scene.scene import Floats
+from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.depth_tree import Node, depth_tree
 from arrangement.drawing.solids.sight import best_view, views
 from arrangement.drawing.solids.surface import Patch, surface

@@ -13,7 +13,8 @@ import numpy as np
 from arrangement.drawing.colours import BLACK, GREY, VERMILION, pale
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact, Vector, Wrench
-from arrangement.drawing.scene.scene import Floats, Legend, Scene
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.scene import Legend, Scene
 from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import light, picture_axes, unit_vectors, view_direction
 from arrangement.drawing.solids.surface import Patch, rounded
