@@ -11,13 +11,15 @@ from .duals.inscribed.report import (
     inscribability as inscribability,
 )
 from .duals.zonohedron import (
-    DualPolygon as DualPolygon,
     DualPolyhedron as DualPolyhedron,
+    dual_polyhedron as dual_polyhedron,
+    dual_zonotope as dual_zonotope,
+)
+from .duals.zonotope import (
+    DualPolygon as DualPolygon,
     DualSegment as DualSegment,
     dual_polygon as dual_polygon,
-    dual_polyhedron as dual_polyhedron,
     dual_segment as dual_segment,
-    dual_zonotope as dual_zonotope,
 )
 from .enumeration.great_circles import (
     Incidence as Incidence,

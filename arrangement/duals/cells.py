@@ -1,229 +1,27 @@
 """The cells of an arrangement inside a body, a ball or a cube: convex solids, cut exactly.
 
-A convex body is a list of points with a list of faces. Points are homogeneous integer vectors
-``(x, y, z, w)`` with w > 0, for the point ``(x, y, z) / w``. The ball is a geodesic polyhedron
-whose corners are rational points of the sphere. Every cell is a closed surface by construction: the
-cut faces close what the cut has opened, and all cells share one list of points. Nothing is rounded.
+A cell is a list of faces over points that all cells share; its points are those of `body`.
+Every cell is a closed surface by construction: the cut faces close what the cut has opened. Nothing
+is rounded.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
-from functools import lru_cache
-from itertools import combinations, product
+from typing import TypeAlias
 
-import numpy as np
-
+from arrangement.drawing.solids.flat_polygons import clipped
 from arrangement.enumeration.choose import enumerate_faces
-from arrangement.errors import InputError, refusal
-from arrangement.numbers import budget
+from arrangement.errors import InputError
 from arrangement.numbers.exact import (
     IntegerVector,
-    RationalVector,
-    dot,
-    primitive,
-    rational,
-    rational_vector,
-    reduced,
     shown,
 )
-from arrangement.numbers.linear.rank import cross, cycle_edges
+from arrangement.numbers.linear.rank import cycle_edges
 from arrangement.planes.planes import Planes
 
-#: The edges of the icosahedron are cut into so many parts; the ball has 10 n^2 + 2 corners.
-_FREQUENCY = 16
-
-Faces = tuple[tuple[int, ...], ...]
-
-
-@dataclass(frozen=True)
-class Body:
-    """A ball or a cube.
-
-    Attributes:
-        kind: "ball" or "cube".
-        centre: exact.
-        radius: of the ball; half the edge of the cube. Exact.
-        corners: homogeneous points.
-        faces: cycles of corners, counter-clockwise seen from outside.
-    """
-
-    kind: str
-    centre: RationalVector
-    radius: Fraction
-    corners: tuple[IntegerVector, ...]
-    faces: Faces
-
-
-def body_around(
-    arrangement: Planes,
-    kind: str = "ball",
-    centre: Sequence[object] | None = None,
-    radius: object | None = None,
-) -> Body:
-    """Return the body in which planes of R^3 are shown.
-
-    Left to itself, every face of the arrangement meets it. For central planes it is the unit
-    ball, or the cube ``[-1, 1]^3``. For other planes its centre is that of the bounding box of
-    all vertices, and its radius 4/3 of the distance to the farthest one; where there are no
-    vertices, the lines (or planes) of the lowest dimension stand for them, each by its point in
-    the span of the normals.
-
-    Args:
-        arrangement: in R^3.
-        kind: "ball" or "cube".
-        centre: exact, instead of the above.
-        radius: exact, of the ball, or half the edge of the cube, instead of the above. In a
-            smaller body, what is far off is left out.
-
-    Raises:
-        InputError: another space, too many planes, an unknown kind, a radius that is not positive.
-    """
-    if kind not in _SOLIDS:
-        raise refusal(f"the body is {shown(kind)}", kind, _SOLIDS)
-    if arrangement.dimension != 3:
-        raise InputError(
-            f"the planes lie in R^{arrangement.dimension}; a ball or cube can show those of R^3"
-        )
-    budget.keep(len(arrangement.distinct), "planes in a body")
-    middle, reach = _extent(arrangement)
-    if centre is not None:
-        middle = rational_vector(centre, "centre")
-        if len(middle) != 3:
-            raise InputError(f"the centre has {len(middle)} coordinates; give three")
-    if radius is not None:
-        reach = rational(radius, "radius")
-        if reach <= 0:
-            raise InputError(f"the radius is {shown(radius)}; give a positive number")
-    units, faces = _SOLIDS[kind]()
-    corners = tuple(
-        primitive(
-            [*(c + reach * Fraction(x, unit[3]) for c, x in zip(middle, unit, strict=False)), 1]
-        )
-        for unit in units
-    )
-    return Body(kind, middle, reach, corners, faces)
-
-
-def _extent(arrangement: Planes) -> tuple[RationalVector, Fraction]:
-    """Return the centre and the radius of a body that every face meets."""
-    origin = (Fraction(0),) * 3
-    if arrangement.is_central:
-        return origin, Fraction(1)
-    lowest = enumerate_faces(arrangement).of_dimension(3 - arrangement.rank)
-    points = [_in_span(arrangement, face.witness) for face in lowest]
-    columns = list(zip(*points, strict=True))
-    centre = tuple((min(column) + max(column)) / 2 for column in columns)
-    squares = (sum((x - c) ** 2 for x, c in zip(p, centre, strict=True)) for p in points)
-    farthest = max(squares)
-    if not farthest:
-        return centre, Fraction(1)
-    p, q = farthest.numerator, farthest.denominator
-    return centre, Fraction(4, 3) * Fraction(math.isqrt(p * q << 32) + 1, q << 16)
-
-
-def _in_span(arrangement: Planes, point: RationalVector) -> RationalVector:
-    """Return the point of the span of the normals that lies on the same planes as `point`."""
-    if arrangement.rank == 3:
-        return point
-    normals = [plane[:3] for plane in arrangement.integer_planes]
-    if arrangement.rank == 1:
-        return _projection(point, normals[0])
-    along = next(c for c in (cross(normals[0], n) for n in normals) if any(c))
-    return tuple(x - y for x, y in zip(point, _projection(point, along), strict=True))
-
-
-def _projection(point: RationalVector, line: IntegerVector) -> RationalVector:
-    factor = Fraction(dot(point, line)) / dot(line, line)
-    return tuple(factor * x for x in line)
-
-
-@lru_cache(maxsize=1)
-def _cube() -> tuple[tuple[IntegerVector, ...], Faces]:
-    """Return the cube ``[-1, 1]^3``; corner 4 i + 2 j + k has the signs i, j, k."""
-    corners = tuple((x, y, z, 1) for x, y, z in product((-1, 1), repeat=3))
-    faces = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
-    return corners, faces
-
-
-@lru_cache(maxsize=1)
-def _ball() -> tuple[tuple[IntegerVector, ...], Faces]:
-    """Return a geodesic polyhedron whose corners lie on the unit sphere exactly.
-
-    It is turned out of every symmetric position, so that planes with small integers do not pass
-    close to its corners.
-    """
-    points, faces = _geodesic(_FREQUENCY)
-    a, b, c = 0.3719, 0.5923, 0.2281
-    turn = _rotation(2, a) @ _rotation(0, b) @ _rotation(2, c)
-    return tuple(_on_sphere(*point) for point in (points @ turn.T).tolist()), faces
-
-
-def _rotation(axis: int, angle: float) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
-    j, k = (axis + 1) % 3, (axis + 2) % 3
-    matrix = np.eye(3)
-    matrix[[j, k], [j, k]] = math.cos(angle)
-    matrix[j, k], matrix[k, j] = -math.sin(angle), math.sin(angle)
-    return matrix
-
-
-def _on_sphere(x: float, y: float, z: float) -> IntegerVector:
-    """Return a rational point of the sphere near a float one, by stereographic projection."""
-    far = -1 if z > 0 else 1
-    scale = 1 << 12
-    p, q = round(scale * x / (1 - far * z)), round(scale * y / (1 - far * z))
-    square = p * p + q * q
-    one = scale * scale
-    return primitive(
-        [Fraction(v) for v in (2 * p * scale, 2 * q * scale, far * (square - one), square + one)]
-    )
-
-
-def _geodesic(n: int) -> tuple[np.ndarray[tuple[int, int], np.dtype[np.float64]], Faces]:
-    """Return the icosahedron with every face cut into n^2 triangles, blown up to the sphere."""
-    golden = (1 + math.sqrt(5)) / 2
-    corners = [
-        tuple(np.roll((0.0, s, t * golden), shift).tolist())
-        for shift in range(3)
-        for s, t in product((-1, 1), repeat=2)
-    ]
-    sides = []
-    for i, j, k in combinations(range(12), 3):
-        a, b, c = np.array([corners[i], corners[j], corners[k]])
-        if max(math.dist(a, b), math.dist(b, c), math.dist(c, a)) < 2.1:
-            outward = float(np.linalg.det(np.array([a, b, c]))) > 0
-            sides.append((i, j, k) if outward else (i, k, j))
-    sides.sort()
-    index: dict[tuple[tuple[int, int], ...], int] = {}
-    points: list[list[float]] = []
-
-    def number(weights: dict[int, int]) -> int:
-        key = tuple(sorted((corner, w) for corner, w in weights.items() if w))
-        if key not in index:
-            index[key] = len(points)
-            points.append([sum(w * corners[c][axis] for c, w in key) for axis in range(3)])
-        return index[key]
-
-    faces = []
-    for i, j, k in sides:
-        grid = {
-            (a, b): number({i: n - a - b, j: a, k: b})
-            for a in range(n + 1)
-            for b in range(n + 1 - a)
-        }
-        for a, b in grid:
-            if a + b < n:
-                faces.append((grid[a, b], grid[a + 1, b], grid[a, b + 1]))
-            if a + b < n - 1:
-                faces.append((grid[a + 1, b], grid[a + 1, b + 1], grid[a, b + 1]))
-    array = np.array(points)
-    return array / np.linalg.norm(array, axis=1, keepdims=True), tuple(faces)
-
-
-_SOLIDS = {"ball": _ball, "cube": _cube}
+from .body import Body, Faces, body_around
 
 
 @dataclass(frozen=True)
@@ -240,7 +38,7 @@ class Cell:
 
     signs: tuple[int, ...]
     sides: tuple[int, ...]
-    faces: tuple[tuple[int, ...], ...]
+    faces: Faces
     walls: tuple[int, ...]
 
 
@@ -281,8 +79,7 @@ def cut_cells(
     knife = _Knife(body.corners)
     walls = tuple(-1 - face for face in range(len(body.faces)))
     solids: list[tuple[tuple[int, ...], _Solid]] = [((), (body.faces, walls))]
-    for label, members in enumerate(arrangement.distinct):
-        plane = arrangement.integer_planes[members[0]]
+    for label, plane in enumerate(arrangement.distinct_planes):
         knife.take(label, (*plane[:3], -plane[3]))
         solids = [
             ((*sides, side), part)
@@ -322,7 +119,7 @@ def read_signs(arrangement: Planes, text: str) -> tuple[int, ...]:
 
 
 #: faces and walls, as in `Cell`
-_Solid = tuple[tuple[tuple[int, ...], ...], tuple[int, ...]]
+_Solid: TypeAlias = tuple[Faces, tuple[int, ...]]
 
 
 class _Knife:
@@ -367,22 +164,14 @@ class _Knife:
         return (*faces, tuple(lid)), (*walls, self.label)
 
     def _clipped(self, face: tuple[int, ...], side: int) -> tuple[int, ...]:
-        kept = []
-        for p, q in cycle_edges(face):
-            at_p, at_q = side * self.values[p], side * self.values[q]
-            if at_p >= 0:
-                kept.append(p)
-            if at_p * at_q < 0:
-                kept.append(self._between(p, q))
-        return tuple(kept)
+        """Return the part of a face on one side, which may be less than a polygon."""
+        values = [side * self.values[i] for i in face]
+        if min(values) >= 0:
+            return face
+        return tuple(map(self._number, clipped([self.points[i] for i in face], values)))
 
-    def _between(self, p: int, q: int) -> int:
-        """Return the point where the plane meets the segment between two points."""
-        at_p, at_q = self.values[p], self.values[q]
-        if at_p < 0:
-            p, q, at_p, at_q = q, p, at_q, at_p
-        here, there = self.points[p], self.points[q]
-        point = reduced([at_p * y - at_q * x for x, y in zip(here, there, strict=True)])
+    def _number(self, point: IntegerVector) -> int:
+        """Return the number of a point; a new one lies in the plane."""
         if point not in self.index:
             self.index[point] = len(self.points)
             self.points.append(point)

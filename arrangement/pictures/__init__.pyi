@@ -5,7 +5,8 @@ from .duals.dual import draw_dual as draw_dual
 from .duals.graph import draw_graph as draw_graph
 from .page.page import arrangement_page as arrangement_page
 from .space.cells import cells_page as cells_page, draw_cells as draw_cells
-from .space.planes import DrawnFacet as DrawnFacet, draw_planes as draw_planes
+from .space.planes import draw_planes as draw_planes
+from .space.planes_sheet import DrawnFacet as DrawnFacet
 from .sphere.gnomonic import draw_gnomonic as draw_gnomonic
 from .sphere.sphere import draw_sphere as draw_sphere
 from .sphere.stereographic import draw_stereographic as draw_stereographic

@@ -20,7 +20,8 @@ from arrangement import Arrangement, ArrangementError
 from arrangement.cli import main
 from arrangement.counts import f_vector, region_count
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
-from arrangement.duals.cells import Cells, body_around, cut_cells
+from arrangement.duals.body import body_around
+from arrangement.duals.cells import Cells, cut_cells
 from arrangement.library.files.table import read_arrangement
 from arrangement.numbers.exact import sign
 from arrangement.numbers.linear.rank import determinant
@@ -33,8 +34,9 @@ from arrangement.pictures import (
 )
 from arrangement.pictures.parts.essential import fits, in_space
 from arrangement.pictures.space.cells import cells_model
-from arrangement.pictures.space.exploded_cells import Facet, Stage, lifted_cells
+from arrangement.pictures.space.lifted_cells import lifted_cells
 from arrangement.pictures.space.planes import draw_planes
+from arrangement.pictures.space.stage import Facet, Stage
 from arrangement.pictures.views import drawings_of
 from tests.drawn import paths
 from tests.instances import PLANAR

@@ -11,13 +11,8 @@ import trimesh
 from hypothesis import assume, given, settings, strategies as st
 
 from arrangement import Arrangement, ArrangementError, InputError, counts
-from arrangement.duals.zonohedron import (
-    DualPolyhedron,
-    dual_polygon,
-    dual_polyhedron,
-    dual_segment,
-    dual_zonotope,
-)
+from arrangement.duals.zonohedron import DualPolyhedron, dual_polyhedron, dual_zonotope
+from arrangement.duals.zonotope import dual_polygon, dual_segment
 
 from .strategies import arrangements
 

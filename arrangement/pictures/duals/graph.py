@@ -25,7 +25,8 @@ from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, tried, write_along, write_beside
 from arrangement.drawing.scene.scene import Scene, area
 from arrangement.drawing.solids.sight import unit_vectors
-from arrangement.duals.zonohedron import dual_polygon, dual_polyhedron, dual_segment
+from arrangement.duals.zonohedron import dual_polyhedron
+from arrangement.duals.zonotope import dual_polygon, dual_segment
 from arrangement.numbers import budget
 from arrangement.numbers.linear.rank import cycle_edges
 from arrangement.pictures.parts.coordinates import symmetry

@@ -15,7 +15,8 @@ from arrangement.drawing.colours import side_colour
 from arrangement.drawing.output import millimetres
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.sight import face_normal, unit_vectors
-from arrangement.duals.zonohedron import DualPolyhedron, dual_polygon, dual_polyhedron, dual_segment
+from arrangement.duals.zonohedron import DualPolyhedron, dual_polyhedron
+from arrangement.duals.zonotope import dual_polygon, dual_segment
 from arrangement.numbers.exact import IntegerVector, dot
 from arrangement.numbers.linear.rank import cycle_edges, difference, triple_product
 from arrangement.numbers.number_field import rational_near

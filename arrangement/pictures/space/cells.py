@@ -36,8 +36,9 @@ from arrangement.pictures.parts.names import (
     plane_names,
 )
 
-from .exploded_cells import Lifted, Stage, StagedAxes, sharp, unit_points, walls_of_edges
-from .planes import PlanesSheet
+from .lifted_cells import Lifted
+from .planes_sheet import PlanesSheet
+from .stage import Stage, StagedAxes, sharp, unit_points, walls_of_edges
 from .view_direction import clear_sight
 
 #: Up to so many cells have labels.

@@ -12,7 +12,7 @@ from arrangement.drawing.solids.sight import best_view, unit, unit_vectors, view
 from arrangement.duals.cells import Cells
 from arrangement.numbers.exact import IntegerVector, primitive, unoriented
 
-from .exploded_cells import unit_points
+from .stage import unit_points
 
 #: Pairs of lines that are compared at most; the rest of a large arrangement hardly matters.
 _MOST_PAIRS = 400

@@ -13,7 +13,6 @@ from arrangement.drawing.colours import DrawnRegion, Painter, letter_colour
 from arrangement.drawing.scene.items import Box, Floats
 from arrangement.drawing.scene.labels import (
     SIZES,
-    Leaders,
     along,
     flattened,
     keep_off,
@@ -22,6 +21,7 @@ from arrangement.drawing.scene.labels import (
     turn,
     write_inside,
 )
+from arrangement.drawing.scene.leaders import Leaders
 from arrangement.drawing.scene.scene import Scene
 from arrangement.numbers.exact import dot
 from arrangement.pictures.parts.names import RegionLabels, plane_names, thinner

@@ -1,0 +1,203 @@
+"""The cells, facets and axes of planes inside a body, in the axes of a picture."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from typing import TypeAlias, TypeVar
+
+import numpy as np
+
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.solids.depth_tree import Node, back_to_front, plane_tree
+from arrangement.drawing.solids.sight import picture_axes
+from arrangement.duals.cells import Cell, Cells
+from arrangement.errors import InputError
+from arrangement.numbers.exact import IntegerVector, dot
+from arrangement.numbers.linear.rank import cycle_edges
+from arrangement.pictures.parts.coordinates import REACH
+from arrangement.planes.planes import Planes
+
+#: Of the first plane of each class.
+Sides: TypeAlias = tuple[int, ...]
+_Drawn = TypeVar("_Drawn")
+
+
+@dataclass(frozen=True)
+class Facet:
+    """A facet of the arrangement, cut off at the surface of the body.
+
+    Attributes:
+        label: the class of planes that it lies on.
+        sides: its sign on the first plane of every class; 0 for `label`.
+        corners: points of the cells, in cyclic order.
+        rim: for each edge (corner to next corner) whether it lies on the surface of the body.
+    """
+
+    label: int
+    sides: Sides
+    corners: tuple[int, ...]
+    rim: tuple[bool, ...]
+
+
+class Stage:
+    """The cells of an arrangement in the axes of a picture: right, up, towards the viewer.
+
+    Attributes:
+        cells: exact.
+        direction: towards the viewer.
+        axes: (3, 3); the unit vectors of the picture.
+        points: (P, 3); the points of `cells`; the body has its centre at 0 and radius 1.
+    """
+
+    def __init__(self, cells: Cells, direction: IntegerVector) -> None:
+        self.cells = cells
+        self.direction = direction
+        self.axes = picture_axes(direction)
+        self.points = unit_points(cells) @ self.axes.T
+
+    @property
+    def arrangement(self) -> Planes:
+        """The arrangement."""
+        return self.cells.arrangement
+
+    @cached_property
+    def facets(self) -> tuple[Facet, ...]:
+        """All facets, back to front."""
+        found = [facet for cell in self.cells.cells for facet in _facets_below(cell)]
+        found.sort(key=lambda facet: (facet.label, facet.sides))
+        nodes = back_to_front(self.tree((f.sides, f) for f in found), self.direction)
+        return tuple(facet for node in nodes for facet in node.patches)
+
+    def tree(self, pieces: Iterable[tuple[Sequence[int], _Drawn]]) -> list[Node[_Drawn]]:
+        """Return the tree of the planes, with pieces that have these sides of them."""
+        return plane_tree([(*p[:3], -p[3]) for p in self.arrangement.distinct_planes], pieces)
+
+    @cached_property
+    def planes(self) -> tuple[tuple[Floats, float], ...]:
+        """For each class the unit normal and offset of its first plane, in the picture."""
+        body = self.cells.body
+        found = []
+        for plane in self.arrangement.distinct_planes:
+            offset = plane[3] - dot(body.centre, plane[:3])
+            scale = max(map(abs, plane[:3]))
+            normal = np.array([float(x / scale) for x in plane[:3]])
+            length = float(np.linalg.norm(normal))
+            found.append(
+                (self.axes @ normal / length, float(offset / body.radius / scale) / length)
+            )
+        return tuple(found)
+
+    def body_edges(self) -> Iterator[tuple[Sides, Floats]]:
+        """Yield sides and ends of the segments of the edges of a cube."""
+        for cell in self.cells.cells:
+            ends = {
+                (min(edge), max(edge))
+                for edge, (one, other) in walls_of_edges(cell).items()
+                if one < 0 and other < 0 and one != other
+            }
+            for pair in sorted(ends):
+                yield cell.sides, self.points[list(pair)]
+
+
+def unit_points(cells: Cells) -> Floats:
+    """Return the points of the cells with the body at the origin and of radius 1, (P, 3).
+
+    Differences are exact; one division of integers rounds each coordinate.
+    """
+    centre, radius = cells.body.centre, cells.body.radius
+    common = math.lcm(*(c.denominator for c in centre))
+    shift = [int(c * common) for c in centre]
+    above, below = radius.denominator, radius.numerator * common
+    return np.array(
+        [
+            [
+                float((common * x - s * p[3]) * above / (below * p[3]))
+                for x, s in zip(p, shift, strict=False)
+            ]
+            for p in cells.points
+        ]
+    )
+
+
+def _facets_below(cell: Cell) -> list[Facet]:
+    """Return the facets of a cell that lie under it, so that each facet occurs once."""
+    found = []
+    for face, wall in zip(cell.faces, cell.walls, strict=True):
+        if wall >= 0 and cell.sides[wall] > 0:
+            sides = tuple(0 if k == wall else s for k, s in enumerate(cell.sides))
+            found.append((wall, sides, face))
+    if not found:
+        return []
+    walls = walls_of_edges(cell)
+    return [
+        Facet(wall, sides, face, tuple(min(walls[edge]) < 0 for edge in cycle_edges(face)))
+        for wall, sides, face in found
+    ]
+
+
+def walls_of_edges(cell: Cell) -> Mapping[tuple[int, int], tuple[int, int]]:
+    """Return for each directed edge its own wall and that of the face across."""
+    own = {
+        edge: wall
+        for face, wall in zip(cell.faces, cell.walls, strict=True)
+        for edge in cycle_edges(face)
+    }
+    return {(a, b): (wall, own[b, a]) for (a, b), wall in own.items()}
+
+
+class StagedAxes:
+    """The three half-axes in a body, cut where planes and its surface meet them.
+
+    Attributes:
+        names: of the axes; there may be none.
+        origin: (3,); in the axes of the picture, the body having its centre at 0 and radius 1.
+        tips: (3, 3); the ends, or nothing.
+
+    Raises:
+        InputError: there are names, and the origin is not in the body.
+    """
+
+    def __init__(self, stage: Stage, names: Sequence[str]) -> None:
+        self.stage, self.names = stage, names
+        body = stage.cells.body
+        place = np.array([float(-c / body.radius) for c in body.centre])
+        self.origin = stage.axes @ place
+        inside = float(np.abs(place).max()) if body.kind == "cube" else float(place @ place)
+        if names and inside >= 1:
+            raise InputError("the origin is not in the body; choose another body, or axes none")
+        square = place**2 + 1 - place @ place
+        # Where |place + t e_k| = 1 in a ball, and where the k-th coordinate is 1 in a cube.
+        self._out = 1 - place if body.kind == "cube" else np.sqrt(np.maximum(0, square)) - place
+        ways = stage.axes.T[: len(names)]
+        self.tips = self.origin + (self._out[: len(names), None] + REACH - 1) * ways
+
+    def inside(self) -> Iterator[tuple[Sides, Floats]]:
+        """Yield the sides and the ends (2, 3) of each piece in the body."""
+        for way, out in zip(self.stage.axes.T[: len(self.names)], self._out, strict=False):
+            cuts = [0.0, float(out)]
+            for normal, offset in self.stage.planes:
+                slope = float(normal @ way)
+                if abs(slope) > 1e-12:
+                    cuts.append((offset - float(normal @ self.origin)) / slope)
+            inner = sorted(t for t in cuts if 0 <= t <= out)
+            for start, stop in pairwise(inner):
+                if stop - start > 1e-9:
+                    ends = self.origin + np.array([[start], [stop]]) * way
+                    middle = ends.mean(axis=0)
+                    # In floats: an axis may lie in planes.
+                    heights = [float(n @ middle) - offset for n, offset in self.stage.planes]
+                    yield tuple(0 if abs(h) < 1e-9 else 1 if h > 0 else -1 for h in heights), ends
+
+    def outside(self) -> Iterator[tuple[bool, Floats]]:
+        """Yield for each axis whether it comes out of the body in front, and the ends (2, 3)."""
+        for way, out, tip in zip(self.stage.axes.T, self._out, self.tips, strict=False):
+            yield bool(way[2] > 0), np.array([self.origin + out * way, tip])
+
+
+def sharp(wall: int, other: int, smooth: bool) -> bool:
+    """Whether the edge between two walls is one of the solid, not one of a round surface."""
+    return wall != other and not (smooth and wall < 0 and other < 0)
