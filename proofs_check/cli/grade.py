@@ -3,39 +3,118 @@
 from __future__ import annotations
 
 import argparse
+import csv
+import io
 import shutil
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import asdict
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
 
 from arrangement.console import terminal
-from proofs_check.course.exercise import FORMS, Exercise, grade, load_exercises
+from arrangement.console.number_form import number
+from arrangement.console.writing import write_text_atomically
+from arrangement.errors import InputError
+from proofs_check.course.exercise import (
+    FORMS,
+    Exercise,
+    Mark,
+    grade,
+    grade_folder,
+    load_exercises,
+)
 from proofs_check.course.printed_table import Row, check_table, value_text
 from proofs_check.reports import text
 
 
 def run_grade(arguments: argparse.Namespace) -> int:
-    """Grade a file of answers; without one, list the questions."""
+    """Mark a file of answers, or a folder of them; without one, list the questions."""
     exercises = load_exercises(arguments.exercises)
     if arguments.answers is None:
         return _list(exercises, arguments.json)
-    mistakes = grade(exercises, arguments.answers)
-    points = {id: 0 if mistakes[id] else one.points for id, one in exercises.items()}
-    got, most = sum(points.values()), sum(one.points for one in exercises.values())
+    if Path(arguments.answers).is_dir():
+        return _class(exercises, grade_folder(exercises, Path(arguments.answers)), arguments)
+    if arguments.output:
+        raise InputError(f"-o writes the points of a folder; {arguments.answers} is one file")
+    marks = grade(exercises, arguments.answers)
+    got, most = _total(marks)
     if arguments.json:
-        found = [{"id": id, "points": points[id], "mistake": mistakes[id]} for id in mistakes]
-        terminal.print_json({"exercises": found, "points": got, "most": most})
+        terminal.print_json({"exercises": _documents(marks), "points": _json(got), "most": most})
     else:
-        _table(
-            [
-                *(
-                    (id, f"{points[id]} of {one.points}", mistakes[id] or "right")
-                    for id, one in exercises.items()
-                ),
-                ("total", f"{got} of {most}", "points"),
-            ]
-        )
-    return terminal.NO if any(mistakes.values()) else terminal.YES
+        rows = [
+            (id, _of(one.points, one.most), one.mistake or "right") for id, one in marks.items()
+        ]
+        _table([*rows, ("total", _of(got, most), "points")])
+    return _code(marks)
+
+
+def _class(
+    exercises: Mapping[str, Exercise],
+    found: Mapping[str, dict[str, Mark] | InputError],
+    arguments: argparse.Namespace,
+) -> int:
+    """Print the points of a class, a line a file, and write them as CSV; 2 if a file has none."""
+    if arguments.output:
+        lines = io.StringIO()
+        table = csv.writer(lines, lineterminator="\n")
+        table.writerow(["name", *exercises, "total", "error"])
+        for name, marks in found.items():
+            if isinstance(marks, InputError):
+                table.writerow([_cell(name), *("" for _ in exercises), "", _cell(str(marks))])
+            else:
+                points = [marks[id].points for id in exercises]
+                table.writerow([_cell(name), *points, sum(points), ""])
+        write_text_atomically(arguments.output, lines.getvalue())
+    for name, marks in found.items() if arguments.json else ():
+        if isinstance(marks, InputError):
+            terminal.print_json({"name": name, "error": str(marks)})
+        else:
+            got, most = _total(marks)
+            document = {"exercises": _documents(marks), "points": _json(got), "most": most}
+            terminal.print_json({"name": name, **document})
+    if not arguments.json:
+        _table([(name, *_line_of_class(marks)) for name, marks in found.items()])
+    codes = [2 if isinstance(marks, InputError) else _code(marks) for marks in found.values()]
+    return max(codes)
+
+
+def _cell(text: str) -> str:
+    """Return a text that no spreadsheet takes for a formula."""
+    return f"'{text}" if text.startswith(("=", "+", "-", "@")) else text
+
+
+def _line_of_class(marks: dict[str, Mark] | InputError) -> tuple[str, str]:
+    if isinstance(marks, InputError):
+        return "not marked", str(marks)
+    wrong = [f"{id} {number(one.points)} of {one.most}" for id, one in marks.items() if one.mistake]
+    return _of(*_total(marks)), ", ".join(wrong) or "all right"
+
+
+def _total(marks: Mapping[str, Mark]) -> tuple[Fraction, int]:
+    return sum((one.points for one in marks.values()), Fraction()), sum(
+        one.most for one in marks.values()
+    )
+
+
+def _code(marks: Mapping[str, Mark]) -> int:
+    return terminal.NO if any(one.mistake for one in marks.values()) else terminal.YES
+
+
+def _of(points: Fraction, most: int) -> str:
+    return f"{number(points)} of {most}"
+
+
+def _documents(marks: Mapping[str, Mark]) -> list[dict[str, Any]]:
+    return [
+        {"id": id, "points": _json(one.points), "mistake": one.mistake} for id, one in marks.items()
+    ]
+
+
+def _json(points: Fraction) -> int | str:
+    """Return points as an integer, or as the text of a fraction."""
+    return points.numerator if points.denominator == 1 else str(points)
 
 
 def _list(exercises: Mapping[str, Exercise], as_json: bool) -> int:

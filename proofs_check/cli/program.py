@@ -69,8 +69,12 @@ def _parser() -> terminal.Parser:
     )
     grade.add_argument("exercises", metavar="FILE.py", help="the exercises; it is run as a program")
     grade.add_argument(
-        "answers", nargs="?", metavar="ANSWERS.json", help="(default: list the questions)"
+        "answers",
+        nargs="?",
+        metavar="ANSWERS.json",
+        help="or a folder with such a file for each student (default: list the questions)",
     )
+    grade.add_argument("-o", "--output", metavar="POINTS.csv", help="the points of a folder")
     table = command(
         "table",
         "grade.run_table",

@@ -1,8 +1,9 @@
 """Exercises for a course: a decorated function that gets an answer and returns True or a reason.
 
 The lecturer writes a Python file, the students hand in JSON, and ``proofs-check grade FILE.py
-ANSWERS.json`` compares. A function may compute what is right, or only check: a certificate proves
-its verdict whoever wrote it, and a counterexample is one whoever found it. ::
+ANSWERS.json`` marks one of them, or a folder of them. A function may compute what is right, or
+only check: a certificate proves its verdict whoever wrote it, and a counterexample is one whoever
+found it. ::
 
     from proofs_check import exercise
 
@@ -16,14 +17,23 @@ The lecturer's file is run with all rights, as with ``python FILE.py``. Answers 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from difflib import get_close_matches
+from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import Shown
 from arrangement.errors import InputError
-from arrangement.library.files.json_files import Source, check_keys, check_list, read_document
+from arrangement.library.files.json_files import (
+    Source,
+    check_keys,
+    check_list,
+    kind_of,
+    read_document,
+)
 from arrangement.library.files.table import read_arrangement
 from arrangement.numbers.exact import rational, rational_vector, shown
 from equilibrium.certificate.checker import Report, check
@@ -42,7 +52,8 @@ class Exercise(Shown):
         of: what an answer is, a key of `FORMS`.
         points: for a right answer.
         judge: gets an answer as `FORMS` reads it; returns a Boolean, the report of a checked
-            certificate, or a text that says what is wrong.
+            certificate, a text that says what is wrong, or a pair of the points that the answer
+            gets and such a text.
     """
 
     id: str
@@ -51,8 +62,8 @@ class Exercise(Shown):
     points: int
     judge: Callable[[Any], Any]
 
-    def mistake(self, answer: Any) -> str:
-        """Return what is wrong with an answer, given as in a file; an empty text if it is right.
+    def mark(self, answer: Any) -> Mark:
+        """Return the points of an answer, given as in a file, and what is wrong with it.
 
         Raises:
             OwnClaimError: the function raised an error, or returned something else.
@@ -60,23 +71,48 @@ class Exercise(Shown):
         try:
             given = FORMS[self.of][0](answer)
         except InputError as error:
-            return str(error)
+            return self._marked(0, str(error))
         try:
             found = self.judge(given)
         except Exception as error:
             where = line_of(error, self.judge.__code__.co_filename)
             text = f"{type(error).__name__}: {error}"
             raise OwnClaimError(f"{self.id} raised {text} ({where})") from error
-        if isinstance(found, Report):
-            return found.problem
-        if isinstance(found, bool):
-            return "" if found else "wrong"
-        if isinstance(found, str) and found:
-            return found
+        match found:
+            case Report():
+                return self._marked(0, found.problem)
+            case bool():
+                return self._marked(0, "" if found else "wrong")
+            case (points, text) if self._is_part(points) and isinstance(text, str) and text:
+                return self._marked(Fraction(points), text)
+            case str() if found:
+                return self._marked(0, found)
         raise OwnClaimError(
             f"{self.id} returned {shown(found)}; return True, False, what `check` says of a "
-            "certificate, or a text that says what is wrong"
+            "certificate, a text that says what is wrong, or a pair of points below "
+            f"{self.points} and such a text"
         )
+
+    def _is_part(self, points: Any) -> bool:
+        return type(points) in (int, Fraction) and 0 <= points < self.points
+
+    def _marked(self, points: Fraction | int, mistake: str) -> Mark:
+        return Mark(Fraction(points if mistake else self.points), self.points, mistake)
+
+
+@dataclass(frozen=True)
+class Mark:
+    """What one answer gets.
+
+    Attributes:
+        points: from 0 to `most`.
+        most: for a right answer.
+        mistake: what is wrong, in words; an empty text if the answer is right.
+    """
+
+    points: Fraction
+    most: int
+    mistake: str
 
 
 def exercise(
@@ -120,20 +156,58 @@ def load_exercises(path: str) -> dict[str, Exercise]:
     return named
 
 
-def grade(exercises: Mapping[str, Exercise], source: Source) -> dict[str, str]:
-    """Return what is wrong with each answer of a file, by id; a right one has an empty text.
+def grade(exercises: Mapping[str, Exercise], source: Source) -> dict[str, Mark]:
+    """Mark the answers of a file, by the ids of the exercises.
+
+    An answer to what was not asked gets nothing; where an exercise has no answer, its mark says
+    which key was meant for it, as far as one can tell.
 
     Raises:
-        InputError: this is no file of answers, or it answers what was not asked.
+        InputError: this is no file of answers.
     """
     document = read_document(source, ("answers",), floats=True)
     check_keys(document, ("schema_version", "answers"), ("description",), "the file of answers")
     answers = document["answers"]
-    check_keys(answers, (), tuple(exercises), "answers")
+    if not isinstance(answers, Mapping):
+        raise InputError(f"answers is {kind_of(answers)}; give a JSON object, one key an exercise")
+    strange = [key for key in answers if key not in exercises]
     return {
-        id: one.mistake(answers[id]) if id in answers else "no answer"
+        id: one.mark(answers[id])
+        if id in answers
+        else Mark(Fraction(), one.points, _no(id, strange))
         for id, one in exercises.items()
     }
+
+
+def _no(id: str, strange: Sequence[str]) -> str:
+    """Return that there is no answer, and the key that was perhaps meant for it."""
+    near = get_close_matches(id, strange, 1)
+    return (
+        f"no answer; {shown(near[0])} is no exercise, was this one meant?" if near else "no answer"
+    )
+
+
+def grade_folder(
+    exercises: Mapping[str, Exercise], folder: Path
+) -> dict[str, dict[str, Mark] | InputError]:
+    """Mark all files of answers (``*.json``) of a folder, by their names without the ending.
+
+    Instead of its marks a file that cannot be read has the error, and so has one on which a check
+    failed: neither keeps the others from their marks.
+
+    Raises:
+        InputError: the folder has no such file.
+    """
+    files = sorted(folder.glob("*.json"))
+    if not files:
+        raise InputError(f"{folder} has no files of answers; their names end with .json")
+    found: dict[str, dict[str, Mark] | InputError] = {}
+    for file in files:
+        try:
+            found[file.stem] = grade(exercises, file)
+        except InputError as error:
+            found[file.stem] = error
+    return found
 
 
 def _states(answer: Any) -> frozenset[tuple[str, ...]]:

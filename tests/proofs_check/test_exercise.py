@@ -1,5 +1,6 @@
 """Exercises: every form of an answer, right and wrong; files of lecturers and of students."""
 
+import csv
 import json
 from collections.abc import Callable
 from fractions import Fraction
@@ -9,11 +10,10 @@ from typing import Any
 import pytest
 
 from arrangement import Arrangement
-from arrangement.errors import InputError
 from equilibrium import Grasp, check, read_grasp, solve
 from proofs_check import exercise
 from proofs_check.cli.program import main
-from proofs_check.course.exercise import FORMS, grade, load_exercises
+from proofs_check.course.exercise import FORMS
 from proofs_check.errors import OwnClaimError
 
 GRASP = read_grasp("opposed-contacts")
@@ -46,14 +46,14 @@ def test_every_form_has_a_case():
 @pytest.mark.parametrize("of", READ)
 def test_an_answer_is_read_or_refused_with_a_reason(of):
     good, value, bad = READ[of]
-    assert asked(of, lambda given: given == value).mistake(good) == ""
-    assert asked(of, lambda given: given != value).mistake(good) == "wrong"
+    assert asked(of, lambda given: given == value).mark(good).mistake == ""
+    assert asked(of, lambda given: given != value).mark(good).mistake == "wrong"
     for answer, reason in bad.items():
-        assert reason in asked(of, lambda given: True).mistake(answer)
+        assert reason in asked(of, lambda given: True).mark(answer).mistake
 
 
 def test_a_state_has_signs_or_words():
-    assert "is no state" in asked("states", lambda given: True).mistake([["stick"], 3])
+    assert "is no state" in asked("states", lambda given: True).mark([["stick"], 3]).mistake
 
 
 def test_a_certificate_is_judged_by_its_proof_and_its_question():
@@ -61,17 +61,20 @@ def test_a_certificate_is_judged_by_its_proof_and_its_question():
         return check(document, (GRASP, (Fraction(0), Fraction(0), Fraction(1))))
 
     question = asked("certificate", judge)
-    assert question.mistake(NO) == ""
-    assert question.mistake(YES).startswith("it is about another wrench: it is (")
-    assert "work" in question.mistake({**NO, "tree": ["0", "0", "1"]})
-    assert "tree" in question.mistake({**NO, "tree": 3})
+    assert question.mark(NO).mistake == ""
+    assert question.mark(YES).mistake.startswith("it is about another wrench: it is (")
+    assert "work" in question.mark({**NO, "tree": ["0", "0", "1"]}).mistake
+    assert "tree" in question.mark({**NO, "tree": 3}).mistake
 
 
 def test_a_fault_of_the_lecturer_is_no_mistake_of_a_student():
     with pytest.raises(OwnClaimError, match="q raised ZeroDivisionError"):
-        asked("number", lambda given: given / 0).mistake(1)
+        asked("number", lambda given: given / 0).mark(1)
     with pytest.raises(OwnClaimError, match="q returned None"):
-        asked("number", lambda given: None).mistake(1)
+        asked("number", lambda given: None).mark(1)
+    for part in ((1, "half"), (-1, "less"), (0, ""), (0.5, "half"), (True, "all")):
+        with pytest.raises(OwnClaimError, match="a pair of points below 1"):
+            asked("number", lambda given, part=part: part).mark(1)
     for wrong in ({"of": "essay"}, {"points": -1}, {"points": True}):
         with pytest.raises(OwnClaimError, match=next(iter(wrong))):
             exercise("?", **wrong)
@@ -122,9 +125,7 @@ def test_without_answers_the_questions_are_listed(desk, capsys):
     assert json.loads(capsys.readouterr().out)["exercises"][1]["of"] == "grasp"
 
 
-def test_answers_to_nothing_and_other_files_are_refused(desk, capsys):
-    with pytest.raises(InputError, match="two"):
-        grade(load_exercises("lecture.py"), {"schema_version": 1, "answers": {"two": 2}})
+def test_other_files_are_refused(desk, capsys):
     for bad in ("[]", '{"schema_version": 1, "answers": []}', "print(1)"):
         Path("bad.json").write_text(bad, encoding="utf-8")
         assert main(["grade", "lecture.py", "bad.json"]) == 2
@@ -135,3 +136,39 @@ def test_answers_to_nothing_and_other_files_are_refused(desk, capsys):
     Path("twice.py").write_text(twice.replace("def somewhere", "def there"), encoding="utf-8")
     assert main(["grade", "twice.py"]) == 2
     assert "two exercises with one id" in capsys.readouterr().err
+
+
+def test_a_class_is_marked_whatever_one_of_it_hands_in(desk, capsys):
+    sloppy = """@exercise("Minus one?", points=3)
+def sign(answer):
+    return (Fraction(3, 2), "the sign") if 2 / answer == 2 else answer == -1"""
+    text = f"from fractions import Fraction\n{LECTURE}{sloppy}"
+    (desk / "lecture.py").write_text(text, encoding="utf-8")
+    folder = desk / "class"
+    folder.mkdir()
+    for name, answers in {
+        "=ada": '{"one": 1, "sign": -1, "somewhere": ' + json.dumps(GRASP.to_dict()) + "}",
+        "bob": '{"one": -1.5, "sign": 1, "some-where": 3}',
+        "cy": '{"one": ',
+        "dan": '{"one": 1, "sign": 0}',
+    }.items():
+        document = f'{{"schema_version": 1, "answers": {answers}}}'
+        (folder / f"{name}.json").write_text(document, encoding="utf-8")
+    assert main(["grade", "lecture.py", "class", "-o", "points.csv"]) == 2
+    assert "sign 3/2 of 3" in capsys.readouterr().out
+    head, *rows = csv.reader((desk / "points.csv").read_text(encoding="utf-8").splitlines())
+    assert head == ["name", "one", "somewhere", "sign", "total", "error"]
+    assert rows[:2] == [["'=ada", "2", "3", "3", "8", ""], ["bob", "0", "0", "3/2", "3/2", ""]]
+    assert [row[:5] for row in rows[2:]] == [["cy", *[""] * 4], ["dan", *[""] * 4]]
+    assert "JSON" in rows[2][5]
+    assert "ZeroDivisionError" in rows[3][5]
+    assert main(["grade", "lecture.py", "class", "--json"]) == 2
+    ada, bob, *_ = map(json.loads, capsys.readouterr().out.splitlines())
+    assert (ada["points"], bob["points"]) == (8, "3/2")
+    assert "'some-where' is no exercise" in bob["exercises"][1]["mistake"]
+    (folder / "cy.json").unlink()
+    (folder / "dan.json").unlink()
+    assert main(["grade", "lecture.py", "class"]) == 1
+    assert main(["grade", "lecture.py", "class/bob.json", "-o", "x.csv"]) == 2
+    (desk / "empty").mkdir()
+    assert main(["grade", "lecture.py", "empty"]) == 2
