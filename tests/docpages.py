@@ -17,6 +17,7 @@ import io
 import re
 import runpy
 import shlex
+import shutil
 import subprocess
 import sys
 import textwrap
@@ -167,6 +168,10 @@ class Page:
                 return ENTRIES[name](rest)
             case ["echo", "$?"]:
                 print(self.code)
+            case ["mkdir", name]:
+                Path(name).mkdir()
+            case ["cp", source, target]:
+                shutil.copy(source, target)
             case ["cat", name]:
                 print(Path(name).read_text(encoding="utf-8"), end="")
             case ["python", name]:

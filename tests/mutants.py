@@ -326,10 +326,12 @@ if p == q == 1:
 def interval(self, bits: int = 10) -> tuple[Fraction, Fraction]:
     10 -> 11 | 10 -> 9 | how short an interval is if nothing is asked was chosen
 while (self._high - self._low) * (1 << bits) > 1:
+    1 -> 2 (2) | the interval is half as long
     Gt -> GtE | the interval is half as long at most
 while len(rows) < self.degree - 1:
     Lt -> LtE | 1 -> 0 | Sub -> Add | one more power, which no product has
 found = [0] * (2 * n - 1)
+    2 -> 3 | more 0
     1 -> 0 | one more 0
 if divisor != 1:
     1 -> 0 | what is divided by 1 stays
@@ -358,6 +360,18 @@ k *= 2
 if abs(value) > (len(products) + 6) * _UNIT * sum(map(abs, products)):
     6 -> 7 | 6 -> 5 | four units of the error are spare
     Mult -> Add | Mult -> Add (2) | integers decide then
+return self.made((a, -b) if norm > 0 else (-a, b), abs(norm))
+    Gt -> GtE | 0 -> -1 | the norm is an integer, and that of 0 alone is 0
+return tuple(p if abs(p) >= _SMALLEST else math.inf for p in powers)
+    GtE -> Gt | the bits hold for the bound itself, and integers decide without them
+sign = ("-" if c < 0 else "") if not text else " - " if c < 0 else " + "
+    Lt -> LtE | Lt -> LtE (2) | c is not 0 here
+return self.made(self._reduced(whole + [0] * (self.degree - len(whole))), scale)
+    Sub -> Add | what is beyond the degree is 0
+self._roots[prime] = int(-found[0].TC()) % prime if found else None
+    0 -> -1 | any root will do
+bound = 2 * max(integer_nthroot(abs(c), n - k)[0] + 1 for k, c in enumerate(lower) if c)
+    1 -> 2 | a larger bound
 [law]
 if slip and tangential != (-limit if slip > 0 else limit):
     Gt -> GtE | the slip is not 0 there

@@ -20,7 +20,7 @@ from arrangement.errors import InputError
 from proofs_check.course.exercise import (
     FORMS,
     Exercise,
-    Mark,
+    GradedAnswer,
     grade,
     grade_folder,
     load_exercises,
@@ -30,7 +30,7 @@ from proofs_check.reports import text
 
 
 def run_grade(arguments: argparse.Namespace) -> int:
-    """Mark a file of answers, or a folder of them; without one, list the questions."""
+    """GradedAnswer a file of answers, or a folder of them; without one, list the questions."""
     exercises = load_exercises(arguments.exercises)
     if arguments.answers is None:
         return _list(exercises, arguments.json)
@@ -52,7 +52,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
 
 def _class(
     exercises: Mapping[str, Exercise],
-    found: Mapping[str, dict[str, Mark] | InputError],
+    found: Mapping[str, dict[str, GradedAnswer] | InputError],
     arguments: argparse.Namespace,
 ) -> int:
     """Print the points of a class, a line a file, and write them as CSV; 2 if a file has none."""
@@ -85,20 +85,20 @@ def _cell(text: str) -> str:
     return f"'{text}" if text.startswith(("=", "+", "-", "@")) else text
 
 
-def _line_of_class(marks: dict[str, Mark] | InputError) -> tuple[str, str]:
+def _line_of_class(marks: dict[str, GradedAnswer] | InputError) -> tuple[str, str]:
     if isinstance(marks, InputError):
         return "not marked", str(marks)
     wrong = [f"{id} {number(one.points)} of {one.most}" for id, one in marks.items() if one.mistake]
     return _of(*_total(marks)), ", ".join(wrong) or "all right"
 
 
-def _total(marks: Mapping[str, Mark]) -> tuple[Fraction, int]:
+def _total(marks: Mapping[str, GradedAnswer]) -> tuple[Fraction, int]:
     return sum((one.points for one in marks.values()), Fraction()), sum(
         one.most for one in marks.values()
     )
 
 
-def _code(marks: Mapping[str, Mark]) -> int:
+def _code(marks: Mapping[str, GradedAnswer]) -> int:
     return terminal.NO if any(one.mistake for one in marks.values()) else terminal.YES
 
 
@@ -106,7 +106,7 @@ def _of(points: Fraction, most: int) -> str:
     return f"{number(points)} of {most}"
 
 
-def _documents(marks: Mapping[str, Mark]) -> list[dict[str, Any]]:
+def _documents(marks: Mapping[str, GradedAnswer]) -> list[dict[str, Any]]:
     return [
         {"id": id, "points": _json(one.points), "mistake": one.mistake} for id, one in marks.items()
     ]

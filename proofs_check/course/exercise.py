@@ -62,7 +62,7 @@ class Exercise(Shown):
     points: int
     judge: Callable[[Any], Any]
 
-    def mark(self, answer: Any) -> Mark:
+    def mark(self, answer: Any) -> GradedAnswer:
         """Return the points of an answer, given as in a file, and what is wrong with it.
 
         Raises:
@@ -96,13 +96,13 @@ class Exercise(Shown):
     def _is_part(self, points: Any) -> bool:
         return type(points) in (int, Fraction) and 0 <= points < self.points
 
-    def _marked(self, points: Fraction | int, mistake: str) -> Mark:
-        return Mark(Fraction(points if mistake else self.points), self.points, mistake)
+    def _marked(self, points: Fraction | int, mistake: str) -> GradedAnswer:
+        return GradedAnswer(Fraction(points if mistake else self.points), self.points, mistake)
 
 
 @dataclass(frozen=True)
-class Mark:
-    """What one answer gets.
+class GradedAnswer:
+    """What one answer gets: points, and what is wrong with it.
 
     Attributes:
         points: from 0 to `most`.
@@ -156,7 +156,7 @@ def load_exercises(path: str) -> dict[str, Exercise]:
     return named
 
 
-def grade(exercises: Mapping[str, Exercise], source: Source) -> dict[str, Mark]:
+def grade(exercises: Mapping[str, Exercise], source: Source) -> dict[str, GradedAnswer]:
     """Mark the answers of a file, by the ids of the exercises.
 
     An answer to what was not asked gets nothing; where an exercise has no answer, its mark says
@@ -174,7 +174,7 @@ def grade(exercises: Mapping[str, Exercise], source: Source) -> dict[str, Mark]:
     return {
         id: one.mark(answers[id])
         if id in answers
-        else Mark(Fraction(), one.points, _no(id, strange))
+        else GradedAnswer(Fraction(), one.points, _no(id, strange))
         for id, one in exercises.items()
     }
 
@@ -189,7 +189,7 @@ def _no(id: str, strange: Sequence[str]) -> str:
 
 def grade_folder(
     exercises: Mapping[str, Exercise], folder: Path
-) -> dict[str, dict[str, Mark] | InputError]:
+) -> dict[str, dict[str, GradedAnswer] | InputError]:
     """Mark all files of answers (``*.json``) of a folder, by their names without the ending.
 
     Instead of its marks a file that cannot be read has the error, and so has one on which a check
@@ -201,7 +201,7 @@ def grade_folder(
     files = sorted(folder.glob("*.json"))
     if not files:
         raise InputError(f"{folder} has no files of answers; their names end with .json")
-    found: dict[str, dict[str, Mark] | InputError] = {}
+    found: dict[str, dict[str, GradedAnswer] | InputError] = {}
     for file in files:
         try:
             found[file.stem] = grade(exercises, file)

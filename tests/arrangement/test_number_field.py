@@ -24,6 +24,7 @@ FIELDS = {
     "cos(2 pi / 7)": NumberField([-1, -4, 4, 8], ["1/2", 1]),
     "the third root of 2": NumberField([-2, 0, 0, 1], [1, 2]),
     "a root with larger conjugates": NumberField([1, -9, 0, 0, 3], [0, 1]),
+    "2 cos(2 pi / 11)": NumberField([1, 3, -3, -4, 1, 1], [1, 2]),
 }
 
 
@@ -112,6 +113,7 @@ def test_residues_are_those_of_sums_and_products(name):
     for prime in sympy.primerange(5, 200):
         root = field.root_modulo(prime)
         if root is not None:
+            assert sum(c * root**k for k, c in enumerate(field.minimal_polynomial)) % prime == 0
             a = field.generator
             b, c = 2 * a + 3, (a - 4) / 2
             x, y, product = (z.residue(prime, root) for z in (b, c, b * c + a))
@@ -127,6 +129,7 @@ def test_numbers_are_written_as_sums_of_powers():
         (-2, 0, -3): "-2 - 3*a^2",
         (0, 2, 0): "2*a",
         (1, 1, -1): "1 + a - a^2",
+        (Fraction(1, 2), 0, Fraction(-1, 3)): "1/2 - 1/3*a^2",
     }.items():
         assert repr(field.number(parts)) == text
 
@@ -153,6 +156,7 @@ ROOTS = [
     ([-1000, -100, -10, 1], [0, 20], 18.392867552141612, [18, 19]),
     ([-(10**30) - 1, 0, 0, 0, 0, 1], [0, 10**7], 10.0**6, [10**6, 10**6 + 1]),
     ([-1, 0, -1000, 1], [0, 2000], 1000.000001, [1000, 1001]),
+    ([-7, -3, -1, 1], [0, 9], 2.8828818426698817, [2, 3]),
 ]
 
 
