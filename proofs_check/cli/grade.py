@@ -55,7 +55,11 @@ def _class(
     found: Mapping[str, dict[str, GradedAnswer] | InputError],
     arguments: argparse.Namespace,
 ) -> int:
-    """Print the points of a class, a line a file, and write them as CSV; 2 if a file has none."""
+    """Print the points of a class, a line a file, and write them as CSV.
+
+    Raises:
+        InputError: a file could not be marked; this is said after all others are.
+    """
     if arguments.output:
         lines = io.StringIO()
         table = csv.writer(lines, lineterminator="\n")
@@ -76,8 +80,11 @@ def _class(
             terminal.print_json({"name": name, **document})
     if not arguments.json:
         _table([(name, *_line_of_class(marks)) for name, marks in found.items()])
-    codes = [2 if isinstance(marks, InputError) else _code(marks) for marks in found.values()]
-    return max(codes)
+    marked = [marks for marks in found.values() if not isinstance(marks, InputError)]
+    if len(marked) < len(found):
+        lost = len(found) - len(marked)
+        raise InputError(f"{lost} of {len(found)} files could not be marked; their lines say why")
+    return max(map(_code, marked))
 
 
 def _cell(text: str) -> str:
