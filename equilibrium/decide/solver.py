@@ -21,7 +21,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.range import Range
 from equilibrium.model.solution import Solution
-from equilibrium.plane.contacts import FloatContacts, IntegerContacts, SpatialContacts
+from equilibrium.plane.contacts import FloatContacts, IntegerContacts
 from equilibrium.plane.search.motion_regions import resistance
 from equilibrium.plane.search.units import SearchUnits
 from equilibrium.plane.states.contact_states import Codes, state_codes, states_at, states_of_code
@@ -156,7 +156,7 @@ class Solver(Shown):
         def accept(found: Solution) -> bool:
             return bool(self._verdict(wrench, found).verify())
 
-        contacts, most = SpatialContacts(self.grasp), NODES if nodes is None else nodes
+        contacts, most = FloatContacts(self.grasp), NODES if nodes is None else nodes
         search = SpatialSearch(contacts, wrench, accept, deadline, most, self.within, cones)
         found = search.decide()
         if isinstance(found, Open):

@@ -10,13 +10,13 @@ import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cached_property
+from itertools import chain
 from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
 from arrangement.numbers.exact import RationalVector, primitive, to_text
-from arrangement.numbers.float_filter import Floats
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, Range
 
@@ -40,27 +40,30 @@ def are_moderate(numbers: Iterable[Fraction]) -> bool:
 
 
 class FloatContacts:
-    """The numbers of the contacts, each rounded once.
+    """The numbers of the contacts in the plane (n = 3) or in space (n = 6), each rounded once.
 
     Attributes:
-        spring: (m, 4), the row ``(preload, -stiffness N)``.
-        normal, tangent: (m, 3); pull: friction times T.
+        spring: (m, n + 1), the row ``(preload, -stiffness N)``.
+        normal: (m, n); tangents: (m, n // 3, n); tangent: (m, n), the first of them.
+        stiffness, preload, friction: (m,); pull: friction times the first tangent.
         length: a typical distance of the contacts from the origin.
     """
 
     def __init__(self, grasp: Grasp) -> None:
-        self.grasp, m = grasp, len(grasp)
+        self.grasp, m, d = grasp, len(grasp), grasp.dimension
+        n = 3 * (d - 1)
         self._exact = [
-            (*c.normal_wrench, *c.tangential_wrench, c.stiffness, c.preload, c.friction)
+            (*c.normal_wrench, *chain(*c.tangential_wrenches), c.stiffness, c.preload, c.friction)
             for c in grasp
         ]
-        table = np.array([[nearest(x) for x in row] for row in self._exact]).reshape(m, 9)
-        self.normal, self.tangent = table[:, :3], table[:, 3:6]
-        self.stiffness, self.preload, self.friction = table[:, 6:].T
+        table = np.array([[nearest(x) for x in row] for row in self._exact]).reshape(m, n * d + 3)
+        self.normal, self.tangents = table[:, :n].copy(), table[:, n:-3].reshape(m, d - 1, n)
+        self.stiffness, self.preload, self.friction = table[:, -3:].T
         self.spring = np.column_stack([self.preload, -self.stiffness[:, None] * self.normal])
+        self.tangent = self.tangents[:, 0]
         self.pull = self.friction[:, None] * self.tangent
-        points = np.array([[nearest(x) for x in c.point] for c in grasp]).reshape(m, 2)
-        self.length = float(np.median(np.hypot(*points.T))) if m else 1.0
+        points = np.array([[nearest(x) for x in c.point] for c in grasp]).reshape(m, d)
+        self.length = float(np.median(np.linalg.norm(points, axis=1))) if m else 1.0
         if not self.length > 0:
             self.length = 1.0
 
@@ -68,6 +71,11 @@ class FloatContacts:
     def moderate(self) -> bool:
         """Whether bounds of rounding errors may be trusted; see `are_moderate`."""
         return all(map(are_moderate, self._exact))
+
+    @cached_property
+    def springs(self) -> list[RationalVector]:
+        """The exact rows ``(preload, -stiffness N)``."""
+        return [(c.preload, *(-c.stiffness * x for x in c.normal_wrench)) for c in self.grasp]
 
 
 #: Python integers in an array.
@@ -182,34 +190,3 @@ def product(left: Whole, right: Whole) -> Whole:
         return (left.astype(np.int64) @ right.astype(np.int64)).astype(object)
     exact: Whole = left.dot(right)
     return exact
-
-
-class SpatialContacts:
-    """The numbers of the contacts, each rounded once.
-
-    Attributes:
-        normal: (m, 6); tangents: (m, 2, 6); spring: (m, 7), the rows ``(preload, -stiffness N)``.
-        stiffness, preload, friction: (m,).
-        length: a typical distance of the contacts from the origin.
-    """
-
-    def __init__(self, grasp: Grasp) -> None:
-        self.grasp, m = grasp, len(grasp)
-        self.normal = _floats([c.normal_wrench for c in grasp], (m, 6))
-        self.tangents = _floats([row for c in grasp for row in c.tangential_wrenches], (m, 2, 6))
-        values = [(c.stiffness, c.preload, c.friction) for c in grasp]
-        self.stiffness, self.preload, self.friction = _floats(values, (m, 3)).T
-        self.spring = np.column_stack([self.preload, -self.stiffness[:, None] * self.normal])
-        points = _floats([c.point for c in grasp], (m, 3))
-        self.length = float(np.median(np.linalg.norm(points, axis=1))) if m else 1.0
-        if not self.length > 0:
-            self.length = 1.0
-
-    @cached_property
-    def springs(self) -> list[RationalVector]:
-        """The exact rows ``(preload, -stiffness N)``."""
-        return [(c.preload, *(-c.stiffness * x for x in c.normal_wrench)) for c in self.grasp]
-
-
-def _floats(rows: Iterable[Iterable[Fraction]], shape: tuple[int, ...]) -> Floats:
-    return np.array([[nearest(x) for x in row] for row in rows], dtype=float).reshape(shape)

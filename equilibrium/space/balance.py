@@ -14,8 +14,8 @@ import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
-from equilibrium.plane.contacts import SpatialContacts, nearest
-from equilibrium.plane.search.continuation import Continuation, motion_scale
+from equilibrium.plane.contacts import FloatContacts
+from equilibrium.plane.search.continuation import Continuation
 
 from .cones import Cones
 
@@ -23,24 +23,15 @@ from .cones import Cones
 class SpatialContinuation(Continuation):
     """The smoothed balance of one question in space."""
 
-    def __init__(self, contacts: SpatialContacts, wrench: RationalVector, cones: Cones) -> None:
-        self.points, self.cones = contacts, cones
-        self.load = np.array([nearest(w) for w in wrench])
-        self.scale = motion_scale(contacts, self.load)
-        #: Torques count as forces at a typical distance.
-        self.arms = self.scale / self.scale[0]
-        most = np.abs(self.load * self.arms).max()
-        self.size = float(most + np.abs(contacts.preload).max(initial=0.0))
+    def __init__(self, contacts: FloatContacts, wrench: RationalVector, cones: Cones) -> None:
+        super().__init__(contacts, wrench)
+        self.cones = cones
 
     def _balance(self, motion: Floats, eps: float) -> tuple[Floats, Floats]:
         """Return the sum of all wrenches, in units of force, and its derivative."""
-        c = self.points
-        force = c.spring[:, 0] + c.spring[:, 1:] @ motion
+        c = self.contacts
+        force, touching = self._pressed(motion, eps)
         ratio, change = self.cones.smooth(c.tangents @ motion, eps)
-        soft = eps * c.stiffness
-        smooth = np.sqrt(force * force + soft * soft)
-        touching = (1 + force / smooth) / 2
-        force = (force + smooth) / 2
         arm = c.normal + np.einsum("mi,mij->mj", ratio * c.friction[:, None], c.tangents)
         turned = change @ c.tangents
         value = self.load + force @ arm

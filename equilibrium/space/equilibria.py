@@ -17,7 +17,7 @@ from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.model.solution import Solution
-from equilibrium.plane.contacts import SpatialContacts
+from equilibrium.plane.contacts import FloatContacts
 from equilibrium.space.enclosures import enclosures
 from equilibrium.space.states import StateBalance, States
 
@@ -26,7 +26,7 @@ _COARSE = 2**10
 
 
 def proposals(
-    contacts: SpatialContacts,
+    contacts: FloatContacts,
     wrench: RationalVector,
     motion: Floats,
     states: States,

@@ -18,7 +18,7 @@ from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.float_filter import Floats
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.solution import Solution
-from equilibrium.plane.contacts import SpatialContacts
+from equilibrium.plane.contacts import FloatContacts
 
 from .cones import Pyramids, Slip, State
 from .state_program import ConeRow, Ends, StateProgram
@@ -39,7 +39,7 @@ class ExactParts:
         deadline: of `time.monotonic`; `TimeoutError` is raised then.
     """
 
-    def __init__(self, contacts: SpatialContacts, wrench: RationalVector, deadline: float) -> None:
+    def __init__(self, contacts: FloatContacts, wrench: RationalVector, deadline: float) -> None:
         self.grasp, self.wrench, self.deadline = contacts.grasp, wrench, deadline
         self.base = pyramid_edges(_SIDES)
 
@@ -103,7 +103,7 @@ class PyramidParts(ExactParts):
     """The same with pyramids, of which states and their programs are the law itself."""
 
     def __init__(
-        self, contacts: SpatialContacts, wrench: RationalVector, deadline: float, cones: Pyramids
+        self, contacts: FloatContacts, wrench: RationalVector, deadline: float, cones: Pyramids
     ) -> None:
         super().__init__(contacts, wrench, deadline)
         self.cones = cones

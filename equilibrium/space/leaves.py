@@ -16,7 +16,7 @@ import numpy as np
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, to_text
 from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.model.range import NO_RANGE, Range
-from equilibrium.plane.contacts import SpatialContacts
+from equilibrium.plane.contacts import FloatContacts
 
 from .cones import Cones, State
 from .relaxation import Ray
@@ -58,7 +58,7 @@ class Leaves:
 
     def __init__(
         self,
-        contacts: SpatialContacts,
+        contacts: FloatContacts,
         wrench: RationalVector,
         cones: Cones,
         within: Range = NO_RANGE,

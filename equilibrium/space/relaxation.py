@@ -27,7 +27,7 @@ import numpy as np
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from equilibrium.model.range import NO_RANGE, Range
-from equilibrium.plane.contacts import SpatialContacts, nearest
+from equilibrium.plane.contacts import FloatContacts, nearest
 
 from .balance import SpatialContinuation
 from .cones import Cones, State
@@ -112,7 +112,7 @@ class Relaxation:
 
     def __init__(
         self,
-        contacts: SpatialContacts,
+        contacts: FloatContacts,
         wrench: RationalVector,
         cones: Cones,
         within: Range = NO_RANGE,

@@ -10,7 +10,7 @@ import numpy as np
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan
-from equilibrium.plane.contacts import SpatialContacts, nearest
+from equilibrium.plane.contacts import FloatContacts, nearest
 
 #: Shares of the friction limit are multiples of one over this.
 _SHARES = 2**14
@@ -34,7 +34,7 @@ class States:
         kind: the same, of which only rational slips rub in a certain way.
     """
 
-    def __init__(self, contacts: SpatialContacts, force: Floats, ratio: Floats) -> None:
+    def __init__(self, contacts: FloatContacts, force: Floats, ratio: Floats) -> None:
         ratio = np.where(contacts.friction[:, None] > 0, ratio, 0.0)
         self.touching = [bool(x) for x in force > 0]
         self.ratio = ratio
@@ -67,7 +67,7 @@ def rational_direction(
     return (cosine if x > 0 else -cosine, sine if y > 0 else -sine)
 
 
-def smooth_states(contacts: SpatialContacts, motion: Floats, eps: float) -> States:
+def smooth_states(contacts: FloatContacts, motion: Floats, eps: float) -> States:
     """Return the states of contacts at a motion of the smoothed balance."""
     force = contacts.spring[:, 0] + contacts.spring[:, 1:] @ motion
     slip = contacts.tangents @ motion
@@ -78,7 +78,7 @@ def smooth_states(contacts: SpatialContacts, motion: Floats, eps: float) -> Stat
 class StateBalance:
     """The balance for given states, in y, of the motion B y, and forces of pillars."""
 
-    def __init__(self, contacts: SpatialContacts, wrench: RationalVector, states: States) -> None:
+    def __init__(self, contacts: FloatContacts, wrench: RationalVector, states: States) -> None:
         self.contacts, self.wrench, self.states = contacts, wrench, states
         grasp = contacts.grasp
         self.sticking = [

@@ -20,7 +20,7 @@ from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.model.solution import Solution
-from equilibrium.plane.contacts import SpatialContacts, nearest
+from equilibrium.plane.contacts import FloatContacts, nearest
 
 from .balance import SpatialContinuation
 from .cones import OpenSplit, Pyramids, RoundCones, State, split_of
@@ -80,7 +80,7 @@ class SpatialSearch:
 
     def __init__(
         self,
-        contacts: SpatialContacts,
+        contacts: FloatContacts,
         wrench: RationalVector,
         accept: Callable[[Solution], bool],
         deadline: float = math.inf,

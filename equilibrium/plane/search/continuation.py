@@ -12,13 +12,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from equilibrium.model.solution import Solution
-from equilibrium.plane.contacts import FloatContacts, IntegerContacts, SpatialContacts, nearest
+from equilibrium.plane.contacts import FloatContacts, IntegerContacts, nearest
 
 from .state_equilibrium import Guess, exact_equilibrium
 
@@ -62,6 +63,8 @@ class Continuation:
 
     Attributes:
         scale: the typical size of the coordinates of a motion; it may be off by a lot.
+        arms: what the entries of the balance are weighed with: in space torques count as forces
+            at a typical distance.
         reached: the least residual of sharp contacts so far.
     """
 
@@ -71,7 +74,9 @@ class Continuation:
         self.contacts = contacts
         self.load = np.array([nearest(w) for w in wrench])
         self.scale = motion_scale(contacts, self.load)
-        self.size = float(np.abs(self.load).max() + np.abs(contacts.preload).max(initial=0.0))
+        self.arms: Any = 1.0 if len(self.load) == 3 else self.scale / self.scale[0]
+        most = np.abs(self.load * self.arms).max()
+        self.size = float(most + np.abs(contacts.preload).max(initial=0.0))
 
     def path(self, motion: Floats, first: float = 1.0) -> Iterator[tuple[Floats, float]]:
         """Yield motions along a path, from a sharpness on; the steps adapt."""
@@ -118,19 +123,23 @@ class Continuation:
     def _balance(self, motion: Floats, eps: float) -> tuple[Floats, Floats]:
         """Return the sum of all wrenches, and its derivative."""
         c = self.contacts
-        force = c.spring[:, 0] + c.spring[:, 1:] @ motion
+        force, touching = self._pressed(motion, eps)
         slip = c.tangent @ motion
         root = np.sqrt(slip * slip + eps * eps)
         ratio = -slip / root
-        soft = eps * c.stiffness
-        smooth = np.sqrt(force * force + soft * soft)
-        touching = (1 + force / smooth) / 2
-        force = (force + smooth) / 2
         arm = c.normal + ratio[:, None] * c.pull
         turn = (-force * eps * eps / root**3)[:, None] * c.tangent
         value = self.load + force @ arm
         jacobian = (arm * touching[:, None]).T @ c.spring[:, 1:] + c.pull.T @ turn
         return value, jacobian
+
+    def _pressed(self, motion: Floats, eps: float) -> tuple[Floats, Floats]:
+        """Return smooth normal forces, and their derivatives by those of the springs."""
+        c = self.contacts
+        force = c.spring[:, 0] + c.spring[:, 1:] @ motion
+        soft = eps * c.stiffness
+        smooth = np.sqrt(force * force + soft * soft)
+        return (force + smooth) / 2, (1 + force / smooth) / 2
 
     def guess(self, motion: Floats, eps: float) -> Guess:
         """Return the likely contact states near a motion of the smooth balance."""
@@ -156,7 +165,7 @@ def _step(jacobian: Floats, value: Floats, damping: float) -> Floats:
     return step
 
 
-def motion_scale(contacts: FloatContacts | SpatialContacts, load: Floats) -> Floats:
+def motion_scale(contacts: FloatContacts, load: Floats) -> Floats:
     """Return typical sizes of the coordinates of the motion of an equilibrium."""
     turns = 3 if len(load) == 6 else 1
     arms = np.array([1.0] * (len(load) - turns) + [1 / contacts.length] * turns)
