@@ -87,7 +87,7 @@ FINAL = tuple(
 )
 TARGETS = {
     "checker": Target("equilibrium.certificate.checker", (*CHECKER, PLANES, PYRAMIDS)),
-    "law": Target("equilibrium.certificate.law", CHECKER),
+    "law": Target("equilibrium.certificate.law", (*CHECKER, SPACE[0])),
     "reading": Target("equilibrium.certificate.reading", CHECKER),
     "space": Target("equilibrium.certificate.space", SPACE),
     "enclosure": Target("equilibrium.certificate.enclosure", ENCLOSURES),

@@ -45,7 +45,7 @@ from equilibrium.model.plane import in_plane
 from equilibrium.model.range import NO_RANGE, Range
 
 from .enclosure import enclosure_problem
-from .law import law_problem, range_problem, range_work, short, unit_wrenches
+from .law import frame, law_problem, range_problem, range_work, short
 from .reading import (
     STATES,
     Leaf,
@@ -58,7 +58,7 @@ from .reading import (
     read_range,
 )
 from .robust import Bounds, read_bounds, robust_problem
-from .space import SpatialQuestion, State, spatial_law_problem, spatial_leaf_problem, split_states
+from .space import SpatialQuestion, State, spatial_leaf_problem, split_states
 
 #: A grasp and a wrench.
 Question: TypeAlias = tuple[Grasp, RationalVector]
@@ -220,9 +220,7 @@ def _equilibrium_problem(
     found = read_equilibrium(document, len(grasp), grasp.dimension)
     if problem := range_problem(within, *found):
         return problem
-    if grasp.dimension == 2:
-        return law_problem(grasp, wrench, *found)
-    return spatial_law_problem(grasp, wrench, *found, _edges(document))
+    return law_problem(grasp, wrench, *found, _edges(document))
 
 
 def _edges(document: Mapping[str, Any]) -> tuple[RationalVector, ...]:
@@ -261,7 +259,7 @@ class _IntegerQuestion:
         self.within = within
         laws: list[tuple[RationalVector, ...]] = []
         for contact in grasp:
-            normal, tangent = unit_wrenches(contact)
+            normal, tangent = frame(contact)
             spring = (contact.preload, *(-contact.stiffness * x for x in normal))
             rubbing = tuple(contact.friction * x for x in tangent)
             laws.append((spring, (Fraction(0), *tangent), (*normal, *rubbing)))

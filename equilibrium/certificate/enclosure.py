@@ -30,7 +30,7 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.model.solution import Enclosure
 
-from .space import frame
+from .law import frame
 
 _BITS = 192
 _ONE = 1 << _BITS

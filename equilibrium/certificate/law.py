@@ -15,35 +15,83 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import Range, turns_of
 
 
-def unit_wrenches(contact: Contact) -> tuple[RationalVector, RationalVector]:
-    """Return the wrenches N and T of unit forces along the normal and the tangent."""
-    (x, y), (nx, ny) = contact.point, contact.normal
-    return (nx, ny, x * ny - y * nx), (-ny, nx, x * nx + y * ny)
+def frame(contact: Contact) -> tuple[RationalVector, ...]:
+    """Return the wrenches of unit forces along the normal and the tangents: one, in space two."""
+    if contact.dimension == 2:
+        (x, y), (nx, ny) = contact.point, contact.normal
+        return (nx, ny, x * ny - y * nx), (-ny, nx, x * nx + y * ny)
+    along = contact.normal, contact.tangent, _cross(contact.normal, contact.tangent)
+    return tuple((*force, *_cross(contact.point, force)) for force in along)
+
+
+def _cross(left: RationalVector, right: RationalVector) -> RationalVector:
+    (a, b, c), (x, y, z) = left, right
+    return b * z - c * y, c * x - a * z, a * y - b * x
 
 
 def law_problem(
-    grasp: Grasp, wrench: RationalVector, motion: RationalVector, forces: Sequence[RationalVector]
+    grasp: Grasp,
+    wrench: RationalVector,
+    motion: RationalVector,
+    forces: Sequence[RationalVector],
+    edges: Sequence[RationalVector] = (),
 ) -> str:
     """Return what is wrong with a motion and forces (normal, tangential); empty if they obey.
 
-    Spring ``c_n = max(0, q - k N . d)``, cone ``|c_t| <= mu c_n``, dissipation ``c_t = -mu c_n``
-    where ``T . d > 0`` and ``mu c_n`` where ``T . d < 0``, balance ``sum (c_n N + c_t T) + w = 0``.
+    Spring ``c_n = max(0, q - k N . d)``, cone ``|c_t| <= mu c_n``, dissipation: where s = T d is
+    not 0, ``c_t = -mu c_n s / |s|``, balance ``sum (c_n N + c_t T) + w = 0``.
+
+    Args:
+        edges: of friction pyramids; none for cones, in space round ones.
     """
     total = list(wrench)
-    for i, (contact, (normal, tangential)) in enumerate(zip(grasp, forces, strict=True), 1):
-        along_normal, along_tangent = unit_wrenches(contact)
-        spring = max(Fraction(0), contact.preload - contact.stiffness * _dot(along_normal, motion))
-        slip, limit = _dot(along_tangent, motion), contact.friction * normal
+    for i, (contact, (normal, *friction)) in enumerate(zip(grasp, forces, strict=True), 1):
+        wrenches = frame(contact)
+        along, *slip = (_dot(row, motion) for row in wrenches)
+        spring = max(Fraction(0), contact.preload - contact.stiffness * along)
         if normal != spring:
             return f"contact {i}: normal force {short(normal)}, its spring gives {short(spring)}"
-        given = f"contact {i}: friction {short(tangential)} of at most {short(limit)}"
-        if abs(tangential) > limit:
+        limit = contact.friction * normal
+        given = f"contact {i}: friction {_shown(friction)} of at most {short(limit)}"
+        if not _in_cone(friction, limit, edges):
             return given
-        if slip and tangential != (-limit if slip > 0 else limit):
-            return f"{given} while it slips by {short(slip)}"
-        wrenches = zip(total, along_normal, along_tangent, strict=True)
-        total = [w + normal * n + tangential * t for w, n, t in wrenches]
-    return "" if not any(total) else f"the forces add up to ({', '.join(map(short, total))}), not 0"
+        if any(slip) and not _does_most(friction, slip, limit, edges):
+            return f"{given} while it slips by {_shown(slip)}"
+        for force, row in zip((normal, *friction), wrenches, strict=True):
+            total = [w + force * x for w, x in zip(total, row, strict=True)]
+    return f"the forces add up to {_shown(total)}, not 0" if any(total) else ""
+
+
+def _in_cone(
+    friction: Sequence[Fraction], limit: Fraction, edges: Sequence[RationalVector]
+) -> bool:
+    """Return whether a friction force is in the disc, or in the polygon of the edges."""
+    if not edges:
+        return _dot(friction, friction) <= limit * limit
+    sides = zip(outward(edges), edges, strict=True)
+    return all(_dot(normal, friction) <= limit * _dot(normal, edge) for normal, edge in sides)
+
+
+def outward(edges: Sequence[RationalVector]) -> list[RationalVector]:
+    """Return for each edge the outward normal of the side of the polygon that starts there."""
+    nexts = (*edges[1:], edges[0])
+    return [(a + c, b + d) for (a, b), (c, d) in zip(edges, nexts, strict=True)]
+
+
+def _does_most(
+    friction: Sequence[Fraction],
+    slip: Sequence[Fraction],
+    limit: Fraction,
+    edges: Sequence[RationalVector],
+) -> bool:
+    """Return whether no friction force of the cone does less work on a slip.
+
+    In the disc that is ``-limit |s|``, done by one force alone.
+    """
+    work = _dot(friction, slip)
+    if edges:
+        return work == -limit * max(_dot(edge, slip) for edge in edges)
+    return work <= 0 and work * work == limit * limit * _dot(slip, slip)
 
 
 def range_problem(within: Range, motion: RationalVector, forces: Sequence[RationalVector]) -> str:
@@ -89,5 +137,10 @@ def short(value: Fraction | int) -> str:
     return number_text(value, digits=30, longest=60)
 
 
-def _dot(left: RationalVector, right: RationalVector) -> Fraction:
+def _shown(values: Sequence[Fraction]) -> str:
+    """Return one number, or more in parentheses, for a message."""
+    return short(*values) if len(values) == 1 else f"({', '.join(map(short, values))})"
+
+
+def _dot(left: Sequence[Fraction], right: Sequence[Fraction]) -> Fraction:
     return sum((a * b for a, b in zip(left, right, strict=True)), Fraction(0))

@@ -18,7 +18,7 @@ from arrangement.numbers.exact import IntegerVector, RationalVector, dot, vector
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, Range
 
-from .law import range_work, unit_wrenches
+from .law import frame, range_work
 from .reading import STATES, Leaf, read_node, read_plane
 
 #: Generators of all homogeneous motions (d_0, x, y, r).
@@ -99,7 +99,7 @@ def _works(grasp: Grasp, wrench: RationalVector, part: ClosedPart, within: Range
     u, (_, taken) = sum(leaf.turn[1:]), range_work(within, leaf.turn, leaf.forces)
     work = [(load - taken) * g[0] + u * g[3] for g in region]
     for i, contact in enumerate(grasp):
-        normal, tangent = unit_wrenches(contact)
+        normal, tangent = frame(contact)
         e = [contact.preload * g[0] - contact.stiffness * dot(normal, g[1:]) for g in region]
         s = [dot(tangent, g[1:]) for g in region]
         state, kappa = states.get(i), dot(leaf.motion, normal)

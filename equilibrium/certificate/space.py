@@ -1,4 +1,4 @@
-"""The checker's part for grasps in space: an equilibrium in rational numbers, and leaves.
+"""The checker's part for grasps in space: the leaves of a tree of states.
 
 The cone of friction is round, ``|c_t| <= mu c_n``, and a contact that slips by s = T d has
 ``c_t = -mu c_n s / |s|``. A leaf stands for states of contacts. With ``a = lambda . N``,
@@ -27,12 +27,11 @@ from itertools import pairwise
 from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot
-from equilibrium.model.contact import Contact
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, Range
 
-from .law import range_work, short
+from .law import frame, outward, range_work, short
 from .reading import Leaf, Split
 
 #: A sector from u to v, counter-clockwise by less than half a turn.
@@ -47,73 +46,6 @@ class SlipFace(NamedTuple):
 
 
 State: TypeAlias = str | Sector | SlipFace
-
-
-def frame(contact: Contact) -> tuple[RationalVector, RationalVector, RationalVector]:
-    """Return the wrenches of unit forces along the normal and both tangents."""
-    along = contact.normal, contact.tangent, _cross(contact.normal, contact.tangent)
-    normal, one, other = ((*force, *_cross(contact.point, force)) for force in along)
-    return normal, one, other
-
-
-def _cross(left: RationalVector, right: RationalVector) -> RationalVector:
-    (a, b, c), (x, y, z) = left, right
-    return b * z - c * y, c * x - a * z, a * y - b * x
-
-
-def spatial_law_problem(
-    grasp: Grasp,
-    wrench: RationalVector,
-    motion: RationalVector,
-    forces: Sequence[RationalVector],
-    edges: Sequence[RationalVector] = (),
-) -> str:
-    """Return what is wrong with a motion and forces (normal, two tangential), if anything."""
-    total = list(wrench)
-    for i, (contact, (normal, *friction)) in enumerate(zip(grasp, forces, strict=True), 1):
-        wrenches = frame(contact)
-        along, *slip = (dot(row, motion) for row in wrenches)
-        spring = max(Fraction(0), contact.preload - contact.stiffness * along)
-        if normal != spring:
-            return f"contact {i}: normal force {short(normal)}, its spring gives {short(spring)}"
-        limit = contact.friction * normal
-        given = f"contact {i}: friction ({short(friction[0])}, {short(friction[1])})"
-        if not _in_cone(friction, limit, edges):
-            return f"{given} is longer than its limit {short(limit)}"
-        if any(slip) and not _does_most(friction, slip, limit, edges):
-            return f"{given} while it slips by ({short(slip[0])}, {short(slip[1])})"
-        for force, row in zip((normal, *friction), wrenches, strict=True):
-            total = [w + force * x for w, x in zip(total, row, strict=True)]
-    return "" if not any(total) else f"the forces add up to ({', '.join(map(short, total))}), not 0"
-
-
-def _in_cone(
-    friction: Sequence[Fraction], limit: Fraction, edges: Sequence[RationalVector]
-) -> bool:
-    """Return whether a friction force is in the disc, or in the polygon of the edges."""
-    if not edges:
-        return bool(dot(friction, friction) <= limit * limit)
-    outward = zip(_normals(edges), edges, strict=True)
-    return all(dot(normal, friction) <= limit * dot(normal, edge) for normal, edge in outward)
-
-
-def _does_most(
-    friction: Sequence[Fraction],
-    slip: Sequence[Fraction],
-    limit: Fraction,
-    edges: Sequence[RationalVector],
-) -> bool:
-    """Return whether no friction force of the cone does less work on a slip."""
-    if edges:
-        return bool(dot(friction, slip) == -limit * max(dot(edge, slip) for edge in edges))
-    against = turn(friction, slip) == 0 and dot(friction, slip) <= 0
-    return bool(against and dot(friction, friction) == limit * limit)
-
-
-def _normals(edges: Sequence[RationalVector]) -> list[RationalVector]:
-    """Return for each edge the outward normal of the side of the polygon that starts there."""
-    nexts = (*edges[1:], edges[0])
-    return [(a + c, b + d) for (a, b), (c, d) in zip(edges, nexts, strict=True)]
 
 
 class SpatialQuestion:
@@ -213,7 +145,7 @@ def split_states(
 
 def _faces(edges: Sequence[RationalVector]) -> list[State]:
     """Return slip along the normal of each side, and between that and the next."""
-    normals, found = _normals(edges), list[State]()
+    normals, found = outward(edges), list[State]()
     for j, normal in enumerate(normals):
         k = (j + 1) % len(edges)
         found.append(SlipFace((normal,), (edges[j], edges[k])))

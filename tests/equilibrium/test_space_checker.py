@@ -277,10 +277,11 @@ def test_an_equilibrium_holds_exactly_where_the_law_does(pyramid):
         motion = plus([0] * 6, *zip((up, *slip), rows, strict=True))
         proof = resisted_certificate(Grasp([contact]), load, Solution(motion, (force,)), pyramid)
         report = proof.verify()
-        words = ("its spring gives", "longer than its limit", "while it slips by", "add up to")
+        words = ("its spring gives", "of at most", "while it slips by", "add up to")
         due = "" if all(right) else words[right.index(False)]
         assert bool(report) == (not due), report.problem
         assert due in report.problem, report.problem
+        assert ("while it slips" in report.problem) == (due == words[2])
         assert due in ("", words[3]) or report.problem.startswith("contact 1: ")
         found[due] += 1
     assert min(found[due] for due in ("", *words)) > 10, found
