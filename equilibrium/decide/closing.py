@@ -14,20 +14,18 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from itertools import product
 from random import Random
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from arrangement.numbers.exact import RationalVector, dot, to_text
+from arrangement.numbers.float_filter import Floats
 from equilibrium.certificate.robust import Bounds, Box, corners_of, halves
 from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
 
 from . import RESISTED
-
-Floats: TypeAlias = NDArray[np.float64]
 
 #: Sample grasps, fewer of many contacts; cells of one search; vectors of a hull.
 _SAMPLES, _CELLS, _STEPS = 64, 3000, 30

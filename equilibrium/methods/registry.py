@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from arrangement.errors import refusal
 from arrangement.numbers.exact import RationalVector, shown
-from equilibrium.decide.solver import Solver, solve
+from equilibrium.decide.solver import solve
 from equilibrium.methods.contact_laws.printed_model import PRINTED
 from equilibrium.methods.contact_laws.springs import FRICTIONLESS_SLIP, LINEAR_COMPLIANCE
 from equilibrium.methods.friction_cones.cones import CONES
@@ -22,18 +22,15 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets.plane import resisted_region
 
 
-def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
-    found = Solver(grasp).solve(wrench)
-    if not found.lists_all():
-        return True, "an equilibrium was found"
-    return found.stable, f"{len(found.equilibria)} maximal pieces of solutions"
-
-
-def _decide_in_space(grasp: Grasp, wrench: RationalVector, pyramid: int | None) -> Outcome:
+def _decide(grasp: Grasp, wrench: RationalVector, pyramid: int | None = None) -> Outcome:
     found = solve(grasp, wrench, pyramid=pyramid)
     if not found.decided:
         return None, f"undecided: {found.reason}"
-    return found.stable, f"{pyramid_words(pyramid) or 'round cones'}, proved"
+    if grasp.dimension == 3:
+        return found.stable, f"{pyramid_words(pyramid) or 'round cones'}, proved"
+    if not found.lists_all():
+        return True, "an equilibrium was found"
+    return found.stable, f"{len(found.equilibria)} maximal pieces of solutions"
 
 
 COMPLETE = Method(
@@ -42,7 +39,7 @@ COMPLETE = Method(
     "complete model",
     _decide,
     resisted_region,
-    decide_in_space=_decide_in_space,
+    decide_in_space=_decide,
 )
 
 

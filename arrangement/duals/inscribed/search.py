@@ -18,9 +18,9 @@ from typing import TypeAlias
 
 import networkx as nx
 import numpy as np
-import numpy.typing as npt
 
 from arrangement.errors import ArrangementError
+from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.programs import Optimal, minimize
 from arrangement.numbers.linear.rank import cycle_edges
 
@@ -114,8 +114,6 @@ class DualDistances:
                     stack.append(v)
         return frozenset(range(self.graph.vertex_count)) - part if 0 in part else frozenset(part)
 
-
-Floats: TypeAlias = npt.NDArray[np.float64]
 
 _TOLERANCE = 1e-9
 #: Below this margin the answer is taken to be "no", and must then be proved.

@@ -117,20 +117,10 @@ class Incidence(Shown):
         """(F); the number of arcs around each region."""
         return np.bincount(self.region, minlength=self.region_count).astype(np.int32)
 
-    def vertex_antipode(self, vertex: int) -> int:
-        """Return the vertex opposite to a vertex."""
-        return (vertex + self.vertex_count // 2) % self.vertex_count
-
     def crossings(self, circle: int) -> Indices:
         """Return the vertices on a circle, counterclockwise about its normal."""
         positive = self.slot_line[self.circle_offsets[circle] : self.circle_offsets[circle + 1]]
         return np.concatenate([positive, positive + np.int32(self.vertex_count // 2)])
-
-    def arcs_of_circle(self, circle: int) -> range:
-        """Return the arcs of a circle; the p-th starts at the p-th of `crossings`."""
-        if self.arc_count == 1:
-            return range(1)
-        return range(2 * self.circle_offsets[circle], 2 * self.circle_offsets[circle + 1])
 
     def circles_at(self, vertex: int) -> Indices:
         """Return the circles through a vertex, counterclockwise as they leave it."""

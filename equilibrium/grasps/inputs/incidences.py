@@ -15,12 +15,12 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import chain
 from random import Random
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from arrangement.numbers.exact import RationalVector, dot, from_floats
+from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import cross, difference
 from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.data_error import DataError
@@ -30,8 +30,6 @@ from equilibrium.model.outline import Outline
 from equilibrium.model.unit_normal import UnitNormal, angle_error, unit_normal
 
 from .conversion import ContactIncidence, Conversion, assembled, simplest_between, unit_normals
-
-Floats: TypeAlias = NDArray[np.float64]
 
 #: Normals that meet farther away than so many times the size of the grasp count as parallel.
 _FAR = 100

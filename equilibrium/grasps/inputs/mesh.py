@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from arrangement.enumeration.packing import grouped
 from arrangement.numbers.exact import RationalVector, from_floats, shown, vector_text
+from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import cross, difference
 from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Mesh, coordinates
@@ -29,7 +30,6 @@ from equilibrium.model.outline import Mesh, coordinates
 from .conversion import DEFAULT_TOLERANCE, Conversion, contact_values, snapped
 from .incidences import converted, rounding
 
-Floats: TypeAlias = NDArray[np.float64]
 Facets: TypeAlias = NDArray[np.intp]
 
 KINDS = (".glb", ".obj", ".ply", ".stl")
