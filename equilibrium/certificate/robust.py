@@ -101,6 +101,10 @@ class Bounds(Shown):
         """A little more than `degrees` in radians."""
         return self.degrees * Fraction(355, 113 * 180)
 
+    def times(self, share: Fraction) -> Bounds:
+        """Return bounds that are a share of these, from 0 to 1."""
+        return Bounds(**{name: share * getattr(self, name) for name in _NAMES})
+
     def to_dict(self) -> dict[str, str]:
         """Return the file form."""
         return {name: to_text(getattr(self, name)) for name in _NAMES}

@@ -17,9 +17,9 @@ from random import Random
 from typing import Any
 
 from arrangement.console.number_form import Shown, near
-from arrangement.numbers.exact import RationalVector, to_text
+from arrangement.numbers.exact import RationalVector, number_text, to_text
 from equilibrium.certificate.document import Certificate, bounded_certificate
-from equilibrium.certificate.robust import Bounds
+from equilibrium.certificate.robust import Bounds, read_bounds
 from equilibrium.grasps.inputs.incidences import other_rounding
 from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.errors import GraspError, TimeLimitError
@@ -32,11 +32,11 @@ from .closing import Closing
 HOLDS, FAILS, OPEN = "holds", "does not hold", UNDECIDED
 DEPENDS = "depends on the rounding"
 #: Other roundings and random grasps that are asked about.
-_ROUNDINGS, _RANDOM = 4, 4
+ROUNDINGS, _RANDOM = 4, 4
 #: For each of them; of the processor for a proof within the error of data, and within bounds.
 SECONDS, _PROOF, _SEARCH = 3.0, 0.5, 10.0
-#: Grasps that are tried on the way to one that turns a verdict.
-_STEPS = 12
+#: Grasps that are tried on the way to one that turns a verdict, and smaller bounds for a proof.
+_STEPS, _INNER = 12, 3
 #: Virtual motions of one proof that are tried as a way to turn it.
 _LEAVES = 3
 
@@ -51,6 +51,7 @@ class Robustness(Shown):
         bounds: of the grasps looked at.
         counterexample: the verdict on a grasp within the bounds, if it is another one, and how far
             that grasp is: `change`, see `_nearest`.
+        inner: where it is, a proof of the verdict for all grasps within smaller bounds, if found.
         certificate: of the verdict for all grasps within the bounds, if it holds.
     """
 
@@ -61,6 +62,7 @@ class Robustness(Shown):
     bounds: Bounds
     counterexample: Any = field(default=None, repr=False)
     change: dict[str, Fraction] = field(default_factory=dict, repr=False)
+    inner: Certificate | None = field(default=None, repr=False)
     certificate: Certificate | None = field(default=None, repr=False)
 
     def __bool__(self) -> bool:
@@ -71,10 +73,8 @@ class Robustness(Shown):
         document: dict[str, Any] = {"answer": self.answer, "bounds": self.bounds.to_dict()}
         if self.certificate is not None:
             document["certificate"] = self.certificate.to_dict()
-        if self.counterexample is not None:
-            document["counterexample"] = self.counterexample.to_dict()
-            document["change"] = {name: to_text(x) for name, x in self.change.items()}
-        return document
+        turned = self.counterexample, self.change, self.inner
+        return document | _turned_document("counterexample", *turned)
 
     def lines(self) -> Iterator[str]:
         """Yield the answer in words."""
@@ -84,7 +84,7 @@ class Robustness(Shown):
             yield f"for all {self.bounds}: undecided; no proof and no counterexample was found"
         else:
             yield f"not for all {self.bounds}: {self.counterexample.verdict} for"
-            yield from _change_lines(self.counterexample, self.change)
+            yield from _turned_lines(self.counterexample, self.change, self.inner)
 
 
 @dataclass(frozen=True, repr=False)
@@ -96,6 +96,7 @@ class WithinError(Shown):
         asked: how many others were asked about; `open`: how many of them were undecided.
         turned: a verdict that is another one, if any, of the nearest such grasp found.
         change: how far that grasp is, see `_nearest`.
+        inner: as in `Robustness`.
         certificate: that the verdict is the same for all grasps within the error; friction and
             preload that are 0 stay 0. Then no other was asked about.
     """
@@ -107,6 +108,7 @@ class WithinError(Shown):
     open: int
     turned: Any = field(default=None, repr=False)
     change: dict[str, Fraction] = field(default_factory=dict, repr=False)
+    inner: Certificate | None = field(default=None, repr=False)
     certificate: Certificate | None = field(default=None, repr=False)
 
     @property
@@ -118,10 +120,7 @@ class WithinError(Shown):
         """Return a JSON form."""
         document: dict[str, Any] = {"verdict": self.verdict, "proved": self.proved}
         document |= {"asked": self.asked, "undecided": self.open}
-        if self.turned is None:
-            return document
-        change = {name: to_text(x) for name, x in self.change.items()}
-        return document | {"turned": self.turned.to_dict(), "change": change}
+        return document | _turned_document("turned", self.turned, self.change, self.inner)
 
     def lines(self) -> Iterator[str]:
         """Yield the answer in words."""
@@ -130,38 +129,53 @@ class WithinError(Shown):
             return
         if self.turned is None:
             left = f", {self.open} of them undecided" if self.open else ""
-            yield f"{self.asked} other roundings of the data: no other verdict{left}"
+            yield f"{self.asked} others within the error of the data: no other verdict{left}"
             return
         yield f"{DEPENDS}: {self.turned.verdict} for, within the error of the data,"
-        yield from _change_lines(self.turned, self.change)
+        yield from _turned_lines(self.turned, self.change, self.inner)
 
 
-def _change_lines(other: Any, change: dict[str, Fraction]) -> Iterator[str]:
+def _turned_document(
+    name: str, other: Any, change: dict[str, Fraction], inner: Certificate | None
+) -> dict[str, Any]:
+    """Return the JSON form of a verdict that is another one, under a name; empty without one."""
+    if other is None:
+        return {}
+    sizes = {key: to_text(x) for key, x in change.items()}
+    proof = {} if inner is None else {"holds_within": inner.to_dict()}
+    return {name: other.to_dict(), "change": sizes} | proof
+
+
+def _turned_lines(
+    other: Any, change: dict[str, Fraction], inner: Certificate | None
+) -> Iterator[str]:
     for i, c in enumerate(other.grasp, 1):
-        point, normal = (", ".join(near(x, 10) for x in v) for v in (c.point, c.normal))
-        friction = near(c.friction)
+        point, normal = (", ".join(number_text(x, 10) for x in v) for v in (c.point, c.normal))
+        friction = number_text(c.friction)
         yield f"    contact {i}  point ({point})  normal ({normal})  friction {friction}"
-    sizes = ", ".join(f"{k} by {near(x, 2)}" for k, x in change.items() if k != "kept" and x)
-    least = f"; {near(change['kept'], 2)} times as much does not turn the verdict"
-    yield f"    changed by up to: {sizes}{least if change['kept'] else ''}"
+    sizes = ", ".join(f"{k} by {near(x, 2)}" for k, x in change.items() if x)
+    yield f"    largest changes of one number: {sizes}"
     yield "    found by search: a smaller change may turn it, too"
     yield from (f"    {line}" for line in other.warnings)
+    if inner is not None:
+        document = inner.to_dict()
+        yield f"{document['certificate']} for all {read_bounds(document)}: proved"
 
 
-def _nearest(found: Any, turned: Any) -> tuple[Any, dict[str, Fraction]]:
+def _nearest(
+    found: Any, turned: Any, bounds: Bounds
+) -> tuple[Any, dict[str, Fraction], Certificate | None]:
     """Return a verdict like `turned` of a grasp near, on the straight way between the two grasps.
 
     A share of the way that turns the verdict, and one that does not, are brought together: by
     factors of 8 as long as all turn it, then by halves. With the verdict come the largest changes
-    of a coordinate, an entry of a normal and the values, and "kept": this share of the change does
-    not turn the verdict (0: none is known).
+    of a coordinate, an entry of a normal and the values, and a proof for smaller bounds, if found.
     """
     ends, deadline = (found.grasp, turned.grasp), time.monotonic() + SECONDS
     low, high = Fraction(0), Fraction(1)
     for _ in range(_STEPS):
         share = (low + high) / 2 if low else high / 8
-        grasp = _between(*ends, share)
-        other = _in_time(found, grasp, found.wrench)
+        other = _in_time(found, _between(*ends, share), found.wrench)
         if other is not None and other.verdict == turned.verdict:
             turned, high = other, share
         else:
@@ -174,7 +188,16 @@ def _nearest(found: Any, turned: Any) -> tuple[Any, dict[str, Fraction]]:
             one, two = (getattr(c, name) for c in (old, new))
             pairs = [(one, two)] if name in VALUES else zip(one, two, strict=True)
             change[name] = max(change[name], *(abs(x - y) for x, y in pairs))
-    return turned, change | {"kept": low / high}
+    return turned, change, _inner(found, bounds, high)
+
+
+def _inner(found: Any, bounds: Bounds, share: Fraction) -> Certificate | None:
+    """Return a proof for bounds below a share of the given ones, if one is found."""
+    for k in range(_INNER if _may_be_proved(found) and _fits_floats(found) else 0):
+        proof = _proof(found, Closing(found, bounds.times(share / 2 / 4**k), _PROOF))
+        if proof is not None:
+            return proof
+    return None
 
 
 def _between(one: Grasp, two: Grasp, share: Fraction) -> Grasp:
@@ -212,7 +235,7 @@ def within_error(found: Any) -> WithinError:
         if other is None:
             left += 1
         elif found.verdict not in (OPEN, other.verdict):
-            return WithinError(DEPENDS, asked, left, *_nearest(found, other))
+            return WithinError(DEPENDS, asked, left, *_nearest(found, other, bounds))
     return WithinError(found.verdict, asked, left)
 
 
@@ -225,7 +248,7 @@ def others(found: Any) -> Iterator[Grasp]:
     Raises:
         GraspError: the grasp was not converted.
     """
-    for seed in range(_ROUNDINGS):
+    for seed in range(ROUNDINGS):
         yield other_rounding(found.grasp, seed)
     against = found.verdict == RESISTED or found.grasp.data_error.as_given
     if against and _fits_floats(found):
@@ -284,7 +307,7 @@ def robust(found: Any, bounds: Bounds) -> Robustness:
     for other in _against(found, search):
         turned = _in_time(found, other, wrench)
         if turned is not None and turned.verdict != name:
-            return Robustness(FAILS, name, bounds, *_nearest(found, turned))
+            return Robustness(FAILS, name, bounds, *_nearest(found, turned, bounds))
     return Robustness(OPEN, name, bounds)
 
 

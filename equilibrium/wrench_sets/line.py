@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import product
 from random import Random
 from typing import Any
 
@@ -27,7 +28,7 @@ from arrangement.numbers.linear.intervals import (
     where_positive,
 )
 from arrangement.numbers.linear.rank import gauss_jordan
-from equilibrium.decide.robustness import DEPENDS, others
+from equilibrium.decide.robustness import DEPENDS, ROUNDINGS, others
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
@@ -138,16 +139,20 @@ class RoundedEnds(Shown):
 def ends_within_error(solver: Solver, found: Magnitudes) -> RoundedEnds | None:
     """Return the ends for others within the error of converted data; None for exact data.
 
-    Those asked about are those of the verdict at the last end.
+    Those asked about are those of the verdict at the last end. What breaks incidences of the data
+    speaks against a yes only.
     """
     if solver.grasp.data_error is None:
         return None
     low, high = found.intervals[-1] if found.intervals else (Fraction(0), None)
     at = sum_row(found.base, found.direction, (low or Fraction(0)) + 1 if high is None else high)
     verdict, ends = solver.solve(at), [_ends(found.intervals)]
-    for grasp in others(verdict):
+    for k, grasp in enumerate(others(verdict)):
         prepared = Solver(grasp, **solver.within.bounds)
         other = resisted_magnitudes(prepared, found.direction, found.base).intervals
+        if k >= ROUNDINGS and not solver.grasp.data_error.as_given:
+            common = (intersection(*two) for two in product(other, found.intervals))
+            other = union(part for part in common if part is not None)
         ends.append(_ends(other))
         if [end is None for end in ends[0]] != [end is None for end in ends[-1]]:
             return RoundedEnds(len(ends) - 1, (), other)
