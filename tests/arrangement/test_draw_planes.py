@@ -8,17 +8,19 @@ import struct
 from collections import Counter
 from collections.abc import Sequence
 from fractions import Fraction
-from pathlib import Path
+from pathlib import Path as FilePath
 from typing import Any
 
 import numpy as np
 import pytest
+import shapely
 import trimesh
 from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement, ArrangementError
 from arrangement.cli import main
 from arrangement.counts import f_vector, region_count
+from arrangement.drawing.scene.items import Path
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.duals.body import body_around
 from arrangement.duals.cells import Cells, cut_cells
@@ -34,9 +36,10 @@ from arrangement.pictures import (
 )
 from arrangement.pictures.parts.essential import fits, in_space
 from arrangement.pictures.space.cells import cells_model
-from arrangement.pictures.space.lifted_cells import lifted_cells
+from arrangement.pictures.space.lifted_cells import Lifted, lifted_cells
 from arrangement.pictures.space.planes import draw_planes
-from arrangement.pictures.space.stage import Facet, Stage
+from arrangement.pictures.space.planes_sheet import PlanesSheet
+from arrangement.pictures.space.stage import Facet, Stage, StagedAxes
 from arrangement.pictures.views import drawings_of
 from tests.drawn import paths
 from tests.instances import PLANAR
@@ -155,30 +158,37 @@ def test_lifted_cells_are_painted_between_what_hides_them_and_what_they_hide(
 ):
     """Lines of sight through the middles of facets and of lifted cells meet the rest in order."""
     chosen = [planes.regions()[number].signs for number in numbers]
-    texts = ["".join("+" if s > 0 else "-" for s in signs) for signs in chosen]
-    figure = draw_planes(planes, body="cube", direction=direction, lift=texts)
     stage = Stage(cut_cells(planes, "cube"), direction)
     lifted = lifted_cells(stage, chosen)
-    when = painted(figure, "cell-")
-    facets = {int(g.split("-")[1]): z for g, z in painted(figure, "facet-").items()}
-    things: list[tuple[float, Any, Any]] = [
-        (facets[i], stage.points[list(facet.corners)].mean(axis=0), None)
-        for i, facet in enumerate(stage.facets)
-    ]
-    for item in lifted:
-        name = "cell-" + "".join("+" if s > 0 else "-" for s in item.cell.signs)
-        things.append((when[name], item.corners.mean(axis=0), item))
+    sheet = PlanesSheet(stage, lifted, lambda _: "#ffffff", 88.0, StagedAxes(stage, ()))
+    shapes: dict[str, list[tuple[float, Any]]] = {}
+    for item in sheet.scene.items:
+        if isinstance(item, Path) and item.kind == "polygon":
+            shapes.setdefault(item.name, []).append((item.height, shapely.Polygon(item.points)))
+
+    def painted_at(solid: Lifted, point: Any) -> float:
+        """Return when the face of a solid is painted that the line of sight enters."""
+        name = "cell-" + "".join("+" if s > 0 else "-" for s in solid.cell.signs)
+        at = shapely.Point(sheet.place(point))
+        return max(z for z, shape in shapes[name] if shape.intersects(at))
+
+    things: list[tuple[float, Any, Any]] = []
+    for i, facet in enumerate(stage.facets):
+        ((z, _),) = shapes[f"facet-{i}-plane-{facet.label + 1}"]
+        things.append((z, stage.points[list(facet.corners)].mean(axis=0), None))
+    for solid in lifted:
+        middle = solid.corners.mean(axis=0)
+        things.append((painted_at(solid, middle), middle, solid))
     met = 0
     for z, point, own in things:
         for solid in lifted:
-            name = "cell-" + "".join("+" if s > 0 else "-" for s in solid.cell.signs)
             interval = sight_through(solid, point)
             if solid is own or interval is None:
                 continue
             low, high = interval
             assert not low < point[2] < high
             met += 1
-            assert (z > when[name]) == (point[2] > high)
+            assert (z > painted_at(solid, point)) == (point[2] > high)
     assert met
 
 
@@ -483,11 +493,11 @@ def test_the_body_contains_every_lowest_face(planes, kind):
             assert sum(x * x for x in apart) * 16 <= 9 * body.radius**2
 
 
-def loaded(path: Path) -> Any:
+def loaded(path: FilePath) -> Any:
     return trimesh.load(path, force="mesh")
 
 
-def shells(path: Path) -> list[Any]:
+def shells(path: FilePath) -> list[Any]:
     return list(loaded(path).split(only_watertight=False))
 
 
@@ -514,7 +524,7 @@ def test_the_shells_of_an_stl_are_closed_and_together_as_large_as_the_body(name,
         assert total == pytest.approx(mesh * 20**3, rel=1e-5)
 
 
-def glb(path: Path) -> dict[str, Any]:
+def glb(path: FilePath) -> dict[str, Any]:
     content = path.read_bytes()
     magic, version, length = struct.unpack("<4sII", content[:12])
     assert (magic, version, length) == (b"glTF", 2, len(content))

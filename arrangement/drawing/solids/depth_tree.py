@@ -56,19 +56,21 @@ class Node(Generic[_Drawn]):
 _Parts: TypeAlias = tuple[IntegerVector, list[_Drawn], list[_Other], list[_Other]]
 
 
-def depth_tree(patches: Iterable[Patch]) -> list[Node[Patch]]:
-    """Return the nodes of a tree; the first one is the root. Patches may be cut."""
+def depth_tree(
+    patches: Iterable[Patch], whole: Callable[[Sequence[Patch]], bool] | None = None
+) -> list[Node[Patch]]:
+    """Return the nodes of a tree; the first one is the root. Patches may be cut.
+
+    Args:
+        whole: which patches need no order, as those of one convex solid that are seen.
+    """
 
     def split(group: Sequence[Patch]) -> _Parts[Patch, Patch]:
+        if whole is not None and whole(group):
+            return (0,) * 4, list(group), [], []
         row = _best_row(group)
-        found: _Parts[Patch, Patch] = (row, [], [], [])
-        for patch in group:
-            if any(dot(row, p) for p in patch.corners):
-                found[2].extend(_half(patch, row, 1))
-                found[3].extend(_half(patch, row, -1))
-            else:
-                found[1].append(patch)
-        return found
+        inside = [patch for patch in group if not any(dot(row, p) for p in patch.corners)]
+        return row, inside, halves(group, row, 1), halves(group, row, -1)
 
     return _tree(list(patches), split)
 
@@ -113,6 +115,21 @@ def _tree(
     return nodes
 
 
+def joined(
+    row: IntegerVector, front: Sequence[Node[_Drawn]], back: Sequence[Node[_Drawn]]
+) -> list[Node[_Drawn]]:
+    """Return the tree of a plane, with trees of what is before it and behind it."""
+    nodes: list[Node[_Drawn]] = [Node(row)]
+    for side, part in (("front", front), ("back", back)):
+        by = len(nodes)
+        if part:
+            setattr(nodes[0], side, by)
+        for node in part:
+            ends = (k + by if k >= 0 else k for k in (node.front, node.back))
+            nodes.append(Node(node.row, node.patches, *ends))
+    return nodes
+
+
 def back_to_front(
     nodes: Sequence[Node[_Drawn]], direction: IntegerVector
 ) -> Iterator[Node[_Drawn]]:
@@ -147,15 +164,18 @@ def _best_row(group: Sequence[Patch]) -> IntegerVector:
     return chosen[int(np.argmin(cost))]
 
 
-def _half(patch: Patch, row: IntegerVector, side: int) -> list[Patch]:
-    """Return the part of a patch on one side, if there is any."""
-    values = [side * dot(row, p) for p in patch.corners]
-    if max(values) <= 0:
-        return []
-    if min(values) >= 0:
-        return [patch]
-    edges = tuple(part for edge in patch.edges for part in _part(edge, row, side))
-    return [replace(patch, corners=tuple(clipped(patch.corners, values)), edges=edges)]
+def halves(patches: Iterable[Patch], row: IntegerVector, side: int) -> list[Patch]:
+    """Return the parts of patches on one side of a plane; none of those that lie in it."""
+    found = []
+    for patch in patches:
+        values = [side * dot(row, p) for p in patch.corners]
+        if min(values) >= 0 and any(values):
+            found.append(patch)
+        elif max(values) > 0:
+            edges = tuple(part for edge in patch.edges for part in _part(edge, row, side))
+            corners = tuple(clipped(patch.corners, values))
+            found.append(replace(patch, corners=corners, edges=edges))
+    return found
 
 
 def _part(edge: Segment, row: IntegerVector, side: int) -> list[Segment]:

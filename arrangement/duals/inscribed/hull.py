@@ -18,7 +18,7 @@ import numpy as np
 from arrangement.duals.zonohedron import DualPolyhedron
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot
-from arrangement.numbers.linear.rank import cycle_edges, triple_product
+from arrangement.numbers.linear.rank import cycle_edges, plane_through, triple_product
 
 
 def sphere_points(dual: DualPolyhedron, bits: int = 10) -> tuple[RationalVector, ...]:
@@ -206,12 +206,6 @@ def _homogeneous(i: int, point: RationalVector) -> IntegerVector:
     return (*(int(x * q) for x in point), q)
 
 
-def plane(a: IntegerVector, b: IntegerVector, c: IntegerVector) -> IntegerVector:
-    """Return h with ``h . p = det[a; b; c; p]`` for homogeneous points: positive inside."""
-    without = [[[*row[:k], *row[k + 1 :]] for row in (a, b, c)] for k in range(4)]
-    return tuple((1 if k % 2 else -1) * triple_product(*rows) for k, rows in enumerate(without))
-
-
 def _flat_edges_if_hull(
     points: list[IntegerVector], triangles: list[Triangle]
 ) -> frozenset[Edge] | None:
@@ -225,7 +219,7 @@ def _flat_edges_if_hull(
         return None
     flat = set()
     for a, b, c in triangles:
-        h = plane(points[a], points[b], points[c])
+        h = plane_through(points[a], points[b], points[c])
         for u, v in cycle_edges((a, b, c)):
             beyond = opposite.get((v, u))
             height = -1 if beyond is None else dot(h, points[beyond])
@@ -272,10 +266,11 @@ def _incremental(points: list[IntegerVector]) -> list[Triangle]:
     """
     first = _simplex(points)
     a, b, c, d = first
-    if dot(plane(points[a], points[b], points[c]), points[d]) < 0:
+    if dot(plane_through(points[a], points[b], points[c]), points[d]) < 0:
         b, c = c, b
     faces = {
-        t: plane(*(points[v] for v in t)) for t in ((a, b, c), (a, c, d), (a, d, b), (b, d, c))
+        t: plane_through(*(points[v] for v in t))
+        for t in ((a, b, c), (a, c, d), (a, d, b), (b, d, c))
     }
     for p in range(len(points)):
         if p in first:
@@ -286,14 +281,14 @@ def _incremental(points: list[IntegerVector]) -> list[Triangle]:
             del faces[t]
         for u, v in border:
             if (v, u) not in border:
-                faces[u, v, p] = plane(points[u], points[v], points[p])
+                faces[u, v, p] = plane_through(points[u], points[v], points[p])
     return list(faces)
 
 
 def _simplex(points: list[IntegerVector]) -> tuple[int, int, int, int]:
     """Return four points that are not in one plane. Three points of a sphere are never aligned."""
     if len(points) >= 4:
-        base = plane(*points[:3])
+        base = plane_through(*points[:3])
         for d in range(3, len(points)):
             if dot(base, points[d]):
                 return 0, 1, 2, d

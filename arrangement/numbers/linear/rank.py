@@ -141,6 +141,15 @@ def triple_product(a: Sequence[Any], b: Sequence[Any], c: Sequence[Any]) -> Any:
     return dot(a, cross(b, c))
 
 
+def plane_through(a: IntegerVector, b: IntegerVector, c: IntegerVector) -> IntegerVector:
+    """Return h with ``h . p = det[a; b; c; p]`` for homogeneous points of R^3.
+
+    It is positive on the side from which a, b, c run clockwise.
+    """
+    without = [[[*row[:k], *row[k + 1 :]] for row in (a, b, c)] for k in range(4)]
+    return tuple((1 if k % 2 else -1) * triple_product(*rows) for k, rows in enumerate(without))
+
+
 def determinant(rows: Sequence[Sequence[int]]) -> int:
     """Return the determinant of a square integer matrix by Bareiss' fraction-free elimination.
 

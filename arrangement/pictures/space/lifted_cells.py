@@ -1,32 +1,39 @@
-"""Cells moved outward from the body, and where they stand in the painter's order.
+"""Cells moved outward from the body, and where they hang on the tree of all that is painted.
 
-A cell of central planes moves inside its own cone, so it keeps its sign vector and its place in
-the order. For other planes a lifted cell leaves its region. It moves until a plane separates it
-from the whole body; two lifted cells are compared where they overlap in the picture.
+A cell of central planes moves inside its own cone, so it keeps its sign vector and its place. For
+other planes a lifted cell leaves its region. It moves until a plane separates it from the whole
+body; before that plane its faces, and what else is there, have a tree of their own.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
-from graphlib import CycleError, TopologicalSorter
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.solids.depth_tree import Node, depth_tree, halves, joined
 from arrangement.drawing.solids.sight import face_normal
+from arrangement.drawing.solids.surface import Patch
 from arrangement.duals.cells import Cell
 from arrangement.errors import InputError
-from arrangement.numbers.linear.rank import cycle_edges
+from arrangement.numbers.exact import IntegerVector, primitive, reduced
+from arrangement.numbers.linear.rank import cycle_edges, plane_through
 
-from .stage import Stage, sharp, walls_of_edges
+from .stage import Stage, exact_points, sharp, walls_of_edges
 
 #: How far a cell of central planes moves; the body has radius 1.
 LIFT = 0.6
+#: Shifts of cells of other planes are multiples of one over this.
+_GRID = 1 << 20
 #: The free distance between the body and a cell of other planes.
 CLEARANCE = 0.12
+
+_Drawn = TypeVar("_Drawn")
 
 
 @dataclass(frozen=True)
@@ -37,13 +44,13 @@ class Lifted:
         cell: the cell.
         points: (P, 3); the points of all cells in the picture, moved with this one.
         shift: (3,); by how much.
-        place: -1 if it is painted before the body, +1 if after, 0 if in the body's order.
+        row: the plane between it and the body; none for a cell in its own cone.
     """
 
     cell: Cell
     points: Floats
     shift: Floats
-    place: int = 0
+    row: IntegerVector | None = None
 
     @cached_property
     def corners(self) -> Floats:
@@ -60,17 +67,23 @@ class Lifted:
         """The faces that the viewer sees."""
         return tuple(np.flatnonzero(self.normals[:, 2] > 1e-9).tolist())
 
-    def outlines(self) -> Iterator[Floats]:
-        """Yield the visible edges between two walls, and the contour, as segments (2, 3)."""
+    @cached_property
+    def edges(self) -> frozenset[tuple[int, int]]:
+        """The edges of visible faces where two walls meet, or that are on the contour."""
         faces = {e: k for k, face in enumerate(self.cell.faces) for e in cycle_edges(face)}
-        walls = walls_of_edges(self.cell)
-        seen = set(self.visible)
-        for (a, b), k in faces.items():
-            other = faces[b, a]
-            contour = k in seen and other not in seen
-            inner = k in seen and other in seen and a < b and sharp(*walls[a, b], self.smooth)
-            if contour or inner:
-                yield self.points[[a, b]]
+        walls, seen = walls_of_edges(self.cell), set(self.visible)
+        return frozenset(
+            (a, b)
+            for (a, b), k in faces.items()
+            if k in seen and (faces[b, a] not in seen or sharp(*walls[a, b], self.smooth))
+        )
+
+    def outlines(self) -> Iterator[Floats]:
+        """Yield these edges, each once, as segments (2, 3)."""
+        once = (
+            edge for edge in sorted(self.edges) if edge[::-1] not in self.edges or edge[0] < edge[1]
+        )
+        return (self.points[list(edge)] for edge in once)
 
     def visible_outlines(self, one_skin: bool) -> list[Floats]:
         """Return the outline of the visible part of each wall, (k, 3).
@@ -92,11 +105,10 @@ class Lifted:
 
 
 def lifted_cells(stage: Stage, chosen: Sequence[tuple[int, ...]]) -> tuple[Lifted, ...]:
-    """Return the chosen cells, lifted, those in the body's order first, then back to front.
+    """Return the chosen cells, lifted.
 
     Raises:
-        InputError: a cell is named twice, or outside the body; no order exists in which the cells
-            can be painted.
+        InputError: a cell is named twice, or outside the body; the cells run into each other.
     """
     if len(set(chosen)) < len(chosen):
         raise InputError("a cell is to be lifted twice; name each once")
@@ -108,7 +120,7 @@ def lifted_cells(stage: Stage, chosen: Sequence[tuple[int, ...]]) -> tuple[Lifte
     lifted: list[Lifted] = []
     for signs in chosen:
         lifted.append(_clear_of_the_body(stage, cells[signs], lifted))
-    return _back_to_front(lifted)
+    return tuple(lifted)
 
 
 def _inside_its_cone(stage: Stage, cell: Cell) -> Lifted:
@@ -127,13 +139,72 @@ def _clear_of_the_body(stage: Stage, cell: Cell, others: Sequence[Lifted]) -> Li
     way = middle / length if length > 0.02 else np.array([0.0, 1.0, 0.0])
     reach = max(float((stage.points @ way).max()), 1.0)
     far = reach + CLEARANCE - float((corners @ way).min())
-    place = 1 if way[2] >= 0 else -1
+    # Exact from here on: the margins are far wider than any error.
+    row = primitive((*_fractions(stage.axes.T @ way), -_fraction(reach + CLEARANCE / 2)))
     for _ in range(64):
-        lifted = Lifted(cell, stage.points + far * way, far * way, place)
+        shift = stage.axes @ np.array(_fractions(stage.axes.T @ (far * way)), dtype=float)
+        lifted = Lifted(cell, stage.points + shift, shift, row)
         if not any(_meet(lifted, other) for other in others):
             return lifted
         far += CLEARANCE
     raise InputError("the lifted cells run into each other; lift fewer of them")
+
+
+def _fraction(x: float) -> Fraction:
+    return Fraction(round(x * _GRID), _GRID)
+
+
+def _fractions(vector: Floats) -> list[Fraction]:
+    return list(map(_fraction, vector.tolist()))
+
+
+def with_lifted(
+    body: list[Node[_Drawn]],
+    stage: Stage,
+    lifted: Sequence[Lifted],
+    draw: Callable[[Sequence[Patch]], _Drawn],
+) -> list[Node[_Drawn]]:
+    """Return a tree of the body with the visible faces of lifted cells before their planes.
+
+    Args:
+        draw: takes pieces that hide nothing of each other, each named by the numbers of its cell
+            and of the face.
+    """
+    patches = [
+        patch for k, item in enumerate(lifted) if item.row for patch in _patches(stage, item, k)
+    ]
+    fronts = []
+    for item in lifted:
+        if item.row:
+            fronts.append((item.row, halves(patches, item.row, 1)))
+            patches = halves(patches, item.row, -1)
+
+    def one_cell(group: Sequence[Patch]) -> bool:
+        return len({patch.name.split()[0] for patch in group}) == 1
+
+    tree = body
+    for row, front in reversed(fronts):
+        nodes = depth_tree(front, one_cell)
+        drawn = [Node(n.row, [draw(n.patches)], n.front, n.back) for n in nodes]
+        tree = joined(row, drawn, tree)
+    return tree
+
+
+def _patches(stage: Stage, item: Lifted, number: int) -> Iterator[Patch]:
+    """Yield the visible faces of a lifted cell, exactly, named by its number and their own."""
+    points = exact_points(stage.cells)
+    shift = [int(x * _GRID) for x in _fractions(stage.axes.T @ item.shift)]
+
+    def moved(i: int) -> IntegerVector:
+        *place, scale = points[i]
+        pairs = zip(place, shift, strict=True)
+        return reduced([*(_GRID * x + s * scale for x, s in pairs), _GRID * scale])
+
+    for k in item.visible:
+        face = item.cell.faces[k]
+        corners = tuple(map(moved, face))
+        ends = tuple((moved(a), moved(b)) for a, b in cycle_edges(face) if (a, b) in item.edges)
+        yield Patch(reduced(plane_through(*corners[:3])), corners, ends, name=f"{number} {k}")
 
 
 def _meet(one: Lifted, other: Lifted) -> bool:
@@ -150,48 +221,6 @@ def _offsets(lifted: Lifted) -> Floats:
     first = lifted.points[[face[0] for face in lifted.cell.faces]]
     offsets: Floats = (lifted.normals * first).sum(axis=1)
     return offsets
-
-
-def _back_to_front(lifted: Sequence[Lifted]) -> tuple[Lifted, ...]:
-    """Sort so that none hides one that comes later; the body lies between places -1 and +1."""
-    n = len(lifted)
-    behind = {(i, j) for i in range(n) for j in range(n) if i != j and _hides(lifted[j], lifted[i])}
-    behind |= {(i, j) for i in range(n) for j in range(n) if lifted[i].place < lifted[j].place}
-    order = TopologicalSorter({j: {i for i in range(n) if (i, j) in behind} for j in range(n)})
-    try:
-        return tuple(lifted[i] for i in order.static_order())
-    except CycleError:
-        raise InputError(
-            "the lifted cells hide each other in a circle; choose another direction"
-        ) from None
-
-
-def _hides(near: Lifted, far: Lifted) -> bool:
-    """Whether two disjoint convex solids overlap in the picture, the first in front."""
-    point = _common_point(near.corners[:, :2], far.corners[:, :2])
-    if point is None:
-        return False
-    return bool(_depths(near, point).mean() > _depths(far, point).mean())
-
-
-def _common_point(one: Floats, other: Floats) -> Floats | None:
-    """Return the point deepest inside the convex hulls of both sets, or None."""
-    from scipy.optimize import linprog
-    from scipy.spatial import ConvexHull
-
-    rows = np.concatenate([ConvexHull(one).equations, ConvexHull(other).equations])
-    table = np.column_stack([rows[:, :2], np.ones(len(rows))])
-    answer: Any = linprog([0, 0, -1], table, -rows[:, 2], bounds=(None, None), method="highs")
-    return None if answer.x[2] < 1e-6 else np.array(answer.x[:2])
-
-
-def _depths(lifted: Lifted, point: Floats) -> Floats:
-    """Return the depths at which the line of sight enters and leaves a solid."""
-    normals, offsets = lifted.normals, _offsets(lifted)
-    steep = np.abs(normals[:, 2]) > 1e-12
-    at = (offsets[steep] - normals[steep, :2] @ point) / normals[steep, 2]
-    front = normals[steep, 2] > 0
-    return np.array([at[~front].max(), at[front].min()])
 
 
 def _loop(directed: set[tuple[int, int]]) -> list[int]:

@@ -66,8 +66,8 @@ def draw_planes(
         coordinates: as for `draw_sphere`; "given" if omitted and the body has a given place.
 
     Raises:
-        InputError: another space, too many planes, no such cell, lifted cells that hide each
-            other in a circle, unknown body or colouring.
+        InputError: another space, too many planes, no such cell, lifted cells that run into
+            each other, unknown body or colouring.
     """
     paint = _painter(colour)
     texts = [lift] if isinstance(lift, str) else list(lift)

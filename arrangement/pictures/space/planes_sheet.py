@@ -18,10 +18,11 @@ from arrangement.drawing.scene.scene import area, measure
 from arrangement.drawing.scene.shapes import arrow
 from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import lit, unit
+from arrangement.drawing.solids.surface import Patch
 from arrangement.pictures.parts.coordinates import INK
 from arrangement.pictures.parts.names import RegionLabels, plane_names, thinner
 
-from .lifted_cells import Lifted
+from .lifted_cells import Lifted, with_lifted
 from .stage import Facet, Sides, Stage, StagedAxes
 
 #: Opacity of the facets; what lies behind them shows through.
@@ -77,7 +78,8 @@ class PlanesSheet(SolidSheet):
         bounds = np.vstack([self.outline, axes.tips[:, :2]])
         parts = [(bounds, (margin, MARGIN)), *((corners, (3.0, 10.0)) for corners in loose)]
         super().__init__(stage.direction, width, *parts)
-        self.areas: list[tuple[float, Floats]] = []
+        # When an area is painted, and the signs of the lifted cell that it is of.
+        self.areas: list[tuple[float, tuple[int, ...], Floats]] = []
         self.painted_at: dict[tuple[int, ...], float] = {}
         self._paint_all()
 
@@ -102,16 +104,7 @@ class PlanesSheet(SolidSheet):
             self.scene.polygon(self.place(self.outline), fc="#f7f7f5", ec="none", zorder=0)
             for number, facet in enumerate(stage.facets):
                 pieces.append((facet.sides, partial(self._facet, facet, number)))
-        # Behind the body, in it, and in front of it.
-        order: list[list[Callable[[], None]]] = [[], [], []]
-        for front, ends in self.half_axes.outside():
-            order[2 * front].append(partial(self._axis, self.place(ends), True))
-        for item in self.lifted:
-            solid = partial(self._solid, item)
-            if item.place:
-                order[1 + item.place].append(solid)
-            else:
-                pieces.append((item.cell.sides, solid))
+        pieces += [(x.cell.sides, partial(self._solid, x)) for x in self.lifted if not x.row]
         gone = {item.cell.sides for item in self.lifted}
         for sides, ends in () if self.apart else self._frame_pieces():
             if sides not in gone:
@@ -119,9 +112,17 @@ class PlanesSheet(SolidSheet):
                 pieces.append((sides, partial(self._line, self.place(ends), style)))
         for sides, ends in self.half_axes.inside():
             pieces.append((sides, partial(self._axis, self.place(ends), False)))
-        for _, paints in self.layers(stage.tree(pieces), 1):
-            order[1] += paints
-        todo = [paint for paints in order for paint in paints]
+
+        tree = with_lifted(
+            stage.tree(pieces), stage, self.lifted, lambda faces: partial(self._pieces, faces)
+        )
+        order = [paint for _, paints in self.layers(tree, 1) for paint in paints]
+        tips = [
+            (front, partial(self._axis, self.place(ends), True))
+            for front, ends in self.half_axes.outside()
+        ]
+        behind, before = ([tip for front, tip in tips if front is side] for side in (False, True))
+        todo: list[Callable[[], None]] = [*behind, *order, *before]
         for step, paint in enumerate(todo):
             self.z = 1 + step / (len(todo) + 1)
             paint()
@@ -131,7 +132,7 @@ class PlanesSheet(SolidSheet):
         fill = self.colour(facet.label, stage.arrangement.over_planes(facet.sides))
         corners = self.place(stage.points[list(facet.corners)])
         name = f"facet-{number}-plane-{stage.arrangement.distinct[facet.label][0] + 1}"
-        self.areas.append((self.z, corners))
+        self.areas.append((self.z, (), corners))
         style = {"alpha": OPACITY, "zorder": self.z, "gid": name}
         self.scene.polygon(corners, fc=fill, ec="none", **style)
         for rim, line in ((True, {"lw": 0.9}), (False, {"lw": 0.55})):
@@ -181,19 +182,34 @@ class PlanesSheet(SolidSheet):
 
     def _solid(self, item: Lifted) -> None:
         """Paint a lifted cell: its visible faces, shaded, then its edges."""
-        name = "cell-" + "".join("+" if s > 0 else "-" for s in item.cell.signs)
-        self.painted_at[item.cell.signs] = self.z
-        self.areas += [(self.z, self.place(loop)) for loop in item.visible_outlines(self.round)]
+        for loop in item.visible_outlines(self.round):
+            self._covers(item, self.place(loop))
         for k in item.visible:
-            face, wall = item.cell.faces[k], item.cell.walls[k]
-            corners, normal = item.points[list(face)], item.normals[k]
-            if wall < 0 and self.round:
-                normal = unit(corners.mean(axis=0) - item.shift)
-            colour = lit(SKIN if wall < 0 else self.colour(wall), normal)
-            look: dict[str, Any] = {"lw": 0.3, "zorder": self.z, "joinstyle": "round", "gid": name}
-            self.scene.polygon(self.place(corners), fc=colour, ec=colour, **look)
+            self._face(item, k, self.place(item.points[list(item.cell.faces[k])]))
         for segment in item.outlines():
             self._line(self.place(segment), {"lw": 0.9})
+
+    def _pieces(self, patches: Sequence[Patch]) -> None:
+        """Paint pieces of faces of lifted cells, shaded, then their edges."""
+        for patch in patches:
+            (number, k), corners = map(int, patch.name.split()), self.at_exact(patch.corners)
+            self._covers(self.lifted[number], corners)
+            self._face(self.lifted[number], k, corners)
+        for edge in dict.fromkeys(frozenset(edge) for patch in patches for edge in patch.edges):
+            self._line(self.at_exact(edge), {"lw": 0.9})
+
+    def _covers(self, item: Lifted, loop: Floats) -> None:
+        self.painted_at.setdefault(item.cell.signs, self.z)
+        self.areas.append((self.z, item.cell.signs, loop))
+
+    def _face(self, item: Lifted, k: int, corners: Floats) -> None:
+        wall, normal = item.cell.walls[k], item.normals[k]
+        if wall < 0 and self.round:
+            normal = unit(item.points[list(item.cell.faces[k])].mean(axis=0) - item.shift)
+        colour = lit(SKIN if wall < 0 else self.colour(wall), normal)
+        name = "cell-" + "".join("+" if s > 0 else "-" for s in item.cell.signs)
+        look: dict[str, Any] = {"lw": 0.3, "zorder": self.z, "joinstyle": "round", "gid": name}
+        self.scene.polygon(corners, fc=colour, ec=colour, **look)
 
     def colour(self, label: int, signs: tuple[int, ...] = ()) -> str:
         """Return the colour of a plane, or of a facet of it."""
@@ -282,7 +298,7 @@ class PlanesSheet(SolidSheet):
 
     def name_axes(self) -> None:
         """Write the names of the axes beyond their tips."""
-        closed = [np.vstack([loop, loop[:1]]) for _, loop in self.areas]
+        closed = [np.vstack([loop, loop[:1]]) for _, _, loop in self.areas]
         for name, tip in zip(self.half_axes.names, self.half_axes.tips, strict=True):
             tip, origin = self.place(tip), self.place(self.half_axes.origin)
             off = keep_off([*closed, np.array([origin, tip])])
@@ -298,9 +314,9 @@ class PlanesSheet(SolidSheet):
         closed = np.vstack([self.outline, self.outline[:1]])
         around = keep_off(self.place(line) for line in (closed, *segments))
         for item in self.lifted:
-            own = self.painted_at[item.cell.signs]
-            # What is painted after it hides it.
-            off = keep_off([], [loop for z, loop in self.areas if z > own])
+            own, signs = self.painted_at[item.cell.signs], item.cell.signs
+            # What is painted after it may hide it.
+            off = keep_off([], [at for z, of, at in self.areas if z > own and of != signs])
             outlines = [self.place(loop) for loop in item.visible_outlines(self.round)]
             outlines.sort(key=lambda outline: round(area(outline), 3), reverse=True)
             forms = names.forms(item.cell.signs)

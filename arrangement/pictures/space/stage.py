@@ -14,6 +14,7 @@ import numpy as np
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.depth_tree import Node, back_to_front, plane_tree
 from arrangement.drawing.solids.sight import picture_axes
+from arrangement.drawing.solids.surface import rounded
 from arrangement.duals.cells import Cell, Cells
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, dot
@@ -104,23 +105,20 @@ class Stage:
 
 
 def unit_points(cells: Cells) -> Floats:
-    """Return the points of the cells with the body at the origin and of radius 1, (P, 3).
+    """Return the points of the cells with the body at the origin and of radius 1, (P, 3)."""
+    return rounded(exact_points(cells))
 
-    Differences are exact; one division of integers rounds each coordinate.
-    """
+
+def exact_points(cells: Cells) -> list[IntegerVector]:
+    """Return the same points as homogeneous ones."""
     centre, radius = cells.body.centre, cells.body.radius
     common = math.lcm(*(c.denominator for c in centre))
     shift = [int(c * common) for c in centre]
     above, below = radius.denominator, radius.numerator * common
-    return np.array(
-        [
-            [
-                float((common * x - s * p[3]) * above / (below * p[3]))
-                for x, s in zip(p, shift, strict=False)
-            ]
-            for p in cells.points
-        ]
-    )
+    return [
+        (*((common * x - s * p[3]) * above for x, s in zip(p, shift, strict=False)), below * p[3])
+        for p in cells.points
+    ]
 
 
 def _facets_below(cell: Cell) -> list[Facet]:

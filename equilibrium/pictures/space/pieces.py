@@ -14,8 +14,8 @@ import numpy as np
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.sight import across, face_normal, unit, unit_vectors
 from arrangement.drawing.solids.surface import Patch
-from arrangement.numbers.exact import IntegerVector, dot, primitive
-from arrangement.numbers.linear.rank import cross, cycle_edges, difference
+from arrangement.numbers.exact import IntegerVector, dot, primitive, reduced
+from arrangement.numbers.linear.rank import cross, cycle_edges, plane_through
 
 #: Sides of the head of an arrow; its length and radius.
 _HEAD_SIDES, _HEAD, _HEAD_RADIUS = 6, 0.09, 0.03
@@ -81,7 +81,8 @@ def flat(
 ) -> list[Patch]:
     """Return a polygon, in triangles where rounding has bent it; ``a . x + b`` is < 0 inside."""
     points = [_exact(p) for p in corners]
-    rows = [_plane(points[0], p, q) for p, q in pairwise(points[1:])]
+    planes = (plane_through(points[0], q, p) for p, q in pairwise(points[1:]))
+    rows = [reduced(row) if any(row) else None for row in planes]
     lines = tuple((_exact(p), _exact(q)) for p, q in edges)
     if len({row for row in rows if row}) == 1:
         return [Patch(next(row for row in rows if row), tuple(points), lines, name=name)]
@@ -92,13 +93,6 @@ def flat(
             own = tuple(line for line in lines if set(line) <= set(triangle))
             found.append(Patch(row, triangle, own, name=name))
     return found
-
-
-def _plane(p: IntegerVector, q: IntegerVector, r: IntegerVector) -> IntegerVector | None:
-    """Return the row of the plane of a triangle, positive outside; None if it has no area."""
-    a, b, c = ([Fraction(x, point[3]) for x in point[:3]] for point in (p, q, r))
-    normal = cross(*(difference(end, a) for end in (b, c)))
-    return primitive((*normal, -dot(normal, a))) if any(normal) else None
 
 
 @dataclass(frozen=True)
