@@ -17,7 +17,7 @@ from typing import Any
 
 from arrangement.console.number_form import Documented, Shown
 from arrangement.console.progress import watched
-from arrangement.numbers.exact import RationalVector, dot
+from arrangement.numbers.exact import RationalVector, dot, primitive
 from arrangement.numbers.linear import programs
 from arrangement.numbers.linear.intervals import (
     Interval,
@@ -184,11 +184,13 @@ def interval_between(at_zero: StateSystem, at_one: StateSystem) -> Interval | No
         return None
     if pivots != list(range(n)):
         return _by_programs(n, inequalities, equalities)
-    slopes = [*(Fraction(-row[n], scale) for row in reduced), Fraction(1)]
-    constants = [Fraction(-row[n + 1], scale) for row in reduced]
-    allowed = where_positive(
-        (dot(row[:-1], slopes), dot(row[:n], constants) + row[-1]) for row in inequalities
-    )
+    # In integers, for a positive multiple of all: no fraction is reduced on the way.
+    sign = -1 if scale < 0 else 1
+    growth, start = ([*(-sign * row[n + k] for row in reduced)] for k in (0, 1))
+    growth += [sign * scale, 0]
+    start += [0, sign * scale]
+    whole = map(primitive, inequalities)
+    allowed = where_positive((dot(row, growth), dot(row, start)) for row in whole)
     return None if allowed is None else intersection(allowed, _MAGNITUDES)
 
 

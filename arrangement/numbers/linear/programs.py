@@ -17,10 +17,11 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from arrangement.errors import ArrangementError
 from arrangement.numbers.exact import IntegerVector, RationalVector, primitive
+from arrangement.numbers.long_integers import fast_integers
 
 Row: TypeAlias = Sequence[Fraction | int]
 
@@ -159,7 +160,8 @@ class _Dictionary:
         self.scales = [_scale(row, whole) for row, whole in zip(constraints, integers, strict=True)]
         ends = [Fraction(row[-1]) / t for row, t in zip(constraints, self.scales, strict=True)]
         self.unit = math.lcm(*(end.denominator for end in ends))
-        self.rows = [[*w, int(end * self.unit)] for w, end in zip(integers, ends, strict=True)]
+        rows = [[*w, int(end * self.unit)] for w, end in zip(integers, ends, strict=True)]
+        self.rows = fast_integers(rows)
         self.symbols = list(range(n, n + len(self.rows)))
         self.columns = list(range(n))
         self.cost = [0] * (n + 1)
@@ -276,14 +278,16 @@ class _Dictionary:
 
     def blocking_row(self, c: int) -> int | None:
         """Return the row that first reaches zero as column c grows (ties by symbol number)."""
-        best: tuple[Fraction, int] | None = None
         blocking = None
         for r, symbol in enumerate(self.symbols):
             row = self.rows[r]
             if self.is_slack(symbol) and row[c] < 0:
-                candidate = (Fraction(row[-1], -row[c]), symbol)
-                if best is None or candidate < best:
-                    best, blocking = candidate, r
+                if blocking is not None:
+                    best = self.rows[blocking]
+                    later = best[-1] * row[c] - row[-1] * best[c]
+                    if later > 0 or (later == 0 and symbol > self.symbols[blocking]):
+                        continue
+                blocking = r
         return blocking
 
     def point(self) -> RationalVector:
@@ -291,7 +295,7 @@ class _Dictionary:
         values = [Fraction(0)] * self.variables
         for row, symbol in zip(self.rows, self.symbols, strict=True):
             if self.is_variable(symbol):
-                values[symbol] = Fraction(row[-1], self.denominator * self.unit)
+                values[symbol] = _quotient(row[-1], self.denominator * self.unit)
         return tuple(values)
 
     def unbounded(self, c: int, direction: int) -> Unbounded:
@@ -301,25 +305,25 @@ class _Dictionary:
             ray[self.columns[c]] = Fraction(direction)
         for row, symbol in zip(self.rows, self.symbols, strict=True):
             if self.is_variable(symbol):
-                ray[symbol] = Fraction(direction * row[c], self.denominator)
+                ray[symbol] = _quotient(direction * row[c], self.denominator)
         return Unbounded(self.point(), tuple(ray))
 
     def optimal(self) -> Optimal:
-        scale = self.cost_scale / self.denominator
-        terms = {s: x * scale for s, x in zip(self.columns, self.cost, strict=False)}
+        scale = self.cost_scale / int(self.denominator)
+        terms = {s: int(x) * scale for s, x in zip(self.columns, self.cost, strict=False)}
         return Optimal(self.point(), self.value(), *self.multipliers(terms))
 
     def value(self) -> Fraction:
         """Return the value of the objective with every column at zero."""
-        return self.cost[-1] * self.cost_scale / (self.denominator * self.unit)
+        return self.cost_scale * _quotient(self.cost[-1], self.denominator * self.unit)
 
     def infeasible(self, r: int) -> Infeasible:
         """Read the Farkas certificate off a row that cannot hold."""
         row = self.rows[r]
-        scale = Fraction(self.unit, abs(row[-1]))
+        scale = _quotient(self.unit, abs(row[-1]))
         flip = 1 if row[-1] < 0 else -1  # only an equality row may have a positive constant
-        terms = {s: -flip * x * scale for s, x in zip(self.columns, row, strict=False)}
-        terms[self.symbols[r]] = flip * self.denominator * scale
+        terms = {s: -flip * int(x) * scale for s, x in zip(self.columns, row, strict=False)}
+        terms[self.symbols[r]] = flip * int(self.denominator) * scale
         return Infeasible(*self.multipliers(terms))
 
     def multipliers(self, terms: dict[int, Fraction]) -> tuple[RationalVector, RationalVector]:
@@ -330,6 +334,11 @@ class _Dictionary:
         ]
         split = self.first_equality - self.variables
         return tuple(values[:split]), tuple(values[split:])
+
+
+def _quotient(x: Any, y: Any) -> Fraction:
+    """Return the fraction of two integers of any kind."""
+    return Fraction(int(x), int(y))
 
 
 def _scale(row: Row, integers: Sequence[int]) -> Fraction:

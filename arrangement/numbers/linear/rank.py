@@ -15,6 +15,7 @@ from typing import Any, TypeVar
 
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, dot, largest, primitive, reduced
+from arrangement.numbers.long_integers import fast_integers
 
 #: Of a matrix with more entries a basis is guessed modulo this prime, and proved.
 _FEW, _PRIME = 2000, 2**31 - 1
@@ -212,7 +213,7 @@ def gauss_jordan(
     Row i of the result has its pivot, of the value `scale`, in column ``pivots[i]``; rows beyond
     the pivots are zero. Rows of the input are scaled to integers first, which changes no solution.
     """
-    rows = [list(primitive(row)) for row in matrix]
+    rows = fast_integers([primitive(row) for row in matrix])
     pivots: list[int] = []
     scale = 1
     for column in range(len(rows[0]) if rows else 0):
@@ -229,4 +230,6 @@ def gauss_jordan(
                 rows[i] = [(pivot * a - factor * b) // scale for a, b in zip(row, top, strict=True)]
         scale = pivot
         pivots.append(column)
+    if rows and type(scale) is not int:
+        return [list(map(int, row)) for row in rows], pivots, int(scale)
     return rows, pivots, scale
