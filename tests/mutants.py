@@ -156,7 +156,7 @@ if square < 0:
 contact, ends = split.at[0], list(split.directions)
     0 -> -1 | the tuple has one entry
 if isinstance(state, tuple) and not (turn(state[0], b) >= 0 and turn(b, state[1]) >= 0):
-    GtE -> Gt | along an end the product with its unit vector is the length
+    GtE -> Gt | GtE -> Gt (2) | along an end the product with its unit vector is the length
 return "" if room >= 0 or room * room * size <= friction**2 * -square else _LARGE
     GtE -> Gt | 0 -> 1 | rooms of 0 obey the second bound; in (0, 1) there is no integer
 [plane]
@@ -314,6 +314,7 @@ j, bits = j + 1, bits + 1
 if (value_at(self.minimal_polynomial, middle) > 0) == self._rising:
     Gt -> GtE | an irreducible polynomial is not 0 at a rational number
 if type(other) is int and not other:
+    Is -> IsNot | the difference from any 0 has the same sign
     dropped: type(other) is int | the difference from any 0 has the same sign
 return self.sign() < 0
     Lt -> LtE | 0 -> 1 | a sign is 1 or -1
@@ -331,6 +332,7 @@ while (self._high - self._low) * (1 << bits) > 1:
 while len(rows) < self.degree - 1:
     Lt -> LtE | 1 -> 0 | Sub -> Add | one more power, which no product has
 found = [0] * (2 * n - 1)
+    Sub -> Add | more 0
     2 -> 3 | more 0
     1 -> 0 | one more 0
 if divisor != 1:
@@ -371,7 +373,19 @@ return self.made(self._reduced(whole + [0] * (self.degree - len(whole))), scale)
 self._roots[prime] = int(-found[0].TC()) % prime if found else None
     0 -> -1 | any root will do
 bound = 2 * max(integer_nthroot(abs(c), n - k)[0] + 1 for k, c in enumerate(lower) if c)
+    2 -> 3 | a larger bound
     1 -> 2 | a larger bound
+if n == 2:
+    2 -> 1 | what serves for other degrees serves for this one
+if denominator != 1:
+    1 -> 0 | what is divided by 1 stays
+return self.sign() > 0 if type(other) is int and not other else not self <= other
+    dropped: type(other) is int | Is -> IsNot | the difference from any 0 has the same sign
+    Gt -> GtE | 0 -> -1 | a sign is 1 or -1
+powers = [p / one if abs(p) < _LARGEST * one else math.inf for p in self._scaled(_BITS)]
+    Lt -> LtE | beyond floats integers are taken
+return self if self.denominator == 1 else AlgebraicNumber(self.field, self.coefficients, 1)
+    1 -> 0 | a copy
 [law]
 if slip and tangential != (-limit if slip > 0 else limit):
     Gt -> GtE | the slip is not 0 there

@@ -156,6 +156,7 @@ ROOTS = [
     ([-1000, -100, -10, 1], [0, 20], 18.392867552141612, [18, 19]),
     ([-(10**30) - 1, 0, 0, 0, 0, 1], [0, 10**7], 10.0**6, [10**6, 10**6 + 1]),
     ([-1, 0, -1000, 1], [0, 2000], 1000.000001, [1000, 1001]),
+    ([-(10**36) - 1, 0, 0, 1], [10**12 - Fraction(1, 3), 10**13], 1e12, [10**12, 10**12 + 1]),
     ([-7, -3, -1, 1], [0, 9], 2.8828818426698817, [2, 3]),
 ]
 
@@ -164,7 +165,8 @@ ROOTS = [
 def test_the_root_is_the_one_in_the_interval(polynomial, interval, root, ends):
     field = NumberField(polynomial, interval)
     assert float(field.root) == pytest.approx(root, rel=1e-15)
-    assert field.isolating_interval() == tuple(map(Fraction, ends))
+    fresh = NumberField(polynomial, interval)
+    assert fresh.isolating_interval() == tuple(map(Fraction, ends))
     low, high = field.interval(300)
     assert high - low <= Fraction(1, 2**300)
     powers = [Fraction(low) ** k for k in range(field.degree)]

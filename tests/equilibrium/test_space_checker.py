@@ -98,7 +98,10 @@ def forged_leaf(source, edges, state, ends):
     contact = Contact(point, normal, friction, k, q, tangent)
     rows, a = rows_of(contact), number()
     inside = [sum(x) for x in zip(*ends, strict=True)] if ends else (number(), 0)
-    b = source.choice([(number(), number()), source.choice(ENDS), inside, (0, 0)])
+    near, *_, far = source.sample(ends, len(ends)) * 2 if ends else [inside, inside]
+    long, short = (F(sum(map(abs, end)) or 1) for end in (near, far))
+    beside = [9 * x / long - y / short for x, y in zip(near, far, strict=True)]
+    b = source.choice([(number(), number()), source.choice(ENDS), inside, beside, (0, 0)])
     push = plus([0] * 3, *zip((a, *b), (row[:3] for row in rows), strict=True))
     x, y, z = point
     u, v, w = turn
