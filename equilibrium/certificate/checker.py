@@ -30,7 +30,7 @@ what the motion and the forces are in the plane would be an equilibrium there.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import product
@@ -186,7 +186,7 @@ def check(
     elif grasp.dimension == 3:
         report = _spatial_report(document, grasp, wrench, bounds)
     else:
-        report = _walk(document["tree"], _IntegerQuestion(grasp, wrench, bounds))
+        report = _walk(document["tree"], IntegerQuestion(grasp, wrench, bounds))
     pyramid_of = document.get("pyramid")
     report = replace(report, pyramid=pyramid_of, within=bounds, grasp=grasp, wrench=wrench)
     return report.asked(question, pyramid, within)
@@ -196,7 +196,7 @@ def _spatial_report(
     document: Mapping[str, Any], grasp: Grasp, wrench: RationalVector, within: Range
 ) -> Report:
     """Check a tree in space, or one in the plane that has all contacts and the load."""
-    tree, edges = document["tree"], _edges(document)
+    tree, edges = document["tree"], edges_of(document)
     plane = read_plane(tree)
     if plane is None:
         return _walk(tree, SpatialQuestion(grasp, wrench, edges, within), 3)
@@ -204,7 +204,7 @@ def _spatial_report(
         raise CertificateError("tree.plane is for round cones")
     try:
         # The turn in the plane is a part of that in space, so the range of one holds the other's.
-        question = _IntegerQuestion(*in_plane(grasp, wrench, plane.axes), within)
+        question = IntegerQuestion(*in_plane(grasp, wrench, plane.axes), within)
     except GraspError as error:
         return Report("not resisted", f"tree.plane: {error}")
     return _walk(plane.tree, question)
@@ -220,16 +220,16 @@ def _equilibrium_problem(
     found = read_equilibrium(document, len(grasp), grasp.dimension)
     if problem := range_problem(within, *found):
         return problem
-    return law_problem(grasp, wrench, *found, _edges(document))
+    return law_problem(grasp, wrench, *found, edges_of(document))
 
 
-def _edges(document: Mapping[str, Any]) -> tuple[RationalVector, ...]:
+def edges_of(document: Mapping[str, Any]) -> tuple[RationalVector, ...]:
     """Return the edges of friction pyramids, none for round cones."""
     return pyramid_edges(document["pyramid"]) if "pyramid" in document else ()
 
 
 class _IntegerContact(NamedTuple):
-    """A contact in integers, for work in units of 1 / `_IntegerQuestion.unit`.
+    """A contact in integers, for work in units of 1 / `IntegerQuestion.unit`.
 
     ``spring . g`` and ``slip . g`` are positive multiples of e and s. In that unit kappa e is
     ``lambda . (normal -+ rubbing) spring . g``, and ``alpha e + h s`` is
@@ -244,7 +244,7 @@ class _IntegerContact(NamedTuple):
     per_s: int
 
 
-class _Generator(NamedTuple):
+class Generator(NamedTuple):
     """A generator of a region, with ``spring . g`` and ``slip . g`` of each contact."""
 
     vector: IntegerVector
@@ -252,7 +252,7 @@ class _Generator(NamedTuple):
     slips: IntegerVector
 
 
-class _IntegerQuestion:
+class IntegerQuestion:
     """Grasp and wrench in integers."""
 
     def __init__(self, grasp: Grasp, wrench: RationalVector, within: Range = NO_RANGE) -> None:
@@ -272,54 +272,66 @@ class _IntegerQuestion:
             rows = _times(spring, e), _times(slip, s), forces[:3], forces[3:]
             self.contacts.append(_IntegerContact(*rows, per_e, per_s))
 
-    def unit_vector(self, axis: int, sign: int) -> _Generator:
+    def unit_vector(self, axis: int, sign: int) -> Generator:
         """Return e_axis or its negative."""
         rows = [contact.spring for contact in self.contacts], [c.slip for c in self.contacts]
         springs, slips = (tuple(sign * row[axis] for row in one) for one in rows)
-        return _Generator(tuple(sign * (j == axis) for j in range(4)), springs, slips)
+        return Generator(tuple(sign * (j == axis) for j in range(4)), springs, slips)
 
 
-class _Place(NamedTuple):
+class Place(NamedTuple):
     """Where a node stands: its region, and the states of the contacts decided there."""
 
     path: str
     depth: int
-    region: Sequence[_Generator]
+    region: Sequence[Generator]
     states: Mapping[int, State]
 
 
-def _walk(tree: Any, question: _IntegerQuestion | SpatialQuestion, dimension: int = 2) -> Report:
+def _walk(tree: Any, question: IntegerQuestion | SpatialQuestion, dimension: int = 2) -> Report:
     """Check all leaves. After the first that fails the rest is read, as its form may be wrong."""
     leaves, problem = 0, ""
-    region: list[_Generator] = []
-    if isinstance(question, _IntegerQuestion):
+    for leaf, place in placed_leaves(tree, question, dimension):
+        leaves += 1
+        if problem:
+            continue
+        if isinstance(question, IntegerQuestion):
+            problem = _leaf_problem(question, leaf, place)
+        else:
+            problem = spatial_leaf_problem(question, leaf, place.states, place.path)
+    return Report("not resisted", problem, leaves)
+
+
+def placed_leaves(
+    tree: Any, question: IntegerQuestion | SpatialQuestion, dimension: int = 2
+) -> Iterator[tuple[Leaf, Place]]:
+    """Yield the leaves of a tree with their places, in the order of the document.
+
+    Raises:
+        CertificateError: what stands in a place is no node, or a split that does not fit there.
+    """
+    region: list[Generator] = []
+    if isinstance(question, IntegerQuestion):
         axes = [(0, 1), *product((1, 2, 3), (1, -1))]
         region = [question.unit_vector(*axis) for axis in axes]
-    waiting = [(tree, _Place("tree", 0, region, {}))]
+    waiting = [(tree, Place("tree", 0, region, {}))]
     while waiting:
         content, place = waiting.pop()
         node = read_node(content, place.path, len(question.contacts), dimension)
         if isinstance(node, Split):
             waiting += reversed(_parts(node, place, getattr(question, "edges", ())))
         else:
-            leaves += 1
-            if problem:
-                continue
-            if isinstance(question, _IntegerQuestion):
-                problem = _leaf_problem(question, node, place)
-            else:
-                problem = spatial_leaf_problem(question, node, place.states, place.path)
-    return Report("not resisted", problem, leaves)
+            yield node, place
 
 
 def _parts(
-    split: Split, place: _Place, edges: Sequence[RationalVector] = ()
-) -> list[tuple[Any, _Place]]:
+    split: Split, place: Place, edges: Sequence[RationalVector] = ()
+) -> list[tuple[Any, Place]]:
     """Return the children of a node with their places; refuse a split that does not cover."""
     path, depth, region, states = place
     if depth == MAX_DEPTH:
         raise CertificateError(f"{path[:60]}...: more than {MAX_DEPTH} splits in a row")
-    parts: list[tuple[Sequence[_Generator], Mapping[int, State]]]
+    parts: list[tuple[Sequence[Generator], Mapping[int, State]]]
     if split.kind in ("directions", "faces"):
         parts = [(region, now) for _, now in split_states(split, states, path, edges)]
     elif split.kind in STATES:
@@ -337,18 +349,18 @@ def _parts(
         corners = product(region[1:3], region[3:5], region[5:7])
         parts = [([region[0], *corner], states) for corner in corners]
     named = zip(split.children, parts, strict=True)
-    return [(child, _Place(name, depth + 1, *part)) for (name, child), part in named]
+    return [(child, Place(name, depth + 1, *part)) for (name, child), part in named]
 
 
-def _between(p: int, one: _Generator, q: int, other: _Generator) -> _Generator:
+def _between(p: int, one: Generator, q: int, other: Generator) -> Generator:
     """Return ``p one + q other``, divided by the gcd of its entries."""
     pairs = zip(one, other, strict=True)
     sums = [[p * x + q * y for x, y in zip(*pair, strict=True)] for pair in pairs]
     common = math.gcd(*sums[0])
-    return _Generator(*(tuple(x // common for x in row) for row in sums))
+    return Generator(*(tuple(x // common for x in row) for row in sums))
 
 
-def _leaf_problem(question: _IntegerQuestion, leaf: Leaf, place: _Place) -> str:
+def _leaf_problem(question: IntegerQuestion, leaf: Leaf, place: Place) -> str:
     """Return the inequality of a leaf that fails, or nothing."""
     scale = _denominator(leaf.motion)
     x, y, r = _times(leaf.motion, scale)

@@ -2,30 +2,22 @@
 
 The numbers are those of the rows of `equilibrium.certificate.checker`, which decides; this module
 reads trees that it has accepted.
-
-This reads trees that `equilibrium.certificate.checker` has accepted.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import pairwise, product
 from typing import Any, NamedTuple
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, vector_text
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, Range
 
+from .checker import IntegerQuestion, edges_of, placed_leaves
 from .law import frame, range_work
-from .reading import STATES, Leaf, read_node, read_plane
-
-#: Generators of all homogeneous motions (d_0, x, y, r).
-_AXES = tuple(
-    tuple(sign * (j == axis) for j in range(4))
-    for axis, sign in ((0, 1), *product((1, 2, 3), (1, -1)))
-)
+from .reading import Leaf, read_plane, read_question, read_range
+from .space import SlipFace, SpatialQuestion, State, slip_faces
 
 
 class ClosedPart(NamedTuple):
@@ -37,7 +29,7 @@ class ClosedPart(NamedTuple):
     """
 
     region: tuple[IntegerVector, ...]
-    states: Mapping[int, str]
+    states: Mapping[int, Any]
     leaf: Leaf
 
 
@@ -58,27 +50,9 @@ class Works(NamedTuple):
 
 def parts(document: Mapping[str, Any]) -> Iterator[ClosedPart]:
     """Yield the parts of a valid certificate "not resisted", in the order of the document."""
-    contacts = len(document["grasp"]["contacts"])
-    waiting: list[tuple[Any, tuple[IntegerVector, ...], dict[int, str]]]
-    waiting = [(document["tree"], _AXES, {})]
-    while waiting:
-        content, region, states = waiting.pop()
-        node = read_node(content, "tree", contacts)
-        if isinstance(node, Leaf):
-            yield ClosedPart(region, states, node)
-            continue
-        if node.kind in STATES:
-            cut = [(region, {**states, node.at[0]: name}) for name in STATES[node.kind]]
-        elif node.kind == "edge":
-            j, k, p, q = node.at
-            sums = [p * x + q * y for x, y in zip(region[j], region[k], strict=True)]
-            middle = tuple(x // math.gcd(*sums) for x in sums)
-            cut = [((*region[:i], middle, *region[i + 1 :]), states) for i in (j, k)]
-        else:
-            corners = product(region[1:3], region[3:5], region[5:7])
-            cut = [((region[0], *corner), states) for corner in corners]
-        children = [child for _, child in node.children]
-        waiting += [(child, *one) for child, one in zip(children, cut, strict=True)][::-1]
+    _, grasp, wrench = read_question(document)
+    for leaf, place in placed_leaves(document["tree"], IntegerQuestion(grasp, wrench)):
+        yield ClosedPart(tuple(g.vector for g in place.region), place.states, leaf)
 
 
 def works(
@@ -140,36 +114,23 @@ class SpatialLeaf(NamedTuple):
     least: Fraction
 
 
-def spatial_leaves(grasp: Grasp, tree: Any, within: Range = NO_RANGE) -> Iterator[SpatialLeaf]:
-    """Yield the leaves of a tree in the order of the document; none of one in the plane."""
-    if read_plane(tree):
+def spatial_leaves(document: Mapping[str, Any]) -> Iterator[SpatialLeaf]:
+    """Yield the leaves of a valid certificate in its order; none of a tree in the plane."""
+    _, grasp, wrench = read_question(document)
+    if read_plane(document["tree"]):
         return
-    waiting: list[tuple[Any, dict[int, str], dict[int, tuple[RationalVector, ...]]]]
-    waiting = [(tree, {}, {})]
-    while waiting:
-        content, states, sectors = waiting.pop()
-        node = read_node(content, "tree", len(grasp), 3)
-        if isinstance(node, Leaf):
-            works = (row[0] * grasp.contacts[i].preload for i, row in node.multipliers.items())
-            _, taken = range_work(within, node.turn, node.forces)
-            yield SpatialLeaf(states, node.motion, sum(works, -taken))
-            continue
-        (i,), children = node.at, [child for _, child in node.children]
-        parts: list[tuple[str, tuple[RationalVector, ...]]]
-        if node.kind == "attachment":
-            parts = [(name, ()) for name in STATES[node.kind]]
-        elif node.kind == "faces":
-            parts = [("sticks", ()), *((f"slips (part {j})", ()) for j in range(1, len(children)))]
-        else:
-            cut = sectors.get(i, ())
-            around = [*cut[:1], *node.directions, *(cut[1:] or node.directions[:1])]
-            pairs = [
-                (f"slips between {vector_text(u)} and {vector_text(v)}", (u, v))
-                for u, v in pairwise(around)
-            ]
-            parts = [*([] if cut else [("sticks", ())]), *pairs]
-        found = [
-            (child, {**states, i: words}, {**sectors, i: sector})
-            for child, (words, sector) in zip(children, parts, strict=True)
-        ]
-        waiting += reversed(found)
+    question = SpatialQuestion(grasp, wrench, edges_of(document), read_range(document))
+    for leaf, place in placed_leaves(document["tree"], question, 3):
+        works = (row[0] * grasp.contacts[i].preload for i, row in leaf.multipliers.items())
+        _, taken = range_work(question.within, leaf.turn, leaf.forces)
+        states = {i: _words(state, question.edges) for i, state in place.states.items()}
+        yield SpatialLeaf(states, leaf.motion, sum(works, -taken))
+
+
+def _words(state: State, edges: Sequence[RationalVector]) -> str:
+    """Return the state of a contact in space in words."""
+    if isinstance(state, SlipFace):
+        return f"slips (part {slip_faces(edges).index(state) + 1})"
+    if isinstance(state, tuple):
+        return "slips between {} and {}".format(*map(vector_text, state))
+    return "sticks" if state == "stick" else state

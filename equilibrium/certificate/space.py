@@ -113,7 +113,7 @@ def split_states(
     if (split.kind == "faces") != bool(edges):
         raise CertificateError(f"{path}: faces are for pyramids, directions for round cones")
     if edges:
-        parts = ["stick", *_faces(edges)]
+        parts = ["stick", *slip_faces(edges)]
         if state != "attached" or len(split.children) != len(parts):
             raise CertificateError(
                 f"{path}: the faces of an attached contact have {len(parts)} children, and contact "
@@ -143,7 +143,7 @@ def split_states(
     ]
 
 
-def _faces(edges: Sequence[RationalVector]) -> list[State]:
+def slip_faces(edges: Sequence[RationalVector]) -> list[State]:
     """Return slip along the normal of each side, and between that and the next."""
     normals, found = outward(edges), list[State]()
     for j, normal in enumerate(normals):

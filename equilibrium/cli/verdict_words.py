@@ -93,11 +93,11 @@ def _refusal(found: Verdict, within: str, path: str | None) -> Iterator[str]:
         yield from piece_lines((), found.grasp, found.within)
         yield from _proof_lines(found, path)
         return
-    leaves, tree = found.verify().leaves, found.proof["tree"]
-    where = " in the plane of the contacts" if read_plane(tree) else ""
+    leaves = found.verify().leaves
+    where = " in the plane of the contacts" if read_plane(found.proof["tree"]) else ""
     yield f"not resisted{within}: proof{where} with {counted(leaves, 'leaf', 'leaves')}"
     if leaves <= _MOST:
-        for leaf in spatial_leaves(found.grasp, tree, found.within):
+        for leaf in spatial_leaves(found.proof):
             yield from _leaf_lines(found.wrench, leaf)
 
 

@@ -61,13 +61,9 @@ class KnownLoads:
             return known
         found = solve(self.grasp, wrench, nodes=self.nodes, **self.within.bounds)
         if found.verdict == NOT_RESISTED:
-            self.trees.append(self._works(found.proof["tree"]))
+            self.trees.append(tuple((x.motion, x.least) for x in spatial_leaves(found.proof)))
         self._verdicts[wrench] = found
         return found
-
-    def _works(self, tree: object) -> Works:
-        leaves = spatial_leaves(self.grasp, tree, self.within)
-        return tuple((leaf.motion, leaf.least) for leaf in leaves)
 
 
 class KnownMagnitudes:

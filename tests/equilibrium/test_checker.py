@@ -246,7 +246,7 @@ def test_regions_are_those_of_the_definition(monkeypatch):
         document = with_tree(random_splits(Random(f"splits {seed}"), 6))
         places.clear()
         assert check(document)
-        asked = checker._IntegerQuestion(*judge.statement(document))
+        asked = checker.IntegerQuestion(*judge.statement(document))
         due = list(judge.leaves(document["tree"]))
         for place, (_, region, _) in zip(places, due, strict=True):
             assert [list(generator.vector) for generator in place.region] == region
@@ -281,14 +281,14 @@ def leaf_holds(
     grasp: Grasp, wrench: Any, leaf: Any, region: Any, states: Any, within: Range = NO_RANGE
 ) -> bool:
     """Return whether the checker accepts a leaf."""
-    asked = checker._IntegerQuestion(grasp, wrench, within)
+    asked = checker.IntegerQuestion(grasp, wrench, within)
     generators = []
     for vector in region:
         whole = tuple(map(int, vector))
         rows = [(contact.spring, contact.slip) for contact in asked.contacts]
         along = ([sum(map(mul, row, whole)) for row in one] for one in zip(*rows, strict=True))
-        generators.append(checker._Generator(whole, *map(tuple, along)))
-    place = checker._Place("leaf", 0, generators, states)
+        generators.append(checker.Generator(whole, *map(tuple, along)))
+    place = checker.Place("leaf", 0, generators, states)
     return not checker._leaf_problem(asked, reading.read_node(leaf, "leaf", len(grasp)), place)
 
 

@@ -208,7 +208,7 @@ def proof_in_space(grasp: Grasp, wrench: Wrench, width: float) -> Scene:
         raise GraspError(
             f"the wrench is {verdict.verdict}, so there is no proof that it is not; draw the grasp"
         )
-    leaves = list(spatial_leaves(grasp, verdict.proof["tree"], verdict.within))
+    leaves = list(spatial_leaves(verdict.proof))
     if not leaves:
         raise GraspError(
             "contacts and wrench lie in one plane, and so does the proof; draw the planar grasp"
