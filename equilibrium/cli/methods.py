@@ -9,7 +9,7 @@ from math import gcd
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console import terminal
-from arrangement.console.number_form import number, vector
+from arrangement.console.number_form import counted, number, vector
 from arrangement.numbers.exact import IntegerVector, rational
 from equilibrium.model.contact import pyramid_words
 
@@ -170,7 +170,7 @@ def _survey(arguments: argparse.Namespace) -> int:
 
 
 def _survey_lines(found: Survey, examples: Iterable[Example]) -> Iterator[str]:
-    yield f"{found.questions} questions, {found.stable} stable in the complete model"
+    yield f"{counted(found.questions, 'question')}, {found.stable} stable in the complete model"
     heads = ("agrees", "accepts wrongly", "refuses wrongly", "says nothing")
     yield f"{'':<20}" + "".join(f"{head:>17}" for head in heads)
     for name, count in found.counts.items():

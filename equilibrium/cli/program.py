@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console import terminal
+from arrangement.console.number_form import counted
 from arrangement.numbers import budget
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.range import Range
@@ -223,13 +224,13 @@ def _verify(arguments: argparse.Namespace) -> int:
     document = {k: value for k, value in report.to_dict().items() if k != left_out}
     if not known:
         del document["wrench"], document["grasp"]
-    proof = f"{report.kind}, {report.leaves} leaves" if report.leaves else report.kind
+    proof = report.kind + f", {counted(report.leaves, 'leaf', 'leaves')}" * bool(report.leaves)
     proof += pyramid_words(report.pyramid, before=", with ") + str(report.within)
     proof += f", for all {report.bounds}" if report.bounds is not None else ""
     said = f"valid: {proof}" if report else f"not valid: {terminal.printable(report.problem)}"
     lines = [f"{said} (by the {speaker} checker)", *report.question[: _MOST_LINES * known]]
     more = len(report.grasp) + 1 - _MOST_LINES
-    lines += [f"... and {more} contacts more; --json has all"] * (more > 0)
+    lines += [f"... and {counted(more, 'contact')} more; --json has all"] * (more > 0)
     if not report.compared:
         lines.append("compared with no question: --grasp FILE --wrench W say what it should prove")
     shown = {**document, "checker": speaker.lower()}

@@ -107,7 +107,7 @@ def _proof_lines(verdict: Verdict, path: str | None) -> Iterator[str]:
     cases = _cases(found)
     if not 0 < len(cases) <= _MOST:
         where = f", in {path}" if path else "; --certificate OUT.json writes it"
-        yield f"proof: {len(found)} leaves{where}"
+        yield f"proof: {counted(len(found), 'leaf', 'leaves')}{where}"
         return
     yield f"proof{verdict.within}: whatever the contacts do, no forces balance"
     for where, together in cases.items():

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console import terminal
-from arrangement.console.number_form import bracket, number, vector
+from arrangement.console.number_form import bracket, counted, number, vector
 from arrangement.numbers.exact import to_text
 
 from .arguments import (
@@ -148,7 +148,8 @@ def _spatial_limit(
 
 def _border_lines(found: SpatialMagnitudes) -> Iterator[str]:
     first, last = found.samples[0], found.samples[-1]
-    yield f"{len(found.samples)} magnitudes from 0 to {number(last[0])} tried; at 0: {first[1]}"
+    tried = counted(len(found.samples), "magnitude")
+    yield f"{tried} from 0 to {number(last[0])} tried; at 0: {first[1]}"
     for border in found.borders:
         ends = sorted((border.resisted, border.refused))
         order = "resisted, then not" if border.resisted < border.refused else "not, then resisted"
@@ -172,7 +173,8 @@ def _region(arguments: argparse.Namespace) -> int:
 def _region_lines(region: Region) -> Iterator[str]:
     from equilibrium.wrench_sets import polygon_cycle
 
-    yield f"{len(region.polygons)} polygons (corners counter-clockwise; then rays, lines)"
+    many = counted(len(region.polygons), "polygon")
+    yield f"{many} (corners counter-clockwise; then rays, lines)"
     for piece in region.polygons:
         shape = piece.polyhedron
         parts = [_points(polygon_cycle(shape))]
@@ -197,7 +199,8 @@ def _polyhedra(arguments: argparse.Namespace) -> int:
 
 
 def _set_lines(whole: ResistedSet) -> Iterator[str]:
-    yield f"{len(whole.pieces)} polyhedra (conditions a f_x + b f_y + c tau + d >= 0 or = 0)"
+    many = counted(len(whole.pieces), "polyhedron", "polyhedra")
+    yield f"{many} (conditions a f_x + b f_y + c tau + d >= 0 or = 0)"
     for piece in whole.pieces:
         yield f"  {' '.join(piece.states)}"
         yield from (f"    {vector(row)} >= 0" for row in piece.polyhedron.inequalities)
@@ -244,7 +247,7 @@ def _map(arguments: argparse.Namespace) -> int:
 
 def _map_lines(found: SearchMap, unit: str) -> Iterator[str]:
     yield (
-        f"{len(found.entries)} directions, tolerance {number(found.tolerance)}{unit}, "
+        f"{counted(len(found.entries), 'direction')}, tolerance {number(found.tolerance)}{unit}, "
         f"limit {number(found.limit)}{unit}: the search errs in {len(found.disagreements)}"
     )
     for entry in found.entries:
@@ -269,8 +272,9 @@ def _figure_lines(data: dict[str, Any]) -> Iterator[str]:
         part = data[name]
         borders, sectors = len(part["outline"]["border"]), len(part["unlimited"])
         yield (
-            f"{name}: {len(part['polygons'])} polygons, {borders} border parts, "
-            f"{sectors} sectors without limit (all of it with --json)"
+            f"{name}: {counted(len(part['polygons']), 'polygon')}, "
+            f"{counted(borders, 'border part')}, {counted(sectors, 'sector')} without limit (all "
+            "of it with --json)"
         )
 
 

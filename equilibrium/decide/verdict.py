@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
+from arrangement.console.number_form import counted
 from arrangement.console.plugins import named
 from arrangement.numbers.exact import RationalVector, dot, to_text, vector_text
 from equilibrium.certificate.checker import Report, check
@@ -63,7 +64,7 @@ class Verdict:
     residual: float = 0.0
 
     def __repr__(self) -> str:
-        count = f"{len(self.grasp)} contacts" + " in space" * (self.grasp.dimension == 3)
+        count = counted(len(self.grasp), "contact") + " in space" * (self.grasp.dimension == 3)
         cones = pyramid_words(self.pyramid, before=", ")
         return f"<Verdict: {self.verdict}, wrench {vector_text(self.wrench)}, {count}{cones}>"
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from arrangement.console.number_form import counted
 from arrangement.errors import refusal
 from arrangement.numbers.exact import RationalVector, shown
 from equilibrium.decide.solver import solve
@@ -30,7 +31,7 @@ def _decide(grasp: Grasp, wrench: RationalVector, pyramid: int | None = None) ->
         return found.stable, f"{pyramid_words(pyramid) or 'round cones'}, proved"
     if not found.lists_all():
         return True, "an equilibrium was found"
-    return found.stable, f"{len(found.equilibria)} maximal pieces of solutions"
+    return found.stable, f"{counted(len(found.equilibria), 'maximal piece')} of solutions"
 
 
 COMPLETE = Method(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from arrangement.console.number_form import Documented
+from arrangement.console.number_form import Documented, counted
 from arrangement.numbers.exact import RationalVector, vector_text
 
 
@@ -48,4 +48,6 @@ class Solution(Documented):
     box: Enclosure | None = field(default=None, repr=False)
 
     def __repr__(self) -> str:
-        return f"<Solution: motion {vector_text(self.motion)}, {len(self.forces)} forces>"
+        return (
+            f"<Solution: motion {vector_text(self.motion)}, {counted(len(self.forces), 'force')}>"
+        )

@@ -2,9 +2,9 @@
 
 * `line`: magnitudes along a direction; `plane`: the union of polygons in a plane of wrenches, with
   its `outline`; `space`: the whole set as polyhedra.
-* `margin`: factors and preloads; `friction`: the least coefficient; `search_map`: the paper's map;
-  `gaps`: where such a map fails.
-* below them: `images` of one choice of contact states, `directions` in a plane.
+* `margin`: factors and preloads; `friction`: the least coefficient; `search_map`: the paper's map,
+  and `gaps`, where such a map fails.
+* `spatial`: brackets of magnitudes of grasps in space.
 """
 
 from arrangement.numbers.linear.polyhedron import Polyhedron as Polyhedron

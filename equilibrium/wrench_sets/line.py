@@ -38,7 +38,8 @@ from equilibrium.plane.states.contact_states import states_of_code
 from equilibrium.plane.states.state_system import StateSystem, state_system
 from equilibrium.wrench_sets.space import resisted_set
 
-_MAGNITUDES: Interval = (Fraction(0), None)
+#: All magnitudes.
+ALL: Interval = (Fraction(0), None)
 
 
 @dataclass(frozen=True, repr=False)
@@ -191,7 +192,7 @@ def interval_between(at_zero: StateSystem, at_one: StateSystem) -> Interval | No
     start += [0, sign * scale]
     whole = map(primitive, inequalities)
     allowed = where_positive((dot(row, growth), dot(row, start)) for row in whole)
-    return None if allowed is None else intersection(allowed, _MAGNITUDES)
+    return None if allowed is None else intersection(allowed, ALL)
 
 
 def _by_programs(

@@ -21,9 +21,7 @@ from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.states.contact_states import states_of_code
 from equilibrium.plane.states.state_system import state_system
 
-from .line import Magnitudes, interval_between, resisted_magnitudes
-
-_ALL: Interval = (Fraction(0), None)
+from .line import ALL, Magnitudes, interval_between, resisted_magnitudes
 
 
 @dataclass(frozen=True, repr=False)
@@ -80,7 +78,7 @@ def margin(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Margin:
     if any(w):
         found = resisted_magnitudes(solver, w).intervals
     else:
-        found = (_ALL,) if solver.solve(w).stable else ()
+        found = (ALL,) if solver.solve(w).stable else ()
     return Margin(w, holds(found, Fraction(1)), found)
 
 

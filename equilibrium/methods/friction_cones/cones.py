@@ -16,6 +16,7 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.arrangement import Arrangement
+from arrangement.console.number_form import counted
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.polyhedron import Polyhedron
@@ -95,7 +96,7 @@ def _program(grasp: Grasp, attached: Sequence[bool]) -> tuple[list[Pair], list[R
 
 def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
     found = cones(grasp, wrench)
-    return found.accepts, f"{found.tried} choices of attached contacts tried"
+    return found.accepts, f"{counted(found.tried, 'choice')} of attached contacts tried"
 
 
 @cut

@@ -132,7 +132,7 @@ def grasp_model(
     parts += [_part(name, s, INKS[name.partition("-")[0]], half) for name, s in solids.items()]
     if not parts:
         raise InputError("the grasp has no contacts and no body, so there is no model of it")
-    return model_bytes(parts, suffix, f"a grasp in space, {len(grasp)} contacts")
+    return model_bytes(parts, suffix, f"a grasp in space, {counted(len(grasp), 'contact')}")
 
 
 def _part(

@@ -124,4 +124,6 @@ def wrench_set_model(
         raise InputError(
             "the resisted wrenches have no volume; draw them as a picture: .svg, .pdf or .png"
         )
-    return model_bytes(parts, suffix, f"resisted wrenches, {len(parts)} polyhedra")
+    return model_bytes(
+        parts, suffix, f"resisted wrenches, {counted(len(parts), 'polyhedron', 'polyhedra')}"
+    )
