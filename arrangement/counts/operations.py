@@ -224,8 +224,7 @@ def irreducible_factors(arrangement: Planes) -> list[Planes]:
 def _parts(arrangement: Planes) -> list[list[IntegerVector]]:
     """Return the planes of each factor."""
     parallel: dict[IntegerVector, list[IntegerVector]] = {}
-    for members in arrangement.distinct:
-        plane = arrangement.integer_planes[members[0]]
+    for plane in arrangement.distinct_planes:
         normal = unoriented(plane[:-1]) if plane[-1] else one_way(plane[:-1])
         parallel.setdefault(normal, []).append(plane)
     normals = list(parallel)

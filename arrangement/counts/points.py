@@ -141,7 +141,7 @@ def _minors(arrangement: Planes) -> Iterator[tuple[list[Any], tuple[int, ...]]]:
             if divisor == 1:
                 break
         if divisor > 1 or (others and not divisor):
-            planes = [arrangement.distinct[i][0] for i in chosen if i < len(arrangement.distinct)]
+            planes = [arrangement.firsts[i] for i in chosen if i < len(arrangement.firsts)]
             yield [divisor, *others], tuple(planes)
 
 

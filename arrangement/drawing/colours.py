@@ -93,7 +93,7 @@ def colouring(
     antipodes: str | None,
     regions: Sequence[DrawnRegion],
     pairs: Sequence[tuple[int, int]],
-    classes: Sequence[Sequence[int]],
+    firsts: Sequence[int],
 ) -> Colouring:
     """Return the colouring of a name, or the one that suits an arrangement best.
 
@@ -108,7 +108,7 @@ def colouring(
             Opposite and c even: four, by parity and the side of plane 1.
         regions: all of them.
         pairs: the numbers of regions with a common side.
-        classes: of coincident planes, each counted once.
+        firsts: the first plane of each class of coincident ones.
 
     Raises:
         InputError: an unknown name, or antipodes with another colouring than parity.
@@ -124,7 +124,6 @@ def colouring(
         colour = "sides" if apart and pairs and antipodes is None else "parity"
     if colour != "parity":
         return Colouring(painter(colour), colour if isinstance(colour, str) else None)
-    firsts = [members[0] for members in classes]
 
     def parity(region: DrawnRegion) -> int:
         return sum(region.signs[k] < 0 for k in firsts) % 2

@@ -142,9 +142,9 @@ class Face(Shown):
     def closure(self) -> Polyhedron:
         """The face with its boundary."""
         sides: dict[int, list[IntegerVector]] = {0: [], 1: [], -1: []}
-        for members in self.planes.distinct:
-            *normal, offset = self.planes.integer_planes[members[0]]
-            side = self.signs[members[0]]
+        for first in self.planes.firsts:
+            *normal, offset = self.planes.integer_planes[first]
+            side = self.signs[first]
             sides[side].append(tuple((side or 1) * x for x in (*normal, -offset)))
         found = from_conditions(sides[1] + sides[-1], sides[0], self.planes.dimension)
         assert found is not None, "a face has a point"
@@ -222,9 +222,9 @@ class Face(Shown):
     def _walls(self) -> tuple[tuple[int, int], ...]:
         """For each facet its generators, as bits, and the first plane that cuts it out."""
         facets, first = set(self.closure.facets), dict[int, int]()
-        for members, plane in zip(self.planes.distinct, self.planes.distinct_planes, strict=True):
+        for k, plane in zip(self.planes.firsts, self.planes.distinct_planes, strict=True):
             if (mask := self.closure.on((*plane[:-1], -plane[-1]))) in facets:
-                first.setdefault(mask, members[0])
+                first.setdefault(mask, k)
         return tuple(sorted(first.items(), key=lambda wall: wall[1]))
 
     def _part(self, mask: int) -> Face:

@@ -13,7 +13,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.model.solution import Solution
@@ -61,10 +61,10 @@ def _solved(balance: StateBalance, motion: Floats) -> Solution | None:
     free = [k for k in range(size) if k not in pivots]
     for row, pivot in zip(reduced, pivots, strict=False):
         point[pivot] = Fraction(-row[size] - sum(row[k] * point[k] for k in free)) / scale
-    moved = tuple(_dot(column, point[:p]) for column in zip(*balance.basis, strict=True))
+    moved = tuple(dot(column, point[:p]) for column in zip(*balance.basis, strict=True))
     forces = []
     for i, contact in enumerate(balance.contacts.grasp):
-        normal = _dot(springs[i], [*point, Fraction(1)]) if i in springs else Fraction(0)
+        normal = dot(springs[i], [*point, Fraction(1)]) if i in springs else Fraction(0)
         pair = [contact.friction * normal * x for x in balance.share(i)]
         for k, (pillar, j) in enumerate(balance.pillars, p):
             if pillar == i:
@@ -78,7 +78,7 @@ def _springs(balance: StateBalance, size: int) -> dict[int, list[Fraction]]:
     rest = [Fraction(0)] * (size - len(balance.basis))
     return {
         i: [
-            *(-contact.stiffness * _dot(contact.normal_wrench, b) for b in balance.basis),
+            *(-contact.stiffness * dot(contact.normal_wrench, b) for b in balance.basis),
             *rest,
             contact.preload,
         ]
@@ -104,14 +104,10 @@ def _rows(
             row[:] = [y + x * slope for y, slope in zip(row, spring, strict=True)]
         if balance.states.slipping[i]:
             across = [share[0] * t - share[1] * s for s, t in zip(one, other, strict=True)]
-            turns = [_dot(across, b) for b in balance.basis]
+            turns = [dot(across, b) for b in balance.basis]
             straight.append([*turns, *[Fraction(0)] * (size - p + 1)])
     for k, (i, j) in enumerate(balance.pillars, p):
         pull = balance.contacts.grasp.contacts[i].tangential_wrenches[j]
         for row, x in zip(rows, pull, strict=True):
             row[k] += x
     return rows + straight
-
-
-def _dot(left: list[Fraction] | RationalVector, right: list[Fraction] | RationalVector) -> Fraction:
-    return sum((x * y for x, y in zip(left, right, strict=True)), Fraction(0))

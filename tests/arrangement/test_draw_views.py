@@ -326,7 +326,7 @@ def test_neighbours_differ_and_opposite_regions_are_as_asked(name, antipodes):
     planes = read_arrangement(name)
     regions = [DrawnRegion(face.signs, 0) for face in planes.regions()]
     pairs = neighbours(planes)
-    found = colouring("parity", antipodes, regions, pairs, planes.distinct)
+    found = colouring("parity", antipodes, regions, pairs, planes.firsts)
     fills = {region.signs: found.paint(region) for region in regions}
     assert pairs
     assert all(fills[regions[a].signs] != fills[regions[b].signs] for a, b in pairs)

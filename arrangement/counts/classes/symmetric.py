@@ -107,7 +107,7 @@ def _of_classes(planes: Planes, symmetry: Sequence[Sequence[int]]) -> list[list[
                 f"symmetry[{number}] is {shown(given)}; give the images of the planes 0 to "
                 f"{len(planes) - 1}, each once"
             )
-        image = [planes.class_of[given[members[0]]] for members in planes.distinct]
+        image = [planes.class_of[given[first]] for first in planes.firsts]
         if any(image[planes.class_of[i]] != planes.class_of[j] for i, j in enumerate(given)):
             raise InputError(
                 f"symmetry[{number}] takes coincident planes to planes that do not coincide; "
@@ -291,7 +291,7 @@ def flats_and_faces(
         residues = [[0] * len(moduli), [0] * len(moduli)]
         sets = unpacked(flats.members, automorphisms.size)
         for place, members in enumerate(watched(sets, f"classes of rank {rank}")):
-            chosen = [planes.distinct[i][0] for i in np.flatnonzero(members)]
+            chosen = [planes.firsts[i] for i in np.flatnonzero(members)]
             moebius = first_whitney_numbers(localization(planes, chosen))[-1] if rank else 1
             inside = _regions(planes, chosen, rank) if faces else 1
             for j, q in enumerate(moduli):

@@ -207,8 +207,7 @@ def sphere_arrangement(arrangement: Planes) -> SphereArrangement:
             f"plane {plane} misses the origin (offset {arrangement.offsets[plane]}); great "
             "circles need offsets 0: use Arrangement.faces for affine planes"
         )
-    planes = arrangement.integer_planes
-    circle_normals = tuple(unoriented(planes[members[0]][:3]) for members in arrangement.distinct)
+    circle_normals = tuple(unoriented(plane[:3]) for plane in arrangement.distinct_planes)
     normals = integer_array(circle_normals)
     crossings = sort_crossings(normals)
     return SphereArrangement(arrangement, build_incidence(crossings), crossings, circle_normals)

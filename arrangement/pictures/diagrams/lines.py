@@ -128,7 +128,7 @@ class _Sheet:
             fill = {True: _BOUNDED, False: _UNBOUNDED}
             self.colours = Colouring(lambda r: fill[r.signs in bounded], colour)
         else:
-            self.colours = colouring(colour, None, self.regions, (), chart.lines.distinct)
+            self.colours = colouring(colour, None, self.regions, (), chart.lines.firsts)
         self.paint = self.colours.paint
         self.lines: list[Floats] = []
         self.outlines: list[tuple[DrawnRegion, Floats]] = []

@@ -85,7 +85,7 @@ def draw_graph(
     degrees = np.bincount(np.array([edge[:2] for edge in graph.edges]).ravel()).tolist()
     regions = [DrawnRegion(s, d) for s, d in zip(graph.signs, degrees, strict=True)]
     pairs = [(u, v) for u, v, _ in graph.edges]
-    colours = colouring(colour, antipodes, regions, pairs, arrangement.distinct)
+    colours = colouring(colour, antipodes, regions, pairs, arrangement.firsts)
     fills = CHECKERS if colours.name == "parity" else ("white", "white")
     even = "even number of minus signs"
     if len(arrangement.distinct) < len(arrangement):

@@ -201,8 +201,8 @@ def _longest(vector: IntegerVector) -> int:
 
 def _unit(vector: IntegerVector) -> list[float]:
     """Return a unit vector; the zero vector stays."""
-    unit: list[float] = _floats(unit_vectors([vector])[0]) if any(vector) else [0.0] * len(vector)
-    return unit
+    found: list[float] = _floats(unit_vectors([vector])[0])
+    return found
 
 
 def _floats(array: Any) -> Any:

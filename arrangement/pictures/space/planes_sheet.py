@@ -131,7 +131,7 @@ class PlanesSheet(SolidSheet):
         stage = self.stage
         fill = self.colour(facet.label, stage.arrangement.over_planes(facet.sides))
         corners = self.place(stage.points[list(facet.corners)])
-        name = f"facet-{number}-plane-{stage.arrangement.distinct[facet.label][0] + 1}"
+        name = f"facet-{number}-plane-{stage.arrangement.firsts[facet.label] + 1}"
         self.areas.append((self.z, (), corners))
         style = {"alpha": OPACITY, "zorder": self.z, "gid": name}
         self.scene.polygon(corners, fc=fill, ec="none", **style)

@@ -78,8 +78,7 @@ class Globe:
         """Return how the regions are coloured; see `colours.colouring`."""
         beside = self.whole.incidence.region[: 2 * self.whole.arc_count].tolist()
         pairs = list(zip(beside[::2], beside[1::2], strict=True))
-        classes = self.whole.arrangement.distinct
-        return colouring(colour, antipodes, self.regions, pairs, classes)
+        return colouring(colour, antipodes, self.regions, pairs, self.whole.arrangement.firsts)
 
     @cached_property
     def limb(self) -> int:

@@ -115,8 +115,7 @@ def _axis(disc: Disc, k: int) -> Floats:
 def _side(disc: Disc, circle: int) -> Floats:
     """Draw an arrow to the positive side of a circle, off its crossings; return its ends."""
     sphere, axes = disc.globe.whole, disc.globe.axes
-    first = sphere.arrangement.integer_planes[sphere.arrangement.distinct[circle][0]][:3]
-    normal = axes @ unit_vectors([first])[0]
+    normal = axes @ unit_vectors([sphere.arrangement.distinct_planes[circle][:3]])[0]
     near = unit(np.array([0.0, 0.0, 1.0]) - normal[2] * normal)
     along = np.cross(normal, near)
     vertices = disc.globe.points

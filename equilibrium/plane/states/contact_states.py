@@ -45,7 +45,7 @@ def contact_states(grasp: Grasp) -> tuple[States, ...]:
 def state_codes(grasp: Grasp) -> Codes:
     """Return the same as an array (choices, contacts)."""
     planes = grasp.motion_arrangement()
-    tangential = sorted({planes.distinct[label][0] for label in planes.class_of[: len(grasp)]})
+    tangential = sorted({planes.firsts[label] for label in planes.class_of[: len(grasp)]})
     parts = []
     number = most_faces(len(planes.distinct), planes.rank, planes.is_central)
     if budget.excess(bytes=24 * number * len(grasp)) > 1:

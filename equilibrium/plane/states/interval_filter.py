@@ -58,7 +58,7 @@ class Screen:
         planes = contacts.grasp.tangential_arrangement()
         self.class_of = np.array(planes.class_of, dtype=np.int64)
         self.orientation = np.array(planes.orientation, dtype=np.float64)
-        self.plane = contacts.tangent[[members[0] for members in planes.distinct]].reshape(-1, 3)
+        self.plane = contacts.tangent[list(planes.firsts)].reshape(-1, 3)
         parts = [
             (rows[start : start + _ROWS], classes[start : start + _ROWS])
             for rows, classes in self._by_sticking_planes()
