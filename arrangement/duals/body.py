@@ -28,6 +28,7 @@ from arrangement.numbers.exact import (
     shown,
 )
 from arrangement.numbers.linear.rank import cross
+from arrangement.numbers.number_field import rational_near
 from arrangement.planes.planes import Planes
 
 #: The edges of the icosahedron are cut into so many parts; the ball has 10 n^2 + 2 corners.
@@ -111,7 +112,8 @@ def _extent(arrangement: Planes) -> tuple[RationalVector, Fraction]:
     if arrangement.is_central:
         return origin, Fraction(1)
     lowest = enumerate_faces(arrangement).of_dimension(3 - arrangement.rank)
-    points = [_in_span(arrangement, face.witness) for face in lowest]
+    # Irrational ones are rounded: the body has room.
+    points = [tuple(map(rational_near, _in_span(arrangement, face.witness))) for face in lowest]
     columns = list(zip(*points, strict=True))
     centre = tuple((min(column) + max(column)) / 2 for column in columns)
     squares = (sum((x - c) ** 2 for x, c in zip(p, centre, strict=True)) for p in points)

@@ -24,6 +24,7 @@ from arrangement.drawing.scene.items import Path
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.duals.body import body_around
 from arrangement.duals.cells import Cells, cut_cells
+from arrangement.library.families.classical import golden_ratio
 from arrangement.library.files.table import read_arrangement
 from arrangement.numbers.exact import sign
 from arrangement.numbers.linear.rank import determinant
@@ -49,6 +50,11 @@ from .strategies import arrangements
 Point = tuple[Fraction, ...]
 #: Five affine planes in general position, with bounded regions.
 AFFINE = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1], [2, -1, 1]], [0, 0, 0, 1, "1/3"])
+_GOLDEN = golden_ratio()
+#: The same with irrational entries.
+IRRATIONAL = Arrangement(
+    [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, _GOLDEN[0], 1], [2, -1, _GOLDEN[1]]], [0, 0, 0, 1, "1/3"]
+)
 DIRECTION = (5, 3, 4)
 spatial = arrangements(dimensions=(3, 3), planes=(1, 5))
 
@@ -149,8 +155,12 @@ def painted(figure: Any, start: str) -> dict[str, float]:
 
 @pytest.mark.parametrize(
     ("planes", "numbers"),
-    [(read_arrangement("braid-a3"), [0, 5, 14, 23]), (AFFINE, range(0, 24, 3))],
-    ids=["A3", "affine"],
+    [
+        (read_arrangement("braid-a3"), [0, 5, 14, 23]),
+        (AFFINE, range(0, 24, 3)),
+        (IRRATIONAL, range(0, 24, 3)),
+    ],
+    ids=["A3", "affine", "irrational"],
 )
 @pytest.mark.parametrize("direction", [(5, 3, 4), (-2, 5, 1), (1, -6, -3)])
 def test_lifted_cells_are_painted_between_what_hides_them_and_what_they_hide(
@@ -253,6 +263,7 @@ def test_far_vertices_can_be_left_out():
 SIMPLEX = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], [0, 0, 0, 1])
 PLANES = {
     "simplex": SIMPLEX,
+    "irrational": IRRATIONAL,
     "parallel": read_arrangement("parallel-planes-affine"),
     "central": read_arrangement("cube-diagonals"),
     "coincident": read_arrangement("coincident-planes"),

@@ -154,9 +154,9 @@ def _best_row(group: Sequence[Patch]) -> IntegerVector:
     if not rows:
         return (0,) * 4
     chosen = rows[:: max(1, len(rows) // _TRIED)]
-    points = np.array([[x / p[3] for x in p] for patch in group for p in patch.corners])
+    points = np.array([[float(x / p[3]) for x in p] for patch in group for p in patch.corners])
     starts = np.cumsum([0, *(len(patch.corners) for patch in group)])[:-1]
-    table = np.array([[x / max(map(abs, row)) for x in row] for row in chosen])
+    table = np.array([[float(x / max(map(abs, row))) for x in row] for row in chosen])
     values = points @ table.T
     above = np.maximum.reduceat(values, starts) > 1e-9
     below = np.minimum.reduceat(values, starts) < -1e-9

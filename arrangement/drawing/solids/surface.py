@@ -203,7 +203,7 @@ def _unit_rows(rows: Sequence[IntegerVector]) -> NDArray[np.float64]:
 
 def rounded(points: Iterable[IntegerVector]) -> NDArray[np.float64]:
     """Return homogeneous points as floats, (k, 3)."""
-    return np.array([[x / p[3] for x in p[:3]] for p in points]).reshape(-1, 3)
+    return np.array([[float(x / p[3]) for x in p[:3]] for p in points]).reshape(-1, 3)
 
 
 def _homogeneous(shape: Polyhedron) -> Loop:
