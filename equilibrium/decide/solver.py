@@ -105,6 +105,13 @@ class Solver(Shown):
         self._scaled: dict[Range, IntegerContacts] = {}
 
     @cached_property
+    def _in_space_before(self) -> Any:
+        """What proofs in space leave for other wrenches."""
+        from equilibrium.space.memory import Memory
+
+        return Memory()
+
+    @cached_property
     def _codes(self) -> Codes:
         self.grasp.require_plane()
         return state_codes(self.grasp)
@@ -157,7 +164,8 @@ class Solver(Shown):
             return bool(self._verdict(wrench, found).verify())
 
         contacts, most = FloatContacts(self.grasp), NODES if nodes is None else nodes
-        search = SpatialSearch(contacts, wrench, accept, deadline, most, self.within, cones)
+        how = deadline, most, self.within, cones, self._in_space_before
+        search = SpatialSearch(contacts, wrench, accept, *how)
         found = search.decide()
         if isinstance(found, Open):
             return self._verdict(wrench, None, UNDECIDED, found.reason, found.residual)

@@ -31,6 +31,8 @@ class Slip(NamedTuple):
 
 #: "undecided", "detached", "attached", "stick", or directions of slip.
 State: TypeAlias = str | Sector | Slip
+#: The states of all contacts.
+Node: TypeAlias = tuple[State, ...]
 #: Of a cone, "zero", "plus" or "round": coefficients (k, 2) of the slip, (k, 3) of the force.
 Condition: TypeAlias = tuple[str, Floats, Floats]
 
@@ -45,7 +47,13 @@ class OpenSplit(NamedTuple):
 
     node: Any
     children: list[Any]
-    parts: list[tuple[State, ...]]
+    parts: list[Node]
+
+    def again(self) -> OpenSplit:
+        """Return the same split, with all children open."""
+        new: list[Any] = [None] * len(self.children)
+        node = {key: new if x is self.children else x for key, x in self.node.items()}
+        return OpenSplit(node, new, self.parts)
 
 
 class RoundCones:
@@ -102,7 +110,7 @@ class RoundCones:
         """Return the directions at the ends of a slip's sector; none of other states."""
         return state if isinstance(state, tuple) else ()
 
-    def slips(self, states: tuple[State, ...], i: int, slip: Floats) -> OpenSplit | None:
+    def slips(self, states: Node, i: int, slip: Floats) -> OpenSplit | None:
         """Return the split of a contact by its slip, one part around a given one.
 
         None if its sector is too narrow.
@@ -234,7 +242,7 @@ class Pyramids:
         """Return the directions at the ends of a slip's sector; none of other states."""
         return state.ends if isinstance(state, Slip) else ()
 
-    def slips(self, states: tuple[State, ...], i: int, slip: Floats) -> OpenSplit | None:
+    def slips(self, states: Node, i: int, slip: Floats) -> OpenSplit | None:
         """Return the split of a contact by its slip; None if that is decided."""
         if states[i] != "attached":
             return None
@@ -252,10 +260,21 @@ Cones: TypeAlias = RoundCones | Pyramids
 
 
 def split_of(
-    node: Any, children: list[Any], states: tuple[State, ...], i: int, parts: Sequence[State]
+    node: Any, children: list[Any], states: Node, i: int, parts: Sequence[State]
 ) -> OpenSplit:
     """Return the split of one contact into its parts."""
     return OpenSplit(node, children, [(*states[:i], part, *states[i + 1 :]) for part in parts])
+
+
+def finished(node: Any) -> Any:
+    """Return a tree in the form of certificates."""
+    if isinstance(node, dict) and "attachment" in node:
+        detached, attached = map(finished, node["attachment"])
+        return {**node, "attachment": {"detached": detached, "attached": attached}}
+    for key in ("children", "faces"):
+        if isinstance(node, dict) and key in node:
+            return {**node, key: list(map(finished, node[key]))}
+    return node
 
 
 def _turned(direction: Floats, degrees: float, size: int) -> Direction:

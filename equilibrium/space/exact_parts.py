@@ -20,7 +20,7 @@ from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import FloatContacts
 
-from .cones import Pyramids, Slip, State
+from .cones import Node, Pyramids, Slip, State
 from .state_program import ConeRow, Ends, StateProgram
 from .states import States, rational_direction
 
@@ -122,7 +122,7 @@ class PyramidParts(ExactParts):
         found = self.part(states, np.zeros((0, 2)))
         return found if isinstance(found, Solution) else None
 
-    def near(self, normal: Floats, slips: Floats) -> tuple[State, ...]:
+    def near(self, normal: Floats, slips: Floats) -> Node:
         """Return the states of normal forces and slips in floats, 0 where there is none."""
         return tuple(
             "detached"

@@ -18,7 +18,7 @@ from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.plane.contacts import FloatContacts
 
-from .cones import Cones, State
+from .cones import Cones, Node, State
 from .relaxation import Ray
 
 #: Roots are rounded up to multiples of one over this.
@@ -53,8 +53,19 @@ class _Numbers(NamedTuple):
     rho: dict[int, int]
 
 
+class ExactLeaf(NamedTuple):
+    """A leaf in its form of certificates, and its integers."""
+
+    node: Any
+    numbers: _Numbers
+
+
 class Leaves:
-    """The leaves of one question."""
+    """The leaves of one question.
+
+    Attributes:
+        found: by states.
+    """
 
     def __init__(
         self,
@@ -64,6 +75,7 @@ class Leaves:
         within: Range = NO_RANGE,
     ) -> None:
         self.contacts, self.cones = contacts, cones
+        self.found: dict[Node, ExactLeaf] = {}
         grasp = contacts.grasp
         bounds = [within.largest_turn or Fraction(0), within.largest_force or Fraction(0)]
         given = [*wrench, *bounds, *(c.preload for c in grasp)]
@@ -83,7 +95,7 @@ class Leaves:
             preload = int(c.preload * unit)
             self.each.append(_WholeContact(rows, own, tuple(columns), preload, c.friction))
 
-    def leaf(self, states: Sequence[State], ray: Ray) -> Any | None:
+    def leaf(self, states: Node, ray: Ray) -> Any | None:
         """Return a leaf near a dual ray, or None where rounding finds none."""
         arm = 2.0 ** round(math.log2(self.contacts.length))
         largest = float(np.abs(ray.virtual * [1, 1, 1, arm, arm, arm]).max())
@@ -123,7 +135,8 @@ class Leaves:
                 {i: common * x for i, x in rho.items()},
             )
             if self._holds(states, found):
-                return _node(found)
+                self.found[states] = ExactLeaf(_node(found), found)
+                return self.found[states].node
         return None
 
     def _pinned(
@@ -145,14 +158,23 @@ class Leaves:
             for row in self.each[i].frame
         ]
 
-    def _holds(self, states: Sequence[State], leaf: _Numbers) -> bool:
-        """Return whether a leaf whose linear terms cancel shows what it has to."""
+    def refutes(self, leaf: ExactLeaf) -> bool:
+        """Return whether a leaf of another load on the grasp refutes this one, in its states."""
+        return bool(self._work(leaf.numbers) > 0)
+
+    def _work(self, leaf: _Numbers) -> Any:
+        """Return the least work on the virtual motion of the load and all that contacts may do."""
         turn, force = self.bounds
         work: Any = dot(self.load, leaf.motion) - sum(leaf.rho.values()) * force
         work -= leaf.turn[0] * turn if leaf.turn else 0
+        return work + sum(row[0] * self.each[i].preload for i, row in leaf.given.items())
+
+    def _holds(self, states: Sequence[State], leaf: _Numbers) -> bool:
+        """Return whether a leaf whose linear terms cancel shows what it has to."""
+        if self._work(leaf) <= 0:
+            return False
         for i, (contact, state) in enumerate(zip(self.each, states, strict=True)):
             alpha, *h = leaf.given.get(i, (0, 0, 0))
-            work += alpha * contact.preload
             if alpha < 0 and state in ("undecided", "detached"):
                 return False
             if any(dot(h, end) > 0 for end in self.cones.ends(state)):
@@ -163,7 +185,7 @@ class Leaves:
             room = a + (leaf.rho.get(i, 0) - alpha) * contact.unit
             if not self.cones.below(room, contact.friction, (s, t), state):
                 return False
-        return bool(work > 0)
+        return True
 
 
 def _whole(row: Sequence[Fraction], unit: int) -> IntegerVector:

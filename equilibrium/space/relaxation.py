@@ -29,13 +29,15 @@ from arrangement.numbers.float_filter import Floats
 from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.plane.contacts import FloatContacts, nearest
 
-from .balance import SpatialContinuation
 from .cones import Cones, State
+from .states import SpatialContinuation
 
 #: Weight of the square of the motion beside the forces, in scaled units.
 _SMALL_MOTION = 1e-3
 #: Where no ray has more room than minus this, there is none.
 _NO_ROOM = 1e-6
+#: Frictions and stiffnesses further apart than this are uneven.
+_UNEVEN = 100.0
 #: Whether a contact touches is asked before how it slips, by this factor.
 _FIRST = 3.0
 _KINDS = {
@@ -134,6 +136,10 @@ class Relaxation:
         self.settings.verbose = False
         self.settings.presolve_enable = False
         self.settings.max_threads = 1
+        # Refined steps take a third of the time, and matter only where sizes are far apart.
+        sizes = [np.maximum(c.friction, 1.0), self.stiffness]
+        uneven = max((float(x.max() / x.min()) for x in sizes if x.size), default=1.0) > _UNEVEN
+        self.settings.iterative_refinement_enable = uneven
         self._block = cache(self._new_block)
 
     def _new_block(self, i: int, state: State) -> _Block:

@@ -22,14 +22,14 @@ from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import FloatContacts, nearest
 
-from .balance import SpatialContinuation
-from .cones import OpenSplit, Pyramids, RoundCones, State, split_of
+from .cones import Node, OpenSplit, Pyramids, RoundCones, finished, split_of
 from .equilibria import proposals
 from .exact_parts import ExactParts, PyramidParts
 from .leaves import Leaves
+from .memory import Memory
 from .plane import decide_in_plane
 from .relaxation import Point, Ray, Relaxation
-from .states import States, smooth_states
+from .states import SpatialContinuation, States, smooth_states
 
 #: Nodes of a tree, if not told otherwise, and random starts of the first search.
 NODES, _STARTS = 4000, 3
@@ -76,6 +76,7 @@ class SpatialSearch:
         deadline: of `time.monotonic`.
         nodes: of a tree, at most.
         within: the range in which equilibria count; `accept` knows it, too.
+        memory: of other loads on the grasp, with the same cones and range.
     """
 
     def __init__(
@@ -87,7 +88,9 @@ class SpatialSearch:
         nodes: int = NODES,
         within: Range = NO_RANGE,
         cones: RoundCones | Pyramids | None = None,
+        memory: Memory | None = None,
     ) -> None:
+        self.memory = memory or Memory()
         self.within, self.cones = within, cones or RoundCones()
         self.contacts, self.wrench = contacts, wrench
         self.accept, self.deadline, self.nodes = accept, deadline, nodes
@@ -122,12 +125,16 @@ class SpatialSearch:
                 return Open(str(late), self.residual)
 
     def _decide(self) -> Solution | Any | Open:
-        root: tuple[State, ...] = ("undecided",) * len(self.contacts.grasp)
+        root: Node = ("undecided",) * len(self.contacts.grasp)
         ray = self.relaxation.inner_ray(["loose"] * len(root), 0.0)
         leaf = ray and self.leaves.leaf(root, ray)
         leaf = leaf or self._leaf(root, self.relaxation.solve(root))
         if leaf is not None:
             return leaf
+        if self.memory.promises(root, self.leaves):
+            found = self._tree(root, _FEW, known=True)
+            if not isinstance(found, Open):
+                return found
         few = self.nodes <= _FEW
         for i, motion in enumerate(self.smooth.starts(0 if few else _STARTS)):
             near = self._near(motion, 1.0)
@@ -186,7 +193,7 @@ class SpatialSearch:
         normal = np.maximum(0.0, c.spring[:, 0] + c.spring[:, 1:] @ end)
         return self._of(exact, exact.near(normal, exact.cones.directions(c.tangents @ end, eps)))
 
-    def _of(self, exact: PyramidParts, states: tuple[State, ...]) -> Solution | None:
+    def _of(self, exact: PyramidParts, states: Node) -> Solution | None:
         """Return the equilibrium of decided states, asked for once."""
         found = None if states in self.tried else exact.holds(states)
         self.tried.add(states)
@@ -206,7 +213,7 @@ class SpatialSearch:
         round_ = States(self.contacts, normal, found.forces[:, 1:] / limits[:, None])
         return self._equilibrium(found.motion * self.relaxation.scale, round_)
 
-    def _leaf(self, states: tuple[State, ...], found: Ray | Point | None) -> Any | None:
+    def _leaf(self, states: Node, found: Ray | Point | None) -> Any | None:
         """Return a leaf where a relaxation has no solution, or where its program failed."""
         if isinstance(found, Point):
             return None
@@ -216,10 +223,14 @@ class SpatialSearch:
             leaf = inner and self.leaves.leaf(states, inner)
         return leaf
 
-    def _tree(self, root: tuple[State, ...], most: int) -> Solution | Any | Open:
-        """Search depth first; a node is filled in when all below it are closed."""
-        top: list[Any] = [None]
-        waiting: list[tuple[tuple[State, ...], list[Any], int]] = [(root, top, 0)]
+    def _tree(self, root: Node, most: int, known: bool = False) -> Solution | Any | Open:
+        """Search depth first; a node is filled in when all below it are closed.
+
+        Args:
+            known: what is remembered of a node is taken, and not counted.
+        """
+        top, splits = list[Any]([None]), dict[Node, OpenSplit]()
+        waiting: list[tuple[Node, list[Any], int]] = [(root, top, 0)]
         nodes, leaves, holes = 0, 0, 0
         self.idle, self.patience = 0, max(_PATIENCE, 2 * len(root))
         while waiting and holes < _HOLES:
@@ -228,11 +239,14 @@ class SpatialSearch:
             if time.monotonic() > self.deadline:
                 raise TimeoutError(f"the time is over after {nodes} nodes, {leaves} of them closed")
             states, parent, position = waiting.pop()
-            nodes, self.idle = nodes + 1, self.idle + 1
-            found = self._node(states)
+            found = self.memory.at(states, self.leaves) if known else None
+            if found is None:
+                nodes, self.idle = nodes + 1, self.idle + 1
+                found = self._node(states)
             if isinstance(found, Solution):
                 return found
             if isinstance(found, OpenSplit):
+                splits[states] = found
                 parent[position] = found.node
                 waiting += reversed([(x, found.children, k) for k, x in enumerate(found.parts)])
             elif found is not None:
@@ -242,9 +256,10 @@ class SpatialSearch:
                 holes += 1
         if holes:
             return Open("a relaxation neither closes nor splits further", self.residual)
-        return _finished(top[0])
+        self.memory.keep(splits, self.leaves.found)
+        return finished(top[0])
 
-    def _node(self, states: tuple[State, ...]) -> Solution | Any | OpenSplit | None:
+    def _node(self, states: Node) -> Solution | Any | OpenSplit | None:
         """Return an equilibrium, a leaf, a cut, or None where there is none of them."""
         found = self.relaxation.solve(states)
         leaf = self._leaf(states, found)
@@ -272,9 +287,7 @@ class SpatialSearch:
         forces = numbers[6:].reshape(-1, 3) / self.relaxation.force
         return Point(numbers[:6] / self.relaxation.scale, forces)
 
-    def _equilibrium_or_cut(
-        self, states: tuple[State, ...], found: Point
-    ) -> Solution | OpenSplit | None:
+    def _equilibrium_or_cut(self, states: Node, found: Point) -> Solution | OpenSplit | None:
         """Return an equilibrium near a point of a relaxation, or a cut where it fails the law."""
         values = self.relaxation.violations(states, found)
         worst = float(values.max(initial=0.0))
@@ -294,7 +307,7 @@ class SpatialSearch:
         towards: Floats = -(self.contacts.tangents @ found.virtual)
         return towards
 
-    def _split(self, states: tuple[State, ...], values: Floats, found: Point) -> OpenSplit | None:
+    def _split(self, states: Node, values: Floats, found: Point) -> OpenSplit | None:
         """Return the node that splits the contact furthest from the law, its children and parts."""
         order = [int(i) for i in np.argsort(-values) if values[i] > _NOTHING]
         order = [i for i in order if self._splits(states, i)]
@@ -307,11 +320,11 @@ class SpatialSearch:
                 return split
         return None
 
-    def _splits(self, states: tuple[State, ...], i: int) -> bool:
+    def _splits(self, states: Node, i: int) -> bool:
         """Return whether a contact is not decided: one without friction does not slip."""
         return states[i] != "attached" or bool(self.contacts.grasp.contacts[i].friction)
 
-    def _any_split(self, states: tuple[State, ...], found: Ray | Point | None) -> OpenSplit | None:
+    def _any_split(self, states: Node, found: Ray | Point | None) -> OpenSplit | None:
         """Return a split of the contact that is decided least; of a ray, with the least room."""
         room = found.room[:, 0] if isinstance(found, Ray) else np.zeros(len(states))
         towards = self._towards(found)
@@ -327,21 +340,10 @@ class SpatialSearch:
                 return split
         return None
 
-    def _parts(self, states: tuple[State, ...], i: int, slip: Floats) -> OpenSplit | None:
+    def _parts(self, states: Node, i: int, slip: Floats) -> OpenSplit | None:
         """Return the split of one contact; None if its sector is too narrow."""
         if states[i] != "undecided":
             return None if states[i] in _DECIDED else self.cones.slips(states, i, slip)
         children: list[Any] = [None, None]
         node = {"contact": i, "attachment": children}
         return split_of(node, children, states, i, ["detached", "attached"])
-
-
-def _finished(node: Any) -> Any:
-    """Return a tree in the form of certificates."""
-    if isinstance(node, dict) and "attachment" in node:
-        detached, attached = map(_finished, node["attachment"])
-        return {**node, "attachment": {"detached": detached, "attached": attached}}
-    for key in ("children", "faces"):
-        if isinstance(node, dict) and key in node:
-            return {**node, key: list(map(_finished, node[key]))}
-    return node

@@ -22,7 +22,7 @@ from typing import Any, TypeAlias
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from equilibrium.certificate.leaves import spatial_leaves
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
-from equilibrium.decide.solver import solve
+from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
 from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.contact import Contact
@@ -50,6 +50,7 @@ class KnownLoads:
 
     def __init__(self, grasp: Grasp, nodes: int, within: Range = NO_RANGE) -> None:
         self.grasp, self.nodes, self.within = grasp, nodes, within
+        self.solver = Solver(grasp, **within.bounds)
         self.trees: list[Works] = []
         #: Without preload all multiples of a load have its verdict: the law scales.
         self.scales = within == NO_RANGE and not any(contact.preload for contact in grasp)
@@ -59,7 +60,7 @@ class KnownLoads:
         """Decide one load, and remember the answer and its proof."""
         if (known := self._verdicts.get(wrench)) is not None:
             return known
-        found = solve(self.grasp, wrench, nodes=self.nodes, **self.within.bounds)
+        found = self.solver.solve(wrench, nodes=self.nodes)
         if found.verdict == NOT_RESISTED:
             self.trees.append(tuple((x.motion, x.least) for x in spatial_leaves(found.proof)))
         self._verdicts[wrench] = found

@@ -31,6 +31,7 @@ from equilibrium.model.range import Range
 from equilibrium.model.solution import Solution
 from equilibrium.model.unit_normal import unit_normal
 from equilibrium.space.plane import decide_in_plane
+from equilibrium.space.relaxation import Relaxation
 from equilibrium.wrench_sets.spatial import (
     KnownLoads,
     KnownMagnitudes,
@@ -229,6 +230,38 @@ def bracket_of(rule, low, high, tree):
     )
     ends = ((Fraction(t), rule(Fraction(t))) for t in (low, high))
     return _bracket(known, *ends, Fraction(1, 1000)), tried
+
+
+class TestManyLoads:
+    """A solver follows the trees of earlier loads, and answers as one that knows none."""
+
+    @pytest.mark.parametrize("pyramid", [None, 4])
+    def test_answers_are_those_of_each_load_alone(self, pyramid):
+        grasp = random_grasp(4, 5, dimension=3)
+        first, second = (random_wrench(k, dimension=3, bound=1) for k in (3, 4))
+        loads = [mixed(Fraction(k, 6), first, second) for k in range(7)]
+        found = list(Solver(grasp, pyramid=pyramid).solve_many(loads))
+        assert [v.verdict for v in found] == [
+            solve(grasp, load, pyramid=pyramid).verdict for load in loads
+        ]
+        assert {v.verdict for v in found} == {"resisted", "not resisted"}
+        assert all(v.verify() for v in found)
+
+    def test_programs_are_solved_only_where_a_leaf_no_longer_refutes(self, monkeypatch):
+        solved = []
+        ask = Relaxation.solve
+        monkeypatch.setattr(
+            Relaxation, "solve", lambda self, states: solved.append(states) or ask(self, states)
+        )
+        grasp, load = random_grasp(4, 5, dimension=3), random_wrench(3, dimension=3, bound=1)
+        solver, counts = Solver(grasp), []
+        for share in (1, 1 + Fraction(1, 10**6), 0):
+            found = solver.solve(tuple(share * x for x in load))
+            counts.append((found.verdict, len(solved)))
+            solved.clear()
+        (one, many), near, (held, _) = counts
+        assert (one, near, held) == ("not resisted", (one, 1), "resisted")
+        assert many > 20
 
 
 class TestBrackets:
