@@ -20,8 +20,7 @@ from equilibrium.decide import RESISTED, UNDECIDED
 from equilibrium.pictures.grasp.grasp import draw_grasp
 from equilibrium.pictures.grasp.proof import draw_proof
 from equilibrium.pictures.space import space_slice
-from equilibrium.pictures.space.pieces import Screw
-from equilibrium.pictures.space.solid_grasp import SolidGrasp
+from equilibrium.pictures.space.solid_grasp import Screw, SolidGrasp
 from equilibrium.pictures.space.space_grasp import drawn_in_space
 from equilibrium.pictures.space.space_page import grasp_model, grasp_page
 from equilibrium.pictures.wrenches.forces import draw_slice

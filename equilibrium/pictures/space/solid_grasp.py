@@ -18,15 +18,23 @@ from arrangement.drawing.colours import BLACK, BLUE, GREY, VERMILION
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.depth_tree import Node, depth_tree
 from arrangement.drawing.solids.meshes import volume
-from arrangement.drawing.solids.sight import unit
+from arrangement.drawing.solids.pieces import (
+    Arrow,
+    arc,
+    arrow_pieces,
+    convex_hull,
+    drawn_edges,
+    flat,
+    merged,
+    segment,
+)
+from arrangement.drawing.solids.sight import unit, unit_vectors
 from arrangement.drawing.solids.surface import Patch
-from arrangement.numbers.exact import RationalVector
-from arrangement.numbers.linear.rank import cycle_edges
+from arrangement.numbers.exact import RationalVector, dot
+from arrangement.numbers.linear.rank import cross, cycle_edges
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Mesh
 from equilibrium.pictures.parts.body import Frame, frame_of
-
-from .pieces import Arrow, Screw, arc, arrow_pieces, convex_hull, drawn_edges, flat, merged, segment
 
 #: Lengths, where body and contacts fill [-1, 1]: cones, the largest force, slip and motion.
 CONE, FORCE, MOVED = 0.3, 0.6, 0.3
@@ -48,6 +56,39 @@ INKS = {
     "preload": GREY,
     "link": GREY,
 }
+
+
+@dataclass(frozen=True)
+class Screw:
+    """A motion as a turn about an axis and a shift along it.
+
+    Attributes:
+        axis: unit vector; of a pure shift, its direction.
+        point: on the axis, nearest to the middle of the picture; None for a shift.
+        pitch: shift along the axis for each radian; None for a shift.
+    """
+
+    axis: Floats
+    point: Floats | None
+    pitch: float | None
+
+    @classmethod
+    def of(cls, motion: Sequence[float | Fraction]) -> Screw | None:
+        """Return the screw of a motion ``(v, omega)``; None if it is 0. Lengths as in the grasp.
+
+        >>> Screw.of((0, 0, 2, 0, 0, 1)).pitch
+        2.0
+        """
+        exact = [Fraction(x) for x in motion]
+        largest = max(map(abs, exact))
+        if not largest:
+            return None
+        v, omega = (tuple(x / largest for x in part) for part in (exact[:3], exact[3:]))
+        square = dot(omega, omega)
+        if square < Fraction(1, 10**18):
+            return cls(unit_vectors([v])[0], None, None)
+        point = np.array([float(x / square) for x in cross(omega, v)])
+        return cls(unit_vectors([omega])[0], point, float(dot(v, omega) / square))
 
 
 @dataclass

@@ -14,6 +14,7 @@ from arrangement.drawing.pages.solid_page import PageFace, SolidPage, page_face
 from arrangement.drawing.registry import Vector, Wrench
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
+from arrangement.drawing.solids.pieces import Arrow, head_of, open_edges
 from arrangement.drawing.solids.sight import picture_axes, view_direction
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.errors import InputError
@@ -21,7 +22,6 @@ from equilibrium.model.contact import VALUES
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.style import CONE_EDGE, CONE_FILL, wrench_text
 
-from .pieces import Arrow, head_of, open_edges
 from .solid_grasp import INKS, SolidGrasp
 from .space_grasp import clear_side, motion_text, solved_in_space
 

@@ -1,21 +1,21 @@
-"""Faces of a body in space, and arrows, arcs and screws, as pieces of solids."""
+"""Arrows, arcs, segments and faces of bodies, in floats, as flat pieces of solids."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from itertools import pairwise
 from typing import TypeAlias
 
 import numpy as np
 
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.solids.sight import across, face_normal, unit, unit_vectors
-from arrangement.drawing.solids.surface import Patch
-from arrangement.numbers.exact import IntegerVector, dot, primitive, reduced
-from arrangement.numbers.linear.rank import cross, cycle_edges, plane_through
+from arrangement.numbers.exact import IntegerVector, primitive, reduced
+from arrangement.numbers.linear.rank import cycle_edges, plane_through
+
+from .sight import across, face_normal, unit
+from .surface import Patch
 
 #: Sides of the head of an arrow; its length and radius.
 _HEAD_SIDES, _HEAD, _HEAD_RADIUS = 6, 0.09, 0.03
@@ -93,39 +93,6 @@ def flat(
             own = tuple(line for line in lines if set(line) <= set(triangle))
             found.append(Patch(row, triangle, own, name=name))
     return found
-
-
-@dataclass(frozen=True)
-class Screw:
-    """A motion as a turn about an axis and a shift along it.
-
-    Attributes:
-        axis: unit vector; of a pure shift, its direction.
-        point: on the axis, nearest to the middle of the picture; None for a shift.
-        pitch: shift along the axis for each radian; None for a shift.
-    """
-
-    axis: Floats
-    point: Floats | None
-    pitch: float | None
-
-    @classmethod
-    def of(cls, motion: Sequence[float | Fraction]) -> Screw | None:
-        """Return the screw of a motion ``(v, omega)``; None if it is 0. Lengths as in the grasp.
-
-        >>> Screw.of((0, 0, 2, 0, 0, 1)).pitch
-        2.0
-        """
-        exact = [Fraction(x) for x in motion]
-        largest = max(map(abs, exact))
-        if not largest:
-            return None
-        v, omega = (tuple(x / largest for x in part) for part in (exact[:3], exact[3:]))
-        square = dot(omega, omega)
-        if square < Fraction(1, 10**18):
-            return cls(unit_vectors([v])[0], None, None)
-        point = np.array([float(x / square) for x in cross(omega, v)])
-        return cls(unit_vectors([omega])[0], point, float(dot(v, omega) / square))
 
 
 #: Numbers of points, counter-clockwise seen from outside.
