@@ -101,7 +101,7 @@ def forged_leaf(source, edges, state, ends):
     near, *_, far = source.sample(ends, len(ends)) * 2 if ends else [inside, inside]
     long, short = (F(sum(map(abs, end)) or 1) for end in (near, far))
     beside = [9 * x / long - y / short for x, y in zip(near, far, strict=True)]
-    b = source.choice([(number(), number()), source.choice(ENDS), inside, beside, (0, 0)])
+    b = source.choice([(number(), number()), source.choice(ENDS), inside, *[beside] * 4, (0, 0)])
     push = plus([0] * 3, *zip((a, *b), (row[:3] for row in rows), strict=True))
     x, y, z = point
     u, v, w = turn
