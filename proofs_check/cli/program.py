@@ -28,14 +28,16 @@ def _parser() -> terminal.Parser:
         added: argparse.ArgumentParser = commands.add_parser(name, help=help)
         added.set_defaults(command=_later(function))
         terminal.add_common_options(added)
-        if name in ("run", "sweep", "report"):
+        if name in ("run", "try", "sweep", "report"):
             terminal.add_number_options(added)
         return added
 
-    command("list", "run.list_claims", "list the claims")
+    listed = command("list", "run.list_claims", "list the claims")
+    listed.add_argument("file", nargs="?", metavar="FILE.py", help="(default: those of the paper)")
     show = command("show", "run.show_claim", "say what one claim states and how it is checked")
-    show.add_argument("id", metavar="ID")
+    show.add_argument("id", metavar="ID", help="a claim of the paper, or FILE.py:ID")
     _add_run(command("run", "run.run_claims", "check claims and print the verdicts"))
+    _add_try(command("try", "run.try_claim", "check a claim in one line (exit 1 if it is refuted)"))
     _add_sweep(
         command(
             "sweep",
@@ -101,7 +103,7 @@ def _later(function: str) -> Callable[[argparse.Namespace], int]:
 
 def _add_run(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
-        "ids", nargs="*", metavar="ID", help="claims to check (default: all), or FILE.py"
+        "ids", nargs="*", metavar="ID", help="claims to check (default: all), FILE.py or FILE.py:ID"
     )
     _add_seed(parser)
     _add_report(parser, "--report", remark="to write as well")
@@ -112,13 +114,23 @@ def _add_run(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="count by the program that is proved in Coq, too (built by `make formal`)",
     )
-    group = _add_own(parser)
-    group.add_argument(
-        "--save",
-        metavar="FOLDER",
-        default="counterexamples",
-        help="for the instances that refute a claim (default: counterexamples)",
+    _add_save(_add_own(parser))
+
+
+def _add_try(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "statement",
+        metavar="STATEMENT",
+        help='such as "p_vector.get(3, 0) >= m"; with regions, f_vector, t_vector, chi(t), ...',
     )
+    parser.add_argument(
+        "--of", default="distinct", metavar="DOMAIN", help="which planes (default: distinct)"
+    )
+    parser.add_argument("--when", metavar="STATEMENT", help="a hypothesis")
+    _add_seed(parser)
+    _add_report(parser, "--report", remark="to write as well")
+    _add_numbers(parser)
+    _add_save(parser)
 
 
 def _add_own(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
@@ -126,16 +138,29 @@ def _add_own(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
         "claims of your own (FILE.py)",
         "The file is run as a Python program, with all your rights.",
     )
-    group.add_argument(
+    _add_numbers(group)
+    return group
+
+
+def _add_numbers(parser: argparse._ActionsContainer) -> None:
+    parser.add_argument(
         "--samples",
         type=terminal.count_argument,
         metavar="N",
         help="random instances of each claim",
     )
-    group.add_argument(
+    parser.add_argument(
         "--census", type=terminal.integer_argument, metavar="M", help="all types of up to M planes"
     )
-    return group
+
+
+def _add_save(parser: argparse._ActionsContainer) -> None:
+    parser.add_argument(
+        "--save",
+        metavar="FOLDER",
+        default="counterexamples",
+        help="for the instances that refute a claim (default: counterexamples)",
+    )
 
 
 def _add_sweep(parser: argparse.ArgumentParser) -> None:

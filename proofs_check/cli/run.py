@@ -6,6 +6,7 @@ import argparse
 import json
 import shlex
 import shutil
+import sys
 import textwrap
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
@@ -18,7 +19,7 @@ from arrangement.console.progress import Bar, shown
 from arrangement.console.writing import write_text_atomically
 from proofs_check import claims
 from proofs_check.errors import OwnClaimError
-from proofs_check.own_claims import claim_file, user_claim
+from proofs_check.own_claims import claim_file, one_line, user_claim
 from proofs_check.reports import forms, report, text
 from proofs_check.statements.evidence import evaluate
 from proofs_check.statements.statement import Claim, Kind, Route
@@ -33,22 +34,23 @@ class _Request(NamedTuple):
     census: int | None
     large: bool
     proved: bool
+    own: Claim | None = None
 
     @property
     def from_files(self) -> bool:
-        """Whether claims of files are meant."""
-        return any(name.endswith(".py") for name in self.names)
+        """Whether claims of the user are meant."""
+        return self.own is not None or any(claim_file.split(name)[0] for name in self.names)
 
 
 def _asked(names: Iterable[str], arguments: argparse.Namespace) -> _Request:
     options = (arguments.seed, arguments.samples, arguments.census)
-    wanted = (getattr(arguments, option, False) for option in ("large", "proved"))
-    return _Request(tuple(dict.fromkeys(names)), *options, *wanted)
+    large, proved = (getattr(arguments, option, False) for option in ("large", "proved"))
+    return _Request(tuple(dict.fromkeys(names)), *options, large, proved)
 
 
 def list_claims(arguments: argparse.Namespace) -> int:
-    """List the claims of the paper."""
-    known = list(claims.registry())
+    """List the claims of the paper, or of a file."""
+    known = list(claim_file.named(arguments.file) if arguments.file else claims.registry())
     if arguments.json:
         terminal.print_json({"claims": [report.claim_record(claim) for claim in known]})
     else:
@@ -59,7 +61,14 @@ def list_claims(arguments: argparse.Namespace) -> int:
 
 def show_claim(arguments: argparse.Namespace) -> int:
     """Say what one claim states and how it is checked."""
-    claim = claims.registry()[arguments.id]
+    if claim_file.split(arguments.id)[0]:
+        claim, *others = claim_file.named(arguments.id)
+        if others:
+            raise OwnClaimError(
+                f"{arguments.id} has {1 + len(others)} claims; name one after a colon"
+            )
+    else:
+        claim = claims.registry()[arguments.id]
     if arguments.json:
         terminal.print_json(report.claim_record(claim))
     else:
@@ -95,12 +104,30 @@ def _described(claim: Claim, width: int) -> str:
 
 def run_claims(arguments: argparse.Namespace) -> int:
     """Check claims: those of the paper with the given ids, or all claims of the given files."""
-    asked = _asked(arguments.ids, arguments)
+    return _run(_asked(arguments.ids, arguments), arguments, arguments.jobs)
+
+
+def try_claim(arguments: argparse.Namespace) -> int:
+    """Check a claim in one line."""
+    claim = one_line.one_line_claim(arguments.statement, of=arguments.of, when=arguments.when)
+    words = [arguments.statement, "--of", arguments.of]
+    words += ["--when", arguments.when] if arguments.when else []
+    return _run(_asked(words, arguments)._replace(own=claim), arguments, 1)
+
+
+def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
     make = forms.form(Path(arguments.report).suffix) if arguments.report else None
     chosen = _chosen(asked)
     widths = text.columns(map(report.claim_record, chosen))
     results: list[dict[str, Any]] = []
-    for found in _results(asked, chosen, arguments.jobs, piped=arguments.json):
+    lost = 0
+    for found in _results(asked, chosen, jobs, piped=arguments.json):
+        if "error" in found:
+            lost += 1
+            if len(chosen) == 1:
+                raise OwnClaimError(found["error"])
+            print(f"{found['id']}: no verdict: {found['error']}", file=sys.stderr)
+            continue
         saved = _save(found, arguments.save) if asked.from_files else ""
         if not arguments.json:
             entry = text.entry(found, widths, _width())
@@ -115,6 +142,8 @@ def run_claims(arguments: argparse.Namespace) -> int:
         terminal.print_json(record)
     elif not asked.from_files:
         print(f"\n{text.summary(record['results'])}")
+    if lost:
+        raise OwnClaimError(f"{lost} of {len(chosen)} claims have no verdict")
     return terminal.YES if record["as_expected"] else terminal.NO
 
 
@@ -122,6 +151,9 @@ def file_record(name: str, arguments: argparse.Namespace) -> dict[str, Any]:
     """Check the claims of one file and return the record."""
     asked = _asked([name], arguments)
     results = list(_results(asked, _chosen(asked), 1, piped=True))
+    for found in results:
+        if "error" in found:
+            raise OwnClaimError(found["error"])
     return report.json_record(results, asked.seed, **_about(asked))
 
 
@@ -135,9 +167,13 @@ def _about(asked: _Request) -> dict[str, str]:
     ]
     names = asked.names
     options += [f"--{word}" for word in ("large", "proved") if getattr(asked, word)]
-    command = shlex.join(["proofs-check", "run", *names, *options])
+    verb = "try" if asked.own else "run"
+    command = shlex.join(["proofs-check", verb, *names, *options])
+    if asked.own:
+        return {"title": asked.own.statement, "about": "a claim in one line", "command": command}
     if asked.from_files:
-        title = claim_file.heading(names[0]).rstrip(".") or Path(names[0]).name
+        file = claim_file.split(names[0])[0] or ""
+        title = claim_file.heading(file).rstrip(".") or Path(file).name
         return {"title": title, "about": ", ".join(names), "command": command}
     return {**claims.paper(), "command": command}
 
@@ -203,7 +239,10 @@ def _result(asked: _Request, number: int) -> tuple[int, dict[str, Any]]:
 
 def _record(claim: Claim, seed: int, tick: Callable[[int], None] | None = None) -> dict[str, Any]:
     with shown(False):  # the bar of the command tells
-        return report.result_record(evaluate(claim, seed, tick))
+        try:
+            return report.result_record(evaluate(claim, seed, tick))
+        except OwnClaimError as error:
+            return {"id": claim.id, "error": str(error)}
 
 
 def _chosen(asked: _Request) -> list[Claim]:
@@ -234,13 +273,14 @@ def _with_proved_route(claim: Claim) -> Claim:
 def _own_claims(asked: _Request) -> Iterator[Claim]:
     """Yield the claims of files, with the numbers that the command line names."""
     names, samples, census = asked.names, asked.samples, asked.census
-    if not all(name.endswith(".py") for name in names):
+    if not asked.own and not all(claim_file.split(name)[0] for name in names):
         raise OwnClaimError("ids and files are both given; run the claims of files on their own")
     if samples is not None and samples < 0:
         raise OwnClaimError(f"--samples is {samples}; it must be at least 0")
     if census is not None and census not in (0, *range(3, 9)):
         raise OwnClaimError(f"--census is {census}; give 3 to 8 planes, or 0")
-    for claim in (claim for name in names for claim in claim_file.load(name)):
+    listed = [asked.own] if asked.own else (c for name in names for c in claim_file.named(name))
+    for claim in listed:
         changed = claim
         if samples is not None and claim.domain:
             changed = replace(claim, samples=samples)

@@ -20,6 +20,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, TypeVar
 
+from arrangement.errors import refusal
 from arrangement.numbers.exact import shown
 from proofs_check.errors import OwnClaimError
 from proofs_check.statements.statement import Claim, Registry
@@ -116,6 +117,31 @@ def load(path: str) -> Registry:
     found = defined(path, Claim, "claims; decorate a function with @claim(...)")
     name = Path(path).name
     return Registry(replace(one, file=path, locator=one.locator or name) for one in found)
+
+
+def split(name: str) -> tuple[str | None, str]:
+    """Return the file (None for the registry) and the id ("" for all claims of a file)."""
+    if name.endswith(".py"):
+        return name, ""
+    file, found, id = name.rpartition(".py:")
+    return (f"{file}.py", id) if found else (None, name)
+
+
+def named(name: str) -> tuple[Claim, ...]:
+    """Return the claims that FILE.py means, all of the file, or FILE.py:ID, one of them.
+
+    Raises:
+        OwnClaimError: as `load`, or the file has no claim with this id.
+    """
+    file, id = split(name)
+    if file is None:
+        raise OwnClaimError(f"{shown(name)} is no file of claims; give FILE.py or FILE.py:ID")
+    claims = tuple(load(file))
+    chosen = tuple(claim for claim in claims if id in ("", claim.id))
+    if not chosen:
+        known = [claim.id for claim in claims]
+        raise OwnClaimError(str(refusal(f"{file} has no claim {shown(id)}", id, known, "it has")))
+    return chosen
 
 
 def defined(path: str, kind: type[_Kind], what: str) -> tuple[_Kind, ...]:

@@ -24,20 +24,12 @@ from arrangement.numbers.exact import shown
 from proofs_check.claims import registry
 from proofs_check.errors import DamagedStoreError, SweepError
 from proofs_check.instances.domains import count, size
-from proofs_check.own_claims.claim_file import file_digest, load
+from proofs_check.own_claims.claim_file import file_digest, named, split
 from proofs_check.reports.report import claim_record, environment, plain
 from proofs_check.statements.evidence import OUTCOMES, check
 from proofs_check.statements.statement import Case, Claim, Domain
 from proofs_check.sweep import store
 from proofs_check.sweep.store import Chunk, Store
-
-
-def split(name: str) -> tuple[str | None, str]:
-    """Return the file (None for the registry) and the id ("" for the only claim of a file)."""
-    if name.endswith(".py"):
-        return name, ""
-    file, found, id = name.rpartition(".py:")
-    return (f"{file}.py", id) if found else (None, name)
 
 
 def target(name: str) -> Claim:
@@ -57,14 +49,13 @@ def target(name: str) -> Claim:
                 f"{id} speaks of {claim.over}, not of random instances; these can be swept: {known}"
             )
         return claim
-    claims = {claim.id: claim for claim in load(file)}
-    if not id and len(claims) == 1:
-        (id,) = claims
-    if id not in claims:
-        raise SweepError(f"{file} has the claims {', '.join(claims)}; name one as {file}:ID")
-    if claims[id].domain is None:
-        raise SweepError(f"{id} is about a list of instances; a sweep draws random ones")
-    return claims[id]
+    claim, *others = named(name)
+    if others:
+        known = ", ".join(one.id for one in (claim, *others))
+        raise SweepError(f"{file} has the claims {known}; name one as {file}:ID")
+    if claim.domain is None:
+        raise SweepError(f"{claim.id} is about a list of instances; a sweep draws random ones")
+    return claim
 
 
 def domain_of(claim: Claim) -> Domain:

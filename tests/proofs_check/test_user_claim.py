@@ -295,3 +295,97 @@ def test_integers_of_libraries_are_integers(write):
         "def f(p, m): return type(m) is int\n"
     )
     assert main(["run", path]) == 0
+
+
+@pytest.mark.parametrize(
+    ("statement", "options", "code"),
+    [
+        ("p_vector.get(3, 0) >= m", ["--of", "simple", "--when", "m >= 4"], 0),
+        ("p_vector.get(3, 0) == 2 * m", ["--of", "simple", "--when", "m >= 4"], 1),
+        ("(-1) ** 3 * chi(-1) == regions and m < 99", [], 0),
+        ("sum(p_vector.values()) == regions", [], 0),
+        ("f_vector[3] - f_vector[2] + f_vector[1] - f_vector[0] == 1", ["--of", "central"], 0),
+        ("not simple or regions == 2 + 2 * comb(m, 2) // 1", [], 0),
+        ("not simple or t_vector == p_vector or len(t_vector) == 1", [], 0),
+        ("max(t_vector.keys()) <= m - 1 < regions / 2", [], 0),
+        ("bounded_regions % 2 == 0", ["--of", "simple-affine"], 1),
+        ("rank == 3 and central and min(f_vector) != abs(-1)", [], 1),
+    ],
+)
+def test_a_claim_in_one_line_has_its_verdict(statement, options, code, write, capsys):
+    numbers = ["--census", "5", "--samples", "12"]
+    assert main(["try", statement, *options, *numbers, "--json"]) == code
+    found = json.loads(capsys.readouterr().out)["results"][0]
+    assert found["verdict"] == ("refuted" if code else "holds")
+    assert (Path("counterexamples") / "try.json").exists() == bool(code)
+    assert not code or "is false" in found["counterexample"]["note"]
+
+
+@pytest.mark.parametrize(
+    ("statement", "words"),
+    [
+        ("__import__('os').system('touch x') == 0", "is not in the language"),
+        ("f_vector.__class__ == 1", "is not in the language"),
+        ("(lambda: 1)() == 1", "is not in the language"),
+        ("[x for x in f_vector] == m", "is not in the language"),
+        ("f'{m}' == m", "is not in the language"),
+        ("f_vector[0:2] == m", "is not in the language"),
+        ("max(m, key=len) == 1", "is not in the language"),
+        ("True", "is not in the language"),
+        ("1.5 > m", "is not in the language"),
+        ("p_vectr > 3", "did you mean p_vector"),
+        ("m >", "cannot be read"),
+        ("m > 1 " + "and m > 1 " * 60, "at most 500"),
+        ("(" * 240 + "m" + ")" * 240 + "> 1", "cannot be read"),
+        ("9 ** 9 ** 9 > m", "exponent"),
+        ("2 ** 4000 * 2 ** 4000 > m", "4096 bits"),
+        ("1" * 400 + " * m ** 9999 > 1", "exponent"),
+        ("comb(10 ** 9, 3) > m", "comb takes integers"),
+        ("m / 0 > 1", "has no value"),
+        ("p_vector[77] > 1", "write .get(key, 0)"),
+        ("f_vector.get(1, 1) > 1", "has no value"),
+        ("f_vector + 1 > 1", "is no number"),
+        ("chi(1, 2) > 1", "has no value"),
+        ("regions", "compare it with something"),
+        ("m > 1 and regions", "compare it with something"),
+    ],
+)
+def test_what_is_no_claim_in_one_line_is_refused(statement, words, write, capsys):
+    assert main(["try", statement, "--census", "0", "--samples", "2"]) == 2
+    error = capsys.readouterr().err
+    assert error.startswith("error: ")
+    assert words in error
+    assert list(Path().iterdir()) == []
+
+
+def test_a_claim_in_one_line_is_about_planes(write, capsys):
+    assert main(["try", "m > 1", "--of", "grasp"]) == 2
+    assert main(["try", "m > 1", "--of", "nothing"]) == 2
+    assert "there are central" in capsys.readouterr().err
+
+
+def test_one_claim_of_a_file_can_be_named_and_one_that_fails_keeps_the_others(write, capsys):
+    head = '@claim("?", of="simple", samples=2, census=3'
+    body = (
+        f"{head})\ndef nothing(p): return None\n{head})\ndef good(p): return len(p) > 0\n"
+        f"{head}, when=lambda p: p.none)\ndef vain(p): return True\n"
+    )
+    path = write(body)
+    assert main(["run", path]) == 2
+    printed = capsys.readouterr()
+    assert "verdict    holds" in printed.out
+    assert "nothing: no verdict: nothing returned None" in printed.err
+    assert "vain: no verdict: the hypothesis" in printed.err
+    assert printed.err.endswith("error: 2 of 3 claims have no verdict\n")
+    assert main(["run", f"{path}:good", "--json"]) == 0
+    assert [one["id"] for one in json.loads(capsys.readouterr().out)["results"]] == ["good"]
+    assert main(["show", f"{path}:good"]) == 0
+    assert main(["list", path, "--json"]) == 0
+    for words, message in {
+        ("run", f"{path}:nothing"): "error: nothing returned None",
+        ("run", f"{path}:god"): "did you mean good?",
+        ("show", path): "has 3 claims",
+        ("list", "good"): "is no file of claims",
+    }.items():
+        assert main(list(words)) == 2
+        assert message in capsys.readouterr().err

@@ -1,0 +1,267 @@
+"""Claims in one line: a comparison of counts of an arrangement, in a small language of its own.
+
+``p_vector.get(3, 0) >= m`` is read by Python's parser and computed by this module, node by node: a
+text has names of `QUANTITIES`, integers, arithmetic, comparisons, ``and``, ``or`` and ``not``,
+indices, ``.get(key, default)`` and the functions of `_FUNCTIONS`, and nothing else. It is never
+run as a program.
+"""
+
+from __future__ import annotations
+
+import ast
+import math
+import operator
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+from arrangement import counts
+from arrangement.arrangement import Arrangement
+from arrangement.errors import refusal
+from arrangement.numbers.exact import shown
+from proofs_check.errors import OwnClaimError
+from proofs_check.statements.statement import Claim
+
+from .claim_file import compared
+from .user_claim import claim
+
+_LONGEST = 500  # characters of a text
+_BITS = 4096  # of a number on the way
+_COMPUTED = (int, Fraction)
+
+#: What a text can name: how it is computed, and what it is.
+QUANTITIES: Mapping[str, tuple[Callable[[Arrangement], Any], str]] = {
+    "m": (lambda planes: len(planes.distinct), "the number of different planes"),
+    "rank": (lambda planes: planes.rank, "of the normals"),
+    "regions": (lambda planes: len(planes.regions()), "their number"),
+    "bounded_regions": (lambda planes: len(planes.bounded_regions()), "their number"),
+    "f_vector": (lambda planes: planes.f_vector, "faces of dimension 0, 1, 2, ..."),
+    "p_vector": (lambda planes: planes.p_vector, "regions by their number of sides"),
+    "t_vector": (counts.t_vector, "lines by the number of planes through them"),
+    "central": (lambda planes: planes.is_central, "whether all planes meet in a point"),
+    "simple": (lambda planes: planes.is_simple, "whether they are in general position"),
+    "simplicial": (lambda planes: planes.is_simplicial, "whether all regions are simplices"),
+}
+_ARITHMETIC: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: lambda a, b: Fraction(a) / b,
+    ast.FloorDiv: operator.floordiv,
+    ast.Mod: operator.mod,
+    ast.Pow: lambda a, b: _power(a, b),
+}
+_COMPARISONS = (ast.Eq, ast.NotEq, ast.Lt, ast.LtE, ast.Gt, ast.GtE)
+_FUNCTIONS: Mapping[str, Callable[..., Any]] = {
+    "abs": abs,
+    "comb": lambda n, k: _combinations(n, k),
+    "len": len,
+    "max": max,
+    "min": min,
+    "sum": sum,
+}
+
+
+def one_line_claim(text: str, *, of: str = "distinct", when: str | None = None) -> Claim:
+    """Make a claim of a comparison such as ``p_vector.get(3, 0) >= m``.
+
+    Args:
+        text: the statement (see the head of this module).
+        of: a domain of planes.
+        when: a hypothesis in the same language.
+
+    Raises:
+        OwnClaimError: what a text has is not in the language, or the domain has no planes.
+    """
+    if of in ("grasp", "question", "dual"):
+        raise OwnClaimError(
+            f"of is {of}; a claim in one line is about planes: name a domain of planes, or write "
+            "a file of claims (proofs-check new)"
+        )
+    statement, hypothesis = _read(text), _read(when) if when else None
+
+    def holds(planes: Arrangement) -> Any:
+        return _Computed(text, planes).verdict(statement)
+
+    def applies(planes: Arrangement) -> bool:
+        return hypothesis is None or bool(_Computed(when or "", planes).value(hypothesis))
+
+    make = claim(
+        text, of=of, id="try", locator="one line", when=applies, hypotheses=[when] if when else []
+    )
+    quantity = "whether the statement is true"
+    return replace(make(holds), quantity=quantity)
+
+
+def _read(text: str) -> ast.expr:
+    """Return the syntax tree of a text, every node of which is in the language."""
+    if len(text) > _LONGEST:
+        raise OwnClaimError(f"the claim has {len(text)} characters; at most {_LONGEST} are read")
+    try:
+        tree = ast.parse(text.strip(), mode="eval").body
+    except (SyntaxError, ValueError, MemoryError, RecursionError):
+        raise OwnClaimError(
+            f'{shown(text)} cannot be read; write a comparison such as "p_vector.get(3, 0) >= m"'
+        ) from None
+    _check(tree, text)
+    return tree
+
+
+def _check(node: ast.expr, text: str) -> None:
+    """Refuse what is not in the language, with the part of the text that is not."""
+    match node:
+        case ast.Name(id=name):
+            if name not in QUANTITIES:
+                mistake = f"{shown(name)} is no quantity"
+                raise OwnClaimError(str(refusal(mistake, name, QUANTITIES)))
+        case ast.Constant(value=int(number)) if (
+            not isinstance(number, bool) and abs(number).bit_length() <= _BITS
+        ):
+            pass
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in _ARITHMETIC:
+            _check_all([left, right], text)
+        case ast.UnaryOp(op=ast.USub() | ast.Not(), operand=inner):
+            _check(inner, text)
+        case ast.BoolOp(values=parts) | ast.Tuple(elts=parts) | ast.List(elts=parts):
+            _check_all(parts, text)
+        case ast.Compare(left=left, ops=ops, comparators=others) if all(
+            isinstance(op, _COMPARISONS) for op in ops
+        ):
+            _check_all([left, *others], text)
+        case ast.Subscript(value=value, slice=index) if not isinstance(index, ast.Slice):
+            _check_all([value, index], text)
+        case ast.Call(
+            func=ast.Attribute(value=value, attr="get"), args=[_, _] as given, keywords=[]
+        ):
+            _check_all([value, *given], text)
+        case ast.Call(
+            func=ast.Attribute(value=value, attr="values" | "keys"), args=[], keywords=[]
+        ):
+            _check(value, text)
+        case ast.Call(func=ast.Name(id=name), args=[_, *_] as given) if (
+            not node.keywords and name in (*_FUNCTIONS, "chi")
+        ):
+            _check_all(given, text)
+        case _:
+            part = shown(ast.get_source_segment(text.strip(), node) or text)
+            raise OwnClaimError(
+                f"{part} is not in the language of claims in one line; it has "
+                f"{', '.join(QUANTITIES)}, chi(t), integers, + - * / // % **, "
+                f"comparisons, and, or, not, [index], .get(key, default), {', '.join(_FUNCTIONS)}"
+            )
+
+
+def _check_all(nodes: list[ast.expr], text: str) -> None:
+    for node in nodes:
+        _check(node, text)
+
+
+class _Computed:
+    """The values of the parts of a text, on one arrangement."""
+
+    def __init__(self, text: str, planes: Arrangement) -> None:
+        self.text, self.planes = text, planes
+
+    def verdict(self, node: ast.expr) -> Any:
+        """Return True, or what is false: a comparison with its values."""
+        if isinstance(node, ast.BoolOp) and isinstance(node.op, ast.And):
+            found = True
+            for part in node.values:
+                found = self.verdict(part)
+                if found is not True:
+                    return found
+            return found
+        if isinstance(node, ast.Compare) and len(node.ops) == 1:
+            sides = self.value(node.left), self.value(node.comparators[0])
+            return compared(ast.unparse(node), type(node.ops[0]).__name__, *map(_plain, sides))
+        found = self.value(node)
+        if not isinstance(found, bool):
+            raise OwnClaimError(f"{ast.unparse(node)} is {shown(found)}; compare it with something")
+        return found
+
+    def value(self, node: ast.expr) -> Any:
+        """Return the value of a part that `_check` has passed."""
+        try:
+            found = self._value(node)
+        except OwnClaimError:
+            raise
+        except LookupError as error:
+            remedy = "write .get(key, 0) where some have none"
+            raise OwnClaimError(f"{ast.unparse(node)} has no value; {remedy}") from error
+        except (ArithmeticError, AttributeError, TypeError, ValueError) as error:
+            raise OwnClaimError(f"{ast.unparse(node)} has no value: {error}") from error
+        if (
+            isinstance(found, _COMPUTED)
+            and max(map(int.bit_length, found.as_integer_ratio())) > _BITS
+        ):
+            raise OwnClaimError(f"{ast.unparse(node)} has more than {_BITS} bits")
+        return found
+
+    def _value(self, node: ast.expr) -> Any:
+        match node:
+            case ast.Name(id=name):
+                return QUANTITIES[name][0](self.planes)
+            case ast.Constant(value=value):
+                return value
+            case ast.BinOp(left=left, op=op, right=right):
+                return _ARITHMETIC[type(op)](*map(_number, map(self.value, (left, right))))
+            case ast.UnaryOp(op=op, operand=inner):
+                value = self.value(inner)
+                return not value if isinstance(op, ast.Not) else -_number(value)
+            case ast.BoolOp(op=op, values=parts):
+                several = all if isinstance(op, ast.And) else any
+                return several(bool(self.value(part)) for part in parts)
+            case ast.Compare(left=left, ops=ops, comparators=others):
+                values = [_plain(self.value(part)) for part in (left, *others)]
+                return all(
+                    bool(compared("", type(op).__name__, a, b))
+                    for op, a, b in zip(ops, values, values[1:], strict=False)
+                )
+            case ast.Subscript(value=inner, slice=index):
+                return self.value(inner)[self.value(index)]
+            case ast.Call(func=function, args=given):
+                return self._called(function, list(map(self.value, given)))
+            case ast.Tuple(elts=parts) | ast.List(elts=parts):
+                return tuple(map(self.value, parts))
+        raise AssertionError(ast.dump(node))
+
+    def _called(self, function: ast.expr, given: list[Any]) -> Any:
+        if isinstance(function, ast.Attribute):
+            return getattr(self.value(function.value), function.attr)(*given)
+        assert isinstance(function, ast.Name)
+        if function.id != "chi":
+            return _FUNCTIONS[function.id](*given)
+        (point,) = map(_number, given)
+        whole: int | Fraction = 0
+        for coefficient in counts.characteristic_polynomial(self.planes).all_coeffs():
+            whole = whole * point + int(coefficient)
+        return whole
+
+
+def _number(value: Any) -> int | Fraction:
+    """Return a number that arithmetic may take."""
+    if not isinstance(value, _COMPUTED):
+        raise TypeError(f"{shown(value)} is no number")
+    return value
+
+
+def _power(base: int | Fraction, exponent: int | Fraction) -> int | Fraction:
+    if not isinstance(exponent, int) or abs(exponent) > _BITS:
+        raise ValueError(f"the exponent {shown(exponent)} is no integer up to {_BITS}")
+    if max(map(int.bit_length, base.as_integer_ratio())) * abs(exponent) > _BITS:
+        raise ValueError(f"the power has more than {_BITS} bits")
+    return Fraction(base) ** exponent if exponent < 0 else base**exponent
+
+
+def _combinations(n: Any, k: Any) -> int:
+    if not all(isinstance(x, int) and 0 <= x <= _BITS for x in (n, k)):
+        raise ValueError(f"comb takes integers from 0 to {_BITS}")
+    return math.comb(n, k)
+
+
+def _plain(value: Any) -> Any:
+    """Return a value as comparisons take it: views and mappings as what they hold."""
+    if isinstance(value, Mapping):
+        return dict(value)
+    return tuple(value) if isinstance(value, (list, type({}.values()), type({}.keys()))) else value
