@@ -30,6 +30,7 @@ from .modes import ContactModes as ContactModes, Mode as Mode
 from .plane.states.contact_states import contact_states as contact_states
 from .plane.states.equilibrium import Equilibrium as Equilibrium
 from .wrench_sets import (
+    check_loads as check_loads,
     least_friction as least_friction,
     margin as margin,
     resisted_magnitudes as resisted_magnitudes,

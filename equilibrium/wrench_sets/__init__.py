@@ -2,6 +2,7 @@
 
 * `line`: magnitudes along a direction; `plane`: the union of polygons in a plane of wrenches, with
   its `outline`; `space`: the whole set as polyhedra.
+* `loads`: arrays of loads on one grasp.
 * `margin`: factors and preloads; `friction`: the least coefficient; `search_map`: the paper's map,
   and `gaps`, where such a map fails.
 * `spatial`: brackets of magnitudes of grasps in space.
@@ -16,6 +17,7 @@ from .line import (
     gaps as gaps,
     resisted_magnitudes as resisted_magnitudes,
 )
+from .loads import CheckedLoads as CheckedLoads, check_loads as check_loads
 from .margin import (
     Margin as Margin,
     Preloads as Preloads,

@@ -7,13 +7,13 @@ import sympy
 from hypothesis import given, settings, strategies as st
 
 from arrangement.errors import InputError
-from arrangement.numbers.exact import dot, primitive
+from arrangement.numbers.exact import dot, from_floats, primitive
 from arrangement.numbers.linear import programs
 from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.polyhedron import from_conditions, from_generators
 from arrangement.numbers.linear.rank import cross
 from arrangement.numbers.linear.separation import possibly_meeting, sides, surely_outside
-from equilibrium.decide.solver import solve
+from equilibrium.decide.solver import Solver, solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.model.contact import Contact
@@ -22,6 +22,8 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.plane.states.contact_states import contact_states
 from equilibrium.wrench_sets import outline, space
 from equilibrium.wrench_sets.line import gaps, resisted_magnitudes
+from equilibrium.wrench_sets.loads import check_loads
+from equilibrium.wrench_sets.margin import margin
 from equilibrium.wrench_sets.outline import outline_of
 from equilibrium.wrench_sets.plane import FORCES, resisted_region
 from equilibrium.wrench_sets.space import StateImages, resisted_set
@@ -280,3 +282,29 @@ def test_a_cone_without_a_finite_point_is_given_up_and_no_other(rows):
     else:
         assert found == whole
         assert all(dot(row, ray) >= 0 for row in rows for ray in found[0])
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_arrays_of_loads_are_answered_as_each_of_them(seed):
+    """On small numbers many loads are on borders, some contacts coincide, and some never touch."""
+    source = np.random.default_rng(seed)
+    m = 1 + seed % 5
+    normals = np.array([(1, 0), (0, 1), (-1, 0), (0.6, 0.8)])[source.integers(4, size=m)]
+    points = source.integers(-1, 2, size=(m, 2)).astype(float)
+    loads = np.concatenate([source.integers(-2, 3, size=(20, 3)) / 2.0, np.zeros((1, 3))])
+    loads[-2] = 1e-80, -1.0, 1e80
+    found = check_loads(points, normals, 0.5 * (seed % 3), loads, preload=float(seed % 2))
+    solver = Solver(found.grasp)
+    assert found.proved.all()
+    for load, resisted, factor in zip(loads, found.resisted, found.margin, strict=True):
+        exact = margin(solver, from_floats(load))
+        assert resisted == exact.resisted
+        end = exact.around[1] if exact.around else exact.nearest
+        expected = (np.inf if exact.resisted else np.nan) if end is None else float(end)
+        assert factor == pytest.approx(expected, rel=1e-8, nan_ok=True)
+
+
+def test_loads_have_three_finite_numbers_each():
+    for wrong in ([0.0, 1.0, 0.0], [[0.0, 1.0]], [[0.0, np.nan, 0.0]]):
+        with pytest.raises(GraspError, match=r"give \(n, 3\) finite numbers"):
+            check_loads([[0.0, 0.0]], [[0.0, 1.0]], 0.5, wrong)
