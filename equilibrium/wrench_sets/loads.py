@@ -94,10 +94,10 @@ def check_loads(
         "decide the loads one by one (Solver.solve_many)",
         seconds=5e-4 * count,
     )
-    return _Screen(resisted_set(solver)).check(loads)
+    return _Facets(resisted_set(solver)).check(loads)
 
 
-class _Screen:
+class _Facets:
     """The facets of all pieces: rows (F, 4) in floats, those of a piece from `starts` on.
 
     `usable` are the pieces whose rows floats can hold.
