@@ -171,8 +171,6 @@ if t == high and start is not None and high - start > near:
 if t == low and end is not None and end - low > near:
     Gt -> GtE | how near an edge is enough was chosen
     dropped: end is not None | the tree ends before the end that is resisted
-if found.verdict == NOT_RESISTED and found.certificate is not None:
-    dropped: found.certificate is not None | a verdict that is decided has its certificate
 if slope > 0:
     Gt -> GtE | the slope is not 0 here
 unit = max((c.preload for c in grasp), default=Fraction(0)) or Fraction(1)

@@ -55,7 +55,7 @@ def law_problem(
         given = f"contact {i}: friction {_shown(friction)} of at most {short(limit)}"
         if not _in_cone(friction, limit, edges):
             return given
-        if any(slip) and not _does_most(friction, slip, limit, edges):
+        if not _does_most(friction, slip, limit, edges):
             return f"{given} while it slips by {_shown(slip)}"
         for force, row in zip((normal, *friction), wrenches, strict=True):
             total = [w + force * x for w, x in zip(total, row, strict=True)]
@@ -86,7 +86,7 @@ def _does_most(
 ) -> bool:
     """Return whether no friction force of the cone does less work on a slip.
 
-    In the disc that is ``-limit |s|``, done by one force alone.
+    In the disc that is ``-limit |s|``, done by one force alone; by all where there is no slip.
     """
     work = _dot(friction, slip)
     if edges:
