@@ -140,7 +140,7 @@ formal: $(VENV)/.stamp-test
 	bash proofs_check/formal/build.sh
 	$(BIN)/python tests/formal_agreement.py proofs_check/formal/_build/proved-checker $(ARGS)
 	@cp proofs_check/formal/_build/proved-checker $(BIN)/proved-checker
-	$(BIN)/python -m pytest -q tests/arrangement/test_proved.py tests/arrangement/test_proved_coordinates.py tests/proofs_check/test_formal.py
+	$(BIN)/python -m pytest -q tests/arrangement/test_proved.py tests/arrangement/test_proved_coordinates.py tests/equilibrium/test_proved_checker.py tests/proofs_check/test_formal.py
 	@echo "$(BIN)/proved-checker"
 
 clean:

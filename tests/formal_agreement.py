@@ -1,8 +1,8 @@
 """The proved checker beside the one in Python: one answer for each document, or exit code 1.
 
 Documents are the solver's certificates, and trees of other shapes, for questions in which
-degenerate cases are common; mutants of each are changed in one place, in their numbers, nodes,
-keys or bytes. Also compared: what both read of grasp and wrench.
+degenerate cases are common, in the plane and in space; mutants of each are changed in one place, in
+their numbers, nodes, keys or bytes. Also compared: what both read of grasp and wrench.
 
     python tests/formal_agreement.py PROGRAM [--documents 1000] [--mutants 4] [--seed 0]
 """
@@ -15,6 +15,8 @@ import tempfile
 from collections import Counter
 from collections.abc import Iterator
 from copy import deepcopy
+from dataclasses import replace
+from fractions import Fraction
 from itertools import count, islice
 from pathlib import Path
 from random import Random
@@ -25,9 +27,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from arrangement.errors import InputError
 from arrangement.numbers.exact import to_text
-from equilibrium import check, read_certificate, solve
-from equilibrium.certificate.document import refuted_certificate
+from equilibrium import Contact, Grasp, check, read_certificate, solve
+from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.certificate.reading import read_question
+from equilibrium.grasps.inputs.random import random_grasp
 from tests.equilibrium.awkward import question
 from tests.equilibrium.trees import TooLarge, refutation
 
@@ -71,6 +74,7 @@ LETTERS = [b"\xf0\x9f\x98\x80", b"\xc0\x80", b"\xed\xa0\x80", b"\xf4\x90\x80\x80
 def documents(seed: int) -> Iterator[dict[str, Any]]:
     """Yield certificates of both kinds without end; all are valid."""
     for k in count(1000 * seed):
+        yield from spatial_documents(k)
         asked = question(k)
         verdict = solve(asked.grasp, asked.wrench)
         yield verdict.certificate.to_dict()
@@ -80,6 +84,36 @@ def documents(seed: int) -> Iterator[dict[str, Any]]:
             except TooLarge:
                 continue
             yield refuted_certificate(asked.grasp, asked.wrench, tree).to_dict()
+
+
+def spatial_documents(seed: int) -> Iterator[dict[str, Any]]:
+    """Yield certificates of grasps in space; those with enclosures are left out."""
+    source = Random(f"space {seed}")
+    contacts = [_turned(c, source) for c in random_grasp(2 + seed % 3, seed, dimension=3)]
+    wrench = [Fraction(source.randint(-8, 8), 4) for _ in range(6)]
+    verdict = solve(Grasp(contacts), wrench)
+    if verdict.stable is not None and "enclosure" not in verdict.certificate.text:
+        yield verdict.certificate.to_dict()
+    # Equilibria in the plane z = 0, as rational ones are rare otherwise.
+    asked = question(seed)
+    flat = solve(asked.grasp, asked.wrench)
+    if flat.stable:
+        (x, y, turn), zero = flat.solution.motion, Fraction(0)
+        (f, g, torque), forces = asked.wrench, flat.solution.forces
+        yield resisted_certificate(
+            asked.grasp.in_space(),
+            (f, g, zero, zero, zero, torque),
+            (x, y, zero, zero, zero, turn),
+            [(*pair, zero) for pair in forces],
+        ).to_dict()
+
+
+def _turned(contact: Contact, source: Random) -> Contact:
+    """Return a contact with its tangent turned by the angle of the triangle 3, 4, 5, or not."""
+    one, other = contact.tangents
+    a, b = source.choice([(1, 0), (Fraction(3, 5), Fraction(4, 5))])
+    tangent = tuple(a * x + b * y for x, y in zip(one, other, strict=True))
+    return replace(contact, tangent=tangent)
 
 
 def mutant(document: dict[str, Any], source: Random) -> bytes:
@@ -202,7 +236,17 @@ def python_answer(path: Path) -> tuple[str, Any]:
         _, grasp, wrench = read_question(document)
     except InputError:
         return "malformed", None
-    rows = [[*c.point, *c.normal, c.friction, c.stiffness, c.preload] for c in grasp]
+    rows = [
+        [
+            *c.point,
+            *c.normal,
+            *c.tangent * (grasp.dimension == 3),
+            c.friction,
+            c.stiffness,
+            c.preload,
+        ]
+        for c in grasp
+    ]
     asked = {"contacts": [list(map(to_text, row)) for row in rows]}
     return ("accepted" if report else "refused"), {**asked, "wrench": list(map(to_text, wrench))}
 

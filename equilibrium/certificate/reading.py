@@ -221,7 +221,7 @@ def read_node(content: Any, path: str, contacts: int, dimension: int = 2) -> Lea
             raise CertificateError(f"{path}: an edge has two generators, at has integers above 0")
         at = (j, k, p.numerator, q.numerator)
         return Split(kind, at, _children(content, "children", path, 2))
-    check_keys(content, ("contact", kind), ("children",) * (kind == "directions"), path)
+    check_keys(content, ("contact", kind, *("children",) * (kind == "directions")), (), path)
     contact = (_index(content["contact"], f"{path}.contact", contacts),)
     if kind == "faces":
         return Split(kind, contact, _children(content, kind, path, None))

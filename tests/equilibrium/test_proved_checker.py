@@ -7,7 +7,8 @@ import pytest
 
 from arrangement.console import proved_program
 from arrangement.console.proved_program import PROGRAM
-from equilibrium import read_grasp, solve
+from arrangement.errors import InputError
+from equilibrium import read_grasp, solve, verify
 from equilibrium.cli import main
 from equilibrium.grasps.files import write_certificate
 from equilibrium.grasps.proved_checker import verify_proved
@@ -61,6 +62,34 @@ def test_a_certificate_of_planes_is_none_of_a_grasp(folder):
     program(folder, "accepted: all faces", 0)
     with pytest.raises(CertificateError, match="all faces, not of a grasp"):
         verify_proved("certificate.json")
+
+
+@pytest.mark.skipif(proved_program.program() is None, reason="`make formal` has not built it")
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({}, ""),
+        ({"enclosure": {}}, "Krawczyk"),
+        ({"pyramid": 4}, "friction pyramids"),
+        ({"largest_turn": "1"}, "a range of motions"),
+        ({"bounds": {}}, "bounds of grasps"),
+        ({"tree": {"plane": [], "tree": []}}, "planar along two axes"),
+        ({"tree": {"contact": 0, "faces": []}}, "friction pyramids"),
+        ({"tree": {"contact": 0, "directions": []}}, "children"),
+    ],
+)
+def test_what_is_outside_the_theorems_in_space_is_refused_by_name(tmp_path, change, words):
+    path = tmp_path / "certificate.json"
+    document = solve(read_grasp("two-opposed-fingers"), (0, 0, -3, 0, 0, 0)).certificate.to_dict()
+    path.write_text(json.dumps({**document, **change}))
+    if not words:
+        assert verify_proved(path) == (True, "not resisted")
+        return
+    with pytest.raises(CertificateError, match=f"cannot read.*{words}"):
+        verify_proved(path)
+    if words == "children":
+        with pytest.raises(InputError, match="children"):
+            verify(path)
 
 
 def test_a_path_is_no_option(folder):

@@ -43,11 +43,12 @@ def test_every_source_is_compiled():
 
 
 def test_the_axioms_of_every_theorem_of_the_program_are_printed():
-    """On certificates, on counts, of claims, and on coordinates."""
+    """On grasps, on counts, of claims, on coordinates, and on grasps in space."""
     about = [FOLDER / "grasps" / "Soundness.v"]
     about += [FOLDER / "counting" / name for name in ("Counting.v", "Whitney.v")]
     about.append(FOLDER / "claims" / "Claims.v")
     about.append(FOLDER / "realizability" / "FinalPolynomials.v")
+    about.append(FOLDER / "space" / "SpatialSoundness.v")
     theorems = [
         name for path in about for name in re.findall(r"^Theorem (\w+)", path.read_text(), re.M)
     ]

@@ -37,6 +37,15 @@ let question g =
   Printf.sprintf "{\"contacts\":[%s],\"wrench\":%s}"
     (String.concat "," (List.map contact g.contacts)) (texts [ along_x; along_y; turn ])
 
+let question3 g =
+  let entries v = [ v.x_of; v.y_of; v.z_of ] in
+  let contact c =
+    texts (entries c.point3 @ entries c.normal3 @ entries c.tangent3
+           @ [ c.friction3; c.stiffness3; c.preload3 ]) in
+  Printf.sprintf "{\"contacts\":[%s],\"wrench\":%s}"
+    (String.concat "," (List.map contact g.contacts3))
+    (texts (entries g.applied3.along @ entries g.applied3.about))
+
 (* As the package stores planes: n_1, ..., n_d, b for n . x = b. *)
 let planes forms =
   let plane f = quoted (List.map Z.to_string (f.coefficients @ [ Z.neg f.constant ])) in
@@ -67,6 +76,9 @@ let work task document =
   | _ when Signs_reader.about document ->
     let entries, proof = Signs_reader.certificate document in
     if task = Question then (0, signs entries) else answer (final entries proof) "no coordinates"
+  | _ when Spatial_reader.about document ->
+    let kind, asked, proof = Spatial_reader.document document in
+    if task = Question then (0, question3 asked) else answer (check3 asked proof) kind
   | _ ->
     let kind, asked, proof = Reader.document document in
     if task = Question then (0, question asked) else answer (check asked proof) kind

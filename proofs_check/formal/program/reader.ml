@@ -93,26 +93,31 @@ let version where due members =
   | Integer n when Z.equal n (Z.of_int due) -> ()
   | _ -> malformed "the schema_version of %s is not %d" where due
 
-(* Contacts: unit normals, stiffness above 0, friction and preload at least 0. *)
-let contact i value =
-  let where = Printf.sprintf "contacts[%d]" i in
-  let members = keys where [ "point"; "normal"; "friction" ] [ "stiffness"; "preload" ] value in
+(* Friction and preload of a contact, at least 0, and its stiffness, above 0. *)
+let law where members =
   let number key missing =
     match List.assoc_opt key members with
     | Some value -> rational (where ^ ": " ^ key) value
     | None -> fraction (Z.of_int missing) Z.one in
-  let point_x, point_y = pair (where ^ ": point") (List.assoc "point" members) in
-  let normal_x, normal_y = pair (where ^ ": normal") (List.assoc "normal" members) in
   let friction = number "friction" 0 in
   let stiffness = number "stiffness" 1 in
   let preload = number "preload" 0 in
+  if Z.sign friction.qnum < 0 then malformed "%s: the friction is below 0" where;
+  if Z.sign stiffness.qnum <= 0 then malformed "%s: the stiffness is not above 0" where;
+  if Z.sign preload.qnum < 0 then malformed "%s: the preload is below 0" where;
+  (friction, stiffness, preload)
+
+(* A contact in the plane, with a unit normal. *)
+let contact i value =
+  let where = Printf.sprintf "contacts[%d]" i in
+  let members = keys where [ "point"; "normal"; "friction" ] [ "stiffness"; "preload" ] value in
+  let point_x, point_y = pair (where ^ ": point") (List.assoc "point" members) in
+  let normal_x, normal_y = pair (where ^ ": normal") (List.assoc "normal" members) in
+  let friction, stiffness, preload = law where members in
   let common = Z.lcm normal_x.qden normal_y.qden in
   let square q = let n = Z.mul q.qnum (Z.divexact common q.qden) in Z.mul n n in
   if not (Z.equal (Z.add (square normal_x) (square normal_y)) (Z.mul common common)) then
     malformed "%s: the normal is not exactly unit" where;
-  if Z.sign friction.qnum < 0 then malformed "%s: the friction is below 0" where;
-  if Z.sign stiffness.qnum <= 0 then malformed "%s: the stiffness is not above 0" where;
-  if Z.sign preload.qnum < 0 then malformed "%s: the preload is below 0" where;
   { point_x; point_y; normal_x; normal_y; friction; stiffness; preload }
 
 (* A label; what it says does not matter here. *)
@@ -125,7 +130,7 @@ let unit_of_measure where value =
      || text.[0] = ' ' || text.[bytes - 1] = ' ' then
     malformed "%s is not a text of 1 to 20 characters" where
 
-let grasp value =
+let grasp contact value =
   let members =
     keys "the grasp" [ "schema_version"; "contacts" ] [ "description"; "units" ] value in
   version "the grasp" 1 members;
@@ -137,14 +142,26 @@ let grasp value =
     (List.assoc_opt "units" members);
   List.mapi contact (list "contacts" None (List.assoc "contacts" members))
 
-(* Multipliers of a leaf: the key is a contact, the value [alpha] or [alpha, h]. *)
-let multiplier contacts (key, value) =
+(* The contact of a key of multipliers. *)
+let contact_key contacts key =
   let i = if digits key && String.length key < 10 then int_of_string key else -1 in
   if i < 0 || i >= contacts || string_of_int i <> key then
     malformed "multipliers: there is no contact %S" key;
+  Z.of_int i
+
+(* Multipliers of a leaf: the key is a contact, the value [alpha] or [alpha, h]. *)
+let multiplier contacts (key, value) =
+  let i = contact_key contacts key in
   match value with
-  | List [ alpha ] -> (Z.of_int i, (rational "alpha" alpha, fraction Z.zero Z.one))
-  | _ -> (Z.of_int i, pair "multipliers" value)
+  | List [ alpha ] -> (i, (rational "alpha" alpha, fraction Z.zero Z.one))
+  | _ -> (i, pair "multipliers" value)
+
+(* The virtual motion and the multipliers of a leaf that has both. *)
+let long_leaf value =
+  let members = keys "a leaf" [ "virtual_motion"; "multipliers" ] [] value in
+  match List.assoc "multipliers" members with
+  | Object given -> (List.assoc "virtual_motion" members, given)
+  | _ -> malformed "multipliers is not an object"
 
 type decided = Attachment_known | Slip_known
 
@@ -159,13 +176,8 @@ let rec node contacts depth cone states value =
   match value with
   | List _ -> Leaf (vector "a virtual motion" value, [])
   | _ when has "virtual_motion" ->
-    let members = keys "a leaf" [ "virtual_motion"; "multipliers" ] [] value in
-    let given =
-      match List.assoc "multipliers" members with
-      | Object given -> given
-      | _ -> malformed "multipliers is not an object" in
-    Leaf (vector "virtual_motion" (List.assoc "virtual_motion" members),
-          List.map (multiplier contacts) given)
+    let motion, given = long_leaf value in
+    Leaf (vector "virtual_motion" motion, List.map (multiplier contacts) given)
   | _ when has "orthants" ->
     split ();
     if cone then malformed "orthants cut the half space only";
@@ -217,22 +229,33 @@ let rec node contacts depth cone states value =
     Slip (Z.of_int i, stick, plus, part "slip-")
   | _ -> malformed "a node is a list of three numbers or an object that says how it splits"
 
-let document value =
+let outside = "which is outside what is proved; omit --proved to have it checked"
+
+(* What a certificate may have beside what is proved. *)
+let others =
+  [ ("largest_turn", "a range of motions"); ("largest_force", "a range of forces");
+    ("bounds", "bounds of grasps"); ("pyramid", "friction pyramids");
+    ("enclosure", "an enclosure of an equilibrium (Krawczyk's test)") ]
+
+(* The kind of a certificate, and its keys with their values. *)
+let certificate value =
   let members = match value with Object members -> members | _ -> [] in
   let kind =
     match List.assoc_opt "certificate" members with
     | Some (Text ("resisted" | "not resisted" as kind)) -> kind
     | Some (Text ("stable" | "unstable")) -> malformed "this is an old certificate"
     | _ -> malformed "this is not a certificate" in
-  List.iter (fun key ->
-    if List.mem_assoc key members then
-      malformed "the certificate has a %s, and this checker knows no range of motions and forces" key)
-    [ "largest_turn"; "largest_force" ];
+  List.iter (fun (key, what) ->
+    if List.mem_assoc key members then malformed "the certificate has %s, %s" what outside) others;
   let own = if kind = "resisted" then [ "motion"; "forces" ] else [ "tree" ] in
   ignore (keys "the certificate" ([ "schema_version"; "certificate"; "grasp"; "wrench" ] @ own) []
     value);
   version "the certificate" 3 members;
-  let contacts = grasp (List.assoc "grasp" members) in
+  (kind, members)
+
+let document value =
+  let kind, members = certificate value in
+  let contacts = grasp contact (List.assoc "grasp" members) in
   let question = { contacts; applied = vector "wrench" (List.assoc "wrench" members) } in
   let count = List.length contacts in
   let proof =
