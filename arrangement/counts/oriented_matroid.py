@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import combinations
 
+from arrangement.console.number_form import sign_text
 from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import shown, sign
@@ -80,7 +81,7 @@ def chirotope_string(arrangement: Planes, order: str = "reverse-lexicographic") 
         raise InputError(f"the order is {shown(order)}; known are {' and '.join(ORDERS)}")
     values = chirotope(arrangement if arrangement.is_central else cone(arrangement))
     rows = sorted(values, key=lambda row: row[::-1]) if order == ORDERS[0] else values
-    return "".join("0+-"[values[row]] for row in rows)
+    return sign_text([values[row] for row in rows])
 
 
 def cocircuits(arrangement: Planes) -> frozenset[SignVector]:

@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import Shown, sign_text
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, RationalVector, bits, dot, quotient, shown
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
@@ -58,7 +58,7 @@ class Face(Shown):
     planes: Planes = field(hash=False)
 
     def __repr__(self) -> str:
-        text = "".join("0+-"[sign] for sign in self.signs[:_SHOWN])
+        text = sign_text(self.signs[:_SHOWN])
         more = "..." * (len(self.signs) > _SHOWN)
         return f"<Face: {text}{more}{', ' * bool(text)}dimension {self.dimension}>"
 

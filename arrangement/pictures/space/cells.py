@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.console.number_form import EXACT, counted
+from arrangement.console.number_form import EXACT, counted, sign_text
 from arrangement.drawing.colours import SKIN, DrawnRegion, Painter, fill_colour, painter, pale
 from arrangement.drawing.figure import picture
 from arrangement.drawing.output import millimetres
@@ -140,7 +140,7 @@ def cells_page(
     for k, cell in enumerate(cells.cells):
         faces += [(cell.sides, face) for face in _faces(points, cell, k)]
         walls = sorted({wall for wall in cell.walls if wall >= 0})
-        sign = "".join("+" if s > 0 else "\u2212" for s in cell.signs)
+        sign = sign_text(cell.signs, "\u2212")
         planes = "; ".join(equation(firsts[w][:3], firsts[w][3]) for w in walls)
         whole = "whole" if len(walls) == len(set(cell.walls)) else "cut off"
         point = EXACT.vector(regions[cell.signs].witness)
@@ -258,7 +258,7 @@ def _part(
     else:
         colours = (paint(DrawnRegion(cell.signs, len(walls))),) * len(faces)
     middle = centroid(own, faces) * apart
-    text = "".join("+" if s > 0 else "-" for s in cell.signs)
+    text = sign_text(cell.signs)
     shift = (float(middle[0]), float(middle[1]), float(middle[2]))
     return ClosedSurface(text or "all", own, faces, colours, shift, {"signs": text})
 

@@ -11,6 +11,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from arrangement.console.number_form import sign_text
 from arrangement.drawing.colours import SKIN, pale
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import keep_off, spread, turn, write_beside, write_inside
@@ -207,7 +208,7 @@ class PlanesSheet(SolidSheet):
         if wall < 0 and self.round:
             normal = unit(item.points[list(item.cell.faces[k])].mean(axis=0) - item.shift)
         colour = lit(SKIN if wall < 0 else self.colour(wall), normal)
-        name = "cell-" + "".join("+" if s > 0 else "-" for s in item.cell.signs)
+        name = f"cell-{sign_text(item.cell.signs)}"
         look: dict[str, Any] = {"lw": 0.3, "zorder": self.z, "joinstyle": "round", "gid": name}
         self.scene.polygon(corners, fc=colour, ec=colour, **look)
 
