@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from arrangement.console.number_form import Shown
 from arrangement.errors import InputError
-from arrangement.numbers.coefficients import SAFE, Coefficients, Integers
+from arrangement.numbers.coefficients import SAFE, Coefficients, Integers, primitive
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
@@ -199,9 +199,7 @@ def primitive_rows(rows: Integers) -> Integers:
         numbers = Coefficients(flat)
         lines, _, sides = numbers.unoriented(numbers.array(flat, rows.shape[-1]))
         return numbers.numbers(lines * sides[:, None, None]).reshape(rows.shape)
-    divisor = np.abs(np.gcd.reduce(rows, axis=-1, keepdims=True))  # of one object: with its sign
-    whole: Integers = rows // np.maximum(divisor, 1)
-    return whole
+    return primitive(rows[..., None])[..., 0]
 
 
 def integer_matrix(rows: Iterable[IntegerVector], n: int) -> Integers:

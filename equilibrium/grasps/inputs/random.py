@@ -8,6 +8,7 @@ from random import Random
 from typing import Any
 
 from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.linear.rank import cycle_edges
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, ask_contacts
@@ -100,8 +101,7 @@ def star_outline(grasp: Grasp) -> Polygon | None:
             for c in order
             for side in (1, -1)
         ]
-        turns = zip(corners, [*corners[1:], *corners[:1]], strict=True)
-        if corners and all(a[0] * b[1] > a[1] * b[0] for a, b in turns):
+        if corners and all(a[0] * b[1] > a[1] * b[0] for a, b in cycle_edges(corners)):
             return Polygon(corners)
     return None
 
