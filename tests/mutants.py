@@ -385,8 +385,6 @@ powers = [p / one if abs(p) < _LARGEST * one else math.inf for p in self._scaled
 return self if self.denominator == 1 else AlgebraicNumber(self.field, self.coefficients, 1)
     1 -> 0 | a copy
 [law]
-if slip and tangential != (-limit if slip > 0 else limit):
-    Gt -> GtE | the slip is not 0 there
 return number_text(value, digits=30, longest=60)
     30 -> 31 | 30 -> 29 | 60 -> 61 | 60 -> 59 | how long numbers of messages are was chosen
 """
