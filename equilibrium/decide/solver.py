@@ -10,23 +10,25 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Iterable, Iterator
-from functools import cached_property
+from functools import cached_property, lru_cache, partial
 from typing import Any
 
 from arrangement.console.number_form import Shown
 from arrangement.console.progress import watched
-from arrangement.numbers.exact import RationalVector
+from arrangement.console.workers import done, due
+from arrangement.numbers.exact import RationalVector, vector_text
 from equilibrium.model.contact import FLAT, pyramid_edges
-from equilibrium.model.errors import GraspError
+from equilibrium.model.errors import EquilibriumError, GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.range import Range
 from equilibrium.model.solution import Solution
-from equilibrium.plane.contacts import FloatContacts, IntegerContacts
+from equilibrium.plane.contacts import FloatContacts, IntegerContacts, are_moderate
 from equilibrium.plane.search.motion_regions import resistance
 from equilibrium.plane.search.units import SearchUnits
 from equilibrium.plane.states.contact_states import Codes, state_codes, states_at, states_of_code
 from equilibrium.plane.states.equilibrium import Equilibrium, equilibrium_of, maximal
 from equilibrium.plane.states.interval_filter import Screen
+from equilibrium.plane.states.singular import SingularStates
 from equilibrium.plane.states.state_system import States, state_system
 
 from . import NOT_RESISTED, RESISTED, UNDECIDED
@@ -75,6 +77,10 @@ def solve(
     """
     solver = Solver(grasp, largest_turn, largest_force, pyramid)
     return solver.solve(wrench, time_limit=time_limit, shorten=shorten, nodes=nodes)
+
+
+#: How many wrenches a process takes at once; up to how many contacts all states are tried.
+_PART, _FEW = 50, 12
 
 
 class Solver(Shown):
@@ -182,13 +188,76 @@ class Solver(Shown):
         """Return the verdict of an equilibrium, of a tree, or of neither."""
         held = found if isinstance(found, Solution) else None
         tree = None if held else found
+        if found is None and answer == NOT_RESISTED:
+            tree = partial(self._refutation, wrench)
         question = self.grasp, wrench, RESISTED if held else answer, held, tree
         how = self._equilibria, solve, self.within, self.pyramid
         return Verdict(*question, *how, reason, residual)
 
-    def solve_many(self, wrenches: Iterable[Iterable[Any]]) -> Iterator[Verdict]:
-        """Decide one wrench after the other."""
-        return map(self.solve, wrenches)
+    def _refutation(self, wrench: RationalVector) -> Any:
+        """Return the tree that proves what the choices of contact states have shown."""
+        found = self.solve(wrench)
+        if found.stable:
+            raise EquilibriumError(
+                f"the wrench {vector_text(wrench)} has an equilibrium, but no choice of contact "
+                "states has one: a fault of this program; please report it"
+            )
+        return found.tree
+
+    def solve_many(
+        self, wrenches: Iterable[Iterable[Any]], *, jobs: int = 1, dask: str | None = None
+    ) -> Iterator[Verdict]:
+        """Yield the verdict of each wrench, in order.
+
+        In the plane, where contacts are few, the choices of contact states are tried first: that
+        gives the same verdicts, a thousand of eight contacts in seconds, and maybe another one of
+        several equilibria. The proof that nothing balances a wrench is looked for when it is asked.
+
+        Args:
+            jobs: processes of this machine.
+            dask: address of a Dask scheduler whose workers decide.
+        """
+        listed = [read_wrench(wrench, self.grasp.dimension) for wrench in wrenches]
+        parts = [listed[k : k + _PART] for k in range(0, len(listed), _PART)]
+        due(len(parts), (1, 1), jobs)
+        return self._in_order(parts, jobs, dask)
+
+    def _in_order(
+        self, parts: list[list[RationalVector]], jobs: int, dask: str | None
+    ) -> Iterator[Verdict]:
+        if jobs == 1 and dask is None:
+            every = [wrench for part in parts for wrench in part]
+            yield from map(self._one_of_many, watched(every, "wrenches"))
+            return
+        plan = (self.grasp, self.within, self.pyramid), parts
+        early: dict[int, list[Any]] = {}
+        found = done(_answers, plan, range(len(parts)), jobs, dask)
+        results = iter(watched(found, "parts of wrenches", len(parts)))
+        for number, part in enumerate(parts):
+            while number not in early:
+                at, answers = next(results)
+                early[at] = answers
+            for wrench, answer in zip(part, early.pop(number), strict=True):
+                yield self._verdict(wrench, *answer)
+
+    def _one_of_many(self, wrench: RationalVector) -> Verdict:
+        """Decide by the choices of contact states, if they are few and none is left open."""
+        if self.grasp.dimension == 3 or len(self.grasp) > _FEW or not are_moderate(wrench):
+            return self.solve(wrench)
+        possible = self.screen.possible(wrench)
+        for row in self._codes[possible & ~self.screen.singular].tolist():
+            system = state_system(self.grasp, states_of_code(row), wrench, within=self.within)
+            found = equilibrium_of(system)
+            if found is not None:
+                return self._verdict(wrench, Solution(found.motion, found.forces))
+        return (
+            self.solve(wrench) if self._singular.may_hold(wrench) else self._verdict(wrench, None)
+        )
+
+    @cached_property
+    def _singular(self) -> SingularStates:
+        rows = self._codes[self.screen.singular].tolist()
+        return SingularStates(self.grasp, map(states_of_code, rows))
 
     def _equilibria(self, wrench: RationalVector) -> tuple[Equilibrium, ...]:
         """Return the maximal pieces of all solutions: every choice of contact states is decided.
@@ -223,3 +292,19 @@ def prepare(grasp: Grasp | Solver) -> Solver:
     solver = grasp if isinstance(grasp, Solver) else Solver(grasp)
     solver.grasp.require_plane()
     return solver
+
+
+@lru_cache(maxsize=1)
+def _solver(grasp: Grasp, within: Range, pyramid: int | None) -> Solver:
+    """Return the solver of a process."""
+    return Solver(grasp, **within.bounds, pyramid=pyramid)
+
+
+def _answers(plan: Any, number: int) -> tuple[int, list[Any]]:
+    """Return the answers to a part of many wrenches, as `Solver._verdict` takes them."""
+    question, parts = plan
+    found = map(_solver(*question)._one_of_many, parts[number])
+    return number, [
+        (v.solution or (None if callable(v._tree) else v._tree), v.verdict, v.reason, v.residual)
+        for v in found
+    ]

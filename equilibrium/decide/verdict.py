@@ -122,13 +122,18 @@ class Verdict:
         )
 
     @cached_property
+    def tree(self) -> Any:
+        """The tree of virtual motions that the certificate shows; None where there is none."""
+        return self._tree() if callable(self._tree) else self._tree
+
+    @cached_property
     def certificate(self) -> Certificate | None:
         """The proof, checkable without the solver; None when undecided."""
         if not self.decided:
             return None
         asked = self.pyramid, self.within
         if self.solution is None:
-            return refuted_certificate(self.grasp, self.wrench, self._tree, *asked)
+            return refuted_certificate(self.grasp, self.wrench, self.tree, *asked)
         return resisted_certificate(self.grasp, self.wrench, self.solution, *asked)
 
     @property

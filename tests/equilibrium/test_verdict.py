@@ -8,7 +8,8 @@ from functools import partial
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from equilibrium import Contact, Grasp, GraspError, read_grasp, solve
+from arrangement.errors import InputError
+from equilibrium import Contact, Grasp, GraspError, Solver, read_grasp, solve
 
 from . import oracle
 from .agreement import disagreements
@@ -28,6 +29,27 @@ def test_what_is_reported_is_true_and_proved(grasp, wrench):
         assert piece.contains(piece.motion, piece.forces)
     assert verdict.verify()
     assert verdict.certificate.kind == ("resisted" if verdict.stable else "not resisted")
+
+
+@given(grasps(4), st.lists(wrenches, min_size=1, max_size=4), st.sampled_from([None, 0, 1]))
+def test_each_of_many_loads_has_the_verdict_of_its_own_and_a_proof(grasp, loads, force):
+    found = list(Solver(grasp, largest_force=force).solve_many(loads))
+    for wrench, verdict in zip(loads, found, strict=True):
+        assert verdict.wrench == tuple(wrench)
+        assert verdict.stable == solve(grasp, wrench, largest_force=force).stable
+        assert verdict.verify()
+
+
+def test_processes_answer_in_order_in_the_plane_and_in_space():
+    loads = [(0, Fraction(k, 40), 0) for k in range(120)]
+    found = list(Solver(THREE).solve_many(loads, jobs=2))
+    assert [verdict.stable for verdict in found] == [k <= 40 for k in range(120)]
+    assert all(verdict.verify() for verdict in found[::17])
+    spatial = [(0, y, 0, 0, 0, 0) for y in ("3/5", 100, 0)]
+    held = Solver(read_grasp("two-opposed-fingers")).solve_many(spatial, jobs=2)
+    assert [verdict.verdict for verdict in held] == ["resisted", "not resisted", "resisted"]
+    with pytest.raises(InputError, match="jobs is 0; give 1 to"):
+        Solver(THREE).solve_many(loads, jobs=0)
 
 
 @given(grasps(), wrenches)

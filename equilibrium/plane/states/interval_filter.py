@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TypeAlias
 
 import numpy as np
@@ -80,6 +81,14 @@ class Screen:
             rows = np.flatnonzero(number == planes)
             if len(rows):
                 yield rows, np.nonzero(present[rows])[1].reshape(len(rows), planes)
+
+    @cached_property
+    def singular(self) -> Booleans:
+        """The choices whose systems floats cannot solve, whatever the wrench."""
+        found = np.ones(len(self.codes), dtype=np.bool_)
+        for batch in self._batches:
+            found[batch.rows] = ~(batch.beta < 1)
+        return found
 
     def possible(self, base: RationalVector, direction: RationalVector | None = None) -> Booleans:
         """Return for each choice of states whether the wrench ``base`` may have it.
