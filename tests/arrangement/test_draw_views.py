@@ -14,7 +14,7 @@ from matplotlib.image import imread
 
 from arrangement import Arrangement
 from arrangement.counts import bounded_region_count, f_vector, whitney_numbers
-from arrangement.drawing.colours import PALETTE, DrawnRegion, colouring
+from arrangement.drawing.colours import PALETTE, DrawnRegion, colouring, plane_colour
 from arrangement.drawing.figure import figure
 from arrangement.drawing.output import own_settings, picture_bytes
 from arrangement.drawing.scene.items import Label, Path as Drawn
@@ -307,6 +307,13 @@ def test_the_palette_gets_darker_so_that_it_is_readable_in_grey():
     assert all(a - b > 8 for a, b in pairwise(greys))
 
 
+def test_thirty_six_planes_have_colours_that_differ():
+    colours = [plane_colour(label) for label in range(36)]
+    channels = [np.array([int(c[k : k + 2], 16) for k in (1, 3, 5)]) for c in colours]
+    assert min(np.linalg.norm(a - b) for a, b in combinations(channels, 2)) > 20
+    assert plane_colour(36) == colours[0]
+
+
 # Files and bad input.
 
 
@@ -370,6 +377,14 @@ def test_numbers_are_those_of_the_regions_and_the_table_explains_them(name):
     written = {int(text) for text in texts if text.isdigit() and int(text) > len(planes)}
     assert written <= set(table)
     assert len(table) > len(regions) / 2
+
+
+@pytest.mark.parametrize(
+    ("name", "labels", "rows"),
+    [("braid-a3", "numbers", 24), ("reflection-b3", None, 0), ("reflection-b3", "numbers", 48)],
+)
+def test_a_long_table_stands_below_where_it_is_asked_for(name, labels, rows):
+    assert len(scene(DRAWINGS, "dual", name, labels=labels).legend.table) == rows
 
 
 def test_labels_can_be_left_out_and_bad_ones_are_refused():

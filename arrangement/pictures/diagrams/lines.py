@@ -75,7 +75,8 @@ def draw_lines(
         projective: show the line at infinity.
         faces: that have labels: "regions"; or "all", with edges and vertices.
         labels: "signs"; "numbers" for regions in the order of `Arrangement.regions`, with a table
-            of sign vectors below; "none". If omitted, signs of up to four lines, or of all faces.
+            of sign vectors below; "none". If omitted, signs of up to four lines, or of all faces,
+            else numbers, with the table for up to 24 regions.
         colour: "bounded" (bounded regions are tinted), or as for `draw_sphere`.
         sides: at each line, an arrow to its positive side.
 

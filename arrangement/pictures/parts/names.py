@@ -17,8 +17,8 @@ from arrangement.numbers.exact import IntegerVector, shown, to_text
 LABELS = ("signs", "numbers", "none")
 #: Planes up to which sign vectors are written of themselves.
 SHORT = 4
-#: Regions up to which they are numbered of themselves.
-MOST = 150
+#: Regions up to which they are numbered of themselves, and up to which a table explains numbers.
+MOST, TABLED = 150, 24
 #: A space as wide as a digit.
 FIGURE = "\u2007"
 
@@ -44,7 +44,7 @@ class RegionLabels:
         if labels is not None and labels not in LABELS:
             raise refusal(f"the labels are {shown(labels)}", labels, LABELS)
         self.kind = labels or ("signs" if len(arrangement) <= SHORT else "numbers")
-        self._too_many = 0
+        self._too_many, self._tabled = 0, math.inf if labels else TABLED
         if labels is None and self.kind == "numbers":
             count = len(arrangement.regions()) if count is None else count
             if count > most:
@@ -70,13 +70,12 @@ class RegionLabels:
         listed = [tuple(signs) for signs in drawn]
         if self.kind == "numbers" and listed:
             legend.line("regions by number; numbers of planes are italic")
+        if self.kind == "numbers" and 0 < len(listed) <= self._tabled:
             named = sorted((self._numbers[signs], sign_text(signs)) for signs in listed)
             digits = len(str(named[-1][0]))
             legend.table += [f"{str(k).rjust(digits, FIGURE)} {text}" for k, text in named]
         if self._too_many:
-            legend.captions.append(
-                f"{self._too_many} regions, too many for labels; --labels numbers tries"
-            )
+            legend.captions.append(f"{self._too_many} regions, too many for labels")
         if self.left_out:
             many = "regions are" if self.left_out > 1 else "region is"
             legend.captions.append(f"{self.left_out} {many} too small for a label")

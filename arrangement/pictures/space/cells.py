@@ -12,7 +12,7 @@ import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import EXACT, counted, sign_text
-from arrangement.drawing.colours import SKIN, DrawnRegion, Painter, fill_colour, painter, pale
+from arrangement.drawing.colours import SKIN, DrawnRegion, Painter, painter, pale, plane_colour
 from arrangement.drawing.figure import picture
 from arrangement.drawing.output import millimetres
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage
@@ -93,7 +93,7 @@ def draw_cells(
     names = RegionLabels(arrangement, labels, len(lifted), _NAMED)
     signs = [cell.signs for cell in cells.cells]
     axes = StagedAxes(stage, ())
-    sheet = PlanesSheet(stage, lifted, lambda x: fill_colour(x.label), width, axes, apart=True)
+    sheet = PlanesSheet(stage, lifted, lambda x: plane_colour(x.label), width, axes, apart=True)
     left = 0 if names.kind == "none" else sheet.name_cells(names, beside=False)
     legend = sheet.scene.legend
     names.explain(legend, signs)
@@ -147,7 +147,7 @@ def cells_page(
         facts = [("planes", planes or "none"), ("a point", point), ("in the cube", whole)]
         told.append((sign or "all", facts))
     legend = [
-        (pale(fill_colour(label)), f"{plane_names(members)}: {equation(first[:3], first[3])}")
+        (pale(plane_colour(label)), f"{plane_names(members)}: {equation(first[:3], first[3])}")
         for label, (members, first) in enumerate(zip(arrangement.distinct, firsts, strict=True))
     ]
     body = cells.body
@@ -186,7 +186,7 @@ def _faces(points: Floats, cell: Cell, number: int) -> list[PageFace]:
         corners = points[list(face)]
         edges = [points[[a, b]] for a, b in cycle_edges(face) if sharp(*walls[a, b], smooth=False)]
         normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
-        fill = SKIN if wall < 0 else pale(fill_colour(wall))
+        fill = SKIN if wall < 0 else pale(plane_colour(wall))
         lines = np.array(edges).reshape(-1, 2, 3)
         found.append(PageFace(corners, fill, normal, lines, number, middle))
     return found
@@ -254,7 +254,7 @@ def _part(
     faces = tuple(tuple(number[i] for i in face) for face in cell.faces)
     walls = {wall for wall in cell.walls if wall >= 0}
     if paint is None:
-        colours = tuple(pale(fill_colour(w)) if w >= 0 else SKIN for w in cell.walls)
+        colours = tuple(pale(plane_colour(w)) if w >= 0 else SKIN for w in cell.walls)
     else:
         colours = (paint(DrawnRegion(cell.signs, len(walls))),) * len(faces)
     middle = centroid(own, faces) * apart

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.drawing.colours import chosen, fill_colour
+from arrangement.drawing.colours import chosen, plane_colour
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import AxisNames, Exact, Vector
 from arrangement.drawing.scene.items import Floats
@@ -95,7 +95,7 @@ def draw_planes(
 
 def _painter(colour: str | FacetPainter) -> FacetPainter:
     painters: dict[str, FacetPainter] = {
-        "planes": lambda facet: lit(fill_colour(facet.label), _facing(facet), 0.7),
+        "planes": lambda facet: lit(plane_colour(facet.label), _facing(facet), 0.7),
         "shade": lambda facet: lit("#ffffff", _facing(facet), 0.1),
         "none": lambda facet: "#ffffff",
     }

@@ -63,7 +63,8 @@ def draw_sphere(
         antipodes: "same" or "opposite" colours for opposite regions (see `colours.colouring`); if
             omitted, whatever two colours give.
         labels: of regions: "signs"; "numbers" in the order of `Arrangement.regions`, with a table
-            of sign vectors below; "none". If omitted, signs of up to four planes, else numbers.
+            of sign vectors below; "none". If omitted, signs of up to four planes, else numbers,
+            with the table for up to 24 regions.
         axes: names of the axes; True for ``x,y,z``; or "none"; if omitted, there are some
             where the coordinates have a meaning, as x, y, r of the motions of a grasp.
         sides: mark the positive side of each plane by an arrow.

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from arrangement.console.number_form import LABEL
-from arrangement.drawing.colours import BLUE, GREY, VERMILION, fill_colour, pale
+from arrangement.drawing.colours import BLUE, GREY, VERMILION, pale, plane_colour
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact, Wrench
 from arrangement.drawing.scene.items import Floats
@@ -129,7 +129,7 @@ def _map(
 
 
 def _fill(rank: int) -> str:
-    return pale(fill_colour(rank), 0.6)
+    return pale(plane_colour(rank), 0.6)
 
 
 def _grasp(scene: Scene, layout: Layout, scale: float, middle: Floats, name: str) -> GraspPicture:

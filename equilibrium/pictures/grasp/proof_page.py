@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from arrangement.console.number_form import LABEL
-from arrangement.drawing.colours import fill_colour, pale
+from arrangement.drawing.colours import pale, plane_colour
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
 from arrangement.drawing.registry import Exact, Wrench
 from arrangement.drawing.scene.labels import flattened
@@ -64,7 +64,7 @@ def proof_page(
         "title": heading,
         "summary": "; ".join(summary_lines(maps, len(maps.ranks))),
         "load": {"force": force, "turn": sign(maps.verdict.wrench[2])},
-        "colours": [pale(fill_colour(i), 0.35) for i in range(len(maps.ranks))],
+        "colours": [pale(plane_colour(i), 0.35) for i in range(len(maps.ranks))],
         "maps": [
             {
                 "title": f"centres of {name} motions",
