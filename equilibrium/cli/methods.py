@@ -120,17 +120,16 @@ def _wrench_space(arguments: argparse.Namespace) -> int:
 def _edges(arguments: argparse.Namespace, grasp: Grasp) -> int:
     """Return the edges of the pyramids of a hull; refuse what would take minutes."""
     from equilibrium.methods.friction_cones.grasp_wrench_space import MOST_IN_HULL
-    from equilibrium.model.contact import FLAT, pyramid_edges
+    from equilibrium.model.contact import pyramid_edges
     from equilibrium.model.errors import GraspError
 
     edges: int = arguments.cone or 4
+    if arguments.cone is not None:
+        pyramid_edges(edges, grasp.dimension)
     if grasp.dimension == 2:
-        if arguments.cone is not None:
-            raise GraspError(FLAT)
         return edges
     if arguments.torque:
         raise GraspError("--torque is for slices in the plane; omit it in space")
-    pyramid_edges(edges)
     if len(grasp) * edges > MOST_IN_HULL:
         raise GraspError(
             f"the hull of {len(grasp)} contacts with {edges} edges each in six dimensions takes "

@@ -17,8 +17,8 @@ from arrangement.console.number_form import Shown
 from arrangement.console.progress import watched
 from arrangement.console.workers import done, due
 from arrangement.numbers.exact import RationalVector, vector_text
-from equilibrium.model.contact import FLAT, pyramid_edges
-from equilibrium.model.errors import EquilibriumError, GraspError
+from equilibrium.model.contact import pyramid_edges
+from equilibrium.model.errors import EquilibriumError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.range import Range
 from equilibrium.model.solution import Solution
@@ -104,10 +104,9 @@ class Solver(Shown):
         largest_force: Any = None,
         pyramid: int | None = None,
     ) -> None:
-        if pyramid is not None and grasp.dimension == 2:
-            raise GraspError(FLAT)
         self.grasp, self.within = grasp, Range.of(largest_turn, largest_force)
         self.pyramid = pyramid
+        self._edges = None if pyramid is None else pyramid_edges(pyramid, grasp.dimension)
         self._scaled: dict[Range, IntegerContacts] = {}
 
     @cached_property
@@ -163,7 +162,7 @@ class Solver(Shown):
         from equilibrium.space.cones import Pyramids
         from equilibrium.space.tree import NODES, Open, SpatialSearch
 
-        cones = None if self.pyramid is None else Pyramids(pyramid_edges(self.pyramid))
+        cones = None if self._edges is None else Pyramids(self._edges)
         deadline = math.inf if time_limit is None else time.monotonic() + time_limit
 
         def accept(found: Solution) -> bool:

@@ -9,7 +9,7 @@ from typing import Any
 from arrangement.console.progress import watched
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, to_text
-from equilibrium.model.contact import FLAT, pyramid_edges
+from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, read_wrench
 
@@ -137,9 +137,7 @@ def compare(grasp: Grasp, wrench: Iterable[Any], *, pyramid: int | None = None) 
     )
     applied = read_wrench(wrench, grasp.dimension)
     if pyramid is not None:
-        pyramid_edges(pyramid)
-        if grasp.dimension == 2:
-            raise GraspError(FLAT)
+        pyramid_edges(pyramid, grasp.dimension)
     answers = [
         Answer(key, METHODS[key].title, *METHODS[key].outcome(grasp, applied, pyramid))
         for key in watched(DECIDING if grasp.dimension == 2 else DECIDING_IN_SPACE, "methods")

@@ -217,8 +217,6 @@ def wrench_at(point: RationalVector, force: RationalVector) -> RationalVector:
 #: Largest tangent of the angle between an edge and where a regular polygon has it.
 _TOLERANCE = "1/1000"
 _MOST = 64
-#: Why a pyramid is refused in the plane.
-FLAT = "in the plane the friction cone has two edges, and a pyramid is for grasps in space; omit it"
 
 
 def pyramid_words(count: int | None, before: str = "") -> str:
@@ -226,14 +224,17 @@ def pyramid_words(count: int | None, before: str = "") -> str:
     return "" if count is None else f"{before}friction pyramids of {count} edges"
 
 
-def pyramid_edges(count: int) -> tuple[RationalVector, ...]:
+def pyramid_edges(count: int, dimension: int = 3) -> tuple[RationalVector, ...]:
     """Return unit vectors along the edges, in the frame of the two tangents of a contact.
 
     They go counter-clockwise from the first tangent by even angles, up to a thousandth: rational
     unit vectors are rarely regular. Opposite edges are exactly opposite.
 
+    Args:
+        dimension: of the grasp, 3.
+
     Raises:
-        GraspError: the number is odd, below 4 or above 64.
+        GraspError: the number is odd, below 4 or above 64, or the grasp is in the plane.
 
     >>> [[str(x) for x in edge] for edge in pyramid_edges(4)]
     [['1', '0'], ['0', '1'], ['-1', '0'], ['0', '-1']]
@@ -242,6 +243,11 @@ def pyramid_edges(count: int) -> tuple[RationalVector, ...]:
         raise GraspError(
             f"a pyramid of {shown(count)} edges; give an even number from 4 to {_MOST}, so that "
             "opposite slips have opposite friction"
+        )
+    if dimension == 2:
+        raise GraspError(
+            "in the plane the friction cone has two edges, and a pyramid is for grasps in space; "
+            "omit it"
         )
     half = []
     for k in range(count // 2):
