@@ -27,7 +27,8 @@ cd _build
 # In the order in which they build on one another.
 for file in Model Checker Numbers Rows Leaves Regions Witness Soundness \
   Planes Sides Rank Recursion Counting Whitney Bounds General Sphere Merge Dual Claims \
-  FinalPolynomials SpatialModel SpatialChecker Arcs SpatialNumbers SpatialSoundness; do
+  FinalPolynomials SpatialModel SpatialChecker Arcs SpatialNumbers SpatialSoundness \
+  Inscribed; do
   echo "coqc $file.v"
   coqc "$file.v"
 done
@@ -45,5 +46,5 @@ if [ "$theorems" -ne "$(grep -c '^Print Assumptions' Extract.v)" ] || [ -n "$oth
 fi
 
 ocamlfind ocamlopt -package zarith -linkpkg \
-  checker.mli checker.ml json.ml reader.ml spatial_reader.ml planes_reader.ml signs_reader.ml main.ml -o proved-checker
+  checker.mli checker.ml json.ml reader.ml spatial_reader.ml planes_reader.ml signs_reader.ml weights_reader.ml main.ml -o proved-checker
 echo "proofs_check/formal/_build/proved-checker"

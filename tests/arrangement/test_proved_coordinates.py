@@ -1,4 +1,4 @@
-"""Proofs that there are no coordinates, by the proved program, where `make formal` has built it."""
+"""Signs without coordinates and graphs without weights, by the proved program if it is built."""
 
 from __future__ import annotations
 
@@ -6,13 +6,18 @@ import itertools
 import json
 import subprocess
 from collections.abc import Iterable
+from fractions import Fraction
 from pathlib import Path
 from random import Random
 from typing import Any
 
 import pytest
 
+from arrangement import ArrangementError, inscribability
 from arrangement.console import proved_program
+from arrangement.duals.inscribed.certificates import Certificate, FarkasCertificate
+from arrangement.duals.inscribed.proved import multipliers_document, proved_without_weights
+from arrangement.duals.inscribed.search import decide
 from arrangement.errors import InputError
 from arrangement.library.census.catalogue import without_coordinates
 from arrangement.library.census.final_polynomials import (
@@ -21,6 +26,9 @@ from arrangement.library.census.final_polynomials import (
     proves_no_coordinates,
 )
 from arrangement.library.census.tables import check
+from arrangement.library.families import generic
+
+from .test_inscribed import KNOWN, polyhedral
 
 PROGRAM = proved_program.program()
 built = pytest.mark.skipif(PROGRAM is None, reason="`make formal` has not built the program")
@@ -140,3 +148,78 @@ def test_what_is_no_such_proof_is_malformed(tmp_path):
     first, *rest = answers([good, *({**good, **change} for change in changes)], tmp_path)
     assert first == "accepted: no coordinates"
     assert [line.partition(":")[0] for line in rest] == ["malformed"] * len(changes)
+
+
+def refutations() -> list[Certificate]:
+    known = [polyhedral(graph) for graph, inscribable in KNOWN.values() if not inscribable]
+    return [*map(decide, known), *(inscribability(generic(m)).certificate for m in (4, 5, 6))]
+
+
+def with_other_multipliers(refutation: FarkasCertificate, source: Random) -> FarkasCertificate:
+    """Change one multiplier, one side of a cutset, or leave one cutset out."""
+    vertices, cuts = list(refutation.vertex_multipliers), list(refutation.cuts)
+    lower, upper = dict(refutation.lower_multipliers), dict(refutation.upper_multipliers)
+    edge, step = source.choice(refutation.graph.edges), source.choice([-1, 1, Fraction(1, 10**30)])
+    pick = source.choice(["vertex", "lower", "upper", "both", *["side", "factor", "none"] * 2])
+    if pick == "vertex" or (pick in ("side", "factor", "none") and not cuts):
+        vertices[source.randrange(len(vertices))] += step
+    elif pick in ("lower", "upper", "both"):
+        for bounds in [lower] * (pick != "upper") + [upper] * (pick != "lower"):
+            bounds[edge] = bounds.get(edge, Fraction(0)) + step
+    else:
+        side, factor = cuts.pop(source.randrange(len(cuts)))
+        if pick == "side":
+            cuts.append((side ^ {source.randrange(len(vertices))}, factor))
+        elif pick == "factor":
+            cuts.append((side, factor + step))
+    return FarkasCertificate(refutation.graph, tuple(vertices), lower, upper, tuple(cuts))
+
+
+def holds(refutation: Certificate) -> bool:
+    try:
+        refutation.verify()
+    except ArrangementError:
+        return False
+    return True
+
+
+@built
+def test_forged_multipliers_are_refused_and_both_checkers_agree(tmp_path):
+    source, found = Random("multipliers"), refutations()
+    assert all(map(proved_without_weights, found))
+    given = [refutation for refutation in found if isinstance(refutation, FarkasCertificate)]
+    assert any(refutation.cuts for refutation in given)
+    forged = [with_other_multipliers(source.choice(given), source) for _ in range(400)]
+    said = answers(map(multipliers_document, forged), tmp_path)
+    words = {True: "accepted: no weights", False: "refused: no weights"}
+    assert said == [words[holds(refutation)] for refutation in forged]
+    # A larger multiplier of both bounds of an edge changes the constant alone.
+    assert said.count(words[False]) > 300
+
+
+@built
+def test_the_graph_is_read_as_it_is(tmp_path):
+    certificate = refutations()[0]
+    (line,) = answers([multipliers_document(certificate)], tmp_path, "--question")
+    graph = certificate.graph
+    edges = list(map(list, graph.edges))
+    assert json.loads(line) == {"vertices": graph.vertex_count, "edges": edges}
+
+
+@built
+def test_other_forms_of_multipliers_are_malformed_and_weights_are_not_asked(tmp_path):
+    good = multipliers_document(refutations()[-2])
+    changes: list[dict[str, Any]] = [
+        *({"edges": [row]} for row in ([0, 1, "0"], [0, 99, "0", "0"], [0, 1, 0.5, "0"], None)),
+        *({"cutsets": [row]} for row in ([[0, 1]], [[0, 99], "1"], [["0"], "1"], [[0], "x"])),
+        {"vertices": []},
+        {"certificate": "no coordinates"},
+        {"schema_version": 2},
+        {"other": 1},
+    ]
+    first, *rest = answers([good, *({**good, **change} for change in changes)], tmp_path)
+    assert first == "accepted: no weights"
+    assert [line.partition(":")[0] for line in rest] == ["malformed"] * len(changes)
+    with pytest.raises(InputError, match="these are weights"):
+        inscribability(generic(3)).verify(proved=True)
+    inscribability(generic(5)).verify(proved=True)

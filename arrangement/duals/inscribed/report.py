@@ -15,6 +15,7 @@ from arrangement.planes.planes import Planes
 
 from .certificates import Certificate, PolyhedralGraph
 from .hull import sphere_points
+from .proved import proved_without_weights
 from .search import decide
 
 
@@ -40,15 +41,19 @@ class Inscribability(Shown):
     def __bool__(self) -> bool:
         return self.inscribable
 
-    def verify(self) -> None:
+    def verify(self, *, proved: bool = False) -> None:
         """Check that the graph is the adjacency graph of all regions, and then the certificate.
 
         The signs of the points show that the regions are distinct; their number, compared with
         Zaslavsky's theorem, that none is missing. Two regions are adjacent exactly if their signs
         differ in one class of coincident planes.
 
+        Args:
+            proved: let the program that is proved in Coq check that there are no weights, too.
+
         Raises:
             ArrangementError: what fails.
+            InputError: `proved`, and the program is not built, or there are weights.
         """
         regions = {self.arrangement.signs_at(point): v for v, point in enumerate(self.points)}
         if any(0 in signs for signs in regions) or len(regions) < len(self.points):
@@ -64,6 +69,8 @@ class Inscribability(Shown):
         if PolyhedralGraph.of(len(regions), edges) != self.certificate.graph:
             raise ArrangementError("the certificate is about another graph")
         self.certificate.verify()
+        if proved and not proved_without_weights(self.certificate):
+            raise ArrangementError("the proved program refuses the multipliers")
 
 
 def inscribability(arrangement: Planes | DualPolyhedron) -> Inscribability:
