@@ -1,4 +1,4 @@
-"""What proofs about other loads on a grasp are worth for the next one.
+"""Trees that are not closed yet, and what closed ones of other loads are worth for the next.
 
 The load enters a tree in the works of its leaves alone. So the tree of another load is followed:
 where a leaf does not refute this load, the search goes on from there.
@@ -16,6 +16,22 @@ from .leaves import ExactLeaf, Leaves
 _MOST = 20_000
 #: A tree is followed where at most one leaf in this many, and so many others, are open.
 _SHARE, _OTHERS = 4, 4
+
+
+class OpenTree:
+    """A tree that is not closed yet.
+
+    Attributes:
+        waiting: open nodes, and their places.
+        splits: by states.
+        nodes, leaves, holes: how many were tried, closed and left open.
+    """
+
+    def __init__(self, root: Node) -> None:
+        self.top: list[Any] = [None]
+        self.waiting: list[tuple[Node, list[Any], int]] = [(root, self.top, 0)]
+        self.splits: dict[Node, OpenSplit] = {}
+        self.nodes, self.leaves, self.holes = 0, 0, 0
 
 
 class Memory:

@@ -26,15 +26,15 @@ from .cones import Node, OpenSplit, Pyramids, RoundCones, finished, split_of
 from .equilibria import proposals
 from .exact_parts import ExactParts, PyramidParts
 from .leaves import Leaves
-from .memory import Memory
+from .memory import Memory, OpenTree
 from .plane import decide_in_plane
 from .relaxation import Point, Ray, Relaxation
 from .states import SpatialContinuation, States, smooth_states
 
 #: Nodes of a tree, if not told otherwise, and random starts of the first search.
 NODES, _STARTS = 4000, 3
-#: Nodes of a tree that is tried before the random starts; whoever asks for no more gets none.
-_FEW = 20
+#: Nodes tried before exact programs, and before random starts; who asks for few gets neither.
+_FEW, _MORE = 20, 120
 #: After how many nodes without a leaf, at first, an equilibrium is looked for near a relaxation.
 _PATIENCE = 6
 #: Relative size below which a relaxation obeys the law.
@@ -132,16 +132,16 @@ class SpatialSearch:
         if leaf is not None:
             return leaf
         if self.memory.promises(root, self.leaves):
-            found = self._tree(root, _FEW, known=True)
+            found = self._tree(OpenTree(root), _FEW, known=True)
             if not isinstance(found, Open):
                 return found
-        few = self.nodes <= _FEW
+        few, tree = self.nodes <= _FEW, OpenTree(root)
         for i, motion in enumerate(self.smooth.starts(0 if few else _STARTS)):
             near = self._near(motion, 1.0)
             if near is not None:
                 return near
             if not i:
-                found = self._tree(root, min(_FEW, self.nodes))
+                found = self._tree(tree, min(_FEW, self.nodes))
                 if isinstance(found, Open) and isinstance(self.cones, RoundCones):
                     question = self.contacts.grasp, self.wrench, self.deadline, self.within
                     found = decide_in_plane(*question) or found
@@ -149,8 +149,11 @@ class SpatialSearch:
                     found = self._exact_equilibrium() or found
                 if few or not isinstance(found, Open):
                     return found
+                found = self._tree(tree, min(_MORE, self.nodes))
+                if not isinstance(found, Open):
+                    return found
                 self.exactly = True
-        return self._tree(root, self.nodes)
+        return self._tree(OpenTree(root) if tree.holes else tree, self.nodes)
 
     def _exact_equilibrium(self) -> Solution | None:
         """Return an equilibrium of states looked at since this was asked last, found exactly."""
@@ -223,41 +226,37 @@ class SpatialSearch:
             leaf = inner and self.leaves.leaf(states, inner)
         return leaf
 
-    def _tree(self, root: Node, most: int, known: bool = False) -> Solution | Any | Open:
-        """Search depth first; a node is filled in when all below it are closed.
-
-        Args:
-            known: what is remembered of a node is taken, and not counted.
-        """
-        top, splits = list[Any]([None]), dict[Node, OpenSplit]()
-        waiting: list[tuple[Node, list[Any], int]] = [(root, top, 0)]
-        nodes, leaves, holes = 0, 0, 0
-        self.idle, self.patience = 0, max(_PATIENCE, 2 * len(root))
-        while waiting and holes < _HOLES:
-            if nodes == most:
+    def _tree(self, tree: OpenTree, most: int, known: bool = False) -> Solution | Any | Open:
+        """Go on with a search, depth first; nodes that are known are taken, not counted."""
+        self.idle, self.patience = 0, max(_PATIENCE, 2 * len(self.contacts.grasp))
+        while tree.waiting and tree.holes < _HOLES:
+            nodes = tree.nodes
+            if nodes >= most:
                 return Open(f"after {nodes} nodes the tree is not closed", self.residual)
             if time.monotonic() > self.deadline:
-                raise TimeoutError(f"the time is over after {nodes} nodes, {leaves} of them closed")
-            states, parent, position = waiting.pop()
+                closed = f"{nodes} nodes, {tree.leaves} of them closed"
+                raise TimeoutError(f"the time is over after {closed}")
+            states, parent, position = tree.waiting.pop()
             found = self.memory.at(states, self.leaves) if known else None
             if found is None:
-                nodes, self.idle = nodes + 1, self.idle + 1
+                tree.nodes, self.idle = nodes + 1, self.idle + 1
                 found = self._node(states)
             if isinstance(found, Solution):
                 return found
             if isinstance(found, OpenSplit):
-                splits[states] = found
+                tree.splits[states] = found
                 parent[position] = found.node
-                waiting += reversed([(x, found.children, k) for k, x in enumerate(found.parts)])
+                parts = enumerate(found.parts)
+                tree.waiting += reversed([(x, found.children, k) for k, x in parts])
             elif found is not None:
-                parent[position], self.idle, leaves = found, 0, leaves + 1
+                parent[position], self.idle, tree.leaves = found, 0, tree.leaves + 1
             else:
                 # Further on there may be an equilibrium.
-                holes += 1
-        if holes:
+                tree.holes += 1
+        if tree.holes:
             return Open("a relaxation neither closes nor splits further", self.residual)
-        self.memory.keep(splits, self.leaves.found)
-        return finished(top[0])
+        self.memory.keep(tree.splits, self.leaves.found)
+        return finished(tree.top[0])
 
     def _node(self, states: Node) -> Solution | Any | OpenSplit | None:
         """Return an equilibrium, a leaf, a cut, or None where there is none of them."""
