@@ -53,8 +53,9 @@ from equilibrium.model.grasp import Grasp
 
 _BITS = 128
 _ONE = 1 << _BITS
-#: Halvings of one cell.
+#: Halvings of one cell; no coordinate has a larger denominator.
 MOST_CUTS = 200
+_FINEST = 1 << MOST_CUTS
 _NAMES: dict[str, Fraction | int] = {
     "degrees": 45,
     "length": 10**9,
@@ -160,6 +161,11 @@ class Affine(NamedTuple):
         """Return all negatives."""
         return Affine(-self.centre, tuple(-x for x in self.parts), self.rest)
 
+    def scaled(self, above: int, below: int = _ONE) -> Affine:
+        """Return the multiples by a ratio."""
+        centre, *parts = (x * above // below for x in (self.centre, *self.parts))
+        return Affine(centre, tuple(parts), -(-self.rest * abs(above) // below) + len(parts) + 1)
+
     def times(self, other: Affine) -> Affine:
         """Return the product; what is of second order is in the rest."""
         a, b = self.centre, other.centre
@@ -254,7 +260,9 @@ class _Uncertain:
         if all(e.high <= 0 for e in springs):
             return [0] * len(corners)
         normal, *across = self.moved(virtual)
-        slips = [slip for _, slip in corners]
+        slips, attached = [slip for _, slip in corners], all(e.low >= 0 for e in springs)
+        if attached and len(across) > 1 and (found := self._turned(normal, across, springs, slips)):
+            return found
         if len(across) > 1:
             rubs = [Affine(_largest(across, slips), (0,) * self.number)]
         else:
@@ -262,7 +270,7 @@ class _Uncertain:
             rubs = [one] * any(s.high >= 0 for (s,) in slips)
             rubs += [other] * any(s.low <= 0 for (s,) in slips)
         factors = [normal.plus(self.friction.times(rub).negative()) for rub in rubs]
-        least, attached = min(x.low for x in factors), all(e.low >= 0 for e in springs)
+        least = min(x.low for x in factors)
         found = []
         for e in springs:
             if e.low >= 0:
@@ -271,6 +279,68 @@ class _Uncertain:
                 work = min(least, 0) * max(e.high, 0) >> _BITS
             found.append(work if attached else min(work, 0))
         return found
+
+    def _turned(
+        self,
+        normal: Affine,
+        across: Sequence[Affine],
+        springs: Sequence[Affine],
+        slips: Sequence[Sequence[Affine]],
+    ) -> list[int]:
+        """Return the work where slips turn less than in `_turning`; else nothing.
+
+        With ``u . b <= g + h`` and a middle spring force f, ``e mu (g + h) <= e mu g + f mu h + mu
+        |e - f| |h|``.
+        """
+        found = _turning(across, slips)
+        if found is None:
+            return []
+        still, turns = found
+        middle = sum(e.centre for e in springs) // len(springs)
+        away = max(abs(e.centre - middle) + e.radius for e in springs)
+        rest = -(-away * max(h.size for h in turns) * self.friction.size >> 2 * _BITS)
+        factor = normal.plus(self.friction.times(still).negative())
+        pressed = self.friction.scaled(-middle)
+        pairs = zip(springs, turns, strict=True)
+        return [factor.times(e).plus(pressed.times(h)).low - rest for e, h in pairs]
+
+
+def _turning(
+    b: Sequence[Affine], slips: Sequence[Sequence[Affine]]
+) -> tuple[Affine, list[Affine]] | None:
+    """Return g, and h at each slip, so that ``u . b <= g + h`` for directions u of slips.
+
+    For slips in the hull of the given, h is to be interpolated. Let v and t be unit vectors along
+    and across the middle slip, of length r, and a slip ``s = |s| (v cos + t sin)``. Then ``u . b =
+    b . v + (b . t) (s . t) / r - (b . v) (1 - cos) + (b . t) sin (1 - |s| / r)``. None where some
+    slip may be a right angle away. v and t are rounded, at a cost below ``|b| 2^-90``.
+    """
+    ahead = [
+        sum(form.centre for form in column) // len(slips) for column in zip(*slips, strict=True)
+    ]
+    middle = math.isqrt(sum(x * x for x in ahead))
+    if middle < 1 << 100:
+        return None
+    x, y = ((x << _BITS) // middle for x in ahead)
+
+    def along(pair: Sequence[Affine], x: int, y: int) -> Affine:
+        one, other = pair
+        return one.scaled(x).plus(other.scaled(y))
+
+    still, turn = along(b, x, y), along(b, -y, x)
+    parts = [(along(slip, x, y), along(slip, -y, x)) for slip in slips]
+    least = min(forth.low for forth, _ in parts)
+    if least <= 0:
+        return None
+    tangent = max(-(-(side.size << _BITS) // forth.low) for forth, side in parts) + (1 << 40)
+    if tangent > _ONE:
+        return None
+    longest = max(_length((forth.size, side.size)) for forth, side in parts)
+    uneven = -(-(max(longest - middle, middle - least) << _BITS) // middle)
+    rest = max(-still.low, 0) * tangent * tangent // 2 + turn.size * tangent * uneven
+    rest = -(-rest >> 2 * _BITS) + (_length(x.size for x in b) >> 90) + 1
+    turns = [turn.times(side.scaled(_ONE, middle)) for _, side in parts]
+    return still._replace(rest=still.rest + rest), turns
 
 
 def _largest(b: Sequence[Affine], slips: Sequence[Sequence[Affine]]) -> int:
@@ -346,8 +416,8 @@ class Box:
                 yield k, [(end, end) if j == k else range_ for j, range_ in enumerate(ranges)]
 
     def motion(self, y: RationalVector) -> tuple[IntegerVector, IntegerVector]:
-        """Return a multiple of the homogeneous motion of a corner, and of the load besides."""
-        shares = primitive((1, *y)) if self.closed else primitive(y)
+        """Return one multiple, the same for all corners, of homogeneous motion and load besides."""
+        shares = [int(x * _FINEST) for x in ((Fraction(1),) * self.closed + tuple(y))]
         motion = tuple(dot(shares, column) for column in zip(*self.rows, strict=True))
         if not self.closed:
             return motion, ()

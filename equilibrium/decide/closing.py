@@ -28,7 +28,7 @@ from equilibrium.model.unit_normal import unit_normal
 from . import RESISTED
 
 #: Sample grasps, fewer of many contacts; cells of one search; vectors of a hull.
-_SAMPLES, _CELLS, _STEPS = 64, 3000, 30
+_SAMPLES, _CELLS, _STEPS = 64, (24, 200, 3000), 30
 #: A cell whose longest edge is shorter, as a share of its face, is given up.
 _LEAST = Fraction(1, 2**14)
 #: Directions of friction that are told apart in space.
@@ -147,14 +147,17 @@ class Closing:
         return self.grasp_at(self.signs[best])
 
     def proofs(self) -> Iterator[dict[str, Any]]:
-        """Yield proofs, as parts of a document."""
+        """Yield proofs, as parts of a document: of few cells in any box before many in one."""
         yes = self.found.verdict == RESISTED
-        for form in self._boxes() if yes else [{"scales": self._scales()}]:
-            box, faces, self.left = (
-                Box(self.grasp, self.found.wrench, self.bounds, form),
-                [],
-                _CELLS,
-            )
+        forms = list(self._boxes()) if yes else [{"scales": self._scales()}]
+        if not yes and (leaf := self._common()):
+            box = Box(self.grasp, self.found.wrench, self.bounds, forms[0])
+            faces = [leaf for _ in box.faces()]
+            yield {"bounds": self.bounds.to_dict(), "box": _texts(forms[0]), "faces": faces}
+        for cells, form in product(_CELLS, forms):
+            self.left = cells
+            box = Box(self.grasp, self.found.wrench, self.bounds, form)
+            faces = list[Any]()
             for fixed, ranges in box.faces():
                 faces.append(self._node(box, fixed, ranges))
                 if faces[-1] is None:
@@ -173,16 +176,17 @@ class Closing:
         if box.rest:
             tried = iter([(loads * self.units).mean(axis=0)])
         else:
-            tried = self._virtual(motions / np.abs(motions).max(axis=1)[:, None], loads)
+            tried = self._virtual(motions / np.abs(motions).max(), loads)
         for virtual in tried:
-            shares = [Fraction(round(2**30 * x), 2**30) for x in virtual / abs(virtual).max()]
-            leaf = tuple(x * Fraction(u) for x, u in zip(shares, self.units.tolist(), strict=True))
+            leaf, texts = self._leaf(virtual)
             if box.holds(leaf, ranges):
-                return _texts(leaf)
+                return texts
         sizes = [high - low for low, high in ranges]
-        k = sizes.index(max(sizes))
+        fine, k = max(sizes) <= _LEAST or box.rest, sizes.index(max(sizes))
+        if self.d == 3 and not fine:
+            k = self._steepest(ranges, motions)
         children: list[Any] = []
-        for half in halves(ranges, k) if sizes[k] > _LEAST and not box.rest else ():
+        for half in halves(ranges, k) if not fine else ():
             children.append(self._node(box, fixed, half))
             if children[-1] is None:
                 break
@@ -200,9 +204,12 @@ class Closing:
         share, m = motions[:, 0], len(self.grasp)
         spring = self.preload[..., None] * share
         spring = spring - self.stiffness[..., None] * (self.normal @ motions[:, 1:].T)
-        rub = np.einsum("muk,mvkn->mvun", self._slips(motions), self.tangent)
-        forces = (self.normal[:, :, None] - self.friction[..., None, None] * rub) * self.units
+        # For each contact, sample, corner and direction of slip.
+        rub = np.einsum("mvjuk,mvkn->mvjun", self._slips(motions), self.tangent)
+        forces = self.normal[:, :, None, None] - self.friction[..., None, None, None] * rub
+        forces = forces * self.units
         attached = spring.min(axis=(1, 2), initial=np.inf) >= 0
+        forces = forces.transpose(0, 1, 3, 2, 4)
         ways = forces.shape[1] * forces.shape[2]
         spring = np.maximum(spring, 0)
         base = self.wrench * self.units * share[:, None]
@@ -211,13 +218,14 @@ class Closing:
         hull, known = list(pull / np.abs(pull).max(initial=1e-300) * unit), len(pull)
         owners: list[Any] = [None] * known
         virtual, weights, each = np.ones(self.n), np.zeros(0), np.arange(m)[:, None]
+        corner = np.arange(len(share))
         for step in range(_STEPS):
-            work = ((forces @ virtual)[..., None] * spring[:, :, None]).reshape(m, ways, len(share))
+            work = ((forces @ virtual) * spring[:, :, None]).reshape(m, ways, len(share))
             chosen = work.argmin(axis=1)
             sample, way = np.divmod(chosen, forces.shape[2])
             used = attached[:, None] | (np.take_along_axis(work, chosen[:, None], 1)[:, 0] < 0)
             factor = used * np.take_along_axis(spring, sample[:, None], 1)[:, 0]
-            rest = base + np.einsum("mj,mjn->jn", factor, forces[each, sample, way])
+            rest = base + np.einsum("mj,mjn->jn", factor, forces[each, sample, way, corner])
             works, square = rest @ virtual, virtual @ virtual
             works[(share == 0) & (np.abs(rest).max(axis=1) < 1e-12 * unit)] = np.inf
             if step and works.min() > 0.3 * square and all(x @ virtual > 0 for x in hull[:known]):
@@ -243,19 +251,74 @@ class Closing:
             self.against.append(sum(w * one for w, one in pairs) / sum(w for w, _ in pairs))
 
     def _slips(self, motions: Floats) -> Floats:
-        """Return directions of slip that may be in a cell, some for each contact."""
+        """Return directions of slip, some for each contact, sample and corner of a cell.
+
+        In space that at the corner alone where slips turn little, as in `certificate.robust`.
+        """
         slips = np.einsum("mvkn,jn->mvjk", self.tangent, motions[:, 1:])
         if self.d == 2:
             low, high = slips.min(axis=(1, 2)), slips.max(axis=(1, 2))
-            return np.stack([np.where(high < 0, -1.0, 1.0), np.where(low > 0, 1.0, -1.0)], axis=1)
+            ends = np.stack([np.where(high < 0, -1.0, 1.0), np.where(low > 0, 1.0, -1.0)], axis=1)
+            return np.broadcast_to(ends[:, None, None], (*slips.shape[:3], 2, 1))
         middle = slips.mean(axis=(1, 2))
+        size = np.linalg.norm(middle, axis=1)[:, None, None]
+        ahead = middle / np.where(size[:, 0] > 0, size[:, 0], 1)
+        side = np.stack([-ahead[:, 1], ahead[:, 0]], axis=1)
+        forth, turn = (np.einsum("mvjk,mk->mvj", slips, x) for x in (ahead, side))
+        near = (forth > 2 * np.abs(turn)).all(axis=(1, 2)) & (size[:, 0, 0] > 0)
+        share = turn / np.where(size > 0, size, 1)
+        linear = ahead[:, None, None] + share[..., None] * side[:, None, None]
+        if near.all():
+            return np.asarray(linear[:, :, :, None])
         angles = np.arctan2(slips[..., 1], slips[..., 0])
         at = np.arctan2(middle[:, 1], middle[:, 0])
         away = np.abs((angles - at[:, None, None] + np.pi) % (2 * np.pi) - np.pi).max(axis=(1, 2))
         moves = np.abs(slips).max(axis=3).min(axis=(1, 2)) > 0
         reach = np.where((away < 1.5) & moves, away, np.pi)
         spread = at[:, None] + reach[:, None] * np.linspace(-1, 1, _AROUND)
-        return np.stack([np.cos(spread), np.sin(spread)], axis=-1)
+        fan = np.stack([np.cos(spread), np.sin(spread)], axis=-1)[:, None, None]
+        return np.where(near[:, None, None, None, None], linear[:, :, :, None], fan)
+
+    def _common(self) -> Any:
+        """Return a virtual motion on which no contact within bounds does work below 0, if any."""
+        from scipy.optimize import linprog  # slow to load, and few verdicts need it
+
+        around = np.arange(2 if self.d == 2 else 2 * _AROUND)
+        turn = 2 * np.pi * around / len(around)
+        slips = np.stack([np.cos(turn), np.sin(turn)], axis=1)[:, : self.d - 1]
+        rub = np.einsum("uk,mvkn->mvun", slips, self.tangent)
+        rows = (self.normal[:, :, None] - self.friction[..., None, None] * rub) * self.units
+        rows = np.vstack([rows.reshape(-1, self.n), self.wrench * self.units])
+        room = np.linalg.norm(rows, axis=1) * 0.03
+        cost = np.append(np.zeros(self.n), -1.0)
+        bounds = [(-1, 1)] * self.n + [(0, 1)]
+        found = linprog(cost, np.column_stack([-rows, room]), np.zeros(len(rows)), bounds=bounds)
+        return self._leaf(found.x[:-1])[1] if found.x is not None and found.x[-1] > 1e-6 else None
+
+    def _leaf(self, virtual: Floats) -> tuple[RationalVector, Any]:
+        """Return a virtual motion in units as exact numbers near, and as texts."""
+        shares = [Fraction(round(2**30 * x), 2**30) for x in virtual / abs(virtual).max()]
+        leaf = tuple(x * Fraction(u) for x, u in zip(shares, self.units.tolist(), strict=True))
+        return leaf, _texts(leaf)
+
+    def _steepest(self, ranges: list[RationalVector], motions: Floats) -> int:
+        """Return the coordinate along which friction turns most in a cell, and springs let go."""
+        spring = self.preload.mean(axis=1)[:, None] * motions[:, 0]
+        spring = spring - self.stiffness[:, :1] * (self.normal.mean(axis=1) @ motions[:, 1:].T)
+        slips = np.einsum("mkn,jn->mjk", self.tangent.mean(axis=1), motions[:, 1:])
+        size = np.linalg.norm(slips.mean(axis=1), axis=1) + 1e-12
+        mixed = (spring.min(axis=1) < 0) & (spring.max(axis=1) > 0)
+        rub = self.friction[:, 0] * np.maximum(spring, 0).mean(axis=1)
+        gains = np.full(len(ranges), -1.0)
+        longest = max(high - low for low, high in ranges)
+        for k, (low, high) in enumerate(ranges):
+            if 16 * (high - low) <= longest:
+                continue
+            up = np.array([x[k] == high for x in corners_of(ranges)])
+            turn, lift = (x[:, up].mean(axis=1) - x[:, ~up].mean(axis=1) for x in (slips, spring))
+            turned = np.minimum(np.linalg.norm(turn, axis=1) / size, 2)
+            gains[k] = rub @ turned + mixed @ np.abs(lift)
+        return int(gains.argmax())
 
     def _scales(self) -> RationalVector:
         """Return sizes of motions at which load and preload matter."""

@@ -13,7 +13,7 @@ from arrangement.errors import InputError
 from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp, Solver, solve
 from equilibrium.certificate.checker import check
-from equilibrium.certificate.robust import Bounds, _Uncertain
+from equilibrium.certificate.robust import Affine, Bounds, _turning, _Uncertain
 from equilibrium.cli.program import main
 from equilibrium.decide.closing import moved
 from equilibrium.grasps.files import read_grasp
@@ -383,6 +383,48 @@ def test_contacts_within_bounds_do_at_least_what_is_counted(dimension):
             assert work >= least - 1e-9 * (1 + abs(least))
             tight += spring > 0 and work < least + abs(least) / 4 + 1e-3
     assert tight > 8
+
+
+@pytest.mark.parametrize("reach", [Fraction(1, 50), Fraction(1, 2), Fraction(2)])
+def test_directions_of_slips_that_turn_little_are_bounded_linearly(reach):
+    """``u . b`` at the ends of all forms, for slips in the hull of the given."""
+    source, one, bounded = Random(f"turning {reach}"), 2**128, 0
+
+    def form(x, size):
+        parts = [int(size * source.uniform(-1, 1) * one) for _ in range(2)]
+        return Affine(int(x * one), tuple(parts), abs(int(size * one / 8)))
+
+    def number(form, at):
+        return (form.centre + sum(x * p for x, p in zip(at, form.parts, strict=False))) / one
+
+    for _ in range(120):
+        b = [form(source.uniform(-3, 3), source.choice([0, 0.1])) for _ in range(2)]
+        angle, length = source.uniform(-4, 4), source.choice([1, 5])
+        middle = [length * math.cos(angle), length * math.sin(angle)]
+        slips = [
+            [form(x + reach * source.uniform(-1, 1), reach / 10) for x in middle] for _ in range(4)
+        ]
+        found = _turning(b, slips)
+        if found is None:
+            assert reach > 1 / 50
+            continue
+        still, turns = found
+        bounded += 1
+        for _ in range(20):
+            at, z = [source.choice([-1, 1]) for _ in range(2)], source.choice([-1, 1])
+            weights = [source.random() for _ in slips]
+            rows = [[number(x, at) + z * x.rest / one for x in slip] for slip in slips]
+            slip = [dot(weights, column) for column in zip(*rows, strict=True)]
+            work = sum(x * number(y, at) for x, y in zip(slip, b, strict=True)) / math.hypot(*slip)
+            whole = sum(weights)
+            least = [number(f, at) + f.rest / one for f in (still, *turns)]
+            most = least[0] + dot(weights, least[1:]) / whole
+            pairs = zip(slip, b, strict=True)
+            work += sum(abs(x) * y.rest / one for x, y in pairs) / math.hypot(*slip)
+            assert work <= most + 1e-9
+            if reach < 1 / 2:
+                assert most < work + 6 * reach
+    assert bounded > 20
 
 
 @pytest.mark.parametrize("motions", [[(1, 0, -1, 0)], [(1, 2, -1, 0), (1, -2, -1, 0)]])
