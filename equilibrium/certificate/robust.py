@@ -76,11 +76,11 @@ class Bounds(Shown):
     Fraction(1, 20)
     """
 
-    degrees: Fraction = Fraction(0)
-    length: Fraction = Fraction(0)
-    friction: Fraction = Fraction(0)
-    stiffness: Fraction = Fraction(0)
-    preload: Fraction = Fraction(0)
+    degrees: Fraction
+    length: Fraction
+    friction: Fraction
+    stiffness: Fraction
+    preload: Fraction
 
     def __init__(self, **given: Any) -> None:
         for name, most in _NAMES.items():

@@ -13,7 +13,7 @@ from arrangement.errors import InputError
 from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp, Solver, solve
 from equilibrium.certificate.checker import check
-from equilibrium.certificate.robust import Affine, Bounds, _turning, _Uncertain
+from equilibrium.certificate.robust import Affine, Bounds, _largest, _turning, _Uncertain
 from equilibrium.cli.program import main
 from equilibrium.decide.closing import moved
 from equilibrium.grasps.files import read_grasp
@@ -385,6 +385,55 @@ def test_contacts_within_bounds_do_at_least_what_is_counted(dimension):
     assert tight > 8
 
 
+def test_bounds_have_ends_and_forms_their_sizes():
+    most = {"degrees": 45, "length": 10**9, "friction": "99/100", "preload": "99%"}
+    assert Bounds(**most).friction == Fraction(99, 100)
+    for name, most_of in most.items():
+        past = Fraction(str(most_of).removesuffix("%")) + Fraction(1, 10**6)
+        with pytest.raises(GraspError, match="give a number from 0 to"):
+            Bounds(**{name: f"{past}%" if name == "preload" else past})
+    assert str(Bounds()) == "no change"
+    form = Affine(-3, (1, -2))
+    assert (form.low, form.high, form.size) == (-6, 0, 6)
+
+
+def test_directions_of_slips_in_a_cone_do_at_most_what_is_counted():
+    source, one, tight = Random("cone"), 2**128, 0
+    for _ in range(200):
+        b = [source.uniform(-3, 3) for _ in range(2)]
+        middle = [source.uniform(-2, 2) for _ in range(2)]
+        slips = [[x + source.uniform(-0.5, 0.5) for x in middle] for _ in range(3)]
+        forms, *rows = ([Affine(int(x * one), ()) for x in v] for v in (b, *slips))
+        counted = _largest(forms, rows) / one
+        for _ in range(20):
+            weights = [source.choice([0, source.random()]) for _ in slips]
+            slip = [dot(weights, column) for column in zip(*slips, strict=True)]
+            if size := math.hypot(*slip):
+                work = dot(slip, b) / size
+                assert work <= counted + 1e-9
+                tight += counted < min(work + 0.05, math.hypot(*b) - 0.05)
+    assert tight > 300
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_contacts_at_rest_do_at_least_what_is_counted(dimension):
+    source, n = Random(f"rest {dimension}"), 3 * dimension - 3
+    for _ in range(60):
+        c = random_contact(source, dimension)
+        bounded = _Uncertain(c, NEAR)
+        least = c.friction * c.preload * Fraction(19, 20) * Fraction(4, 5)
+        force = (least, *[Fraction(0)] * (dimension - 2))
+        assert _Uncertain(c, Bounds()).at_rest((c.friction * c.preload, *force[1:])) is not None
+        assert bounded.at_rest((least + Fraction(1, 10**6), *force[1:])) is None
+        half = tuple(x / 2 for x in force)
+        virtual = tuple(Fraction(source.randint(-3, 3)) for _ in range(n))
+        counted = bounded.rest_work(virtual, bounded.at_rest(half)) / 2**128
+        other = at_the_bounds(source, c)
+        work = other.preload * dot(other.normal_wrench, virtual)
+        pairs = zip(half, other.tangential_wrenches, strict=True)
+        assert work + sum(x * dot(row, virtual) for x, row in pairs) >= counted - 1e-9
+
+
 @pytest.mark.parametrize("reach", [Fraction(1, 50), Fraction(1, 2), Fraction(2)])
 def test_directions_of_slips_that_turn_little_are_bounded_linearly(reach):
     """``u . b`` at the ends of all forms, for slips in the hull of the given."""
@@ -465,6 +514,12 @@ def halved(k, d):
     return [{"cut": k, "children": d["faces"][:2]}]
 
 
+def deep(cuts, node):
+    for _ in range(cuts):
+        node = {"cut": 1, "children": [node, node]}
+    return node
+
+
 def flat(rows):
     return [rows[0], rows[0], rows[2]]
 
@@ -500,6 +555,8 @@ def test_a_forged_proof_for_all_is_refused(yes, change):
         ("expected 7", False, lambda d: d["faces"].pop()),
         ("does not fix", True, lambda d: d.update(faces=halved(0, d) * 6)),
         ("does not fix", True, lambda d: d.update(faces=halved(3, d) * 6)),
+        ("does not fix", True, lambda d: d.update(faces=halved(True, d) * 6)),
+        ("up to 200 times", True, lambda d: d["faces"].__setitem__(0, deep(201, d["faces"][0]))),
         ("unknown key", True, lambda d: d.update(certificate="not resisted")),
         ("unknown key", False, lambda d: d.update(certificate="resisted")),
         ("unknown key", True, lambda d: d.update(pyramid=4)),
