@@ -174,6 +174,7 @@ class TestRobust:
         report = check(found.certificate.to_dict(), question=(self.grasp, wrench))
         assert report
         assert (report.kind, report.bounds) == ("resisted", Bounds(**bounds))
+        assert report.leaves == str(found.certificate.to_dict()["faces"]).count("['")
 
     def test_a_no_is_proved_for_all(self):
         grasp = Grasp([Contact([0, -1], [0, 1], "1/2"), Contact([1, -1], [0, 1], "1/2")])
@@ -393,6 +394,10 @@ def test_bounds_have_ends_and_forms_their_sizes():
         with pytest.raises(GraspError, match="give a number from 0 to"):
             Bounds(**{name: f"{past}%" if name == "preload" else past})
     assert str(Bounds()) == "no change"
+    assert 0 <= Bounds(degrees=45).angle - math.pi / 4 < 1e-6
+    turned = _Uncertain(Contact([0, 0], [0, 1], 1), Bounds(degrees=2, friction="5%"))
+    assert 0 <= turned.lost.low / 2**128 - (1 - math.cos(math.radians(2))) < 1e-6
+    assert 0 <= turned.friction.low - 2**128 * Fraction(19, 20) + 2 < 4
     form = Affine(-3, (1, -2))
     assert (form.low, form.high, form.size) == (-6, 0, 6)
 
