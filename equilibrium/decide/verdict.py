@@ -98,8 +98,12 @@ class Verdict:
         Pieces may touch; none lies in another. Of a piece with many solutions, the reported one
         has the least ``|d|^2``, and among those the least ``|c|^2``, both exact. To find all
         takes far longer than the verdict where there are many contacts.
+
+        Raises:
+            UndecidedError: whether there are any is not known.
+            GraspError: there are some, and the grasp is in space.
         """
-        return () if self.solution is None else self._all(self.wrench)
+        return self._all(self.wrench) if self.stable else ()
 
     @cached_property
     def states(self) -> tuple[str, ...]:

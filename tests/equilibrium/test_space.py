@@ -7,6 +7,7 @@ from collections import Counter
 from dataclasses import replace
 from fractions import Fraction
 from itertools import product
+from operator import attrgetter
 from random import Random
 from types import SimpleNamespace
 
@@ -21,6 +22,7 @@ from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.cli.program import main
 from equilibrium.decide.solver import Solver, solve
+from equilibrium.decide.verdict import Verdict
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import random_grasp, random_wrench, read_any
 from equilibrium.grasps.schemas import certificate_schema
@@ -663,7 +665,8 @@ class TestAnswers:
     def test_an_undecided_verdict_is_neither_yes_nor_no(self):
         found = solve(read_grasp("peg-in-a-hole"), (0, 0, "-3/2", 0, 0, 0), nodes=1)
         assert (found.verdict, found.certificate) == ("undecided", None)
-        for question in (bool, lambda x: x.stable, lambda x: x.verify()):
+        names = ("stable", "equilibria", "proof")
+        for question in (bool, Verdict.verify, *map(attrgetter, names)):
             with pytest.raises(UndecidedError, match="after 1 nodes"):
                 question(found)
         assert found.to_dict()["verdict"] == "undecided"
