@@ -36,7 +36,7 @@ from .states import SpatialContinuation
 _SMALL_MOTION = 1e-3
 #: Where no ray has more room than minus this, there is none.
 _NO_ROOM = 1e-6
-#: Frictions and stiffnesses further apart than this are uneven.
+#: Frictions above this, or stiffnesses further apart, are uneven.
 _UNEVEN = 100.0
 #: Whether a contact touches is asked before how it slips, by this factor.
 _FIRST = 3.0
@@ -137,9 +137,9 @@ class Relaxation:
         self.settings.presolve_enable = False
         self.settings.max_threads = 1
         # Refined steps take a third of the time, and matter only where sizes are far apart.
-        sizes = [np.maximum(c.friction, 1.0), self.stiffness]
-        uneven = max((float(x.max() / x.min()) for x in sizes if x.size), default=1.0) > _UNEVEN
-        self.settings.iterative_refinement_enable = uneven
+        spread = self.stiffness.max(initial=0.0) / self.stiffness.min(initial=np.inf)
+        uneven = max(spread, c.friction.max(initial=0.0)) > _UNEVEN
+        self.settings.iterative_refinement_enable = bool(uneven)
         self._block = cache(self._new_block)
 
     def _new_block(self, i: int, state: State) -> _Block:

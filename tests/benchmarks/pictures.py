@@ -26,6 +26,8 @@ def picture_table() -> None:
     )  # fmt: skip
     planes = ("arrangement", "planes", lambda m, seed: random_integer(m, 3, seed=seed).to_dict())
     walls = ("equilibrium", "walls", lambda m, _: read_grasp(f"box-{m}-walls").to_dict())
+    ball = read_grasp("three-fingers-on-a-ball").to_dict()
+    fingers = ("equilibrium", "fingers", lambda *_: ball)
     for (program, things, make), size, options in (
         (grasp, 30, ["--wrench", "0", "-1", "0", "-o", "a.svg"]),
         (grasp, 12, ["--view", "resist", "-o", "a.svg"]),
@@ -33,6 +35,7 @@ def picture_table() -> None:
         (loaded, 6, ["--view", "wrench-set", "-o", "a.svg"]),
         (walls, 3, ["--view", "slice", "-o", "a.svg"]),
         (walls, 4, ["--view", "slice", "-o", "a.svg"]),
+        (fingers, 3, ["--view", "slice", "-o", "a.svg"]),
         (planes, 30, ["--view", "dual", "-o", "a.svg"]),
     ):
         times = sorted(

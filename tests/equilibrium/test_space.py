@@ -403,7 +403,7 @@ def test_questions_that_are_not_in_general_position_are_decided(kind):
         *(("common point", seed) for seed in (1, 25, 35)),
         ("huge friction", 9),
         # Floats miss the forces; decimals do not.
-        *(("huge friction", seed) for seed in (41, 51)),
+        *(("huge friction", seed) for seed in (41, 51, 97)),
         *(("unequal stiffness", seed) for seed in (22, 94)),
     ],
 )
@@ -411,12 +411,15 @@ def test_what_floats_leave_open_is_decided(kind, seed):
     assert decided(kind, [seed]) == 1
 
 
+#: Of 200 (with huge friction, of which some take minutes, of 100), those left open.
+OPEN = {"huge friction": 1, "unequal stiffness": 4, "line": 3, "box": 4}
+
+
 @pytest.mark.campaign
 @pytest.mark.parametrize("kind", exotic.KINDS)
 def test_most_questions_that_are_not_in_general_position_are_decided(kind):
-    harder = ("huge friction", "unequal stiffness", "line", "box")
-    size = 15 if kind == "huge friction" else 40  # of which each takes seconds
-    assert decided(kind, range(100, 100 + size)) >= size - (3 if kind in harder else 1)
+    size = 100 if kind == "huge friction" else 200
+    assert decided(kind, range(size)) >= size - OPEN.get(kind, 0)
 
 
 def test_without_friction_a_load_is_resisted_if_normals_alone_balance_it():
