@@ -289,9 +289,9 @@ class Closing:
         rub = np.einsum("uk,mvkn->mvun", slips, self.tangent)
         rows = (self.normal[:, :, None] - self.friction[..., None, None] * rub) * self.units
         rows = np.vstack([rows.reshape(-1, self.n), self.wrench * self.units])
-        room = np.linalg.norm(rows, axis=1) * 0.03
+        room = np.linalg.norm(rows, axis=1)
         cost = np.append(np.zeros(self.n), -1.0)
-        bounds = [(-1, 1)] * self.n + [(0, 1)]
+        bounds = [(-1, 1)] * self.n + [(0, None)]
         found = linprog(cost, np.column_stack([-rows, room]), np.zeros(len(rows)), bounds=bounds)
         return self._leaf(found.x[:-1])[1] if found.x is not None and found.x[-1] > 1e-6 else None
 

@@ -227,6 +227,25 @@ class TestRobust:
             other = Grasp(moved(c, row, found.bounds) for c, row in pairs)
             assert solve(other, verdict.wrench).stable == verdict.stable
 
+    @pytest.mark.parametrize(
+        ("seed", "m", "kind", "bounds"),
+        [
+            (5, 4, "resisted", {"degrees": "1/32", "friction": "0.125%"}),
+            (6, 5, "not resisted", {"degrees": "1/16", "friction": "0.25%"}),
+        ],
+    )
+    def test_in_space_contacts_may_slip(self, seed, m, kind, bounds):
+        from equilibrium.grasps.inputs import random_grasp, random_wrench
+
+        grasp = random_grasp(m, seed, dimension=3)
+        wrench = random_wrench(seed, dimension=3, bound=1)
+        verdict = solve(grasp, wrench)
+        found = verdict.robust(**bounds)
+        report = check(found.certificate.to_dict(), question=(grasp, wrench))
+        assert (report.kind, report.bounds) == (kind, Bounds(**bounds))
+        assert report
+        assert kind == "not resisted" or verdict.states.count("slip") == 3
+
     @pytest.mark.parametrize("turn", [0, "1/10"])
     def test_in_space_a_yes_and_a_no_are_proved_for_all(self, turn):
         verdict = solve(Grasp(SPATIAL), (0, 0, "1/10", 0, 0, turn))
