@@ -141,7 +141,6 @@ def _list(arguments: argparse.Namespace) -> int:
 def _solve(arguments: argparse.Namespace) -> int:
     from equilibrium.decide.solver import solve
     from equilibrium.grasps.files import write_certificate
-    from equilibrium.methods.contact_laws.printed_model import solve_literal
     from equilibrium.model.errors import GraspError
 
     if arguments.literal and arguments.certificate is not None:
@@ -150,6 +149,8 @@ def _solve(arguments: argparse.Namespace) -> int:
     wrench = applied(arguments, grasp)
     bounds = range_given(arguments)
     if arguments.literal:
+        from equilibrium.methods.contact_laws.printed_model import solve_literal
+
         if set(bounds.values()) != {None}:
             raise GraspError("a literal reading has no largest turn or force; omit one of the two")
         literal = solve_literal(grasp, wrench, arguments.literal)

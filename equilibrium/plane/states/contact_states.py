@@ -17,7 +17,6 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from arrangement import counts
 from arrangement.enumeration.choose import most_faces
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector
@@ -49,6 +48,8 @@ def state_codes(grasp: Grasp) -> Codes:
     parts = []
     number = most_faces(len(planes.distinct), planes.rank, planes.is_central)
     if budget.excess(bytes=24 * number * len(grasp)) > 1:
+        from arrangement import counts
+
         number = sum(counts.f_vector(planes)[1:])
     budget.ask(
         f"{number:,} choices of states of {len(grasp)} contacts",
