@@ -2,14 +2,14 @@
 
 Require Import ZArith Extraction ExtrOcamlZBigInt.
 Require Import Checker Soundness Counting Whitney Claims FinalPolynomials.
-Require Import SpatialChecker SpatialSoundness Inscribed.
+Require Import SpatialChecker SpatialSoundness Inscribed Weights.
 
 (** One line beyond the standard library's: without it, gcd counts down bits one by one. *)
 Extract Constant Z.gcd => "Big_int_Z.gcd_big_int".
 
 Extraction "checker.ml" check
   count_regions count_faces characteristic_polynomial code complete_regions complete_faces
-  final check3 contradicts.
+  final check3 contradicts satisfies.
 
 Print Assumptions not_resisted.
 Print Assumptions resisted.
@@ -50,3 +50,4 @@ Print Assumptions not_resisted_in_space.
 Print Assumptions resisted_in_space.
 
 Print Assumptions no_weights.
+Print Assumptions weights_hold.

@@ -28,7 +28,7 @@ cd _build
 for file in Model Checker Numbers Rows Leaves Regions Witness Soundness \
   Planes Sides Rank Recursion Counting Whitney Bounds General Sphere Merge Dual Claims \
   FinalPolynomials SpatialModel SpatialChecker Arcs SpatialNumbers SpatialSoundness \
-  Inscribed; do
+  Inscribed Weights; do
   echo "coqc $file.v"
   coqc "$file.v"
 done

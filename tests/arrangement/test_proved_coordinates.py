@@ -15,8 +15,12 @@ import pytest
 
 from arrangement import ArrangementError, inscribability
 from arrangement.console import proved_program
-from arrangement.duals.inscribed.certificates import Certificate, FarkasCertificate
-from arrangement.duals.inscribed.proved import multipliers_document, proved_without_weights
+from arrangement.duals.inscribed.certificates import (
+    Certificate,
+    FarkasCertificate,
+    WeightCertificate,
+)
+from arrangement.duals.inscribed.proved import conditions_document, proved_conditions
 from arrangement.duals.inscribed.search import decide
 from arrangement.errors import InputError
 from arrangement.library.census.catalogue import without_coordinates
@@ -64,7 +68,7 @@ def forged(signs: list[int], proof: list[OrderedProducts], source: Random) -> Ca
     """Change a proof, or the signs that it is about, in one place."""
     k = source.randrange(len(proof))
     row = proof[k]
-    pick = source.randrange(7)
+    pick = source.randrange(8)
     if pick == 0:
         at = source.randrange(len(signs))
         signs = [*signs[:at], source.choice([-1, 0, 1]), *signs[at + 1 :]]
@@ -82,7 +86,9 @@ def forged(signs: list[int], proof: list[OrderedProducts], source: Random) -> Ca
     elif pick == 5:
         a, b, c, d, e = source.sample(row.relation, 5)
         row = row._replace(relation=(a, b, c, d, e))
-    middle = [] if pick == 6 else [row]
+    # The same products, by a strict comparison a negative number of times, or by an equation.
+    parts = [row._replace(times=row.times + 3), row._replace(times=-3)] if pick == 7 else [row]
+    middle = [] if pick == 6 else parts
     return signs, [*proof[:k], *middle, *proof[k + 1 :]]
 
 
@@ -186,11 +192,11 @@ def holds(refutation: Certificate) -> bool:
 @built
 def test_forged_multipliers_are_refused_and_both_checkers_agree(tmp_path):
     source, found = Random("multipliers"), refutations()
-    assert all(map(proved_without_weights, found))
+    assert all(map(proved_conditions, found))
     given = [refutation for refutation in found if isinstance(refutation, FarkasCertificate)]
     assert any(refutation.cuts for refutation in given)
     forged = [with_other_multipliers(source.choice(given), source) for _ in range(400)]
-    said = answers(map(multipliers_document, forged), tmp_path)
+    said = answers(map(conditions_document, forged), tmp_path)
     words = {True: "accepted: no weights", False: "refused: no weights"}
     assert said == [words[holds(refutation)] for refutation in forged]
     # A larger multiplier of both bounds of an edge changes the constant alone.
@@ -200,15 +206,15 @@ def test_forged_multipliers_are_refused_and_both_checkers_agree(tmp_path):
 @built
 def test_the_graph_is_read_as_it_is(tmp_path):
     certificate = refutations()[0]
-    (line,) = answers([multipliers_document(certificate)], tmp_path, "--question")
+    (line,) = answers([conditions_document(certificate)], tmp_path, "--question")
     graph = certificate.graph
     edges = list(map(list, graph.edges))
     assert json.loads(line) == {"vertices": graph.vertex_count, "edges": edges}
 
 
 @built
-def test_other_forms_of_multipliers_are_malformed_and_weights_are_not_asked(tmp_path):
-    good = multipliers_document(refutations()[-2])
+def test_other_forms_of_multipliers_are_malformed(tmp_path):
+    good = conditions_document(refutations()[-2])
     changes: list[dict[str, Any]] = [
         *({"edges": [row]} for row in ([0, 1, "0"], [0, 99, "0", "0"], [0, 1, 0.5, "0"], None)),
         *({"cutsets": [row]} for row in ([[0, 1]], [[0, 99], "1"], [["0"], "1"], [[0], "x"])),
@@ -220,6 +226,51 @@ def test_other_forms_of_multipliers_are_malformed_and_weights_are_not_asked(tmp_
     first, *rest = answers([good, *({**good, **change} for change in changes)], tmp_path)
     assert first == "accepted: no weights"
     assert [line.partition(":")[0] for line in rest] == ["malformed"] * len(changes)
-    with pytest.raises(InputError, match="these are weights"):
-        inscribability(generic(3)).verify(proved=True)
     inscribability(generic(5)).verify(proved=True)
+
+
+def with_other_weights(certificate: WeightCertificate, source: Random) -> WeightCertificate:
+    """Change weights: of one edge, or by turns along a closed walk, which keeps all sums."""
+    graph = certificate.graph
+    weights = dict(zip(graph.edges, certificate.weights, strict=True))
+    step = Fraction(source.choice([-1, 1]) * source.randrange(1, 8), source.choice([16, 24, 10**9]))
+    if source.random() < 0.2:
+        weights[source.choice(graph.edges)] += step
+    else:
+        walk = [source.randrange(graph.vertex_count)]
+        while len(walk) < 2 or walk[-1] != walk[0] or len(walk) % 2 == 0:
+            walk = [*walk, source.choice(graph.neighbours[walk[-1]])][-400:]
+        for i, (u, v) in enumerate(itertools.pairwise(walk)):
+            weights[min(u, v), max(u, v)] += step * (-1) ** i
+    return WeightCertificate(graph, tuple(weights.values()))
+
+
+@built
+def test_weights_with_a_light_cutset_are_refused_and_both_checkers_agree(tmp_path):
+    source = Random("weights")
+    known = [polyhedral(graph) for graph, inscribable in KNOWN.values() if inscribable]
+    found = [decide(graph) for graph in known]
+    assert all(map(proved_conditions, found))
+    assert proved_conditions(inscribability(generic(3)).certificate)
+    given = [certificate for certificate in found if isinstance(certificate, WeightCertificate)]
+    changed = [with_other_weights(source.choice(given), source) for _ in range(300)]
+    prism = next(graph for graph in known if (graph.vertex_count, len(graph.edges)) == (6, 9))
+    # The triangles of a prism: each sum is 1, and the cutset between them weighs 3 - 6 w.
+    edges = [(w, 1 - 2 * w) for w in (Fraction(1, 3), Fraction(3, 10), Fraction(2, 5))]
+    for w, across in edges:
+        in_triangle = [len({*prism.neighbours[u]} & {*prism.neighbours[v]}) for u, v in prism.edges]
+        changed.append(WeightCertificate(prism, tuple(w if k else across for k in in_triangle)))
+    said = answers(map(conditions_document, changed), tmp_path)
+    words = {True: "accepted: weights", False: "refused: weights"}
+    assert said == [words[holds(certificate)] for certificate in changed]
+    assert 50 < said.count(words[True]) < 250
+    assert said[-3:] == [words[False], words[True], words[False]]
+    bad: list[dict[str, Any]] = [
+        *({"vertices": n} for n in (1, -1, 1001, "6")),
+        *({"edges": [row]} for row in ([0, 1], [0, 99, "1/3"], [0, 1, 0.5], None)),
+        {"cutsets": []},
+        {"schema_version": 2},
+    ]
+    good = conditions_document(changed[-2])
+    said = answers([{**good, **change} for change in bad], tmp_path)
+    assert [line.partition(":")[0] for line in said] == ["malformed"] * len(bad)

@@ -49,7 +49,7 @@ def test_the_axioms_of_every_theorem_of_the_program_are_printed():
     about.append(FOLDER / "claims" / "Claims.v")
     about.append(FOLDER / "realizability" / "FinalPolynomials.v")
     about.append(FOLDER / "space" / "SpatialSoundness.v")
-    about.append(FOLDER / "realizability" / "Inscribed.v")
+    about += [FOLDER / "realizability" / name for name in ("Inscribed.v", "Weights.v")]
     theorems = [
         name for path in about for name in re.findall(r"^Theorem (\w+)", path.read_text(), re.M)
     ]

@@ -1,7 +1,8 @@
-"""Refutations of inscribability, checked by the program that is proved in Coq.
+"""Certificates of inscribability, checked by the program that is proved in Coq.
 
-Its theorem is about the linear conditions: no real weights satisfy them. That they are necessary is
-Rivin's theorem, which is not proved there, nor that the graph is planar and 3-connected.
+Its theorems are about the linear conditions: these weights satisfy them, or no real weights do.
+That they decide is Rivin's theorem, which is not proved there, nor that the graph is planar and
+3-connected.
 """
 
 from __future__ import annotations
@@ -11,32 +12,39 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.console.proved_program import ask_proved
-from arrangement.errors import InputError
 from arrangement.numbers.exact import to_text
 
-from .certificates import Certificate, FarkasCertificate, IndependentSetCertificate
+from .certificates import (
+    Certificate,
+    FarkasCertificate,
+    IndependentSetCertificate,
+    WeightCertificate,
+)
 
 
-def proved_without_weights(certificate: Certificate) -> bool:
-    """Return whether the program accepts that no weights satisfy Rivin's conditions.
+def proved_conditions(certificate: Certificate) -> bool:
+    """Return whether the program accepts that weights satisfy Rivin's conditions, or that none do.
 
     Raises:
-        InputError: the program is not built, or the certificate has weights, which it does not
-            check.
+        InputError: the program is not built.
     """
-    text = json.dumps(multipliers_document(certificate))
-    return ask_proved("-", text=text) == ("accepted", "no weights")
+    document = conditions_document(certificate)
+    return ask_proved("-", text=json.dumps(document)) == ("accepted", document["certificate"])
 
 
-def multipliers_document(certificate: Certificate) -> dict[str, Any]:
-    """Return a refutation as the program reads it."""
+def conditions_document(certificate: Certificate) -> dict[str, Any]:
+    """Return a certificate as the program reads it; an independent set as multipliers."""
     if isinstance(certificate, IndependentSetCertificate):
         certificate = _of_vertices(certificate)
-    if not isinstance(certificate, FarkasCertificate):
-        raise InputError(
-            "the proved program checks that there are none, and these are weights; omit proved"
-        )
     graph, nothing = certificate.graph, Fraction(0)
+    if isinstance(certificate, WeightCertificate):
+        weights = map(to_text, certificate.weights)
+        return {
+            "schema_version": 1,
+            "certificate": "weights",
+            "vertices": graph.vertex_count,
+            "edges": [[*e, weight] for e, weight in zip(graph.edges, weights, strict=True)],
+        }
     bounds = certificate.lower_multipliers, certificate.upper_multipliers
     return {
         "schema_version": 1,

@@ -15,7 +15,7 @@ from arrangement.planes.planes import Planes
 
 from .certificates import Certificate, PolyhedralGraph
 from .hull import sphere_points
-from .proved import proved_without_weights
+from .proved import proved_conditions
 from .search import decide
 
 
@@ -49,11 +49,11 @@ class Inscribability(Shown):
         differ in one class of coincident planes.
 
         Args:
-            proved: let the program that is proved in Coq check that there are no weights, too.
+            proved: let the program that is proved in Coq check the linear conditions, too.
 
         Raises:
             ArrangementError: what fails.
-            InputError: `proved`, and the program is not built, or there are weights.
+            InputError: `proved`, and the program is not built.
         """
         regions = {self.arrangement.signs_at(point): v for v, point in enumerate(self.points)}
         if any(0 in signs for signs in regions) or len(regions) < len(self.points):
@@ -69,8 +69,8 @@ class Inscribability(Shown):
         if PolyhedralGraph.of(len(regions), edges) != self.certificate.graph:
             raise ArrangementError("the certificate is about another graph")
         self.certificate.verify()
-        if proved and not proved_without_weights(self.certificate):
-            raise ArrangementError("the proved program refuses the multipliers")
+        if proved and not proved_conditions(self.certificate):
+            raise ArrangementError("the proved program refuses the certificate")
 
 
 def inscribability(arrangement: Planes | DualPolyhedron) -> Inscribability:

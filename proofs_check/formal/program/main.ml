@@ -1,6 +1,7 @@
 (* proved-checker FILE...: a line for each file, exit code 0 all accepted, 1 one refused, 2 one
    malformed. A file is a certificate: of a grasp, of a complete list of faces, of signs that no
-   vectors have, or of a graph without weights. With --question first: print what was read of grasp
+   vectors have, or of a graph
+   with or without weights. With --question first: print what was read of grasp
    and wrench, of planes, of signs, or of a graph, as JSON. With --regions, --faces or
    --polynomial first, files are arrangements: print what is counted. *)
 
@@ -58,10 +59,12 @@ let signs entries =
   let entry (((i, j), k), s) = quoted (List.map Z.to_string [ i; j; k; s ]) in
   "{\"signs\":[" ^ String.concat "," (List.map entry entries) ^ "]}"
 
-let weighted edges count =
-  let pair e = let u, v = e.ends in Printf.sprintf "[%s,%s]" (Z.to_string u) (Z.to_string v) in
+let graph edges count =
+  let pair (u, v) = Printf.sprintf "[%s,%s]" (Z.to_string u) (Z.to_string v) in
   Printf.sprintf "{\"vertices\":%d,\"edges\":[%s]}" count
     (String.concat "," (List.map pair edges))
+
+let rec natural n = if n = 0 then O else S (natural (n - 1))
 
 let answer accepted kind =
   if accepted then (0, "accepted: " ^ kind) else (1, "refused: " ^ kind)
@@ -81,10 +84,14 @@ let work task document =
   | _ when Signs_reader.about document ->
     let entries, proof = Signs_reader.certificate document in
     if task = Question then (0, signs entries) else answer (final entries proof) "no coordinates"
-  | _ when Weights_reader.about document ->
-    let vertices, edges, cutsets = Weights_reader.certificate document in
-    if task = Question then (0, weighted edges (List.length vertices))
+  | _ when Weights_reader.kind document = Some "no weights" ->
+    let vertices, edges, cutsets = Weights_reader.multipliers document in
+    if task = Question then (0, graph (List.map (fun e -> e.ends) edges) (List.length vertices))
     else answer (contradicts vertices edges cutsets) "no weights"
+  | _ when Weights_reader.kind document = Some "weights" ->
+    let count, edges, root, flows = Weights_reader.weights document in
+    if task = Question then (0, graph (List.map fst edges) count)
+    else answer (satisfies (natural count) edges root flows) "weights"
   | _ when Spatial_reader.about document ->
     let kind, asked, proof = Spatial_reader.document document in
     if task = Question then (0, question3 asked) else answer (check3 asked proof) kind
