@@ -387,6 +387,9 @@ return self if self.denominator == 1 else AlgebraicNumber(self.field, self.coeff
 [law]
 return number_text(value, digits=30, longest=60)
     30 -> 31 | 30 -> 29 | 60 -> 61 | 60 -> 59 | how long numbers of messages are was chosen
+[robust]
+_FINEST = 1 << MOST_CUTS
+    1 -> 2 | any common multiple of all denominators will do
 """
 
 
