@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import functools
 import inspect
-from collections.abc import Callable
+import operator
+from collections.abc import Callable, Iterator
 from itertools import groupby
-from typing import TYPE_CHECKING, Any, ParamSpec
+from typing import TYPE_CHECKING, Any, ParamSpec, Protocol, TypeAlias, overload
 
 import numpy as np
 
@@ -16,7 +17,10 @@ from .scene.layout import laid_out
 from .scene.scene import DPI, Scene, checked_width
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure, SubFigure
+
+    Place: TypeAlias = Axes | Figure | SubFigure
 
 P = ParamSpec("P")
 #: Size of the image of a ball.
@@ -25,10 +29,24 @@ _PIXELS = 256
 
 #: What holds for every view: said once, and added to the docstrings.
 _WIDTH = "    width: of the figure, in millimetres.\n"
+_AX = """    ax: axes, a figure or subfigure of matplotlib to draw into. The picture takes the room
+        that is there and has no legend; each element is an artist with its name as ``gid``.
+"""
 _ABSENT = "    MissingExtraError: matplotlib is absent.\n"
 
 
-def picture(least: float = 40.0) -> Callable[[Callable[P, Scene]], Callable[P, Figure]]:
+class View(Protocol[P]):
+    """A view as a function: it returns the figure in which it has drawn."""
+
+    scene: Callable[..., Scene]
+
+    @overload
+    def __call__(self, *args: P.args, **options: P.kwargs) -> Figure: ...
+    @overload
+    def __call__(self, subject: Any, /, *, ax: Place, **options: Any) -> Figure: ...
+
+
+def picture(least: float = 40.0) -> Callable[[Callable[P, Scene]], View[P]]:
     """Return a decorator: a view draws its scene, with its legend, as a matplotlib figure.
 
     The scene stays within reach, for other writers: ``draw_sphere.scene``. Every view has a width,
@@ -38,7 +56,7 @@ def picture(least: float = 40.0) -> Callable[[Callable[P, Scene]], Callable[P, F
         least: the least width, in millimetres.
     """
 
-    def decorate(view: Callable[P, Scene]) -> Callable[P, Figure]:
+    def decorate(view: Callable[P, Scene]) -> View[P]:
         @functools.wraps(view)
         def scene(*args: P.args, **options: P.kwargs) -> Scene:
             if "width" in options:
@@ -46,16 +64,22 @@ def picture(least: float = 40.0) -> Callable[[Callable[P, Scene]], Callable[P, F
             return view(*args, **options)
 
         @functools.wraps(view)
-        def draw(*args: P.args, **options: P.kwargs) -> Figure:
-            return figure(laid_out(scene(*args, **options)))
+        def draw(*args: Any, ax: Place | None = None, **options: Any) -> Figure:
+            if ax is None:
+                return figure(laid_out(scene(*args, **options)))
+            return into(
+                ax, lambda width: laid_out(scene(*args, **{"width": width, **options}), "none")
+            )
 
         told = inspect.cleandoc(view.__doc__ or "")  # Python 3.13 takes the indent away itself
         if "    width:" not in told:
             told = told.replace("\nRaises:", f"{_WIDTH}\nRaises:")
+        told = told.replace("\nRaises:", f"{_AX}\nRaises:")
         draw.__doc__ = f"{told}\n{_ABSENT}"
         draw.__annotations__ = {**view.__annotations__, "return": "Figure"}
         draw.scene = scene  # type: ignore[attr-defined]
-        return draw
+        made: Any = draw
+        return made  # type: ignore[no-any-return]
 
     return decorate
 
@@ -74,10 +98,8 @@ def figure(scene: Scene) -> Figure:
     width, height = scene.paper
     made = Figure(figsize=(width / 25.4, height / 25.4), dpi=DPI)
     axes: Any = made.add_axes((0.0, 0.0, 1.0, 1.0))
-    axes.set(xlim=(0, scene.width), ylim=(0, scene.height))
-    axes.set_axis_off()
-    runs = groupby(sorted(scene.items, key=lambda item: item.height), key=type)
-    for k, (_, items) in enumerate(runs):
+    _set_up(axes, scene)
+    for k, items in _runs(scene):
         paths = []
         for item in items:
             if isinstance(item, Path):
@@ -86,6 +108,62 @@ def figure(scene: Scene) -> Figure:
                 _draw(axes, item, {**item.style, "zorder": k})
         axes.add_artist(Paths(paths)).set_zorder(k)
     return made
+
+
+def into(place: Place, make: Callable[[float], Scene], least: float = 40.0) -> Figure:
+    """Draw into axes, or into new ones that fill a figure; every element is an artist of its own.
+
+    Args:
+        place: where to; what is there stays.
+        make: returns the scene for a width in millimetres. It is asked for one as wide as the
+            axes, or narrower where that one would be too high.
+        least: the least width that it takes; in smaller axes letters and lines are smaller, too.
+
+    Returns:
+        The figure of the axes.
+
+    Raises:
+        MissingExtraError: matplotlib is absent.
+    """
+    require_matplotlib()
+    from matplotlib.figure import FigureBase
+
+    from .path_artist import patch
+
+    axes: Any = place.add_axes((0.0, 0.0, 1.0, 1.0)) if isinstance(place, FigureBase) else place
+    owner = axes.figure
+    while hasattr(owner, "_parent"):  # of a subfigure, whose size is its own
+        owner = owner._parent
+    box = axes.get_window_extent()
+    room = [25.4 * length / owner.dpi for length in (box.width, box.height)]
+    width = max(room[0], least)
+    scene = make(width)
+    for _ in range(3):
+        if scene.paper[1] > room[1] and width > least:
+            width = max(width * room[1] / scene.paper[1], least)
+            scene = make(width)
+    scene = scene.scaled(min(1.0, *map(operator.truediv, room, scene.paper)))
+    _set_up(axes, scene)
+    for k, items in _runs(scene):
+        for item in items:
+            if isinstance(item, Path):
+                axes.add_patch(patch(item, axes)).set_zorder(k)
+            else:
+                _draw(axes, item, {**item.style, "zorder": k})
+    axes.set_aspect("equal")  # an image has changed it
+    return owner  # type: ignore[no-any-return]
+
+
+def _set_up(axes: Any, scene: Scene) -> None:
+    axes.set(xlim=(0, scene.width), ylim=(0, scene.height))
+    axes.set_axis_off()
+
+
+def _runs(scene: Scene) -> Iterator[tuple[int, Iterator[Item]]]:
+    """Yield runs of items of one kind, from below, with their heights."""
+    runs = groupby(sorted(scene.items, key=lambda item: item.height), key=type)
+    for k, (_, items) in enumerate(runs):
+        yield k, items
 
 
 def _draw(axes: Any, item: Item, style: dict[str, Any]) -> None:

@@ -16,6 +16,7 @@ from .scene.items import Box, Path, Place
 try:
     from matplotlib.artist import Artist
     from matplotlib.colors import to_rgba
+    from matplotlib.patches import Circle, PathPatch, Rectangle
     from matplotlib.path import Path as Outline
     from matplotlib.transforms import Affine2D, Bbox, TransformedPath
 except ImportError:
@@ -100,3 +101,20 @@ def _cut(context: Any, clip: Box | tuple[Place, float], affine: Affine2D) -> Non
     else:
         left, low, right, high = clip
         context.set_clip_rectangle(Bbox([[left, low], [right, high]]).transformed(affine))
+
+
+def patch(item: Path, axes: Any) -> PathPatch:
+    """Return a path as an artist of its own, for who wants to change it."""
+    style = dict(item.style)
+    filled = item.kind != "line" and style.pop("fill", True)
+    style.setdefault("ec", "none" if filled else "black")
+    made = PathPatch(_outline(item), fill=filled, gid=item.name or None, **style)
+    made.set_transform(axes.transData)
+    if item.clip is not None and len(item.clip) == 2:
+        (x, y), radius = item.clip
+        made.set_clip_path(Circle((x, y), radius, transform=axes.transData))
+    elif item.clip is not None:
+        left, low, right, high = item.clip
+        box = Rectangle((left, low), right - left, high - low, transform=axes.transData)
+        made.set_clip_path(box)
+    return made

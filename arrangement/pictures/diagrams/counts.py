@@ -202,5 +202,5 @@ def _families(panel: _CountsPanel) -> None:
 
 def write_counts(path: str | os.PathLike[str], **options: Any) -> None:
     """Write the picture of `draw_counts` into a file, in the format of its suffix."""
-    draw: Callable[..., Scene] = draw_counts.scene  # type: ignore[attr-defined]
+    draw: Callable[..., Scene] = draw_counts.scene
     write_scene(path, lambda: laid_out(draw(**options)))
