@@ -418,8 +418,9 @@ def test_arrows_point_to_the_positive_side_of_each_plane(name):
     for head in heads:
         u = (head.points[3] - np.array(ball.centre)) / ball.radius
         tip = np.array([*u, np.sqrt(1 - u @ u)]) @ frame
-        label = int(head.name.split("-")[1])
-        assert np.array(planes.normals[planes.distinct[label][0]], dtype=float) @ tip > 0
+        plane = int(head.name.split("-")[1]) - 1
+        assert plane in planes.firsts
+        assert np.array(planes.normals[plane], dtype=float) @ tip > 0
 
 
 def test_a_ball_is_lit_at_its_focus_and_darkest_at_the_rim(tmp_path):
@@ -567,7 +568,7 @@ def test_arrows_point_to_the_positive_sides(projective):
             for s in (1, -1)
         )  # fmt: skip
         for sheet in (one, turned):
-            arrow = [i for i in sheet.items if i.name == "side-0"][-1]
+            arrow = [i for i in sheet.items if i.name == "side-1"][-1]
             plus = next(i for i in sheet.items if isinstance(i, Label) and i.text == "+")
             minus = next(i for i in sheet.items if isinstance(i, Label) and i.text == "−")
             line = next(i for i in sheet.items if i.name.startswith(("line", "front")))

@@ -267,7 +267,7 @@ def test_labels_keep_apart_on_the_sheet_and_off_lines(view, grasp, options):
 
 def test_lines_of_resisted_forces_tell_their_states():
     scene = draw_resist.scene(read_grasp("single-contact"))
-    assert [item.text for item in scene.items if item.name == "code-0"] == ["●"]
+    assert [item.text for item in scene.items if item.name == "code-1"] == ["●"]
     assert scene.legend.keys[0].text == "1 stick"
 
 
@@ -285,7 +285,7 @@ def test_region_elements_are_the_exact_pieces_and_borders(grasp):
         ("point", outline.points),
     ):
         assert {x for x in drawn if x.startswith(kind)} == {
-            f"{kind}-{i}" for i in range(len(items))
+            f"{kind}-{i}" for i in range(1, len(items) + 1)
         }
 
 
@@ -300,7 +300,7 @@ def test_the_whole_finite_border_lies_in_the_picture(grasp, wrench):
     left, low, right, high = next(item.clip for item in items.values() if item.clip is not None)
     middle, half = np.array([left + right, low + high]) / 2, (right - left) / 2
     assert np.abs((mark.place - middle) / half).max() < 1
-    for i, segment in enumerate(region.outline.border):
+    for i, segment in enumerate(region.outline.border, 1):
         ends = (items[f"border-{i}"].points - middle) / half
         for place, own in ((ends[0], segment.start), (ends[1], segment.end)):
             at_edge = np.isclose(np.abs(place).max(), 1, atol=1e-9)
@@ -325,12 +325,12 @@ def test_polar_marks_are_the_entries_of_the_map():
     items = named(scene)
     rim = items["rim"]
     for i, entry in enumerate(found.entries):
-        mark = items[f"direction-{i}"]
+        mark = items[f"direction-{i + 1}"]
         assert mark.sign == ("o" if entry.agrees else "x")
         reach = 1.0 if entry.found is None else min(float(entry.found) / 4, 1.0)
         distance = np.linalg.norm(mark.place - rim.points) / rim.radius
         np.testing.assert_allclose(distance, reach, atol=1e-9)
-        assert count(scene, f"claimed-{i}-") == len(entry.wrongly_claimed)
+        assert count(scene, f"claimed-{i + 1}-") == len(entry.wrongly_claimed)
 
 
 def test_comparison_has_a_panel_for_each_method_with_its_region():
@@ -350,8 +350,8 @@ def test_methods_and_wrenches_are_a_table_of_the_comparisons():
     for j, load in enumerate(loads):
         answer = compare(grasp, load)
         for i, entry in enumerate(answer.answers):
-            assert drawn[f"cell-{i}-{j}"].sign == markers[entry.accepts]
-            assert (f"differs-{i}-{j}" in drawn) == (entry.method in answer.disagreeing)
+            assert drawn[f"cell-{i + 1}-{j + 1}"].sign == markers[entry.accepts]
+            assert (f"differs-{i + 1}-{j + 1}" in drawn) == (entry.method in answer.disagreeing)
 
 
 @pytest.mark.parametrize("value", [1.0, 1.9, 2.0, 4.999, 5.0, 9.99, 0.002, 3e7])

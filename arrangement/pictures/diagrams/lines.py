@@ -172,7 +172,7 @@ class _Sheet:
         off = keep_off([*self.edges.values(), *self.arms])
         for v, signs in self.chart.vertices.items():
             self.scene.circle(
-                self.vertices[v], 1.7, fc=VERMILION, ec="none", zorder=4, gid=f"vertex-{v}"
+                self.vertices[v], 1.7, fc=VERMILION, ec="none", zorder=4, gid=f"vertex-{v + 1}"
             )
             look: dict[str, Any] = {"off": off, "distance": 3.0, "color": VERMILION}
             self.missing["vertices"] += not write_beside(
@@ -198,7 +198,7 @@ class _Sheet:
     def mark_sides(self) -> None:
         """Draw an arrow across each line, near an end, to its positive side."""
         whole = self.chart.globe.whole.arrangement
-        for label, (members, points) in enumerate(zip(whole.distinct, self.lines, strict=True)):
+        for members, points in zip(whole.distinct, self.lines, strict=True):
             share = min(0.3, 9 / float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum()))
             start, way = _along(points, share), _along(points, 1.1 * share) - _along(points, share)
             way /= np.linalg.norm(way)
@@ -211,7 +211,7 @@ class _Sheet:
                 tip = start + 9 * side * left
                 self.arms.append(np.array([start, tip]))
                 look: dict[str, Any] = {"fc": "black", "ec": "none", "zorder": 4}
-                arrow(self.scene, start, tip, 0.55, gid=f"side-{label}", **look)
+                arrow(self.scene, start, tip, 0.55, gid=f"side-{members[0] + 1}", **look)
 
     def plane(self, place: Floats) -> Floats:
         """Return the homogeneous point of the plane at a place on paper."""
@@ -238,14 +238,18 @@ class _WindowSheet(_Sheet):
 
         for r, signs in chart.regions.items():
             region, outline = DrawnRegion(signs, chart.sides[signs]), at(chart.outline(r))
-            self.scene.polygon(outline, fc=self.paint(region), ec="none", gid=f"region-{r}")
+            self.scene.polygon(
+                outline, fc=self.paint(region), ec="none", gid=self.names.element("region", signs)
+            )
             self.outlines.append((region, outline))
         self.edges = {e: at(chart.edge(e)) for e in chart.edges}
         self.vertices = {v: at(chart.vertex(v)) for v in chart.vertices}
         for label, name in enumerate(names):
             ends = at(chart.line(label))
             self.lines.append(ends)
-            self.scene.line(ends, gid=f"line-{label}", capstyle="butt", **_LINE)
+            self.scene.line(
+                ends, gid=f"line-{chart.lines.firsts[label] + 1}", capstyle="butt", **_LINE
+            )
             self._name(ends, name)
 
     def plane(self, place: Floats) -> Floats:
@@ -285,7 +289,7 @@ class _DiscSheet(_Sheet):
         for v in chart.parallels:
             place = self.disc.on_paper(chart.globe.points[v][:2])
             self.scene.circle(
-                place, 2.2, fc="black", ec="white", lw=0.5, zorder=4, gid=f"infinity-{v}"
+                place, 2.2, fc="black", ec="white", lw=0.5, zorder=4, gid=f"infinity-{v + 1}"
             )
 
     def plane(self, place: Floats) -> Floats:

@@ -179,19 +179,22 @@ class _SolidPanel:
             self.limb = [ring(centre, radius)]
         for k, (cycle, normal) in enumerate(solid.faces):
             grey = lit("#ffffff", normal, 0.8)
-            scene.polygon(self.places[list(cycle)], fc=grey, ec="none", zorder=1, gid=f"face-{k}")
+            scene.polygon(
+                self.places[list(cycle)], fc=grey, ec="none", zorder=1, gid=f"face-{k + 1}"
+            )
         small = self._inscribe(radius)
         for e, (u, v, c) in enumerate(solid.edges):
             style = self._style(c, solid.edge_hidden[e])
             style["lw"] *= min(1.0, small / 1.6)
-            scene.line(self.places[[u, v]], gid=f"edge-{e}", **style)
+            scene.line(self.places[[u, v]], gid=f"edge-{e + 1}", **style)
         for v, place in enumerate(self.places):
             hidden = solid.vertex_hidden[v]
             style = (
                 {"lw": 0.35, "zorder": 2.5} if hidden else {"lw": min(0.7, small / 2), "zorder": 5}
             )
             r = small * (0.7 if hidden else 1.0)
-            scene.circle(place, r, fc=self.fills[v], ec="black", gid=f"vertex-{v}", **style)
+            name = self.names.element("vertex", solid.signs[v])
+            scene.circle(place, r, fc=self.fills[v], ec="black", gid=name, **style)
         if not self.hull:
             self._zones(small)
         self._labels(

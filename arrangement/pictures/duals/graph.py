@@ -173,12 +173,19 @@ class _GraphPicture:
         graph, scene = self.graph, self.scene
         thick = float(np.clip(0.75 * self.size, 0.3, 1.5))
         for e, (_, _, c) in enumerate(graph.edges):
-            scene.line(self.segments[e], ec=plane_colour(c), lw=thick, zorder=3, gid=f"edge-{e}")
+            scene.line(
+                self.segments[e], ec=plane_colour(c), lw=thick, zorder=3, gid=f"edge-{e + 1}"
+            )
         firsts = self.arrangement.firsts
         for v, place in enumerate(self.places):
             odd = sum(graph.signs[v][k] < 0 for k in firsts) % 2
             shape, width = "square" if odd else "round", min(0.7, 0.35 * self.size)
-            style = {"fc": self.fills[v], "ec": "black", "lw": width, "gid": f"vertex-{v}"}
+            style = {
+                "fc": self.fills[v],
+                "ec": "black",
+                "lw": width,
+                "gid": self.names.element("vertex", graph.signs[v]),
+            }
             scene.marker(place, self.size, shape, zorder=5, **style)
         self._zones()
         self._labels()

@@ -56,6 +56,10 @@ class RegionLabels:
     def _numbers(self) -> dict[tuple[int, ...], int]:
         return {face.signs: k + 1 for k, face in enumerate(self._arrangement.regions())}
 
+    def element(self, kind: str, signs: Sequence[int]) -> str:
+        """Return the name of what stands for a region in a file: its number, as in ``region-3``."""
+        return f"{kind}-{self._numbers[tuple(signs)]}"
+
     def forms(self, signs: Sequence[int]) -> list[str]:
         """Return the name of a region, four signs also in two rows; nothing if it has none."""
         if self.kind == "numbers":

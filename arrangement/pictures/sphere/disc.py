@@ -88,7 +88,9 @@ class Disc:
         outlines = []
         for piece, region in self.globe.front.items():
             outline = self.on_paper(self.drawn.outline(piece))
-            self.scene.curve(outline, fc=paint(region), ec="none", gid=f"region-{piece}")
+            self.scene.curve(
+                outline, fc=paint(region), ec="none", gid=self.names.element("region", region.signs)
+            )
             outlines.append((region, flattened(outline)))
         if self.solid:
             self.scene.ball(self.centre, self.radius, "#ffffff55", "#0000003c", zorder=1.5)
@@ -105,7 +107,8 @@ class Disc:
                 curve = self.on_paper(self.drawn.projection(normal, start, math.pi))
                 ink = self.ink(circle) if self.ink is not None else "black"
                 style = {**HIDDEN, "lw": HIDDEN["lw"] * thinner(globe.whole.circle_count)}
-                self.scene.curve(curve, fill=False, ec=ink, gid=f"back-{circle}", **style)
+                name = f"back-{globe.whole.arrangement.firsts[circle] + 1}"
+                self.scene.curve(curve, fill=False, ec=ink, gid=name, **style)
                 found.append(along(curve))
         return found
 
@@ -118,11 +121,11 @@ class Disc:
             style: dict[str, Any] = {"fill": False, "capstyle": "round", "zorder": 3}
             if circle == globe.limb:
                 colour = colour if is_plane else "black"
-                style |= {"ec": colour, "lw": 1.6 if is_plane else 0.6, "gid": f"limb-{arc}"}
+                style |= {"ec": colour, "lw": 1.6 if is_plane else 0.6, "gid": f"limb-{arc + 1}"}
             elif dot(globe.cut.arc_witness(arc), globe.direction) > 0:
                 thick = 1.3 if self.ink is not None else 0.9
                 thick *= thinner(globe.whole.circle_count)
-                style |= {"ec": colour, "lw": thick, "gid": f"front-{arc}"}
+                style |= {"ec": colour, "lw": thick, "gid": f"front-{arc + 1}"}
             else:
                 continue
             curve = self.on_paper(drawn.arc(arc))

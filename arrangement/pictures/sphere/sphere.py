@@ -125,7 +125,6 @@ def _side(disc: Disc, circle: int) -> Floats:
     foot = spots[int(np.argmax(clear))]
     tip = math.cos(0.1) * foot + math.sin(0.1) * normal
     ends = disc.on_paper(np.array([foot[:2], tip[:2]]))
-    arrow(
-        disc.scene, ends[0], ends[1], 0.55, fc="black", ec="none", zorder=3.5, gid=f"side-{circle}"
-    )
+    name = f"side-{sphere.arrangement.firsts[circle] + 1}"
+    arrow(disc.scene, ends[0], ends[1], 0.55, fc="black", ec="none", zorder=3.5, gid=name)
     return ends

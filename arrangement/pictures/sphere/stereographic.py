@@ -135,7 +135,7 @@ class _Whole:
         lines = []
         for arc in range(self.globe.whole.arc_count):
             curve = self.on_paper(self.drawn.arc(arc))
-            self.scene.curve(curve, fill=False, ec="black", lw=0.9, zorder=3, gid=f"arc-{arc}")
+            self.scene.curve(curve, fill=False, ec="black", lw=0.9, zorder=3, gid=f"arc-{arc + 1}")
             lines.append(along(curve))
         limb = self.on_paper(np.zeros((1, 2)))[0]
         self.scene.circle(limb, self.scale, fill=False, ec="black", gid="limb", **HIDDEN)
@@ -158,7 +158,8 @@ class _Whole:
         outside = globe.whole.arrangement.signs_at([-x for x in globe.direction])
         numbers = sorted(enumerate(globe.regions), key=lambda item: item[1].signs != outside)
         for r, region in numbers:
-            style: dict[str, Any] = {"fc": self.paint(region), "ec": "none", "gid": f"region-{r}"}
+            name = self.names.element("region", region.signs)
+            style: dict[str, Any] = {"fc": self.paint(region), "ec": "none", "gid": name}
             if region.signs == outside:
                 self.scene.polygon(self._corners(), **style)
                 self.outer = self.names.forms(region.signs)[:1]

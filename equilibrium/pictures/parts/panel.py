@@ -68,7 +68,7 @@ class Panel:
 
     def gid(self, kind: str, index: int) -> str:
         """Return the name of an element."""
-        return f"{self.name}{kind}-{index}"
+        return f"{self.name}{kind}-{index + 1}"
 
     def axes(self) -> list[Floats]:
         """Return the lines through the origin, as far as they are in the window."""

@@ -87,11 +87,11 @@ def _drawn(
         for start, stop, held, tried in _stretches(known):
             part = panel.at(np.minimum([start, stop], reach)[:, None] / reach * way)
             if held:
-                scene.line(part, ec=_HELD, lw=2.0, zorder=3, gid=f"spoke-{i}", role="region")
+                scene.line(part, ec=_HELD, lw=2.0, zorder=3, gid=f"spoke-{i + 1}", role="region")
                 end = min(stop, reach) / reach if within else end
                 continue
             wide = 3.0 if tried else 1.0
-            scene.line(part, ec=VERMILION, lw=wide, zorder=4, gid=f"open-{i}", role="line")
+            scene.line(part, ec=VERMILION, lw=wide, zorder=4, gid=f"open-{i + 1}", role="line")
             within = False
             if start < reach and stop < math.inf:
                 scene.mark(part[0], "o", 2.2, color=BLACK, zorder=5)

@@ -76,9 +76,9 @@ def _paint(
                     (x + a * column / 2, y + b * _ROW / 2)
                     for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))
                 ]
-                scene.polygon(corners, fc=_TINT, ec="none", gid=f"differs-{i}-{j}")
+                scene.polygon(corners, fc=_TINT, ec="none", gid=f"differs-{i + 1}-{j + 1}")
             sign, size, style = MARKS[_ANSWERS[entry.accepts]]
-            scene.mark((x, y), sign, size, zorder=3, gid=f"cell-{i}-{j}", **style)
+            scene.mark((x, y), sign, size, zorder=3, gid=f"cell-{i + 1}-{j + 1}", **style)
     for j, head in enumerate(heads):
         place = left + (j + 0.5) * column, top + 1.5 * POINTS
         scene.text(place, head, rotation=90, va="bottom")

@@ -92,7 +92,12 @@ def _mark(panel: Panel, index: int, entry: Entry) -> None:
         for k, part in enumerate(parts):
             line = [_at(panel, entry.direction, end) for end in part]
             scene.line(
-                line, ec=VERMILION, lw=1.1, ls=dashes, zorder=5, gid=f"{panel.gid(kind, index)}-{k}"
+                line,
+                ec=VERMILION,
+                lw=1.1,
+                ls=dashes,
+                zorder=5,
+                gid=f"{panel.gid(kind, index)}-{k + 1}",
             )
 
 
