@@ -22,6 +22,7 @@ from .planes.planes import Planes
 if TYPE_CHECKING:
     import networkx as nx
     import sympy
+    from matplotlib.figure import Figure
 
 
 class Arrangement(Planes):
@@ -190,6 +191,21 @@ class Arrangement(Planes):
             proved: let the program that is proved in Coq count them and check the list.
         """
         return completeness.certify_complete(self, self.faces(), proved=proved)
+
+    def draw(self, view: str | None = None, **options: Any) -> Figure:
+        """Draw a picture as a figure of matplotlib (the extra ``figures``).
+
+        Args:
+            view: "sphere", "planes", "cells", "lines", "stereographic", "gnomonic", "dual", "graph"
+                or "lattice"; if omitted, the one that suits best.
+            options: those of the view, such as ``draw_sphere``; ``ax`` to draw into axes of yours.
+
+        Raises:
+            InputError: an unknown view or option, or planes that the view cannot show.
+            MissingExtraError: matplotlib is absent.
+        """
+        made: Figure = named("arrangement.pictures.views:draw")(self, view, **options)
+        return made
 
     def lab(self) -> InlinePage:
         """Return a page in which these planes are dragged and counted; a notebook shows it.

@@ -17,12 +17,14 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
 
 from arrangement import Arrangement, ArrangementError, InputError, read_arrangement
 from arrangement.cli import main as draw_planes
 from arrangement.drawing.command import _KINDS
-from arrangement.drawing.figure import figure
+from arrangement.drawing.figure import figure, into
 from arrangement.drawing.output import own_settings, picture_bytes
+from arrangement.drawing.path_artist import Paths
 from arrangement.drawing.scene.items import ROLES, Ball, Item, Label, Mark, Path as Drawn
 from arrangement.drawing.scene.layout import BELOW, laid_out, picture_width
 from arrangement.drawing.scene.scene import Scene, measure
@@ -491,7 +493,7 @@ def test_letters_of_every_view_are_where_ours_are(tmp_path):
 SCRIPT = """
 import hashlib, io, json, pathlib, sys
 from arrangement import InputError
-from arrangement.drawing.figure import figure
+from arrangement.drawing.figure import figure, into
 from arrangement.drawing.output import PICTURES, own_settings, picture_bytes
 from arrangement.drawing.scene.layout import laid_out
 from arrangement.drawing.tikz.tikz import tikz
@@ -554,3 +556,40 @@ def test_all_pictures_of_all_instances_repeat_keep_labels_apart_and_compile(part
     for name in names if not_compiled() is None else ():
         papers, texts = zip(*((x[2], x[3]) for x in found if x[0] == name), strict=True)
         assert page_count(compiled(document(tmp_path, papers, texts))) == len(texts)
+
+
+@EVERY_VIEW
+@pytest.mark.parametrize("room", [(120, 90), (60, 25)])
+def test_axes_of_others_hold_every_element_as_an_artist_of_its_own(drawings, view, room):
+    figure = Figure(figsize=[length / 25.4 for length in room])
+    axes = figure.add_axes((0.1, 0.1, 0.8, 0.8))
+    axes.set_title("kept")
+    made: list[Scene] = []
+
+    def make(width: float) -> Scene:
+        made.append(laid_out(scene(drawings, view, width=width), "none"))
+        return made[-1]
+
+    assert into(axes, make) is figure
+    found = {artist.get_gid() for artist in axes.findobj()} - {None}
+    assert found == {item.name for item in made[-1].items} - {""}
+    figure.canvas.draw()
+    sheet = axes.get_window_extent()
+    for artist in axes.texts:
+        place = artist.get_window_extent()
+        assert sheet.x0 - 2 < place.x0, artist
+        assert place.x1 < sheet.x1 + 2, artist
+    assert axes.get_title() == "kept"
+
+
+def test_planes_and_grasps_draw_themselves():
+    planes, grasp = read_arrangement("braid-a3"), read_grasp("paper-four-contacts")
+    assert planes.draw().axes[0].findobj(Paths)
+    whole = Figure(figsize=(4, 2))
+    left, right = whole.subfigures(1, 2)
+    assert planes.draw("dual", ax=left) is grasp.draw(ax=right) is whole
+    assert [len(part.axes) for part in (left, right)] == [1, 1]
+    with pytest.raises(InputError, match="did you mean dual"):
+        planes.draw("duel")
+    with pytest.raises(InputError, match="did you mean labels"):
+        planes.draw(label="none")

@@ -6,6 +6,7 @@ import functools
 import inspect
 import operator
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from itertools import groupby
 from typing import TYPE_CHECKING, Any, ParamSpec, Protocol, TypeAlias, overload
 
@@ -14,7 +15,7 @@ import numpy as np
 from .output import require_matplotlib
 from .scene.items import SHADES, Ball, Item, Label, Mark, Path
 from .scene.layout import laid_out
-from .scene.scene import DPI, Scene, checked_width
+from .scene.scene import DPI, NarrowError, Scene, checked_width
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
     Place: TypeAlias = Axes | Figure | SubFigure
 
 P = ParamSpec("P")
+#: In millimetres: in narrower axes letters and lines are smaller.
+_NARROW = 70.0
 #: Size of the image of a ball.
 _PIXELS = 256
 
@@ -110,14 +113,14 @@ def figure(scene: Scene) -> Figure:
     return made
 
 
-def into(place: Place, make: Callable[[float], Scene], least: float = 40.0) -> Figure:
+def into(place: Place, make: Callable[[float], Scene]) -> Figure:
     """Draw into axes, or into new ones that fill a figure; every element is an artist of its own.
 
     Args:
         place: where to; what is there stays.
         make: returns the scene for a width in millimetres. It is asked for one as wide as the
-            axes, or narrower where that one would be too high.
-        least: the least width that it takes; in smaller axes letters and lines are smaller, too.
+            axes, or narrower where that one would be too high, but for none that is too narrow
+            for its letters: these, and lines, are made smaller then.
 
     Returns:
         The figure of the axes.
@@ -136,12 +139,17 @@ def into(place: Place, make: Callable[[float], Scene], least: float = 40.0) -> F
         owner = owner._parent
     box = axes.get_window_extent()
     room = [25.4 * length / owner.dpi for length in (box.width, box.height)]
-    width = max(room[0], least)
-    scene = make(width)
-    for _ in range(3):
-        if scene.paper[1] > room[1] and width > least:
-            width = max(width * room[1] / scene.paper[1], least)
+    width, scene = max(room[0], _NARROW), None
+    while scene is None:
+        try:
             scene = make(width)
+        except NarrowError:
+            width *= 1.2
+    for _ in range(3):
+        if scene.paper[1] > room[1]:
+            width = max(width * room[1] / scene.paper[1], _NARROW)
+            with suppress(NarrowError):
+                scene = make(width)
     scene = scene.scaled(min(1.0, *map(operator.truediv, room, scene.paper)))
     _set_up(axes, scene)
     for k, items in _runs(scene):

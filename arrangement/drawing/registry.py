@@ -38,6 +38,8 @@ from .output import (
 )
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from .scene.scene import Scene
 
 #: The kinds of options, for signatures; `command` tells how each is written on a command line.
@@ -181,6 +183,24 @@ class Drawings:
         else:
             write_bytes_atomically(path, draw(subject, suffix, **options))
         return {kind: name}
+
+    @_within_floats()
+    def draw(self, subject: Any, view: str | None = None, **options: Any) -> Figure:
+        """Draw a view as a figure of matplotlib; the first one if none is named.
+
+        Args:
+            subject: as in `write`.
+            view: its name.
+            options: those of its function; ``ax`` to draw into axes, a figure or a subfigure.
+
+        Raises:
+            InputError: an unknown view or option, or what the view refuses.
+            MissingExtraError: matplotlib is absent.
+        """
+        name = next(iter(self.views)) if view is None else view
+        own = {option: value for option, value in options.items() if option != "ax"}
+        made: Figure = self._function("view", name, own)(subject, **options)
+        return made
 
     def svg(self, subject: Any, view: str, **options: Any) -> str | None:
         """Return a picture as SVG text; None without matplotlib, or when `write` would refuse."""

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from arrangement.drawing.colours import DrawnRegion as DrawnRegion
 from arrangement.drawing.output import save_figure as save_figure
 from arrangement.drawing.registry import Drawings
 from arrangement.planes.planes import Planes
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 DRAWINGS = Drawings(
     "arrangement.pictures",
@@ -37,6 +40,11 @@ def drawings_of(planes: Planes) -> Drawings:
         known = getattr(DRAWINGS, kind)
         kinds[kind] = {name: known[name] for name in suited(known, planes)}
     return replace(DRAWINGS, **kinds)
+
+
+def draw(planes: Planes, view: str | None = None, **options: Any) -> Figure:
+    """Draw planes as a figure; arguments and errors are those of `Drawings.draw`."""
+    return drawings_of(planes).draw(planes, view, **options)
 
 
 def write_drawing(planes: Planes, *args: Any, **options: Any) -> dict[str, str]:

@@ -26,6 +26,8 @@ from .outline import Circle, Mesh, Outline, Polygon, coordinates, read_outline
 from .units import Units
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from arrangement import Arrangement
 
 
@@ -177,6 +179,21 @@ class Grasp:
     def with_outline(self, outline: Outline | None) -> Grasp:
         """Return the same grasp with the shape of its object stated, or with none."""
         return replace(self, outline=outline)
+
+    def draw(self, view: str | None = None, **options: Any) -> Figure:
+        """Draw a picture as a figure of matplotlib (the extra ``figures``).
+
+        Args:
+            view: "grasp", "resist", "slice", "polar", "compare", "methods", "proof" or
+                "wrench-set"; if omitted, the first.
+            options: those of the view, such as ``wrench``; ``ax`` to draw into axes of yours.
+
+        Raises:
+            InputError: an unknown view or option, or a grasp that the view cannot show.
+            MissingExtraError: matplotlib is absent.
+        """
+        made: Figure = named("equilibrium.pictures.views:draw")(self, view, **options)
+        return made
 
     def lab(self) -> InlinePage:
         """Return a page in which contacts and load are dragged; a notebook shows it in a cell.

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from arrangement.drawing.registry import Drawings
 from arrangement.numbers import budget
 from equilibrium.model.grasp import Grasp
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 DRAWINGS = Drawings(
     "equilibrium.pictures",
@@ -51,6 +54,11 @@ def drawings_of(grasp: Grasp) -> Drawings:
         for kind, names in _NOT[grasp.dimension].items()
     }
     return replace(DRAWINGS, **kinds)
+
+
+def draw(grasp: Grasp, view: str | None = None, **options: Any) -> Figure:
+    """Draw a grasp as a figure; arguments and errors are those of `Drawings.draw`."""
+    return drawings_of(grasp).draw(grasp, view, **options)
 
 
 def write_drawing(grasp: Grasp, *args: Any, **options: Any) -> dict[str, str]:
