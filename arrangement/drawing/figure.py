@@ -38,7 +38,7 @@ _AX = """    ax: axes, a figure or subfigure of matplotlib to draw into. The pic
 _ABSENT = "    MissingExtraError: matplotlib is absent.\n"
 
 
-class View(Protocol[P]):
+class DrawingView(Protocol[P]):
     """A view as a function: it returns the figure in which it has drawn."""
 
     scene: Callable[..., Scene]
@@ -49,7 +49,7 @@ class View(Protocol[P]):
     def __call__(self, subject: Any, /, *, ax: Place, **options: Any) -> Figure: ...
 
 
-def picture(least: float = 40.0) -> Callable[[Callable[P, Scene]], View[P]]:
+def picture(least: float = 40.0) -> Callable[[Callable[P, Scene]], DrawingView[P]]:
     """Return a decorator: a view draws its scene, with its legend, as a matplotlib figure.
 
     The scene stays within reach, for other writers: ``draw_sphere.scene``. Every view has a width,
@@ -59,7 +59,7 @@ def picture(least: float = 40.0) -> Callable[[Callable[P, Scene]], View[P]]:
         least: the least width, in millimetres.
     """
 
-    def decorate(view: Callable[P, Scene]) -> View[P]:
+    def decorate(view: Callable[P, Scene]) -> DrawingView[P]:
         @functools.wraps(view)
         def scene(*args: P.args, **options: P.kwargs) -> Scene:
             if "width" in options:
