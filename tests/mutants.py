@@ -91,7 +91,9 @@ TARGETS = {
     "reading": Target("equilibrium.certificate.reading", CHECKER),
     "space": Target("equilibrium.certificate.space", SPACE),
     "enclosure": Target("equilibrium.certificate.enclosure", ENCLOSURES),
-    "robust": Target("equilibrium.certificate.robust", ("tests/equilibrium/test_robustness.py",)),
+    "robust": Target(
+        "equilibrium.certificate.robust", ("tests/equilibrium/test_robust_checker.py",)
+    ),
     "plane": Target("equilibrium.model.plane", (PLANES,)),
     "loads": Target("equilibrium.wrench_sets.spatial", LOADS),
     "final": Target("arrangement.library.census.final_polynomials", FINAL),

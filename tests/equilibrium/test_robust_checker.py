@@ -1,0 +1,323 @@
+"""Proofs for all grasps within bounds: their arithmetic, genuine proofs and forged ones."""
+
+import json
+import math
+from fractions import Fraction
+from functools import cache
+from random import Random
+
+import pytest
+
+from arrangement.errors import InputError
+from arrangement.numbers.exact import dot
+from equilibrium import Contact, Grasp, solve
+from equilibrium.certificate.checker import check
+from equilibrium.certificate.robust import Affine, Bounds, _largest, _turning, _Uncertain
+from equilibrium.grasps.files import read_grasp
+from equilibrium.model.errors import GraspError
+
+from .test_checker import random_leaf
+
+SPATIAL = [
+    Contact(p, [-x for x in p], "1/2", 1, 1) for p in ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0))
+]
+
+#: A rational turn by just below two degrees; tan 1 degree is 0.017455064...
+HALF_TURN = Fraction(17455, 10**6)
+NEAR = Bounds(degrees=2, length="1/10", friction="5%", stiffness="10%", preload="20%")
+
+
+def at_the_bounds(source, c, near=NEAR):
+    """Return a contact at the ends of bounds of two degrees, with its tangents turned along."""
+    t, axes = source.choice([HALF_TURN, -HALF_TURN, Fraction(0)]), c.tangents
+    cosine, sine = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
+    way = (1,) if c.dimension == 2 else source.choice([(1, 0), (0, 1), (Fraction(3, 5), "4/5")])
+    way = [Fraction(x) for x in way]
+    across = [dot(way, column) for column in zip(*axes, strict=True)]
+    normal, first = (
+        tuple(a * x + b * y + d * z for x, y, z in zip(c.normal, across, axes[0], strict=True))
+        for a, b, d in ((cosine, sine, 0), (-sine * way[0], (cosine - 1) * way[0], 1))
+    )
+    point = [x + source.choice([-1, 1]) * near.length for x in c.point]
+    numbers = [
+        x * (1 + source.choice([-1, 1]) * share)
+        for x, share in (
+            (c.friction, near.friction),
+            (c.stiffness, near.stiffness),
+            (c.preload, near.preload),
+        )
+    ]
+    return Contact(point, normal, *numbers, *([first] if c.dimension == 3 else []))
+
+
+def random_contact(source, dimension):
+    c = random_leaf(source)[0].contacts[0]
+    if dimension == 3:
+        c = next(iter(Grasp([c]).in_space()))
+        c = Contact((*c.point[:2], source.randint(-1, 1)), c.normal, c.friction, 1, 1)
+    return c
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_forms_hold_all_contacts_within_bounds(dimension):
+    source, unit, n = Random(dimension), 2**128, 3 * dimension - 3
+    for _ in range(60):
+        c = random_contact(source, dimension)
+        motion = tuple(Fraction(source.randint(-9, 9), 3) for _ in range(n + 1))
+        spring, slips = _Uncertain(c, NEAR).corner(motion)
+        for _ in range(6):
+            other = at_the_bounds(source, c)
+            force = other.preload * motion[0] - other.stiffness * dot(
+                other.normal_wrench, motion[1:]
+            )
+            moves = [dot(row, motion[1:]) for row in other.tangential_wrenches]
+            for form, x in zip([spring, *slips], [force, *moves], strict=True):
+                assert form.low <= x * unit <= form.high
+        exact = _Uncertain(c, Bounds()).corner(motion)[0]
+        assert exact.high - exact.low < 2**8
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_contacts_within_bounds_do_at_least_what_is_counted(dimension):
+    """The law itself, at random motions of a cell, against the bounds at its corners."""
+    source, n, tight = Random(f"works {dimension}"), 3 * dimension - 3, 0
+    for _ in range(200):
+        c = random_contact(source, dimension)
+        middle = [source.randint(-6, 6) for _ in range(n)]
+        corners = [
+            (
+                Fraction(source.randint(0, 1)),
+                *(x + Fraction(source.randint(-4, 4), 4) for x in middle),
+            )
+            for _ in range(source.choice([1, 2, 4]))
+        ]
+        virtual = tuple(Fraction(source.randint(-3, 3)) for _ in range(n))
+        near = source.choice([NEAR, Bounds(degrees=2)])
+        bounded = _Uncertain(c, near)
+        counted = bounded.works(virtual, [bounded.corner(y) for y in corners])
+        for _ in range(4):
+            other = at_the_bounds(source, c, near)
+            weights = [source.randint(0, 3) for _ in corners]
+            motion = [dot(weights, column) for column in zip(*corners, strict=True)]
+            spring = max(
+                0,
+                other.preload * motion[0] - other.stiffness * dot(other.normal_wrench, motion[1:]),
+            )
+            slip = [float(dot(row, motion[1:])) for row in other.tangential_wrenches]
+            across = [float(dot(row, virtual)) for row in other.tangential_wrenches]
+            size = math.hypot(*slip)
+            rub = -math.hypot(*across)
+            if size:
+                rub = -sum(x * y for x, y in zip(slip, across, strict=True)) / size
+            work = float(spring) * (
+                float(dot(other.normal_wrench, virtual)) + float(other.friction) * rub
+            )
+            least = float(dot(weights, counted)) / 2**128
+            assert work >= least - 1e-9 * (1 + abs(least))
+            tight += spring > 0 and work < least + abs(least) / 4 + 1e-3
+    assert tight > 8
+
+
+def test_bounds_have_ends_and_forms_their_sizes():
+    most = {"degrees": 45, "length": 10**9, "friction": "99/100", "preload": "99%"}
+    assert Bounds(**most).friction == Fraction(99, 100)
+    for name, most_of in most.items():
+        past = Fraction(str(most_of).removesuffix("%")) + Fraction(1, 10**6)
+        with pytest.raises(GraspError, match="give a number from 0 to"):
+            Bounds(**{name: f"{past}%" if name == "preload" else past})
+    assert str(Bounds()) == "no change"
+    assert 0 <= Bounds(degrees=45).angle - math.pi / 4 < 1e-6
+    turned = _Uncertain(Contact([0, 0], [0, 1], 1), Bounds(degrees=2, friction="5%"))
+    assert 0 <= turned.lost.low / 2**128 - (1 - math.cos(math.radians(2))) < 1e-6
+    assert 0 <= turned.friction.low - 2**128 * Fraction(19, 20) + 2 < 4
+    form = Affine(-3, (1, -2))
+    assert (form.low, form.high, form.size) == (-6, 0, 6)
+
+
+def test_directions_of_slips_in_a_cone_do_at_most_what_is_counted():
+    source, one, tight = Random("cone"), 2**128, 0
+    for _ in range(200):
+        b = [source.uniform(-3, 3) for _ in range(2)]
+        middle = [source.uniform(-2, 2) for _ in range(2)]
+        slips = [[x + source.uniform(-0.5, 0.5) for x in middle] for _ in range(3)]
+        forms, *rows = ([Affine(int(x * one), ()) for x in v] for v in (b, *slips))
+        counted = _largest(forms, rows) / one
+        for _ in range(20):
+            weights = [source.choice([0, source.random()]) for _ in slips]
+            slip = [dot(weights, column) for column in zip(*slips, strict=True)]
+            if size := math.hypot(*slip):
+                work = dot(slip, b) / size
+                assert work <= counted + 1e-9
+                tight += counted < min(work + 0.05, math.hypot(*b) - 0.05)
+    assert tight > 300
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_contacts_at_rest_do_at_least_what_is_counted(dimension):
+    source, n = Random(f"rest {dimension}"), 3 * dimension - 3
+    for _ in range(60):
+        c = random_contact(source, dimension)
+        bounded = _Uncertain(c, NEAR)
+        least = c.friction * c.preload * Fraction(19, 20) * Fraction(4, 5)
+        force = (least, *[Fraction(0)] * (dimension - 2))
+        assert _Uncertain(c, Bounds()).at_rest((c.friction * c.preload, *force[1:])) is not None
+        assert bounded.at_rest((least + Fraction(1, 10**6), *force[1:])) is None
+        half = tuple(x / 2 for x in force)
+        virtual = tuple(Fraction(source.randint(-3, 3)) for _ in range(n))
+        counted = bounded.rest_work(virtual, bounded.at_rest(half)) / 2**128
+        other = at_the_bounds(source, c)
+        work = other.preload * dot(other.normal_wrench, virtual)
+        pairs = zip(half, other.tangential_wrenches, strict=True)
+        assert work + sum(x * dot(row, virtual) for x, row in pairs) >= counted - 1e-9
+
+
+@pytest.mark.parametrize("reach", [Fraction(1, 50), Fraction(1, 2), Fraction(2)])
+def test_directions_of_slips_that_turn_little_are_bounded_linearly(reach):
+    """``u . b`` at the ends of all forms, for slips in the hull of the given."""
+    source, one, bounded = Random(f"turning {reach}"), 2**128, 0
+
+    def form(x, size):
+        parts = [int(size * source.uniform(-1, 1) * one) for _ in range(2)]
+        return Affine(int(x * one), tuple(parts), abs(int(size * one / 8)))
+
+    def number(form, at):
+        return (form.centre + sum(x * p for x, p in zip(at, form.parts, strict=False))) / one
+
+    for _ in range(120):
+        b = [form(source.uniform(-3, 3), source.choice([0, 0.1])) for _ in range(2)]
+        angle, length = source.uniform(-4, 4), source.choice([1, 5])
+        middle = [length * math.cos(angle), length * math.sin(angle)]
+        slips = [
+            [form(x + reach * source.uniform(-1, 1), reach / 10) for x in middle] for _ in range(4)
+        ]
+        found = _turning(b, slips)
+        if found is None:
+            assert reach > 1 / 50
+            continue
+        still, turns = found
+        bounded += 1
+        for _ in range(20):
+            at, z = [source.choice([-1, 1]) for _ in range(2)], source.choice([-1, 1])
+            weights = [source.random() for _ in slips]
+            rows = [[number(x, at) + z * x.rest / one for x in slip] for slip in slips]
+            slip = [dot(weights, column) for column in zip(*rows, strict=True)]
+            work = sum(x * number(y, at) for x, y in zip(slip, b, strict=True)) / math.hypot(*slip)
+            whole = sum(weights)
+            least = [number(f, at) + f.rest / one for f in (still, *turns)]
+            most = least[0] + dot(weights, least[1:]) / whole
+            pairs = zip(slip, b, strict=True)
+            work += sum(abs(x) * y.rest / one for x, y in pairs) / math.hypot(*slip)
+            assert work <= most + 1e-9
+            if reach < 1 / 2:
+                assert most < work + 6 * reach
+    assert bounded > 20
+
+
+@pytest.mark.parametrize("motions", [[(1, 0, -1, 0)], [(1, 2, -1, 0), (1, -2, -1, 0)]])
+def test_a_slip_of_unknown_sign_has_friction_both_ways(motions):
+    bounded = _Uncertain(Contact((0, 0), (0, 1), "1/2", 1, 1), Bounds(degrees=2))
+    corners = [bounded.corner(motion) for motion in motions]
+    for way in (1, -1):
+        assert max(bounded.works((way, 0, 0), corners)) < 0
+
+
+@cache
+def genuine_text(yes):
+    """Return a proof for all within a degree and five per cent, and another load."""
+    if yes:
+        grasp, wrench = read_grasp("paper-three-contacts-preload-1"), (0, "1/2", 0)
+    else:
+        grasp = Grasp([Contact([0, -1], [0, 1], "1/2"), Contact([1, -1], [0, 1], "1/2")])
+        wrench = (0, 1, 0)
+    return solve(grasp, wrench).robust(degrees=1, friction="5%").certificate.text
+
+
+def genuine(yes):
+    return json.loads(genuine_text(yes))
+
+
+def opposite(node):
+    if isinstance(node, list):
+        return [str(-Fraction(x)) for x in node]
+    return {"cut": node["cut"], "children": [opposite(child) for child in node["children"]]}
+
+
+def halved(k, d):
+    return [{"cut": k, "children": d["faces"][:2]}]
+
+
+def deep(cuts, node):
+    for _ in range(cuts):
+        node = {"cut": 1, "children": [node, node]}
+    return node
+
+
+def flat(rows):
+    return [rows[0], rows[0], rows[2]]
+
+
+@pytest.mark.parametrize("yes", [True, False])
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda d: d | {"wrench": ["9", "9", "9"] if "axes" in d["box"] else ["0", "-1", "0"]},
+        lambda d: d | {"bounds": {"degrees": "45", "friction": "1/2"}},
+        lambda d: d | {"bounds": {"degrees": "1", "length": "9", "friction": "1/2"}},
+        lambda d: d | {"bounds": {"preload": "0.99", "length": "3"}},
+        lambda d: d | {"faces": [opposite(node) for node in d["faces"]]},
+        lambda d: d | {"faces": [*d["faces"][1:], opposite(d["faces"][0])]},
+        lambda d: d | {"faces": [["0", "0", "0"], *d["faces"][1:]]},
+        lambda d: d | {"faces": [*d["faces"][:-1], {"cut": 0, "children": [["0", "0", "0"]] * 2}]},
+    ],
+)  # fmt: skip
+def test_a_forged_proof_for_all_is_refused(yes, change):
+    proof = genuine(yes)
+    assert check(proof)
+    report = check(change(proof))
+    assert not report
+    assert "does not hold for all" in report.problem
+
+
+@pytest.mark.parametrize(
+    ("words", "yes", "change"),
+    [
+        ("do not span", True, lambda d: d["box"].update(axes=flat(d["box"]["axes"]))),
+        ("above 0", False, lambda d: d["box"].update(scales=["0", "1", "1"])),
+        ("expected 6", True, lambda d: d["faces"].pop()),
+        ("expected 7", False, lambda d: d["faces"].pop()),
+        ("does not fix", True, lambda d: d.update(faces=halved(0, d) * 6)),
+        ("does not fix", True, lambda d: d.update(faces=halved(3, d) * 6)),
+        ("does not fix", True, lambda d: d.update(faces=halved(True, d) * 6)),
+        ("up to 200 times", True, lambda d: d["faces"].__setitem__(0, deep(201, d["faces"][0]))),
+        ("unknown key", True, lambda d: d.update(certificate="not resisted")),
+        ("unknown key", False, lambda d: d.update(certificate="resisted")),
+        ("unknown key", True, lambda d: d.update(pyramid=4)),
+        ("degrees is", True, lambda d: d.update(bounds={"degrees": "50"})),
+        ("unknown key", True, lambda d: d.update(bounds={"mass": "1"})),
+    ],
+)  # fmt: skip
+def test_what_is_no_proof_for_all_is_one_clear_error(words, yes, change):
+    proof = genuine(yes)
+    change(proof)
+    with pytest.raises(InputError, match=words):
+        check(proof)
+
+
+def test_forces_at_rest_are_within_their_limits():
+    pushed = solve(Grasp(SPATIAL), (0, 0, "1/10", 0, 0, 0)).robust(friction="5%")
+    proof = pushed.certificate.to_dict()
+    assert check(proof)
+    for name in ("friction", "preload"):
+        assert not check(proof | {"bounds": {name: "0.95"}})
+    assert not check(proof | {"wrench": ["0", "0", "1", "0", "0", "0"]})
+    forces = [str(Fraction(x) + 1) for x in proof["box"]["forces"]]
+    assert not check(proof | {"box": proof["box"] | {"forces": forces}})
+
+
+@pytest.mark.parametrize("flip", [[0], [1], [0, 1, 2], "zero"])
+def test_loads_that_do_not_pull_back_prove_nothing(flip):
+    proof = genuine(True)
+    loads = proof["box"]["loads"]
+    for k in range(3) if flip == "zero" else flip:
+        loads[k] = ["0"] * 3 if flip == "zero" else [str(-Fraction(x)) for x in loads[k]]
+    assert not check(proof)
