@@ -4,6 +4,7 @@ import json
 import math
 from fractions import Fraction
 from functools import cache
+from itertools import product
 from random import Random
 
 import pytest
@@ -12,7 +13,17 @@ from arrangement.errors import InputError
 from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp, solve
 from equilibrium.certificate.checker import check
-from equilibrium.certificate.robust import Affine, Bounds, _largest, _turning, _Uncertain
+from equilibrium.certificate.robust import (
+    Affine,
+    Bounds,
+    _form,
+    _largest,
+    _length,
+    _turning,
+    _Uncertain,
+    corners_of,
+    halves,
+)
 from equilibrium.grasps.files import read_grasp
 from equilibrium.model.errors import GraspError
 
@@ -132,6 +143,164 @@ def test_bounds_have_ends_and_forms_their_sizes():
     assert 0 <= turned.friction.low - 2**128 * Fraction(19, 20) + 2 < 4
     form = Affine(-3, (1, -2))
     assert (form.low, form.high, form.size) == (-6, 0, 6)
+
+
+def random_form(source, parts=2):
+    """Return a form whose numbers are single units of 2^-128, or whole."""
+    unit = source.choice([1, 2**63 - 5, 2**128])
+    centre, *row = (unit * source.randint(-3, 3) for _ in range(parts + 1))
+    return Affine(centre, tuple(row), unit * source.randint(0, 2))
+
+
+def ends(form):
+    """Yield the numbers of a form without rest at the ends of all x, exact, in units."""
+    for at in product((-1, 1), repeat=len(form.parts)):
+        yield at, Fraction(form.centre + dot(at, form.parts))
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_forms_hold_sums_and_products_and_little_more(seed):
+    """All numbers are at most the rest away from where the form has them, and some almost."""
+    source = Random(f"forms {seed}")
+    for _ in range(30):
+        check_forms(source)
+
+
+def check_forms(source):
+    a, b = random_form(source), random_form(source)
+    above, below = source.choice([-5, -1, 0, 3, 2**128]), source.choice([1, 3, 2**127 + 1])
+    third = Fraction(source.randint(-4, 4), source.choice([1, 3]))
+
+    def farthest(found, exact):
+        """Return how far numbers are from the form without its rest."""
+        pairs = zip(ends(found), ends(a), ends(b), strict=True)
+        return max(
+            abs(exact(x + i * a.rest, y + j * b.rest) - at)
+            for ((_, at), (_, x), (_, y)) in pairs
+            for i, j in product((-1, 1), repeat=2)
+        )
+
+    assert farthest(a.plus(b), lambda x, y: x + y) == a.plus(b).rest
+    assert farthest(a.negative(), lambda x, y: -x) == a.rest
+    scaled = a.scaled(above, below)
+    assert 0 <= scaled.rest - farthest(scaled, lambda x, y: x * above / below) <= 4
+    product_ = a.times(b)
+    assert farthest(product_, lambda x, y: x * y / 2**128) <= product_.rest
+    given = _form(3, third, {0: 2 * third, 2: Fraction(1, 2)})
+    exact = (third, 2 * third, Fraction(0), Fraction(1, 2))
+    lost = [x * 2**128 - y for x, y in zip(exact, (given.centre, *given.parts), strict=True)]
+    assert max(lost) < 1
+    assert given.rest == sum(x != 0 for x in lost)
+
+
+def test_the_rest_of_a_product_is_reached():
+    one = 2**128
+    a, b = Affine(3 * one, (2 * one,), one), Affine(-one, (-2 * one,), 3 * one)
+    assert a.times(b) == Affine(-3 * one, (-8 * one,), (1 * 1 + 3 * 3 + 3 * 5) * one)
+    assert a.times(Affine(1, (0,), 0)) == Affine(3, (2,), 1)
+    assert Affine(1, (1, 1)).times(Affine(1, (1, 1))) == Affine(0, (0, 0), 4)
+    assert Affine(one, (one,), 1).scaled(-1, 2) == Affine(-one // 2, (-one // 2,), 3)
+
+
+@pytest.mark.parametrize("sizes", [(), (0,), (1,), (3, 4), (2, 3), (2**128, 1), (5, 12, 84)])
+def test_a_length_is_rounded_up(sizes):
+    found, square = _length(sizes), sum(x * x for x in sizes)
+    assert (found - 1) ** 2 <= square < found**2
+
+
+@pytest.mark.parametrize(("low", "high"), [(-1, 1), (0, 1), (Fraction(1, 4), Fraction(1, 2))])
+def test_halves_meet_in_the_middle(low, high):
+    rest, middle = (Fraction(1), Fraction(1)), Fraction(low + high, 2)
+    parts = list(halves([rest, (Fraction(low), Fraction(high)), rest], 1))
+    assert parts == [[rest, (low, middle), rest], [rest, (middle, high), rest]]
+    assert list(corners_of(parts[0])) == [(1, low, 1), (1, middle, 1)]
+
+
+ONE = 2**128
+
+
+def whole(vectors, unit=ONE):
+    """Return forms without parts of vectors of integers."""
+    return [[Affine(x * unit, ()) for x in v] for v in vectors]
+
+
+@pytest.mark.parametrize(
+    ("b", "slips", "most"),
+    [
+        ((1, 0), [(3, 4)], Fraction(3, 5)),
+        ((-1, 0), [(3, 4)], Fraction(-3, 5)),
+        ((1, 0), [(4, 3), (4, -3)], 1),
+        ((0, 1), [(4, 3), (4, -3)], Fraction(3, 4)),
+        ((-1, 0), [(4, 3), (4, -3)], Fraction(-4, 5)),
+        ((-2, -3), [(5, 12), (9, -12)], Fraction(78, 25)),
+        ((3, 4), [(0, 0)], 5),
+        ((-3, 4), [(0, 0), (1, 0)], 5),
+        ((-3, 4), [(2, 0), (-1, 0)], 5),
+        ((-3, 4), [(2, 0), (0, 1), (0, -1)], 5),
+    ],
+)
+def test_the_largest_work_of_a_cone_is_little_below_what_is_counted(b, slips, most):
+    (b,), slips = whole([b]), whole(slips)
+    assert 0 <= _largest(b, slips) - most * ONE < 2**40
+
+
+def test_the_largest_work_of_slips_that_are_uncertain():
+    (b,), ((away,),) = whole([(1, 3)]), whole([(0,)])
+    slip = [Affine(10 * ONE, (ONE,)), Affine(0, (0,))]
+    b = [Affine(x.centre, (0,)) for x in b]
+    assert 0 <= _largest(b, [slip]) - Fraction(121, 81) * ONE < 2**40
+    b = [x.negative() for x in b]
+    assert 0 <= _largest(b, [slip]) - Fraction(-9, 11) * ONE < 2**40
+    # In single units: the product that is 1 has to be divided by the cosine, too.
+    b = [Affine(2, ()), away]
+    assert _largest(b, whole([(1, 2), (1, -2)])) == 3
+
+
+@pytest.mark.parametrize("unit", [1, ONE])
+@pytest.mark.parametrize(
+    ("b", "slips", "still", "turns"),
+    [
+        ((-2, 1), [(4, 3), (4, -3)], Fraction(-5, 4), [Fraction(3, 4), Fraction(-3, 4)]),
+        ((2, 1), [(4, 3), (4, -3)], Fraction(35, 16), [Fraction(3, 4), Fraction(-3, 4)]),
+        ((-5, -4), [(2, 1), (5, 0), (5, -1)], Fraction(-27, 8), [-1, 0, 1]),
+        ((0, 4), [(3, 1), (3, -1), (6, 0)], Fraction(2, 3), [1, -1, 0]),
+    ],
+)
+def test_turning_slips_do_what_is_counted(b, slips, still, turns, unit):
+    """The formula in fractions; the middle slip is along the first axis, of length 4."""
+    (b,) = whole([b], unit)
+    found, sides = _turning(b, whole(slips))
+    spare = found.centre + found.rest - 2 - still * unit
+    square = sum(x.centre**2 for x in b)
+    assert (spare * 2**90) ** 2 >= square
+    assert spare <= 3 + math.isqrt(square) >> 80 or spare <= 6
+    for side, turn in zip(sides, turns, strict=True):
+        assert side.low <= turn * unit <= side.high
+        assert side.rest < 16
+
+
+def test_slips_that_may_turn_too_far_have_no_linear_bound():
+    (b,) = whole([(1, 1)])
+    assert _turning(b, whole([(4, 4), (4, -4)])) is None
+    assert _turning(b, whole([(-1, 0), (9, 0)])) is None
+    assert _turning(b, whole([(2, 0), (-2, 0)])) is None
+    assert _turning(b, whole([(1, 0)], 2**99)) is None
+    assert _turning(b, [*whole([(2, 0)], 1), *whole([(4, 0)])]) is None
+    assert _turning(b, whole([(100, 99), (100, -99)]))
+
+
+def test_the_work_of_slips_that_turn_is_what_is_counted():
+    contact = _Uncertain(Contact((0, 0, 0), (0, 0, 1), "1/2"), Bounds())
+    none = (0,) * contact.number
+
+    def forms(*numbers):
+        return [Affine(x * ONE, none) for x in numbers]
+
+    for radius, works in ((0, ("7/4", "29/4")), (1, (-1, "9/2"))):
+        springs = [x._replace(rest=radius * ONE) for x in forms(2, 4)]
+        found = contact._turned(*forms(1), forms(-2, 1), springs, [forms(4, 3), forms(4, -3)])
+        spare = [Fraction(x) * ONE - y for x, y in zip(works, found, strict=True)]
+        assert 0 < min(spare) <= max(spare) < 2**46, [float(x) for x in spare]
 
 
 def test_directions_of_slips_in_a_cone_do_at_most_what_is_counted():
