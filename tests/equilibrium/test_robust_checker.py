@@ -16,6 +16,7 @@ from equilibrium.certificate.checker import check
 from equilibrium.certificate.robust import (
     Affine,
     Bounds,
+    Box,
     _form,
     _largest,
     _length,
@@ -289,18 +290,147 @@ def test_slips_that_may_turn_too_far_have_no_linear_bound():
     assert _turning(b, whole([(100, 99), (100, -99)]))
 
 
-def test_the_work_of_slips_that_turn_is_what_is_counted():
-    contact = _Uncertain(Contact((0, 0, 0), (0, 0, 1), "1/2"), Bounds())
+#: Virtual motion along tangents and normal; at corners spring force, its rest, and slips; works.
+WORKS = [
+    ((0, 1), [(2, 0, 1)], [2]),
+    ((1, 1), [(2, 0, 1)], [1]),
+    ((1, 1), [(2, 0, -1)], [3]),
+    ((1, 1), [(2, 0, 0)], [1]),
+    ((-1, 1), [(2, 0, 0)], [1]),
+    ((1, 1), [(2, 0, 1), (4, 0, -1)], [1, 2]),
+    ((-1, 1), [(2, 0, 1), (4, 0, -1)], [1, 2]),
+    ((0, 1), [(1, 1, 1), (2, 0, 1)], [0, 2]),
+    ((0, 1), [(2, 0, 1), (-1, 0, 1)], [0, 0]),
+    ((0, -1), [(2, 0, 1), (-1, 0, 1)], [-2, 0]),
+    ((0, -1), [(2, 0, 1), (0, 1, 1)], [-2, -1]),
+    ((0, 1), [(2, 0, 1), (0, 1, 1)], [0, 0]),
+    ((1, 0), [(-2, 0, 1), (-1, 1, 1)], [0, 0]),
+    ((1, 0), [(-2, 0, -1), (-1, 2, -1)], [0, 0]),
+    ((3, 4, 0), [(2, 0, 0, 0)], [-5]),
+    ((-2, 1, 1), [(2, 0, 4, 3), (4, 0, 4, -3)], ["7/4", "29/4"]),
+    ((-2, 1, 1), [(2, 1, 4, 3), (4, 1, 4, -3)], [-1, "9/2"]),
+    ((-2, 1, 1), [(2, 1, 4, 3), (4, 0, 4, -3)], [-1, "55/8"]),
+    ((0, 1, -1), [(2, 0, 4, 3), (-1, 0, 4, -3)], ["-11/4", 0]),
+    ((0, 1, -1), [(2, 0, 4, 4), (6, 0, 4, -4)], [-3, -9]),
+]
+
+
+@pytest.mark.parametrize(("virtual", "corners", "works"), WORKS)
+def test_the_work_of_a_contact_is_what_is_counted(virtual, corners, works):
+    """At friction 1/2, worked out by hand; in the plane the tangent is opposite to the x axis."""
+    n = len(virtual)
+    normal = (*[0] * (n - 1), 1)
+    contact = _Uncertain(Contact([0] * n, normal, "1/2"), Bounds())
     none = (0,) * contact.number
+    forms = [
+        (Affine(e * ONE, none, rest * ONE), [Affine(x * ONE, none) for x in slips])
+        for e, rest, *slips in corners
+    ]
+    way = (-virtual[0], virtual[1], 0) if n == 2 else (*virtual, 0, 0, 0)
+    found = contact.works(way, forms)
+    spare = [Fraction(x) * ONE - y for x, y in zip(works, found, strict=True)]
+    assert 0 <= min(spare) <= max(spare) < 2**46
 
-    def forms(*numbers):
-        return [Affine(x * ONE, none) for x in numbers]
 
-    for radius, works in ((0, ("7/4", "29/4")), (1, (-1, "9/2"))):
-        springs = [x._replace(rest=radius * ONE) for x in forms(2, 4)]
-        found = contact._turned(*forms(1), forms(-2, 1), springs, [forms(4, 3), forms(4, -3)])
-        spare = [Fraction(x) * ONE - y for x, y in zip(works, found, strict=True)]
-        assert 0 < min(spare) <= max(spare) < 2**46, [float(x) for x in spare]
+@pytest.mark.parametrize(
+    ("bounds", "motion", "virtual", "most"),
+    [
+        ({}, (0, 0, 0), (0, 1, 0), 1),
+        ({}, (1, "1/2", 0), (0, 1, 0), 0),
+        ({}, (1, "-1/2", 0), (2, 1, 0), 0),
+        ({}, (-1, "-1/2", 0), (2, 1, 0), 4),
+        ({"friction": "1/4"}, (0, 0, 0), (1, 1, 0), "3/8"),
+        ({"friction": "1/4"}, (1, 0, 0), (1, 1, 0), "3/8"),
+        ({"friction": "1/4"}, (-1, 0, 0), (1, 1, 0), "11/8"),
+        ({"preload": "1/4"}, (0, 0, 0), (0, 1, 0), "3/4"),
+        ({"preload": "1/4"}, (0, "-1", 0), (0, 1, 0), "11/4"),
+        ({"stiffness": "1/4"}, (0, "1/4", 0), (0, 1, 0), "3/8"),
+        ({"stiffness": "1/4"}, (0, -1, 0), (0, 1, 0), "5/2"),
+        ({"length": "1/8"}, (0, 0, "1/2"), (0, 1, 0), "3/8"),
+        ({"length": "1/8"}, (0, 0, 0), (0, 0, 1), "5/16"),
+        ({"length": "1/8"}, (0, -1, 0), (0, 0, -1), "-33/16"),
+        ({}, (1, 0, 0, 0, 0, 0), (1, 0, 1, 0, 0, 0), "1/2"),
+        ({"friction": "1/4"}, (0, 1, 0, 0, 0, 0), (0, 1, 1, 0, 0, 0), "3/8"),
+        ({"preload": "1/4"}, (0, 0, -1, 0, 0, 0), (0, 0, 1, 0, 0, 0), "11/4"),
+        ({"stiffness": "1/4"}, (0, 0, -1, 0, 0, 0), (0, 0, 1, 0, 0, 0), "5/2"),
+        ({"length": "1/8", "friction": "1/4"}, (1, 0, 0, 0, 0, 0), (1, 0, 1, 0, -1, 0), "11/64"),
+        ({"length": "1/8", "friction": "1/4"}, (1, 0, 0, 0, 0, 0), (1, 0, 1, 0, 1, 0), "11/64"),
+    ],
+)
+def test_a_leaf_holds_just_up_to_the_load_that_its_contact_bears(bounds, motion, virtual, most):
+    """One contact at (1/2, 0) or (0, 0, 0), stiffness 2, preload 1, friction 1/2."""
+    motion, n = [Fraction(x) for x in motion], len(virtual)
+    place = (("1/2", 0), (0, 1)) if n == 3 else ((0, 0, 0), (0, 0, 1))
+    grasp = Grasp([Contact(*place, "1/2", 2, 1)])
+    for spare, holds in ((Fraction(1, 2**60), True), (Fraction(0), False)):
+        # Of length 1 on the virtual motion, which is primitive.
+        size = dot(virtual, virtual)
+        load = tuple((spare - Fraction(most)) * x / size for x in virtual)
+        box = Box(grasp, load, Bounds(**bounds), {"scales": ["1"] * n})
+        ranges = [(Fraction(1), Fraction(1)), *((x, x) for x in motion)]
+        assert box.holds(virtual, ranges) == holds
+
+
+UNITS = [["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]]
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "holds"), [(-1, -1, True), (-1, 1, False), (-1, 0, False), (1, 1, False)]
+)
+@pytest.mark.parametrize("form", [{"centre": ["0"] * 3, "axes": UNITS}, {"forces": []}])
+def test_a_leaf_of_a_yes_pulls_back_at_all_corners(low, high, holds, form):
+    """Without contacts, the load does work 1 on the virtual motion."""
+    form = {"axes": [[]] * 3, "loads": UNITS} | form
+    box = Box(Grasp(), (Fraction(1), Fraction(0), Fraction(0)), Bounds(), form)
+    ranges = [(Fraction(low), Fraction(high)), *[(Fraction(-1), Fraction(1))] * 2]
+    assert box.holds((1, 0, 0), ranges) == holds
+
+
+@pytest.mark.parametrize(
+    ("force", "bounds", "most"),
+    [
+        ("1/4", {}, "1/8"),
+        ("5/8", {}, "1/2"),
+        ("5/8", {"friction": "1e-9"}, None),
+        ("5/8", {"preload": "1e-9"}, None),
+        ("0.625000001", {}, None),
+        ("-3/8", {}, "-1/2"),
+        ("-0.375000001", {}, None),
+        ("1/4", {"length": 1}, "1/8"),
+    ],
+)
+def test_a_leaf_holds_just_up_to_what_friction_at_rest_bears(force, bounds, most):
+    """One contact, the normal force 1, friction 1/2; the axis takes 1/8 off the force."""
+    form = {"forces": [force], "axes": [["1/8"], ["0"], ["0"]], "loads": UNITS}
+    y = [(Fraction(x), Fraction(x)) for x in (-1, 0, 0)]
+    for spare, holds in ((Fraction(1, 2**60), most is not None), (Fraction(0), False)):
+        wrench = (Fraction(most or 9) + spare, Fraction(0), Fraction(0))
+        grasp = Grasp([Contact((0, 0), (0, 1), "1/2", 2, 1)])
+        assert Box(grasp, wrench, Bounds(**bounds), form).holds((1, 0, 0), y) == holds
+
+
+def test_faces_are_those_of_the_half_cube_or_the_cube():
+    one, whole_, half = Fraction(1), (Fraction(-1), Fraction(1)), (Fraction(0), Fraction(1))
+    wrench, scales = (one, one, one), {"scales": ["1", "2", "1/3"]}
+    box = Box(Grasp(), wrench, Bounds(), scales)
+    sides = [(k, (x, x)) for k in (1, 2, 3) for x in (-one, one)]
+    assert list(box.faces()) == [
+        (k, [side if j == k else half if j == 0 else whole_ for j in range(4)])
+        for k, side in [(0, (one, one)), *sides]
+    ]
+    motion, load = box.motion((one, one, -one, one / 2))
+    assert [Fraction(x, motion[0]) for x in motion] == [1, 1, -2, Fraction(1, 6)]
+    assert (load, motion[0] > 0) == ((), True)
+    axes = [["1", "0", "0"], ["0", "2", "0"], ["1", "0", "1/3"]]
+    form = {"centre": ["1/2", "0", "0"], "axes": axes, "loads": UNITS}
+    box = Box(Grasp(), wrench, Bounds(), form)
+    assert list(box.faces()) == [
+        (k - 1, [side if j == k - 1 else whole_ for j in range(3)]) for k, side in sides
+    ]
+    motion, load = box.motion((one, -one, one / 2))
+    assert [Fraction(x, motion[0]) for x in motion] == [1, 2, -2, Fraction(1, 6)]
+    assert [Fraction(x, load[0]) for x in load] == [1, -1, Fraction(1, 2)]
+    assert load[0] < 0 < motion[0]
 
 
 def test_directions_of_slips_in_a_cone_do_at_most_what_is_counted():
@@ -415,9 +545,10 @@ def halved(k, d):
     return [{"cut": k, "children": d["faces"][:2]}]
 
 
-def deep(cuts, node):
+def deep(cuts, leaf):
+    node = leaf
     for _ in range(cuts):
-        node = {"cut": 1, "children": [node, node]}
+        node = {"cut": 1, "children": [node, leaf]}
     return node
 
 
@@ -441,7 +572,9 @@ def flat(rows):
 )  # fmt: skip
 def test_a_forged_proof_for_all_is_refused(yes, change):
     proof = genuine(yes)
-    assert check(proof)
+    genuine_report = check(proof)
+    assert genuine_report
+    assert genuine_report.leaves == str(proof["faces"]).count("['")
     report = check(change(proof))
     assert not report
     assert "does not hold for all" in report.problem
@@ -457,7 +590,7 @@ def test_a_forged_proof_for_all_is_refused(yes, change):
         ("does not fix", True, lambda d: d.update(faces=halved(0, d) * 6)),
         ("does not fix", True, lambda d: d.update(faces=halved(3, d) * 6)),
         ("does not fix", True, lambda d: d.update(faces=halved(True, d) * 6)),
-        ("up to 200 times", True, lambda d: d["faces"].__setitem__(0, deep(201, d["faces"][0]))),
+        ("up to 200 times", True, lambda d: d["faces"].__setitem__(4, deep(201, d["faces"][4]))),
         ("unknown key", True, lambda d: d.update(certificate="not resisted")),
         ("unknown key", False, lambda d: d.update(certificate="resisted")),
         ("unknown key", True, lambda d: d.update(pyramid=4)),
@@ -470,6 +603,12 @@ def test_what_is_no_proof_for_all_is_one_clear_error(words, yes, change):
     change(proof)
     with pytest.raises(InputError, match=words):
         check(proof)
+
+
+def test_cells_are_cut_up_to_200_times():
+    proof = genuine(True)
+    proof["faces"][4] = deep(200, proof["faces"][4])
+    assert check(proof)
 
 
 def test_forces_at_rest_are_within_their_limits():
