@@ -392,6 +392,59 @@ return number_text(value, digits=30, longest=60)
 [robust]
 _FINEST = 1 << MOST_CUTS
     1 -> 2 | any common multiple of all denominators will do
+self.number = 2 * n + 2
+    2 -> 3 | 2 -> 3 (2) | parts more, which are 0
+units = [tuple(Fraction(j == k) for j in range(n)) for k in range(n * (bounds.length > 0))]
+    Mult -> Add | one part more, which is 0 and then set to another number
+    Gt -> GtE | 0 -> -1 | without such a bound these parts are 0
+if all(e.high <= 0 for e in springs):
+    LtE -> Lt | 0 -> -1 | a spring force of at most 0 has work 0 below as well
+one, other = across[0], across[0].negative()
+    0 -> -1 | 0 -> -1 (2) | in the plane there is one tangent
+rubs = [one] * any(s.high >= 0 for (s,) in slips)
+    0 -> -1 | stricter by a unit
+rubs += [other] * any(s.low <= 0 for (s,) in slips)
+    0 -> 1 | stricter by a unit
+if e.low >= 0:
+    GtE -> Gt | 0 -> 1 | 0 -> -1 | for a spring force around 0 both bounds hold
+work = min(least, 0) * max(e.high, 0) >> _BITS
+    0 -> 1 | 0 -> -1 (2) | of this, what is above 0 is not counted
+    0 -> -1 | 0 -> 1 (2) | stricter by a unit
+if middle < 1 << 100:
+    1 -> 2 (2) | how short a slip may be was chosen
+if least <= 0:
+    0 -> 1 | the tangent is then above 1
+tangent = max(-(-(side.size << _BITS) // forth.low) for forth, side in parts) + (1 << 40)
+    1 -> 2 | 40 -> 41 | a larger bound
+    1 -> 0 | 40 -> 39 | the tangent of exact slips is that of v, whatever length v has
+if tangent > _ONE:
+    Gt -> GtE | up to which tangent it is tried was chosen
+rest = max(-still.low, 0) * tangent * tangent // 2 + turn.size * tangent * uneven
+    0 -> 1 | a larger bound
+    0 -> -1 | half a unit, and the terms added below have more to spare
+rest = -(-rest >> 2 * _BITS) + (_length(x.size for x in b) >> 90) + 1
+    1 -> 2 | 90 -> 89 | a larger bound
+if not low or before <= 0:
+    dropped: not low | low -> high | where each entry may be 0, what is before is at most 0
+    LtE -> Lt | 0 -> -1 | the cosine is then 0: the whole, or a bound below 0 that needs none
+    0 -> 1 | a larger bound
+steepest = max(steepest, -(-(work << _BITS) // (low if work > 0 else high)))
+    Gt -> GtE | 0 over any length is 0
+    0 -> 1 | 0 -> -1 | over high it is a bound too, as v . s_j is at least the cosine times high
+low = math.isqrt(sum(max(abs(x.centre) - x.radius, 0) ** 2 for x in slip))
+    0 -> 1 | 0 -> -1 | the root of x^2 + 1 is x rounded down; where x is 0 see below
+if steepest > 0:
+    Gt -> GtE | 0 -> -1 | 0 over the cosine is 0, or replaced by the whole
+for k in range(0, len(forces), each or 1)
+    1 -> 2 | without forces the range is empty
+if self.closed and any(dot(way, load) <= 0 for _, load, _ in corners):
+    0 -> 1 | stricter by a unit
+if self.rest and None in here:
+    dropped: self.rest | of motions no corner is None
+return all(x > 0 or x == 0 == share for x, (share, *_) in zip(work, corners, strict=True))
+    0 -> 1 | stricter by a unit
+if not problem and not box.holds(virtual, ranges):
+    dropped: not problem | another leaf that does not hold is named
 """
 
 

@@ -135,8 +135,14 @@ def test_bounds_have_ends_and_forms_their_sizes():
     assert Bounds(**most).friction == Fraction(99, 100)
     for name, most_of in most.items():
         past = Fraction(str(most_of).removesuffix("%")) + Fraction(1, 10**6)
-        with pytest.raises(GraspError, match="give a number from 0 to"):
+        share = ", a share" * (name in ("friction", "preload"))
+        with pytest.raises(GraspError, match=f"give a number from 0 to [0-9.]+{share}"):
             Bounds(**{name: f"{past}%" if name == "preload" else past})
+        with pytest.raises(GraspError, match=f"{name} is "):
+            Bounds(**{name: Fraction(-1, 2)})
+    half = Bounds(degrees=3, length=1, friction="5%").times(Fraction(1, 2))
+    assert half == Bounds(degrees="3/2", length="1/2", friction="1/40")
+    assert str(half).startswith("normals within 1.5 degrees, points within 0.5, friction within")
     assert str(Bounds()) == "no change"
     assert 0 <= Bounds(degrees=45).angle - math.pi / 4 < 1e-6
     turned = _Uncertain(Contact([0, 0], [0, 1], 1), Bounds(degrees=2, friction="5%"))
@@ -280,6 +286,38 @@ def test_turning_slips_do_what_is_counted(b, slips, still, turns, unit):
         assert side.rest < 16
 
 
+def test_uncertain_slips_turn_further():
+    """Slips (96 +- 24, 35) and (96 +- 24, -35): of length 125 at most, 72 along at least."""
+    (b,) = whole([(-2, 1)])
+    slips = [[x._replace(rest=24 * ONE), y] for x, y in whole([(96, 35), (96, -35)])]
+    found, _ = _turning(b, slips)
+    tangent, uneven = Fraction(35, 72), Fraction(29, 96)
+    assert 0 <= found.rest - (tangent**2 + tangent * uneven) * ONE < 2**48
+    found, _ = _turning([b[0]._replace(rest=ONE), b[1]], slips)
+    assert 0 <= found.rest - (1 + 3 * tangent**2 / 2 + tangent * uneven) * ONE < 2**48
+
+
+def test_signs_are_read_to_the_last_unit():
+    contact = _Uncertain(Contact((0, 0), (0, 1), "1/2"), Bounds())
+    none = (0,) * contact.number
+    slips = [Affine(ONE, none)]
+    assert contact.works((0, -1, 0), [(Affine(1, none), slips)])[0] <= -1
+    springs = [Affine(x, none) for x in (-1, 2 * ONE)]
+    assert max(contact.works((0, 1, 0), [(e, slips) for e in springs])) <= 0
+    # A slip of 0 in space: only the length is rounded, by a unit.
+    contact = _Uncertain(Contact((0, 0, 0), (0, 0, 1), 1), Bounds())
+    still, one = (Affine(x, (0,) * contact.number) for x in (0, ONE))
+    assert contact.works((0, 1, -1, 0, 0, 0), [(one, [still, still])]) == [-2 * ONE - 1]
+
+
+@pytest.mark.parametrize("small", [0, Fraction(1, 2**200)])
+def test_without_friction_or_preload_no_force_is_at_rest(small):
+    for values in ((small, 1, 1), (1, 1, small)):
+        contact = _Uncertain(Contact((0, 0), (0, 1), *values), Bounds())
+        assert contact.at_rest((Fraction(1, 2**128),)) is None
+        assert contact.at_rest((Fraction(0),)) is not None
+
+
 def test_slips_that_may_turn_too_far_have_no_linear_bound():
     (b,) = whole([(1, 1)])
     assert _turning(b, whole([(4, 4), (4, -4)])) is None
@@ -288,6 +326,7 @@ def test_slips_that_may_turn_too_far_have_no_linear_bound():
     assert _turning(b, whole([(1, 0)], 2**99)) is None
     assert _turning(b, [*whole([(2, 0)], 1), *whole([(4, 0)])]) is None
     assert _turning(b, whole([(100, 99), (100, -99)]))
+    assert _turning(b, whole([(1, 0)], 2**100))
 
 
 #: Virtual motion along tangents and normal; at corners spring force, its rest, and slips; works.
@@ -310,6 +349,7 @@ WORKS = [
     ((-2, 1, 1), [(2, 0, 4, 3), (4, 0, 4, -3)], ["7/4", "29/4"]),
     ((-2, 1, 1), [(2, 1, 4, 3), (4, 1, 4, -3)], [-1, "9/2"]),
     ((-2, 1, 1), [(2, 1, 4, 3), (4, 0, 4, -3)], [-1, "55/8"]),
+    ((0, 4, 1), [(2, 0, 3, 1), (4, 0, 3, -1), (6, 0, 6, 0)], ["-5/3", "11/3", 3]),
     ((0, 1, -1), [(2, 0, 4, 3), (-1, 0, 4, -3)], ["-11/4", 0]),
     ((0, 1, -1), [(2, 0, 4, 4), (6, 0, 4, -4)], [-3, -9]),
 ]
@@ -590,6 +630,10 @@ def test_a_forged_proof_for_all_is_refused(yes, change):
         ("does not fix", True, lambda d: d.update(faces=halved(0, d) * 6)),
         ("does not fix", True, lambda d: d.update(faces=halved(3, d) * 6)),
         ("does not fix", True, lambda d: d.update(faces=halved(True, d) * 6)),
+        ("does not fix", True, lambda d: d["faces"].__setitem__(4, halved(True, d)[0])),
+        ("does not fix", True, lambda d: d["faces"].__setitem__(0, halved(-1, d)[0])),
+        ("does not fix", True, lambda d: d["faces"].__setitem__(4, halved("1", d)[0])),
+        ("box", True, lambda d: d.update(box=5)),
         ("up to 200 times", True, lambda d: d["faces"].__setitem__(4, deep(201, d["faces"][4]))),
         ("unknown key", True, lambda d: d.update(certificate="not resisted")),
         ("unknown key", False, lambda d: d.update(certificate="resisted")),
