@@ -645,6 +645,9 @@ class _InPlace(_Confined):
 
     def pytest_runtestloop(self, session: Any) -> bool:
         """Answer for each number of a fault whether a test notices it; -1 is none."""
+        # Its children are confined; it plants as many faults as there are.
+        most = resource.getrlimit(resource.RLIMIT_CPU)[1]
+        resource.setrlimit(resource.RLIMIT_CPU, (most, most))
         path, module = str(self.target.path), self.target.module
         code = _codes(compile(self.target.path.read_text(), path, "exec"))
         functions = [
@@ -719,6 +722,7 @@ def plant(name: str, seed: int, first: int = 1) -> int:
         target=_in_child, args=(lambda: _tests(target, _InPlace(target, listed, there)),)
     )
     worker.start()
+    there.close()  # Else nothing would be heard of a worker that ends.
 
     def noticed(number: int) -> bool:
         here.send(number)
