@@ -37,7 +37,7 @@ Node: TypeAlias = tuple[State, ...]
 Condition: TypeAlias = tuple[str, Floats, Floats]
 
 #: Sectors are cut down to this sine of their angle; directions are multiples of one over these.
-_NARROW, _COARSE, _DIRECTIONS = 1e-4, 8, 64
+NARROW, _COARSE, _DIRECTIONS = 1e-4, 8, 64
 #: From this share of its limit on, smooth friction is that of a slip.
 _SLIPS = 0.9999
 
@@ -143,7 +143,7 @@ class RoundCones:
     def _middle(self, sector: Any) -> Direction | None:
         """Return integers near the middle of a sector; None if it is narrow."""
         sine = self.sine(sector)
-        if sine < _NARROW:
+        if sine < NARROW:
             return None
         x, y = self._units(sector).sum(axis=0)
         scale = (_COARSE if sine == 1.0 else _DIRECTIONS / sine) / math.hypot(x, y)

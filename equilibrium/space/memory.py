@@ -16,6 +16,11 @@ from .leaves import ExactLeaf, Leaves
 _MOST = 20_000
 #: A tree is followed where at most one leaf in this many, and so many others, are open.
 _SHARE, _OTHERS = 4, 4
+#: So many parts stay open before a search ends.
+_HOLES = 8
+#: Nodes with two slips in sectors too narrow to split may be one in this many, and so many others.
+#: On some borders there are as many as pairs of sectors; no search seen to succeed had as many.
+_NODES, _PAIRS = 8, 10
 
 
 class OpenTree:
@@ -25,13 +30,19 @@ class OpenTree:
         waiting: open nodes, and their places.
         splits: by states.
         nodes, leaves, holes: how many were tried, closed and left open.
+        pairs: tried nodes where two contacts slip in sectors too narrow to split.
     """
 
     def __init__(self, root: Node) -> None:
         self.top: list[Any] = [None]
         self.waiting: list[tuple[Node, list[Any], int]] = [(root, self.top, 0)]
         self.splits: dict[Node, OpenSplit] = {}
-        self.nodes, self.leaves, self.holes = 0, 0, 0
+        self.nodes, self.leaves, self.holes, self.pairs = 0, 0, 0, 0
+
+    @property
+    def hopeless(self) -> bool:
+        """Whether too many parts are open, or too narrow to split, for the search to go on."""
+        return self.holes >= _HOLES or self.pairs >= _PAIRS + self.nodes // _NODES
 
 
 class Memory:

@@ -22,7 +22,7 @@ from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import FloatContacts, nearest
 
-from .cones import Node, OpenSplit, Pyramids, RoundCones, finished, split_of
+from .cones import NARROW, Node, OpenSplit, Pyramids, RoundCones, finished, split_of
 from .equilibria import proposals
 from .exact_parts import ExactParts, PyramidParts
 from .leaves import Leaves
@@ -50,8 +50,6 @@ _NEAR = 1e-3
 _DECIDED = ("detached", "stick")
 #: Exact programs of more contacts take seconds, and are asked last.
 _SMALL = 6
-#: Parts that stay open before the search ends.
-_HOLES = 8
 
 
 @dataclass(frozen=True)
@@ -153,7 +151,8 @@ class SpatialSearch:
                 if not isinstance(found, Open):
                     return found
                 self.exactly = True
-        return self._tree(OpenTree(root) if tree.holes else tree, self.nodes)
+        again = tree.holes or tree.hopeless
+        return self._tree(OpenTree(root) if again else tree, self.nodes)
 
     def _exact_equilibrium(self) -> Solution | None:
         """Return an equilibrium of states looked at since this was asked last, found exactly."""
@@ -229,7 +228,7 @@ class SpatialSearch:
     def _tree(self, tree: OpenTree, most: int, known: bool = False) -> Solution | Any | Open:
         """Go on with a search, depth first; nodes that are known are taken, not counted."""
         self.idle, self.patience = 0, max(_PATIENCE, 2 * len(self.contacts.grasp))
-        while tree.waiting and tree.holes < _HOLES:
+        while tree.waiting and not tree.hopeless:
             nodes = tree.nodes
             if nodes >= most:
                 return Open(f"after {nodes} nodes the tree is not closed", self.residual)
@@ -240,6 +239,7 @@ class SpatialSearch:
             found = self.memory.at(states, self.leaves) if known else None
             if found is None:
                 tree.nodes, self.idle = nodes + 1, self.idle + 1
+                tree.pairs += sum(self.cones.sine(x) < NARROW for x in states) > 1
                 found = self._node(states)
             if isinstance(found, Solution):
                 return found
@@ -253,7 +253,7 @@ class SpatialSearch:
             else:
                 # Further on there may be an equilibrium.
                 tree.holes += 1
-        if tree.holes:
+        if tree.holes or tree.waiting:
             return Open("a relaxation neither closes nor splits further", self.residual)
         self.memory.keep(tree.splits, self.leaves.found)
         return finished(tree.top[0])

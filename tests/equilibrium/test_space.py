@@ -234,6 +234,16 @@ def bracket_of(rule, low, high, tree):
     return _bracket(known, *ends, Fraction(1, 1000)), tried
 
 
+@pytest.fixture
+def solved(monkeypatch):
+    """Return the list of nodes whose programs are solved."""
+    states, ask = [], Relaxation.solve
+    monkeypatch.setattr(
+        Relaxation, "solve", lambda self, node: states.append(node) or ask(self, node)
+    )
+    return states
+
+
 class TestManyLoads:
     """A solver follows the trees of earlier loads, and answers as one that knows none."""
 
@@ -249,12 +259,7 @@ class TestManyLoads:
         assert {v.verdict for v in found} == {"resisted", "not resisted"}
         assert all(v.verify() for v in found)
 
-    def test_programs_are_solved_only_where_a_leaf_no_longer_refutes(self, monkeypatch):
-        solved = []
-        ask = Relaxation.solve
-        monkeypatch.setattr(
-            Relaxation, "solve", lambda self, states: solved.append(states) or ask(self, states)
-        )
+    def test_programs_are_solved_only_where_a_leaf_no_longer_refutes(self, solved):
         grasp, load = random_grasp(4, 5, dimension=3), random_wrench(3, dimension=3, bound=1)
         solver, counts = Solver(grasp), []
         for share in (1, 1 + Fraction(1, 10**6), 0):
@@ -409,6 +414,22 @@ def test_questions_that_are_not_in_general_position_are_decided(kind):
 )
 def test_what_floats_leave_open_is_decided(kind, seed):
     assert decided(kind, [seed]) == 1
+
+
+@pytest.mark.parametrize("load", [(2, 1), (2, -1), (4, 1), (4, -1)])
+def test_a_load_on_the_border_is_given_up_early(load, solved):
+    """All friction goes along z only of infinite slips; less of the load has an equilibrium."""
+    place, size = load
+    grasp = read_any("paper-three-contacts-in-space").grasp
+    border = [Fraction(0)] * 6
+    border[place] = Fraction(size)
+    near = [1 - Fraction(1, 10**6), 1 + Fraction(1, 10**6)]
+    found = [solve(grasp, [share * x for x in border]).verdict for share in near]
+    assert found == ["resisted", "not resisted"]
+    solved.clear()
+    assert solve(grasp, border).verdict == "undecided"
+    # Without end, pairs of sectors of slips would come to thousands.
+    assert len(solved) < 400
 
 
 #: Of 200 (with huge friction, of which some take minutes, of 100), those left open.
