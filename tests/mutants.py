@@ -74,6 +74,10 @@ ENCLOSURES = SPACE[0], "tests/equilibrium/test_space.py::TestChecker"
 LOADS = tuple(
     f"tests/equilibrium/test_space.py::Test{name}" for name in ("KnownLoads", "Brackets", "Borders")
 )
+ROBUST = (
+    "tests/equilibrium/test_robust_arithmetic.py",
+    "tests/equilibrium/test_robust_checker.py",
+)
 FINAL = tuple(
     f"tests/arrangement/test_identify.py::test_{name}"
     for name in (
@@ -91,9 +95,7 @@ TARGETS = {
     "reading": Target("equilibrium.certificate.reading", CHECKER),
     "space": Target("equilibrium.certificate.space", SPACE),
     "enclosure": Target("equilibrium.certificate.enclosure", ENCLOSURES),
-    "robust": Target(
-        "equilibrium.certificate.robust", ("tests/equilibrium/test_robust_checker.py",)
-    ),
+    "robust": Target("equilibrium.certificate.robust", ROBUST),
     "plane": Target("equilibrium.model.plane", (PLANES,)),
     "loads": Target("equilibrium.wrench_sets.spatial", LOADS),
     "final": Target("arrangement.library.census.final_polynomials", FINAL),
