@@ -439,6 +439,8 @@ if steepest > 0:
     Gt -> GtE | 0 -> -1 | 0 over the cosine is 0, or replaced by the whole
 for k in range(0, len(forces), each or 1)
     1 -> 2 | without forces the range is empty
+for end in ranges[k][::-1][:1] if half and not k else ranges[k]:
+    1 -> 2 (2) | of two ends every second, backwards, is the last alone
 if self.closed and any(dot(way, load) <= 0 for _, load, _ in corners):
     0 -> 1 | stricter by a unit
 if self.rest and None in here:
