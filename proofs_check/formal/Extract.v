@@ -24,6 +24,7 @@ Print Assumptions whitney.
 
 Print Assumptions great_circle_regions.
 Print Assumptions great_circle_regions_attained.
+Print Assumptions great_circle_regions_only_general.
 Print Assumptions state_formula.
 Print Assumptions slip_states_at_most.
 Print Assumptions slip_states_attained.
@@ -39,6 +40,9 @@ Print Assumptions step_3_time.
 Print Assumptions fukuda_bound.
 Print Assumptions fukuda_bound_attained.
 Print Assumptions bound_not_attained.
+Print Assumptions hamming_edges.
+Print Assumptions dual_distances.
+Print Assumptions dual_bipartite.
 Print Assumptions step_1_square_bound_needs_two_planes.
 Print Assumptions dual_bounds_need_two_planes.
 Print Assumptions euler_needs_rank_3.

@@ -2,7 +2,7 @@
     do not. Words are defined in Planes.v; proofs stand in other files. *)
 
 Require Import Reals ZArith List Lia Permutation.
-Require Import Planes Sides Rank Recursion Counting Bounds General Sphere Dual.
+Require Import Planes Sides Rank Recursion Counting Bounds General Sphere Dual Graph Attained.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -17,6 +17,16 @@ Theorem great_circle_regions_attained : forall planes, great_circles planes ->
   general 3 planes -> 1 <= size planes ->
   number (region planes) (size planes * size planes - size planes + 2).
 Proof. exact general_circle_regions. Qed.
+
+(** No other planes attain it: where two coincide, or three share a line, there are fewer. *)
+Theorem great_circle_regions_only_general : forall planes, great_circles planes ->
+  1 <= size planes ->
+  number (region planes) (size planes * size planes - size planes + 2) ->
+  general 3 planes.
+Proof.
+  intros planes [S C] M N. apply (only_general_regions S C). unfold size in *.
+  destruct (length planes) as [|k]; [cbn in M; lia|]. now rewrite circles_3.
+Qed.
 
 Theorem state_formula : forall planes, great_circles planes ->
   general 3 planes -> 3 <= size planes ->
@@ -141,6 +151,27 @@ Theorem bound_not_attained : forall planes f, great_circles planes -> 4 <= size 
   choose_upto (length planes) 3 + choose (length planes) 1 * choose_upto (length planes - 1) 2 +
   choose (length planes) 2 * choose_upto (length planes - 2) 1 + choose (length planes) 3.
 Proof. intros planes f C M N. now apply total_below. Qed.
+
+(** * The dual graph *)
+
+(** Regions are neighbours exactly where one plane lies between them. *)
+Theorem hamming_edges : forall planes s t, different planes -> region planes s -> region planes t ->
+  (share_facet planes s t <-> separating s t = 1%nat).
+Proof. intros planes s t D Rs Rt. split; [now apply facet_one_sign|now apply facet_between]. Qed.
+
+(** The distance of two regions is the number of planes between them; so the graph is connected. *)
+Theorem dual_distances : forall planes s t, different planes -> region planes s -> region planes t ->
+  walk planes s t (separating s t) /\
+  forall n, walk planes s t n -> (separating s t <= n)%nat.
+Proof.
+  intros planes s t D Rs Rt. split; [now apply (walk_straight D (n := separating s t))|].
+  intros n. now apply walk_long.
+Qed.
+
+(** Neighbours differ in the parity of their minus signs. *)
+Theorem dual_bipartite : forall planes s t, different planes -> region planes s -> region planes t ->
+  share_facet planes s t -> Nat.even (minus_signs s) <> Nat.even (minus_signs t).
+Proof. exact two_classes. Qed.
 
 (** * Counterexamples, computed *)
 

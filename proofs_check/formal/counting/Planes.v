@@ -114,6 +114,40 @@ Definition simple (d : nat) (planes : list (form R)) : Prop :=
   general d planes /\
   forall fs rest, Permutation planes (fs ++ rest) -> length fs = S d -> ~ meet fs.
 
+(** Two forms with the same plane: one is a multiple of the other. No two planes coincide. *)
+Definition same_plane (f g : form R) : Prop := exists c, c <> 0 /\ forall x, value g x = c * value f x.
+
+Definition different (planes : list (form R)) : Prop :=
+  ForallOrdPairs (fun f g => ~ same_plane f g) planes.
+
+(** Planes on different sides of which two regions lie. *)
+Definition sign_eq_dec (s t : sign) : {s = t} + {s <> t}.
+Proof. decide equality. Defined.
+
+Fixpoint separating (s t : list sign) : nat :=
+  match s, t with
+  | a :: s, b :: t => if sign_eq_dec a b then separating s t else S (separating s t)
+  | _, _ => O
+  end.
+
+Fixpoint minus_signs (s : list sign) : nat :=
+  match s with
+  | [] => O
+  | a :: s => if sign_eq_dec a Minus then S (minus_signs s) else minus_signs s
+  end.
+
+(** A face that lies in the closure of a region: where it is on no plane it has the region's sign. *)
+Definition borders (u s : list sign) : Prop := Forall2 (fun a b => a = Zero \/ a = b) u s.
+
+(** Edges of the dual graph: two regions share a facet, a face of codimension 1. Walks in it. *)
+Definition share_facet (planes : list (form R)) (s t : list sign) : Prop :=
+  s <> t /\ exists u, face_of_codimension 1 planes u /\ borders u s /\ borders u t.
+
+Inductive walk (planes : list (form R)) : list sign -> list sign -> nat -> Prop :=
+  | stay : forall s, region planes s -> walk planes s s 0
+  | step : forall s t u n, region planes s -> share_facet planes s t -> walk planes t u n ->
+      walk planes s u (S n).
+
 Open Scope Z_scope.
 
 (** Binomial coefficients; choose n 0 + ... + choose n k; a 0 + ... + a (n - 1). *)

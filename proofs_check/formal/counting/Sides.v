@@ -25,9 +25,6 @@ Proof.
   - rewrite sgn_plus in *. nra.
 Qed.
 
-Definition sign_eq_dec (s t : sign) : {s = t} + {s <> t}.
-Proof. decide equality. Defined.
-
 Definition vector_eq_dec (s t : list sign) : {s = t} + {s <> t}.
 Proof. decide equality. apply sign_eq_dec. Defined.
 
