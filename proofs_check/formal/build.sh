@@ -24,14 +24,11 @@ mkdir _build
 cp ./*.v */*.v program/*.ml _build/
 cd _build
 
-# In the order in which they build on one another.
-for file in Model Checker Numbers Rows Leaves Regions Witness Soundness \
-  Planes Sides Rank Recursion Counting Whitney Bounds General Sphere Merge Dual Claims \
-  FinalPolynomials SpatialModel SpatialChecker Arcs SpatialNumbers SpatialSoundness \
-  Inscribed Weights; do
-  echo "coqc $file.v"
-  coqc "$file.v"
-done
+# Two at a time, each after those that it builds on; Extract.v prints what the theorems rest on.
+coqdep ./*.v > dependencies 2>/dev/null
+printf '%%.vo: %%.v\n\t@echo "coqc $<"; coqc $<\n' > rules
+mapfile -t compiled < <(ls ./*.v | grep -v Extract.v | sed 's/$/o/; s/^\.\///')
+MAKEFLAGS="" make --silent --jobs=2 --file=rules --file=dependencies "${compiled[@]}"
 coqc Extract.v | tee assumptions.txt
 
 # The axioms of Coq's real numbers, and nothing else.
