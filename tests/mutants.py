@@ -412,8 +412,6 @@ if e.low >= 0:
 work = min(least, 0) * max(e.high, 0) >> _BITS
     0 -> 1 | 0 -> -1 (2) | of this, what is above 0 is not counted
     0 -> -1 | 0 -> 1 (2) | stricter by a unit
-if middle < 1 << 100:
-    1 -> 2 (2) | how short a slip may be was chosen
 if least <= 0:
     0 -> 1 | the tangent is then above 1
 tangent = max(-(-(side.size << _BITS) // forth.low) for forth, side in parts) + (1 << 40)
