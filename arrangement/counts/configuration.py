@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from arrangement.numbers.exact import IntegerVector, largest
-from arrangement.numbers.linear.rank import ask_elimination, echelon, rank, spanning
+from arrangement.numbers.linear.rank import ask_elimination, echelon, rank, spanning, spread
 from arrangement.numbers.symbolic import exact_matrix
 from arrangement.planes.planes import Planes
 
@@ -45,7 +45,7 @@ def configuration(arrangement: Planes) -> Configuration:
     else:
         vectors = [*planes, (0,) * arrangement.dimension + (1,)]
     columns = pivot_columns(vectors, arrangement.dimension + (not arrangement.is_central))
-    kept = [tuple(vector[j] for j in columns) for vector in vectors]
+    kept = [tuple([vector[j] for j in columns]) for vector in vectors]
     infinity = None if arrangement.is_central else kept.pop()
     return Configuration(tuple(kept), infinity, len(columns))
 
@@ -55,6 +55,8 @@ def pivot_columns(rows: Sequence[IntegerVector], width: int) -> tuple[int, ...]:
 
     Columns that are independent modulo a prime are; where they are as many as the rank, they do.
     """
+    if len(rows) > 2 * width and rank(spread(rows, 2 * width)) == width:
+        return tuple(range(width))
     if len(rows) and largest(rows) < math.inf:
         pivots = echelon(rows)[1]
         if len(pivots) in (width, len(rows)) or len(pivots) == rank(rows):

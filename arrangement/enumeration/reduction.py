@@ -36,13 +36,13 @@ def in_dimension(planes: Planes, n: int) -> tuple[Planes, tuple[int, ...]]:
     if planes.rank == n == d:
         return planes, tuple(range(d))
     columns: list[int] = []
-    by_column = list(zip(*planes.integer_planes, strict=True))[:-1]
+    by_column = list(zip(*planes.distinct_planes, strict=True))[:-1]
     for j, column in enumerate(by_column):
         if rank([*(by_column[i] for i in columns), column]) > len(columns):
             columns.append(j)
     columns += range(d, d + n - len(columns))
     rows = [[plane[j] if j < d else 0 for j in columns] for plane in planes.integer_planes]
-    return Planes(rows, planes.offsets, dimension=n), tuple(columns)
+    return Planes(rows, [plane[-1] for plane in planes.integer_planes], dimension=n), tuple(columns)
 
 
 def from_dimension(

@@ -14,7 +14,7 @@ import reprlib
 from collections.abc import Callable, Iterable, Sequence
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal, Inexact
 from fractions import Fraction
-from itertools import chain
+from itertools import chain, islice, starmap
 from operator import mul
 from typing import Any, TypeAlias
 
@@ -30,7 +30,8 @@ MAX_TEXT_LENGTH = 100_000
 #: Digits that int() converts at once; it refuses more than 4300.
 _DIGITS = 2000
 
-_PLAIN = re.compile(r"-?[0-9]{1,18}", re.ASCII).fullmatch
+#: What int() takes as we do: texts of so many letters of these.
+_SHORT, _LETTERS = 18, frozenset("-0123456789")
 _INTEGER_OR_RATIO = re.compile(r"([+-]?[0-9]+)(?:/([0-9]+))?")
 _DECIMAL = re.compile(r"([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))(?:[eE]([+-]?[0-9]{1,4}))?")
 
@@ -175,16 +176,26 @@ def rational_vector(
     return tuple(read(value, f"{name}[{i}]") for i, value in enumerate(values))
 
 
-def plain_integers(values: Any) -> IntegerVector | None:
-    """Return the integers of a list, given as such or as short texts; None if it has others.
+def plain_rows(rows: Sequence[Any]) -> list[IntegerVector] | None:
+    """Return rows of integers, given as such or as short texts; None if there is anything else.
 
-    This is most of what is read, and ten times as fast as `rational_vector`.
+    This is most of what is read, and twenty times as fast as `rational_vector`.
     """
-    if type(values) not in (list, tuple):
+    if not set(map(type, rows)) <= {list, tuple}:
+        return None
+    flat = list(chain.from_iterable(rows))
+    kinds = set(map(type, flat))
+    if not kinds <= {int, str}:
+        return None
+    if kinds == {int}:
+        return list(map(tuple, rows))
+    texts = [x for x in flat if type(x) is str]
+    if max(map(len, texts), default=0) > _SHORT or not set("".join(texts)) <= _LETTERS:
         return None
     try:
-        return tuple([x if type(x) is int else int(_PLAIN(x)[0]) for x in values])  # type: ignore[index]
-    except TypeError:
+        numbers = map(int, flat)
+        return [tuple(islice(numbers, len(row))) for row in rows]
+    except ValueError:  # a sign alone or in the middle, or nothing
         return None
 
 
@@ -212,6 +223,15 @@ def reduced(vector: Sequence[int]) -> IntegerVector:
         return _reduced_in_field(vector)
     divisor = math.gcd(*vector)
     return tuple(vector) if divisor <= 1 else tuple([x // divisor for x in vector])
+
+
+def all_reduced(rows: Sequence[IntegerVector]) -> list[IntegerVector]:
+    """Return rows of integers of Python, each divided by its greatest common divisor."""
+    divisors = starmap(math.gcd, rows)
+    return [
+        row if divisor <= 1 else tuple([x // divisor for x in row])
+        for row, divisor in zip(rows, divisors, strict=True)
+    ]
 
 
 def are_integers(vector: Iterable[Any]) -> bool:
@@ -242,8 +262,7 @@ def unoriented(vector: Sequence[int]) -> IntegerVector:
 
 def one_way(vector: IntegerVector) -> IntegerVector:
     """Return the vector or its negative: the one whose first nonzero entry is positive."""
-    turned = next(filter(None, vector), 0) < 0
-    return tuple([-x for x in vector]) if turned else vector
+    return tuple([-x for x in vector]) if vector < (0,) * len(vector) else vector
 
 
 def largest(rows: Iterable[Iterable[int]]) -> float:
@@ -251,7 +270,7 @@ def largest(rows: Iterable[Iterable[int]]) -> float:
     entries = list(chain.from_iterable(rows))
     if set(map(type, entries)) != {int} and not are_integers(entries):
         return math.inf
-    return max(map(abs, entries), default=0)
+    return max(max(entries, default=0), -min(entries, default=0))
 
 
 def work_factor(rows: Iterable[Iterable[int]]) -> float:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cached_property
-from itertools import combinations
+from itertools import chain, combinations
 from typing import TYPE_CHECKING, Any, Self
 
 from arrangement.errors import InputError
@@ -17,10 +17,12 @@ from arrangement.numbers import budget
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
+    all_reduced,
     dot,
     fraction,
+    largest,
     one_way,
-    plain_integers,
+    plain_rows,
     primitive,
     rational_vector,
     shown,
@@ -71,29 +73,31 @@ class Planes:
         given = _listed(normals)
         entries = sum(len(row) for row in given if isinstance(row, (list, tuple)))
         budget.ask(f"{entries:,} numbers", "give fewer planes", bytes=60 * entries)
-        rows: list[Any] = [
-            plain_integers(row) or rational_vector(row, f"normals[{i}]", entry)
-            for i, row in enumerate(given)
+        plain = plain_rows(given)
+        rows: list[Any] = plain or [
+            rational_vector(row, f"normals[{i}]", entry) for i, row in enumerate(given)
         ]
         if offsets is None:
-            constants: RationalVector = (0,) * len(rows)  # type: ignore[assignment]
+            constants: Any = (0,) * len(rows)
         else:
-            constants = plain_integers(offsets) or rational_vector(offsets, "offsets", entry)  # type: ignore[assignment]
-        *rows, constants = in_one_field([*rows, constants])
+            (constants,) = plain_rows([offsets]) or (rational_vector(offsets, "offsets", entry),)
+        whole = plain is not None and set(map(type, constants)) <= {int}
+        if not whole:
+            *rows, constants = in_one_field([*rows, constants])
         if len(constants) != len(rows):
             raise InputError(
                 f"there are {len(rows)} normals and {len(constants)} offsets; give one offset "
                 "for each normal, or none at all"
             )
         d = _common_length(rows, dimension)
-        for i, row in enumerate(rows):
-            if not any(row):
-                raise InputError(
-                    f"normals[{i}] is the zero vector, which defines no plane; remove plane {i}"
-                )
+        if not all(map(any, rows)):
+            i = next(i for i, row in enumerate(rows) if not any(row))
+            raise InputError(
+                f"normals[{i}] is the zero vector, which defines no plane; remove plane {i}"
+            )
         bits = [
             x.numerator.bit_length()
-            for row in rows
+            for row in (() if whole and largest(rows) < 2**1000 else rows)
             for x in row
             if isinstance(x, (int, Fraction)) and x.numerator.bit_length() > 1000
         ]
@@ -102,7 +106,8 @@ class Planes:
             "round them",
             seconds=sum(n * n for n in bits) * 1e-11,
         )
-        planes = tuple(primitive((*row, b)) for row, b in zip(rows, constants, strict=True))
+        joined = [(*row, b) for row, b in zip(rows, constants, strict=True)]
+        planes = tuple(all_reduced(joined) if whole else map(primitive, joined))
         self.__dict__.update(dimension=d, axes=tuple(axes), _integer_planes=planes)
 
     @classmethod
@@ -192,7 +197,7 @@ class Planes:
     @cached_property
     def field(self) -> NumberField | None:
         """The field of the entries; None if all are rational, in the stored scaling."""
-        return field_of(x for plane in self._integer_planes for x in plane)
+        return field_of(chain.from_iterable(self._integer_planes))
 
     @cached_property
     def class_of(self) -> tuple[int, ...]:
@@ -203,6 +208,8 @@ class Planes:
     @cached_property
     def distinct(self) -> tuple[tuple[int, ...], ...]:
         """The classes of coincident planes, as plane indices, in order of first appearance."""
+        if self.class_of[-1:] == (len(self) - 1,):  # all are different
+            return tuple(zip(range(len(self)), strict=True))
         classes: dict[int, list[int]] = {}
         for plane, label in enumerate(self.class_of):
             classes.setdefault(label, []).append(plane)

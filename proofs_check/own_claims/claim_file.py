@@ -38,6 +38,8 @@ _COMPARISONS: dict[str, Callable[[Any, Any], Any]] = {
     "In": lambda a, b: a in b,
     "NotIn": lambda a, b: a not in b,
 }
+#: Letters of a line, or of what an error says, that are printed.
+_LONGEST = 200
 #: Under this name a file finds `compared`; no name of a program can be the same.
 _COMPARED = "@compared"
 _Kind = TypeVar("_Kind")
@@ -174,7 +176,9 @@ def heading(path: str) -> str:
 def line_of(error: BaseException, path: str) -> str:
     """Return where in a file an error arose: its name, the line, and what stands there."""
     frames = [f for f in traceback.extract_tb(error.__traceback__) if f.filename == path]
-    return f"{Path(path).name}, line {frames[-1].lineno}: {frames[-1].line}" if frames else ""
+    if not frames:
+        return ""
+    return f"{Path(path).name}, line {frames[-1].lineno}: {(frames[-1].line or '')[:_LONGEST]}"
 
 
 @lru_cache(maxsize=16)
@@ -190,13 +194,13 @@ def _run(path: str, digest: str) -> ModuleType:
     except OwnClaimError:
         raise
     except SyntaxError as error:
-        stands = f": {error.text.strip()}" if error.text else ""
+        stands = f": {error.text.strip()[:_LONGEST]}" if error.text else ""
         where = f"{Path(error.filename or path).name}, line {error.lineno}"
         raise OwnClaimError(f"{where}: {type(error).__name__}: {error.msg}{stands}") from error
     except Exception as error:
         where = line_of(error, path)
         raise OwnClaimError(
-            f"{path} does not run: {type(error).__name__}: {error} ({where})"
+            f"{path} does not run: {type(error).__name__}: {str(error)[:_LONGEST]} ({where})"
         ) from error
     finally:
         sys.path.remove(str(Path(path).parent))

@@ -17,8 +17,12 @@ from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, dot, largest, primitive, reduced
 from arrangement.numbers.long_integers import fast_integers
 
+_Item = TypeVar("_Item")
 #: Of a matrix with more entries a basis is guessed modulo this prime, and proved.
-_FEW, _PRIME = 2000, 2**31 - 1
+_FEW, _PRIME = 2000, 2**26 - 5
+#: So many products of numbers below the prime are subtracted before they are reduced: they, and
+#: what they are subtracted from, stay below 2^62.
+_LAZY = 2**9
 
 
 def rank(rows: Sequence[Sequence[int]]) -> int:
@@ -30,7 +34,7 @@ def rank(rows: Sequence[Sequence[int]]) -> int:
         if len(rows) < len(rows[0]):
             rows = list(zip(*rows, strict=True))
         width = len(rows[0])
-        if len(rows) > 2 * width and rank(rows[: 2 * width]) == width:
+        if len(rows) > 2 * width and rank(spread(rows, 2 * width)) == width:
             return width
         chosen = _independent(rows)
         if len(chosen) == min(width, len(rows)):
@@ -51,6 +55,11 @@ def rank(rows: Sequence[Sequence[int]]) -> int:
             row for row in (_eliminated(row, pivot_row, column) for row in remaining) if any(row)
         ]
     return found
+
+
+def spread(rows: Sequence[_Item], few: int) -> Sequence[_Item]:
+    """Return some of many rows, a few more than `few`, at equal distances."""
+    return rows[:: max(1, len(rows) // few)]
 
 
 def spanning(rows: Sequence[IntegerVector]) -> Sequence[IntegerVector]:
@@ -77,18 +86,31 @@ def echelon(rows: Sequence[Sequence[int]]) -> tuple[Any, list[int]]:
         f"elimination in a matrix of {len(rows)} rows",
         seconds=len(rows) * len(rows[0]) * min(len(rows), len(rows[0])) * 1e-8,
     )
-    left = np.array([[x % _PRIME for x in row] for row in rows], dtype=np.int64)
+    if largest(rows) < 2**63:
+        left = np.array(rows, dtype=np.int64) % _PRIME
+    else:
+        left = np.array([[x % _PRIME for x in row] for row in rows], dtype=np.int64)
     pivots: list[int] = []
-    while len(pivots) < len(left) and (rest := left[len(pivots) :].any(axis=0)).any():
-        done, column = len(pivots), int(rest.argmax())
-        swap = done + int((left[done:, column] != 0).argmax())
-        left[[done, swap]] = left[[swap, done]]
-        left[done] = left[done] * pow(int(left[done, column]), -1, _PRIME) % _PRIME
-        changed = np.flatnonzero(left[:, column])
-        changed = changed[changed != done]
-        left[changed] = (left[changed] - left[changed, column, None] * left[done]) % _PRIME
+    while len(pivots) < len(left):
+        done, column = len(pivots), pivots[-1] + 1 if pivots else 0
+        if not (left[done:, column : column + 1] % _PRIME).any():
+            left %= _PRIME
+            rest = left[done:, column:].any(axis=0)
+            if not rest.any():
+                break
+            column += int(rest.argmax())
+        entries = left[:, column] % _PRIME
+        swap = done + int((entries[done:] != 0).argmax())
+        left[[done, swap]], entries[[done, swap]] = left[[swap, done]], entries[[swap, done]]
+        # what stands before the pivot is 0
+        row = left[done, column:] % _PRIME * pow(int(entries[done]), -1, _PRIME) % _PRIME
+        left[done, column:], entries[done] = row, 0
+        changed = np.flatnonzero(entries)
+        left[changed, column:] -= entries[changed, None] * row
         pivots.append(column)
-    return left[: len(pivots)], pivots
+        if not len(pivots) % _LAZY:
+            left %= _PRIME
+    return left[: len(pivots)] % _PRIME, pivots
 
 
 def ask_elimination(rows: Sequence[Sequence[Any]], width: int) -> None:
@@ -113,10 +135,7 @@ def _eliminated(row: Sequence[int], pivot_row: Sequence[int], column: int) -> In
     return reduced([pivot * a - factor * b for a, b in zip(row, pivot_row, strict=True)])
 
 
-_Corner = TypeVar("_Corner")
-
-
-def cycle_edges(corners: Sequence[_Corner]) -> Iterator[tuple[_Corner, _Corner]]:
+def cycle_edges(corners: Sequence[_Item]) -> Iterator[tuple[_Item, _Item]]:
     """Return the directed edges of a polygon.
 
     >>> list(cycle_edges("abc"))

@@ -41,6 +41,8 @@ def numbers(line: str) -> list[str]:
 def read(text: str) -> Arrangement:
     """Read a normal from each line."""
     plain = _BETWEEN.sub("\n", _REMARK.sub("", text))
+    if not set(plain) & set("()[],;|"):
+        return Arrangement(list(filter(None, map(str.split, plain.splitlines()))))
     lines = [line for line in plain.splitlines() if line.strip(" \t()[],;")]
     parts = [line.partition("|") for line in lines]
     rows = [numbers(normal) for normal, _, _ in parts]
