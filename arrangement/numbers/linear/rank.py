@@ -58,8 +58,8 @@ def rank(rows: Sequence[Sequence[int]]) -> int:
 
 
 def spread(rows: Sequence[_Item], few: int) -> Sequence[_Item]:
-    """Return some of many rows, a few more than `few`, at equal distances."""
-    return rows[:: max(1, len(rows) // few)]
+    """Return at most so many of the rows, at equal distances."""
+    return rows[:: max(1, -(-len(rows) // few))]
 
 
 def spanning(rows: Sequence[IntegerVector]) -> Sequence[IntegerVector]:
