@@ -31,6 +31,7 @@ from equilibrium import Contact, Grasp, check, read_certificate, solve
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.certificate.reading import read_question
 from equilibrium.grasps.inputs.random import random_grasp
+from equilibrium.model.solution import Solution
 from tests.equilibrium.awkward import question
 from tests.equilibrium.trees import TooLarge, refutation
 
@@ -103,8 +104,7 @@ def spatial_documents(seed: int) -> Iterator[dict[str, Any]]:
         yield resisted_certificate(
             asked.grasp.in_space(),
             (f, g, zero, zero, zero, torque),
-            (x, y, zero, zero, zero, turn),
-            [(*pair, zero) for pair in forces],
+            Solution((x, y, zero, zero, zero, turn), tuple((*pair, zero) for pair in forces)),
         ).to_dict()
 
 
