@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
@@ -10,13 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.arrangement import Arrangement
+from arrangement.enumeration.great_circles import sphere_arrangement
+from arrangement.enumeration.reduction import in_dimension
 from arrangement.errors import InputError
 from arrangement.library.families import braid, coordinate, near_pencil, simplicial, type_b
 from arrangement.library.families.simplicial import simplicial_entries
 from arrangement.planes.planes import Planes
 
 from .catalogue import MOST_PLANES, chirotopes, exact_chirotope, normals, places
-from .chirotopes import Coded, Signs, canonical, carried, t_vectors
+from .chirotopes import Coded, Signs, canonical, carried
 
 
 @dataclass(frozen=True)
@@ -84,13 +87,17 @@ def identify(arrangement: Planes) -> Identification:
     number, automorphisms, names = None, None, tuple[str, ...]()
     listed, text = None, ""
     order, sides, t_vector = tuple[int, ...](), tuple[int, ...](), dict[int, int]()
+    if rank != 3:
+        is_simple = distinct.is_simple
     if rank < 3:
         number, names = 1, ("pencil",) if rank == 2 and m > 2 else ()
     elif rank == 3:
-        signs = exact_chirotope(distinct)[None]
-        numbers = enumerate(t_vectors(signs, m)[0].tolist())
-        t_vector = {k: number for k, number in numbers if number}
+        incidence = sphere_arrangement(in_dimension(distinct, 3)[0]).incidence
+        t_vector = dict(sorted(Counter(np.diff(incidence.line_offsets).tolist()).items()))
+        # Faster than the ranks of all triples, and the same where the space has more dimensions.
+        is_simple = t_vector.keys() == {2} and (distinct.dimension == 3 or m == 3)
         if m <= MOST_PLANES:
+            signs = exact_chirotope(distinct)[None]
             mine = canonical(signs, m)
             place, orders, turned = found_type(signs, mine, m)
             number, automorphisms = place + 1, int(mine.automorphisms[0])
@@ -108,7 +115,7 @@ def identify(arrangement: Planes) -> Identification:
         f_vector=f_vector,
         t_vector=t_vector,
         automorphisms=automorphisms,
-        is_simple=distinct.is_simple,
+        is_simple=is_simple,
         is_simplicial=is_simplicial,
         names=names,
         finschi_fukuda=listed,

@@ -144,8 +144,9 @@ def in_space(arrangement: Arrangement, dimension: int) -> Arrangement:
 
 def _isometry(normals: Sequence[IntegerVector], columns: Sequence[int]) -> Floats:
     """Return the symmetric matrix that makes chosen coordinates of normals orthonormal ones."""
-    scaled = np.array([[x / max(map(abs, normal)) for x in normal] for normal in normals])
-    span = np.linalg.svd(scaled)[2][: len(columns), columns]
+    largest = [max(map(abs, normal)) for normal in normals]
+    scaled = [[x / most for x in n] for n, most in zip(normals, largest, strict=True)]
+    span = np.linalg.svd(np.array(scaled), full_matrices=False)[2][: len(columns), columns]
     sizes, axes = np.linalg.eigh(span.T @ span)
     isometry: Floats = (axes / np.sqrt(np.maximum(sizes, 1e-12))) @ axes.T
     return isometry

@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.console.number_form import EXACT, counted, sign_text
+from arrangement.console.number_form import EXACT, LABEL, counted, sign_text
 from arrangement.drawing.colours import SKIN, DrawnRegion, Painter, painter, pale, plane_colour
 from arrangement.drawing.figure import picture
 from arrangement.drawing.output import millimetres
@@ -151,12 +151,11 @@ def cells_page(
         for label, (members, first) in enumerate(zip(arrangement.distinct, firsts, strict=True))
     ]
     body = cells.body
-    corner = ", ".join(map(str, body.centre))
     summary = (f"{number}, rank {arrangement.rank}", note, generator_text(arrangement))
     return SolidPage(
         title if title is not None else f"Cells of {number}",
         "; ".join(filter(None, summary)),
-        f"{len(cells.cells)} cells in a cube with centre ({corner}) and edge "
+        f"{len(cells.cells)} cells in a cube with centre {LABEL.vector(body.centre)} and edge "
         f"{float(2 * body.radius):.4g}",
         picture_axes(towards),
         3**0.5,
