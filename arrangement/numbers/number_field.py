@@ -502,7 +502,7 @@ def field_of(values: Any) -> NumberField | None:
     """
     found = None
     for value in values:
-        if type(value) is not int and isinstance(value, AlgebraicNumber):
+        if isinstance(value, AlgebraicNumber):
             if found is None:
                 found = value.field
             elif value.field is not found:
