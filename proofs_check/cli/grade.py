@@ -69,7 +69,10 @@ def _class(
                 table.writerow([_cell(name), *("" for _ in exercises), "", _cell(str(marks))])
             else:
                 points = [marks[id].points for id in exercises]
-                table.writerow([_cell(name), *points, sum(points), ""])
+                # As decimals: a spreadsheet takes 3/2 for a day.
+                table.writerow(
+                    [_cell(name), *(f"{float(x):g}" for x in (*points, sum(points))), ""]
+                )
         write_text_atomically(arguments.output, lines.getvalue())
     for name, marks in found.items() if arguments.json else ():
         if isinstance(marks, InputError):

@@ -30,18 +30,18 @@ _LONGEST = 500  # characters of a text
 _BITS = 4096  # of a number on the way
 _COMPUTED = (int, Fraction)
 
-#: What a text can name: how it is computed, and what it is.
-QUANTITIES: Mapping[str, tuple[Callable[[Arrangement], Any], str]] = {
-    "m": (lambda planes: len(planes.distinct), "the number of different planes"),
-    "rank": (lambda planes: planes.rank, "of the normals"),
-    "regions": (lambda planes: len(planes.regions()), "their number"),
-    "bounded_regions": (lambda planes: len(planes.bounded_regions()), "their number"),
-    "f_vector": (lambda planes: planes.f_vector, "faces of dimension 0, 1, 2, ..."),
-    "p_vector": (lambda planes: planes.p_vector, "regions by their number of sides"),
-    "t_vector": (counts.t_vector, "lines by the number of planes through them"),
-    "central": (lambda planes: planes.is_central, "whether all planes meet in a point"),
-    "simple": (lambda planes: planes.is_simple, "whether they are in general position"),
-    "simplicial": (lambda planes: planes.is_simplicial, "whether all regions are simplices"),
+#: What a text can name, and how it is computed; besides there is ``chi(t)``.
+QUANTITIES: Mapping[str, Callable[[Arrangement], Any]] = {
+    "m": lambda planes: len(planes.distinct),
+    "rank": lambda planes: planes.rank,
+    "regions": lambda planes: len(planes.regions()),
+    "bounded_regions": lambda planes: len(planes.bounded_regions()),
+    "f_vector": lambda planes: planes.f_vector,
+    "p_vector": lambda planes: planes.p_vector,
+    "t_vector": counts.t_vector,
+    "central": lambda planes: planes.is_central,
+    "simple": lambda planes: planes.is_simple,
+    "simplicial": lambda planes: planes.is_simplicial,
 }
 _ARITHMETIC: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
@@ -114,7 +114,7 @@ def _check(node: ast.expr, text: str) -> None:
         case ast.Name(id=name):
             if name not in QUANTITIES:
                 mistake = f"{shown(name)} is no quantity"
-                raise OwnClaimError(str(refusal(mistake, name, QUANTITIES)))
+                raise OwnClaimError(str(refusal(mistake, name, [*QUANTITIES, "chi(t)"])))
         case ast.Constant(value=int(number)) if (
             not isinstance(number, bool) and abs(number).bit_length() <= _BITS
         ):
@@ -201,7 +201,7 @@ class _Computed:
     def _value(self, node: ast.expr) -> Any:
         match node:
             case ast.Name(id=name):
-                return QUANTITIES[name][0](self.planes)
+                return QUANTITIES[name](self.planes)
             case ast.Constant(value=value):
                 return value
             case ast.BinOp(left=left, op=op, right=right):

@@ -158,7 +158,7 @@ def sign(answer):
     assert "sign 3/2 of 3" in capsys.readouterr().out
     head, *rows = csv.reader((desk / "points.csv").read_text(encoding="utf-8").splitlines())
     assert head == ["name", "one", "somewhere", "sign", "total", "error"]
-    assert rows[:2] == [["'=ada", "2", "3", "3", "8", ""], ["bob", "0", "0", "3/2", "3/2", ""]]
+    assert rows[:2] == [["'=ada", "2", "3", "3", "8", ""], ["bob", "0", "0", "1.5", "1.5", ""]]
     assert [row[:5] for row in rows[2:]] == [["cy", *[""] * 4], ["dan", *[""] * 4]]
     assert "JSON" in rows[2][5]
     assert "ZeroDivisionError" in rows[3][5]

@@ -334,6 +334,7 @@ def test_a_claim_in_one_line_has_its_verdict(statement, options, code, write, ca
         ("True", "is not in the language"),
         ("1.5 > m", "is not in the language"),
         ("p_vectr > 3", "did you mean p_vector"),
+        ("chi > 3", "chi(t)"),
         ("m >", "cannot be read"),
         ("m > 1 " + "and m > 1 " * 60, "at most 500"),
         ("(" * 240 + "m" + ")" * 240 + "> 1", "cannot be read"),
