@@ -83,7 +83,12 @@ $(VENV)/.stamp-package: pyproject.toml constraints.txt | $(BIN)/python
 
 $(VENV)/.stamp-bench: pyproject.toml constraints.txt | $(BIN)/python
 	@echo "installing the package and what it is measured against"
-	@$(INSTALL) '.[bench]'
+	@$(INSTALL) '.[bench,simulators]'
+	@touch $@ $(VENV)/.stamp-run $(VENV)/.stamp-simulators
+
+$(VENV)/.stamp-simulators: pyproject.toml constraints.txt | $(BIN)/python
+	@echo "installing the physics engines that read scenes"
+	@$(INSTALL) '.[simulators]'
 	@touch $@ $(VENV)/.stamp-run
 
 install: $(VENV)/.stamp-install
@@ -96,7 +101,7 @@ verify: $(VENV)/.stamp-install
 test: $(VENV)/.stamp-test
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal $(ARGS)
 
-campaign: $(VENV)/.stamp-test
+campaign: $(VENV)/.stamp-test $(VENV)/.stamp-simulators
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal -m campaign $(ARGS)
 
 lint: $(VENV)/.stamp-check

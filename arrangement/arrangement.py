@@ -22,7 +22,8 @@ from .planes.planes import Planes
 if TYPE_CHECKING:
     import networkx as nx
     import sympy
-    from matplotlib.figure import Figure
+
+    from .drawing.path_artist import Drawing
 
 
 class Arrangement(Planes):
@@ -192,8 +193,8 @@ class Arrangement(Planes):
         """
         return completeness.certify_complete(self, self.faces(), proved=proved)
 
-    def draw(self, view: str | None = None, **options: Any) -> Figure:
-        """Draw a picture as a figure of matplotlib (the extra ``figures``).
+    def draw(self, view: str | None = None, **options: Any) -> Drawing:
+        """Draw a picture as a figure of matplotlib (the extra ``figures``), which writes TikZ, too.
 
         Args:
             view: "sphere", "planes", "cells", "lines", "stereographic", "gnomonic", "dual", "graph"
@@ -204,7 +205,7 @@ class Arrangement(Planes):
             InputError: an unknown view or option, or planes that the view cannot show.
             MissingExtraError: matplotlib is absent.
         """
-        made: Figure = named("arrangement.pictures.views:draw")(self, view, **options)
+        made: Drawing = named("arrangement.pictures.views:draw")(self, view, **options)
         return made
 
     def lab(self) -> InlinePage:
@@ -220,10 +221,10 @@ class Arrangement(Planes):
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the great circles, where there are any."""
-        text: str | None = named("arrangement.pictures.notebook:arrangement_svg")(self)
+        text: str | None = named("arrangement.pictures.views:arrangement_svg")(self)
         return text
 
     def _repr_html_(self) -> str | None:
         """Return what a notebook shows where there is no picture: a table of counts."""
-        text: str | None = named("arrangement.pictures.notebook:arrangement_html")(self)
+        text: str | None = named("arrangement.pictures.views:arrangement_html")(self)
         return text

@@ -12,8 +12,8 @@ from arrangement.console.number_form import sign_text, vector
 
 from .console import terminal
 from .errors import InputError, OutOfReachError
+from .library.commands import add_format_commands
 from .library.files import json_files
-from .library.files.command import add_format_commands
 from .numbers import budget
 from .numbers.exact import shown
 
@@ -84,7 +84,7 @@ def _parser() -> terminal.Parser:
     add("identify", _identify, "which combinatorial type it has, of those of at most nine planes")
 
     types = commands.add_parser("census", help="the list of all types of up to nine planes")
-    types.later = lambda: _later("library.census_command").add_commands(types)
+    types.later = lambda: _later("library.commands").add_census(types)
 
     text = "count faces of generic planes against the published bounds"
     bounds = add("bounds", _bounds, text, file=None)
@@ -103,7 +103,7 @@ def _parser() -> terminal.Parser:
 
     text = "make a member of a family, such as shi --type E6"
     make = add("make", _make, text, file=None)
-    make.later = lambda: _later("library.making").add_families(make)
+    make.later = lambda: _later("library.commands").add_families(make)
 
     add_format_commands(add)
 
@@ -135,8 +135,13 @@ def _read(arguments: argparse.Namespace) -> Arrangement:
 
 def _count(arguments: argparse.Namespace) -> int:
     arrangement = _read(arguments)
-    f_vector, engine = _proved_count(arrangement) if arguments.proved else _listed(arrangement)
-    counts = {
+    if arguments.proved:
+        from .planes.proved import proved_f_vector
+
+        f_vector, engine = proved_f_vector(arrangement), "none: counted by the proved program"
+    else:
+        f_vector, engine = _listed(arrangement)
+    counts: dict[str, object] = {
         "planes": len(arrangement),
         "distinct_planes": len(arrangement.distinct),
         "rank": arrangement.rank,
@@ -147,19 +152,14 @@ def _count(arguments: argparse.Namespace) -> int:
     if arguments.json:
         terminal.print_json(counts)
         return terminal.YES
-    rows = {"planes": len(arrangement), "distinct planes": len(arrangement.distinct)}
-    field = {} if arrangement.field is None else {"entries in": repr(arrangement.field)}
-    dimensions = {f"faces of dim {k}": number for k, number in enumerate(f_vector)}
-    return _print_rows(
-        {
-            **rows,
-            "rank": arrangement.rank,
-            **field,
-            **dimensions,
-            "states": sum(f_vector),
-            **({"counted by": "the proved program"} if arguments.proved else {}),
-        }
-    )
+    rows = {name.replace("_", " "): counts[name] for name in ("planes", "distinct_planes", "rank")}
+    if arrangement.field is not None:
+        rows["entries in"] = repr(arrangement.field)
+    rows |= {f"faces of dim {k}": number for k, number in enumerate(f_vector)}
+    rows["states"] = counts["states"]
+    if arguments.proved:
+        rows["counted by"] = "the proved program"
+    return _print_rows(rows)
 
 
 def _listed(arrangement: Arrangement) -> tuple[tuple[int, ...], str]:
@@ -171,12 +171,6 @@ def _listed(arrangement: Arrangement) -> tuple[tuple[int, ...], str]:
         if error.f_vector is None:
             raise
         return error.f_vector, "none: counted by Zaslavsky's theorem, not listed"
-
-
-def _proved_count(arrangement: Arrangement) -> tuple[tuple[int, ...], str]:
-    from .planes.proved import proved_f_vector
-
-    return proved_f_vector(arrangement), "none: counted by the proved program"
 
 
 def _print_rows(rows: Mapping[str, object]) -> int:
@@ -200,11 +194,12 @@ def _polynomial(arguments: argparse.Namespace) -> int:
     if arguments.json:
         terminal.print_json({"first_whitney_numbers": numbers, **found})
         return terminal.YES
-    from sympy import Poly, Symbol
+    from sympy import ZZ, Mul, ring
 
     zeros = [0] * (arrangement.dimension + 1 - len(numbers))
-    chi = Poly([*numbers, *zeros], Symbol("t"))
-    rows = {"chi(t)": chi.as_expr(), "factors": chi.as_expr().factor()}
+    chi = ring("t", ZZ)[0].from_list([*numbers, *zeros])
+    factors = Mul(*(factor.as_expr() ** power for factor, power in chi.factor_list()[1]))
+    rows = {"chi(t)": chi, "factors": factors}
     names = ("regions", "bounded regions", "relatively bounded")
     speaker = {"counted by": "the proved program"} if arguments.proved else {}
     return _print_rows({**rows, **dict(zip(names, found.values(), strict=True)), **speaker})
@@ -254,7 +249,7 @@ def _whitney_numbers(arrangement: Arrangement, arguments: argparse.Namespace) ->
 
 def _forecast(arrangement: Arrangement, arguments: argparse.Namespace) -> int:
     from .console.progress import duration
-    from .counts.classes.forecast import forecast
+    from .counts.classes.symmetric import forecast
 
     ranks = list(forecast(arrangement))
     total = sum(entry.seconds for entry in ranks)
@@ -359,7 +354,7 @@ def _lab(arguments: argparse.Namespace) -> int:
 
 def _make(arguments: argparse.Namespace) -> int:
     from .console.writing import write_or_print
-    from .library.making import document
+    from .library.commands import document
 
     write_or_print(arguments.output, document(arguments))
     return terminal.YES
@@ -367,7 +362,7 @@ def _make(arguments: argparse.Namespace) -> int:
 
 def _list(arguments: argparse.Namespace) -> int:
     if arguments.families:
-        from .library.making import described
+        from .library.commands import described
 
         return terminal.print_names(described(), arguments.json)
     return terminal.print_names(json_files.described("planes"), arguments.json)

@@ -10,7 +10,7 @@ from .grasps.files import (
     verify as verify,
     write_certificate as write_certificate,
 )
-from .methods.contact_laws.printed_model import (
+from .methods.printed_model import (
     LiteralVerdict as LiteralVerdict,
     solve_literal as solve_literal,
 )
@@ -22,10 +22,10 @@ from .model.errors import (
     TimeLimitError as TimeLimitError,
 )
 from .model.grasp import Grasp as Grasp
+from .model.labels import Units as Units
 from .model.outline import Circle as Circle, Mesh as Mesh, Polygon as Polygon
 from .model.solution import Solution as Solution
 from .model.unit_normal import UnitNormal as UnitNormal, unit_normal as unit_normal
-from .model.units import Units as Units
 from .modes import ContactModes as ContactModes, Mode as Mode
 from .plane.states.contact_states import contact_states as contact_states
 from .plane.states.equilibrium import Equilibrium as Equilibrium

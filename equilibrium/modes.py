@@ -17,11 +17,11 @@ import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Generic, TypeAlias, TypeVar
+from typing import Generic, TypeAlias, TypeVar
 
 import numpy as np
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import Documented, Shown
 from arrangement.console.progress import watched
 from arrangement.counts.whitney import deadline_after
 from arrangement.enumeration.fan import Fan
@@ -37,7 +37,7 @@ S = TypeVar("S")
 
 
 @dataclass(frozen=True, slots=True)
-class Mode(Shown, Generic[S]):
+class Mode(Documented, Generic[S]):
     """A contacting-separating or a sliding-sticking mode.
 
     Attributes:
@@ -47,13 +47,11 @@ class Mode(Shown, Generic[S]):
         motion: one of them, coprime integers ``(x, y, r)``, or ``(v, omega)`` in space.
     """
 
+    in_document = ("signs", "dimension", "motion")
+
     signs: S
     dimension: int
     motion: IntegerVector
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return the JSON form."""
-        return {"signs": self.signs, "dimension": self.dimension, "motion": self.motion}
 
 
 @dataclass(frozen=True, eq=False, repr=False)

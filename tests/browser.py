@@ -71,6 +71,48 @@ class Browser:
         """Run JavaScript in the page; the value of its ``return`` comes back."""
         return self.driver.execute_script(script, *arguments)
 
+    def show(self, page: str, folder: Path, width: int = 1280, height: int = 1000) -> Path:
+        """Write a page into a folder, open it, and wait until it is drawn; return its file."""
+        path = folder / "page.html"
+        path.write_text(page, encoding="utf-8")
+        self.open(path, width, height)
+        self.settled()
+        return path
+
+    def text(self, name: str) -> str:
+        """Return the text of the element of an id."""
+        found: str = self.run("return document.getElementById(arguments[0]).textContent", name)
+        return found
+
+    def texts(self, selector: str) -> list[str]:
+        """Return the texts of all elements."""
+        script = "return [...document.querySelectorAll(arguments[0])].map((e) => e.textContent)"
+        found: list[str] = self.run(script, selector)
+        return found
+
+    def count(self, selector: str) -> int:
+        """Return how many elements there are."""
+        found: int = self.run("return document.querySelectorAll(arguments[0]).length", selector)
+        return found
+
+    def middle(self, selector: str) -> tuple[float, float]:
+        """Return the place of the window where the middle of an element is."""
+        x, y = self.run(
+            "const r = document.querySelector(arguments[0]).getBoundingClientRect();"
+            "return [r.x + r.width / 2, r.y + r.height / 2]",
+            selector,
+        )
+        return x, y
+
+    def put(self, name: str, value: object, event: str = "change") -> None:
+        """Give the field of an id a value, as if it were typed or chosen."""
+        self.run(
+            "const box = document.getElementById(arguments[0]); box.focus();"
+            "box.value = arguments[1]; box.dispatchEvent(new Event(arguments[2]));",
+            *(name, str(value), event),
+        )
+        self.settled()
+
     def settled(self) -> None:
         """Wait until the page has drawn what was asked for."""
         self.driver.execute_async_script(

@@ -31,6 +31,10 @@ settings.register_profile("search", max_examples=1000, deadline=None, print_blob
 settings.load_profile("ci")
 
 
+#: What takes longest comes first, so that at the end no worker is left alone with it.
+LONGEST = {"test_pictures.py", "test_space.py", "test_docs.py", "test_robustness.py"}
+
+
 @functools.cache
 def _uses_sympy(path: Path) -> bool:
     return path.suffix == ".py" and "sympy" in path.read_text(encoding="utf-8")
@@ -56,6 +60,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         unwanted |= {item for item in items if item.get_closest_marker("campaign")}
     config.hook.pytest_deselected(items=[item for item in items if item in unwanted])
     items[:] = [item for item in items if item not in unwanted]
+    items.sort(key=lambda item: item.path.name not in LONGEST)
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

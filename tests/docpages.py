@@ -185,7 +185,7 @@ class Page:
             case ["pip", "install", what]:
                 name, _, extras = what.rstrip("]").partition("[")
                 known = metadata("slipstates").get_all("Provides-Extra") or []
-                assert name == "slipstates", f"{what} is another package"
+                assert name in {"slipstates", "."}, f"{what} is another package"
                 assert set(filter(None, extras.split(","))) <= set(known), f"{what}: {known}"
             case ["dask", *rest, "&"]:
                 run = [sys.executable, "-m", "dask", *rest]

@@ -49,6 +49,16 @@ def scene(drawings: Drawings, view: str, name: str = "", **options: Any) -> Scen
     return made
 
 
+_KEPT: dict[tuple[str, str], Scene] = {}
+
+
+def usual(drawings: Drawings, view: str) -> Scene:
+    """Return the scene with what a view shows by default, for tests that change nothing of it."""
+    key = drawings.package, view
+    _KEPT[key] = _KEPT.get(key) or scene(drawings, view)
+    return _KEPT[key]
+
+
 def box_of(label: Label) -> Any:
     """Return the rectangle of a text."""
     with own_settings():

@@ -14,7 +14,6 @@ import sys
 import tempfile
 from collections import Counter
 from collections.abc import Iterator
-from copy import deepcopy
 from dataclasses import replace
 from fractions import Fraction
 from itertools import count, islice
@@ -25,14 +24,13 @@ from typing import Any
 # Run as a script, this file finds its own folder only.
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from arrangement.errors import InputError
-from arrangement.numbers.exact import to_text
-from equilibrium import Contact, Grasp, check, read_certificate, solve
+from arrangement import InputError, to_text
+from equilibrium import Contact, Grasp, Solution, check, read_certificate, solve
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.certificate.reading import read_question
 from equilibrium.grasps.inputs.random import random_grasp
-from equilibrium.model.solution import Solution
 from tests.equilibrium.awkward import question
+from tests.equilibrium.mutations import mutants
 from tests.equilibrium.trees import TooLarge, refutation
 
 ANSWERS = ("accepted", "refused", "malformed")
@@ -66,10 +64,17 @@ NUMBERS = [
     ),
     *(0, 2, -3, 10**40, 0.5, True, None, "9" * 100_001),
 ]
-#: What a node, or any other value, may be replaced by.
-VALUES = [None, [], {}, [[]], ["0", "0", "0"], {"orthants": []}, {"edge": [0, 1]}, -1, 8, "0"]
-#: Bytes of one character in UTF-8, and four that are none.
-LETTERS = [b"\xf0\x9f\x98\x80", b"\xc0\x80", b"\xed\xa0\x80", b"\xf4\x90\x80\x80", b"\xe2\x82"]
+#: Changes after which a number is one.
+NEAR = {"digit", "sign", "plus 1/7", "times 2", "zero", "tiny", "plus 1", "minus 1"}
+#: Bytes of one character in UTF-8, and five that are none.
+LETTERS = [
+    b"\xf0\x9f\x98\x80",
+    b"\xc0\x80",
+    b"\xe0\x80\xaf",
+    b"\xed\xa0\x80",
+    b"\xf4\x90\x80\x80",
+    b"\xe2\x82",
+]
 
 
 def documents(seed: int) -> Iterator[dict[str, Any]]:
@@ -120,31 +125,9 @@ def mutant(document: dict[str, Any], source: Random) -> bytes:
     """Return a certificate that is changed in one place."""
     if source.random() < 0.1:
         return _broken_text(json.dumps(document).encode(), source)
-    changed = deepcopy(document)
-    places = list(_places(changed))
-    numbers = [(home, key) for home, key in places if isinstance(home[key], (str, int))]
-    given = [home[key] for home, key in places if key == "multipliers"]
-    bounded = [(pair, i) for pairs in given for pair in pairs.values() for i in range(len(pair))]
-    home, key = source.choice(source.choice([numbers, bounded or numbers, places]))
-    old = home[key]
-    kind = source.random()
-    if isinstance(old, (str, int)) and kind < 0.9:
-        home[key] = _moved(old, source) if kind < 0.8 else source.choice(NUMBERS)
-    elif isinstance(home, dict) and kind < 0.3:
-        del home[key]
-        home[source.choice([str(key), *_keys(changed)])] = old
-    elif isinstance(home, list) and kind < 0.4:
-        other = source.randrange(len(home))
-        home[key], home[other] = home[other], old
-    elif kind < 0.5:
-        del home[key]
-    elif kind < 0.6 and isinstance(home, list):
-        home.insert(source.randrange(len(home) + 1), deepcopy(old))
-    elif kind < 0.9:
-        other_home, other_key = source.choice(places)
-        home[key] = deepcopy(other_home[other_key])
-    else:
-        home[key] = source.choice(VALUES)
+    near, seed, first = source.random() < 0.7, source.randrange(10**9), source.randrange(10**6)
+    found = mutants(document, 99, seed, first)
+    changed = next(copied for _, change, copied in found if not near or change in NEAR)
     return json.dumps(changed).encode()
 
 
@@ -188,30 +171,6 @@ def forms() -> Iterator[bytes]:
         end = f", {tree}]}}" * (depth - 1) + "]}"
         yield text.replace(tree, start + tree + end).encode()
         yield text.replace(tree, "[" * depth + "]" * depth).encode()
-
-
-def _places(value: Any) -> Iterator[tuple[Any, Any]]:
-    """Yield every container with each of its keys or indices."""
-    keys = value if isinstance(value, dict) else range(len(value)) if type(value) is list else ()
-    for key in keys:
-        yield value, key
-        yield from _places(value[key])
-
-
-def _keys(document: Any) -> list[str]:
-    return sorted({key for _, key in _places(document) if isinstance(key, str)})
-
-
-def _moved(number: str | int, source: Random) -> Any:
-    """Return a number close to the one given, where it is one."""
-    if isinstance(number, int):
-        return number + source.choice([-1, 1])
-    numerator, _, denominator = number.partition("/")
-    if not numerator.lstrip("-").isdecimal():
-        return number + "x"
-    top, bottom = int(numerator), int(denominator or 1)
-    near = f"{1000 * top + source.choice([-1, 1])}/{1000 * bottom}"
-    return source.choice([f"{-top}/{bottom}", near]) if top else near
 
 
 def _broken_text(text: bytes, source: Random) -> bytes:
@@ -263,16 +222,16 @@ def program_answers(program: Path, paths: list[Path], *options: str) -> list[str
     return lines
 
 
-def compare(program: Path, number: int, mutants: int, seed: int, folder: Path) -> int:
+def compare(program: Path, number: int, changed: int, seed: int, folder: Path) -> int:
     """Compare all answers; print what differs and what was counted; return the differences."""
     source = Random(f"formal {seed}")
     paths, valid = [], set()
     for i, document in enumerate(islice(documents(seed), number)):
-        for j in range(mutants + 1):
+        for j in range(changed + 1):
             paths.append(folder / f"{i}-{j}.json")
             text = mutant(document, source) if j else json.dumps(document).encode()
             paths[-1].write_bytes(text)
-        valid.add(paths[-mutants - 1])
+        valid.add(paths[-changed - 1])
     for i, text in enumerate(forms()):
         paths.append(folder / f"form-{i}.json")
         paths[-1].write_bytes(text)
@@ -290,7 +249,7 @@ def compare(program: Path, number: int, mutants: int, seed: int, folder: Path) -
             print(path.read_bytes()[:2000].decode(errors="replace"))
     for kind, name in ((True, "documents"), (False, "mutants and unusual forms")):
         print(name + ":", ", ".join(f"{counted[kind, answer]} {answer}" for answer in ANSWERS))
-    missing = [answer for answer in ANSWERS if mutants and not counted[False, answer]]
+    missing = [answer for answer in ANSWERS if changed and not counted[False, answer]]
     if missing:
         print(f"no mutant is {' or '.join(missing)}")
     print(f"{differences} disagreements of the Python checker and the proved one")

@@ -73,6 +73,7 @@ COMMANDS = (
     Command(f"equilibrium compare {_G} --wrench 0 1 0", 1, "complete model"),
     Command(f"equilibrium wrench-space {_G}", 0, "force closure"),
     Command("equilibrium modes box-1-wall --count", 0, "196"),
+    Command("equilibrium export ladder -o ladder.xml", 0, writes="ladder.xml"),
     Command("equilibrium survey --number 2 --contacts 2", 0, "2 questions"),
     Command("equilibrium make csv fingers.csv", 0, '"contacts"'),
     Command("equilibrium make floats fingers.csv", 0, '"contacts"'),
@@ -125,11 +126,12 @@ for name in ("arrangement", "equilibrium", "proofs_check"):
 from arrangement.library.census import census
 from arrangement.library.files.table import read_arrangement
 from arrangement.library.instances import paths as arrangements
-from arrangement.library.files.documents import arrangement_schema
+from importlib.resources import files
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.instances import paths as grasps
 from equilibrium.grasps.schemas import grasp_schema
-assert len(census(5)) > 1 and arrangement_schema() and grasp_schema()
+assert (files("arrangement.library.files") / "arrangement.schema.json").is_file()
+assert len(census(5)) > 1 and grasp_schema()
 assert arrangements() and grasps()
 for name in arrangements():
     planes = read_arrangement(name)

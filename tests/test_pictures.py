@@ -18,25 +18,26 @@ import pytest
 from hypothesis import given, strategies as st
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
+from PIL import Image
 
 from arrangement import Arrangement, ArrangementError, InputError, read_arrangement
 from arrangement.cli import main as draw_planes
 from arrangement.drawing.command import _KINDS
-from arrangement.drawing.figure import figure, into
 from arrangement.drawing.output import own_settings, picture_bytes
-from arrangement.drawing.path_artist import Paths
+from arrangement.drawing.path_artist import Paths, figure, into
 from arrangement.drawing.scene.items import ROLES, Ball, Item, Label, Mark, Path as Drawn
 from arrangement.drawing.scene.layout import BELOW, laid_out, picture_width
 from arrangement.drawing.scene.scene import Scene, measure
 from arrangement.drawing.themes import _from_oklab, _oklab, themed
 from arrangement.drawing.tikz.tex_text import tex_text
 from arrangement.drawing.tikz.tikz import tikz
-from arrangement.pictures import DRAWINGS as OF_PLANES
+from arrangement.library.families import catalan, shi
+from arrangement.pictures import DRAWINGS as OF_PLANES, animate, compose
 from arrangement.pictures.views import drawings_of, write_drawing
 from equilibrium import read_grasp
 from equilibrium.pictures import DRAWINGS as OF_GRASPS
 from tests.docpages import ROOT
-from tests.drawn import VIEWS, offences, scene
+from tests.drawn import VIEWS, offences, scene, usual
 from tests.instances import ARRANGEMENTS, PLANAR
 from tests.latex import RESOLUTION, Pixels, compiled, not_compiled, page_count, pages, unlike
 
@@ -56,7 +57,7 @@ def test_every_option_has_a_form_on_the_command_line(drawings, kind):
 
 @EVERY_VIEW
 def test_a_view_makes_a_scene_that_knows_no_format(drawings, view):
-    made = scene(drawings, view)
+    made = usual(drawings, view)
     assert len({item.name.partition("-")[0] for item in made.items}) > 1
     for item in made.items:
         assert isinstance(item, Item)
@@ -66,24 +67,6 @@ def test_a_view_makes_a_scene_that_knows_no_format(drawings, view):
             else item.centre if isinstance(item, Ball) else item.points
         )  # fmt: skip
         assert np.isfinite(np.asarray(points)).all()
-
-
-@pytest.mark.parametrize(
-    ("drawings", "view", "options", "meant"),
-    [
-        (OF_PLANES, "spere", {}, "did you mean sphere"),
-        (OF_PLANES, "lattice", {"mobius": True}, "did you mean moebius"),
-        (OF_PLANES, "sphere", {"colour": "side"}, "did you mean sides"),
-        (OF_GRASPS, "slices", {}, "did you mean slice"),
-        (OF_GRASPS, "resist", {"extend": 3}, "did you mean extent"),
-    ],
-)
-def test_mistakes_name_the_nearest_names(drawings, view, options, meant, tmp_path):
-    read: Any = read_arrangement if drawings is OF_PLANES else read_grasp
-    name = "braid-a3" if drawings is OF_PLANES else "paper-three-contacts-preload-1"
-    with pytest.raises(InputError, match=meant):
-        drawings.write(read(name), tmp_path / "a.svg", view, **options)
-    assert list(tmp_path.iterdir()) == []
 
 
 HUGE = 10**350
@@ -261,7 +244,7 @@ def test_greys_have_no_hue_in_oklab_and_white_has_lightness_one():
 
 @EVERY_VIEW
 def test_dark_letters_are_light_and_mono_has_no_colour(drawings, view):
-    made = scene(drawings, view)
+    made = usual(drawings, view)
     dark, mono = themed(made, "dark"), themed(made, "mono")
     assert themed(made, "light") is made
     assert len(mono.items) == len(made.items) == len(dark.items) - 1
@@ -356,7 +339,7 @@ def test_labels_are_maths_where_they_mean_it(text, latex):
 @EVERY_VIEW
 def test_styles_are_those_of_the_roles_and_all_is_plain_text(drawings, view):
     """One style at the top for each role that occurs; no letter that pdflatex does not know."""
-    made = scene(drawings, view)
+    made = usual(drawings, view)
     text = tikz(made, fragment=True)
     head, _, body = text.partition("bounding box")
     roles = {item.role for item in made.items}
@@ -421,7 +404,7 @@ def test_tikz_shows_what_our_own_pictures_show(tmp_path):
 @pytest.mark.usefixtures("latex")
 def test_every_view_is_the_same_in_tikz(tmp_path):
     """Without letters: of these, fonts differ."""
-    scenes = [without_labels(scene(d, view)) for d, view in VIEWS]
+    scenes = [without_labels(usual(d, view)) for d, view in VIEWS]
     found = list(differences(tmp_path, scenes, [tikz(made, fragment=True) for made in scenes]))
     assert max(found) < LIMIT, found
 
@@ -472,7 +455,7 @@ def test_a_document_compiles_and_its_letters_are_where_ours_are(drawings, view, 
 @pytest.mark.usefixtures("latex")
 def test_letters_of_every_view_are_where_ours_are(tmp_path):
     """On pages of one document, in the corner of each."""
-    views = [scene(drawings, view) for drawings, view in VIEWS]
+    views = [usual(drawings, view) for drawings, view in VIEWS]
     scenes = [sheet for made in views for sheet in (made, without_labels(made))]
     texts = [tikz(sheet, fragment=True) for sheet in scenes]
     source = document(tmp_path, [sheet.paper for sheet in scenes], texts)
@@ -493,7 +476,7 @@ def test_letters_of_every_view_are_where_ours_are(tmp_path):
 SCRIPT = """
 import hashlib, io, json, pathlib, sys
 from arrangement import InputError
-from arrangement.drawing.figure import figure, into
+from arrangement.drawing.path_artist import figure, into
 from arrangement.drawing.output import PICTURES, own_settings, picture_bytes
 from arrangement.drawing.scene.layout import laid_out
 from arrangement.drawing.tikz.tikz import tikz
@@ -593,3 +576,96 @@ def test_planes_and_grasps_draw_themselves():
         planes.draw("duel")
     with pytest.raises(InputError, match="did you mean labels"):
         planes.draw(label="none")
+
+
+def test_panels_keep_their_elements_and_share_what_their_legends_say_alike(tmp_path):
+    planes, grasp = read_arrangement("braid-a3"), read_grasp("paper-four-contacts")
+    parts = [planes.draw("sphere"), planes.draw("graph"), grasp.draw()]
+    whole = compose(parts, titles=["one", "two", "three"])
+    names = {item.name for item in whole.scene.items} - {""}
+    for k, part in enumerate(parts, 1):
+        assert {f"panel-{k}-{x.name}" for x in part.scene.items if x.name} < names
+    assert len({entry.split()[0] for entry in whole.scene.legend.table}) == 24
+    texts = [key.text for key in whole.scene.legend.keys]
+    assert len(texts) == len(set(texts)) > 3
+    assert not offences(laid_out(whole.scene))
+    whole.restyle("panel-1-region-2", fc="#123456")
+    for suffix in ("svg", "tex"):
+        whole.write(tmp_path / f"a.{suffix}")
+        assert "123456" in (tmp_path / f"a.{suffix}").read_text()
+    for wrong in ({"columns": 0}, {"titles": ["one"]}):
+        with pytest.raises(InputError):
+            compose(parts, **wrong)
+    with pytest.raises(InputError, match="no element"):
+        whole.restyle("panel-4-*", fc="red")
+
+
+def test_panels_of_unlike_counts_keep_their_keys():
+    """Both have a tinted key, which means 4 bounded regions here and 12 there."""
+    whole = compose([shi("A2").draw(), catalan("A2").draw()])
+    assert not whole.scene.legend.keys
+    texts = {item.text for item in whole.scene.items if isinstance(item, Label)}
+    assert {"4 bounded regions", "12 bounded regions", "(a)", "(b)"} < texts
+
+
+def test_several_views_on_the_command_line_are_panels_of_one_width(tmp_path, capsys):
+    path = tmp_path / "two.svg"
+    words = ["draw", "braid-a3", "-o", str(path), "--view", "sphere,dual", "--labels", "none"]
+    assert draw_planes([*words, "--width", "150", "--columns", "1"]) == 0
+    (found,) = re.findall(r'<svg.* width="([0-9.]+)pt"', path.read_text())
+    assert float(found) == pytest.approx(150 * 72 / 25.4)
+    assert draw_planes([*words[:-1], "non"]) == 2
+    assert "did you mean none" in capsys.readouterr().err
+    assert draw_planes(["draw", "braid-a3", "-o", str(path), "--columns", "2"]) == 2
+
+
+def test_what_turns_is_a_gif_of_so_many_pictures(tmp_path, capsys):
+    path = tmp_path / "turn.gif"
+    animate(read_arrangement("coordinate-planes"), path, "planes", turn=3)
+    with Image.open(path) as found:
+        assert found.n_frames == 3
+    assert draw_planes(["draw", "braid-a3", "-o", str(path), "--view", "graph"]) == 2
+    assert "does not turn; there are sphere, planes" in capsys.readouterr().err
+
+
+def test_a_quarter_turn_of_the_viewer_is_that_of_the_direction():
+    planes = read_arrangement("coordinate-planes")
+    turned, meant = ({"direction": (3, 1, 2), "azimuth": 90.0}, {"direction": (-1, 3, 2)})
+    one, other = (OF_PLANES.draw(planes, "cells", **how).scene.items for how in (turned, meant))
+    for a, b in zip(one, other, strict=True):
+        assert a.name == b.name
+        if isinstance(a, Drawn):
+            assert np.abs(a.points - b.points).max() < 0.2
+
+
+@pytest.mark.parametrize(
+    ("drawings", "name", "view", "flat"),
+    [
+        (OF_PLANES, "braid-a3", "cells", "sphere"),
+        (OF_GRASPS, "paper-three-contacts", "wrench-set", "slice"),
+    ],
+)
+def test_a_view_with_a_model_names_it(drawings, name, view, flat, tmp_path):
+    subject = read_arrangement(name) if drawings is OF_PLANES else read_grasp(name)
+    written = drawings.write(subject, tmp_path / "a.stl", view)
+    assert written == {"model": view}
+    with pytest.raises(InputError, match="has no model; there are models of"):
+        drawings.write(subject, tmp_path / "a.stl", flat)
+
+
+@pytest.mark.parametrize("name", [*OF_PLANES.views, *OF_PLANES.pages])
+def test_help_explains_the_options_of_a_view_and_of_no_other(name, capsys):
+    kind = "view" if name in OF_PLANES.views else "page"
+    helps = []
+    for words in (["draw", "--view", name, "--help"], ["draw", "--help"]):
+        with pytest.raises(SystemExit):
+            draw_planes(words)
+        helps.append(capsys.readouterr().out)
+    assert "draw_" not in helps[0]
+    assert helps[1].count("\n") < 80
+    for option in {x for view in OF_PLANES.views for x in OF_PLANES.options("view", view)}:
+        flag = f"  --{option.replace('_', '-')}"
+        assert re.search(rf"^{flag}\b", helps[1], re.MULTILINE)
+        if option in OF_PLANES.options(kind, name):
+            assert re.search(rf"^{flag}\b", helps[0], re.MULTILINE)
+    assert ("--window" in helps[0]) == (name == "lines")

@@ -80,12 +80,9 @@ def _names(value: Shown) -> tuple[str, ...]:
 def _rows(value: object, names: Iterable[str], most: int) -> Iterator[tuple[str, str]]:
     for name in names:
         entry = getattr(value, name)
-        if not (entry is None or isroutine(entry) or isinstance(entry, partial) or _empty(entry)):
+        empty = isinstance(entry, (str, bytes, Sequence, Mapping)) and not entry
+        if not (entry is None or empty or isroutine(entry) or isinstance(entry, partial)):
             yield name.replace("_", " "), _text(entry, most)
-
-
-def _empty(value: Any) -> bool:
-    return isinstance(value, (str, bytes, Sequence, Mapping)) and not value
 
 
 def _text(value: Any, most: int) -> str:

@@ -94,7 +94,6 @@ class Bar:
     Args:
         total: what is to be done; None if unknown (see `begin`).
         unit: of what, in the plural.
-        started_with: what was done before, so that the rate is of this run alone.
         patience: seconds before anything is written on a terminal.
         piped: whether anything is written when stderr is no terminal.
     """
@@ -103,12 +102,11 @@ class Bar:
         self,
         total: int | None,
         unit: str,
-        started_with: int = 0,
         clock: Callable[[], float] = time.monotonic,
         patience: float = 0.0,
         piped: bool = True,
     ) -> None:
-        self.total, self.unit, self.first, self.done = total, unit, started_with, started_with
+        self.total, self.unit, self.first, self.done = total, unit, 0, 0
         self._clock = clock
         self._start = clock()
         self._drawn: float | None = None
@@ -147,13 +145,13 @@ class Bar:
     def _numbers(self) -> str:
         passed = self._clock() - self._start
         rate = (self.done - self.first) / passed if passed > 0 else 0.0
-        speed = f"{rate:.3g} {self.unit}/s"
+        speed = "" if self.unit == "seconds" else f", {rate:.3g} {self.unit}/s"
         if self.total is None:
-            return f"{self.done} {self.unit}, {speed}"
+            return f"{self.done} {self.unit}{speed}"
         filled = _WIDTH * self.done // self.total if self.total else _WIDTH
         bar = f"[{'#' * filled}{'.' * (_WIDTH - filled)}]"
         left = duration((self.total - self.done) / rate) if rate > 0 else "?"
-        return f"{bar} {self.done}/{self.total} {self.unit}, {speed}, {left} left"
+        return f"{bar} {self.done}/{self.total} {self.unit}{speed}, {left} left"
 
 
 def duration(seconds: float) -> str:

@@ -62,15 +62,15 @@ class Parser(argparse.ArgumentParser):
         self.later: Callable[[], None] | None = None
         #: Options that take so many numbers or more, as many as there are.
         self.growing: list[argparse.Action] = []
-        self._words: Sequence[str] = ()
+        #: What is parsed.
+        self.words: Sequence[str] = ()
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         """Parse, with all options; ``--help`` comes through here too."""
+        self.words = words = sys.argv[1:] if args is None else args
         later, self.later = self.later, None
         if later is not None:
             later()
-        words = sys.argv[1:] if args is None else args
-        self._words = words
         found, rest = super().parse_known_args(list(self._separated(words)), namespace)
         for word in rest:
             self.error(self._unknown(word))
@@ -117,7 +117,7 @@ class Parser(argparse.ArgumentParser):
 
         Where something is missing, an option that is misspelt may be it.
         """
-        options = (word.partition("=")[0] for word in self._words if word[:2] == "--" != word)
+        options = (word.partition("=")[0] for word in self.words if word[:2] == "--" != word)
         misspelt = (word for word in options if word not in self._option_string_actions)
         if "required" in message and (word := next(misspelt, None)):
             message = self._unknown(word)
@@ -287,6 +287,7 @@ def run(parser: Parser, argv: Sequence[str] | None = None) -> int:
         exact = any(getattr(arguments, name, False) for name in ("json", "exact"))
         form = number_form.Form(exact, getattr(arguments, "digits", None) or number_form.DIGITS)
         with budget.limit(getattr(arguments, "limit", 1.0)), progress.shown(), form.used():
+            budget.watch(_seconds(arguments))
             code: int = arguments.command(arguments)
         sys.stdout.flush()
     except (InputError, MissingExtraError) as error:
@@ -311,6 +312,16 @@ def run(parser: Parser, argv: Sequence[str] | None = None) -> int:
     finally:
         budget.watch(0)
     return code
+
+
+def _seconds(arguments: argparse.Namespace) -> float:
+    """Return what a command may take; 0, without end, where more is asked for in so many words."""
+    named = vars(arguments)
+    films = str(named.get("output")).endswith((".gif", ".mp4"))
+    if films or named.get("long") or named.get("store") or named.get("jobs", 1) > 1:
+        return 0
+    # Behind the time that is given, so that a search can say what it knows.
+    return budget.STOPPED + 2 * float(named.get("time_limit") or 0)
 
 
 def print_json(value: Any) -> None:

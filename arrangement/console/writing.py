@@ -43,6 +43,18 @@ def write_bytes_atomically(path: str | os.PathLike[str], content: bytes) -> None
         raise InputError(f"cannot write {shown(str(path))}: {reason(error)}") from None
 
 
+def make_folder(path: str | os.PathLike[str]) -> None:
+    """Make a folder, and those that it is in, where they are not there.
+
+    Raises:
+        InputError: it cannot be made.
+    """
+    try:
+        Path(path).mkdir(parents=True, exist_ok=True)
+    except (OSError, ValueError) as error:
+        raise InputError(f"cannot write {shown(str(path))}: {reason(error)}") from None
+
+
 def write_or_print(path: str | None, text: str) -> None:
     """Write a text to a file (`write_text_atomically`), or to stdout where there is none."""
     if path is None:

@@ -9,13 +9,30 @@ is outside the span of their vectors, and then the intersection has codimension 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
+import numpy as np
+from numpy.typing import NDArray
+
+from arrangement.errors import InputError
+from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, largest
-from arrangement.numbers.linear.rank import ask_elimination, echelon, rank, spanning, spread
+from arrangement.numbers.linear.rank import (
+    PRIME,
+    ask_elimination,
+    echelon,
+    rank,
+    spanning,
+    spread,
+)
 from arrangement.numbers.symbolic import exact_matrix
 from arrangement.planes.planes import Planes
+
+Indices = int | Iterable[int]
+#: Maximal minors that are looked at.
+_MINORS = 3_000_000
 
 
 @dataclass(frozen=True)
@@ -58,9 +75,80 @@ def pivot_columns(rows: Sequence[IntegerVector], width: int) -> tuple[int, ...]:
     if len(rows) > 2 * width and rank(spread(rows, 2 * width)) == width:
         return tuple(range(width))
     if len(rows) and largest(rows) < math.inf:
-        pivots = echelon(rows)[1]
+        pivots = echelon(rows, reduced=False)[1]
         if len(pivots) in (width, len(rows)) or len(pivots) == rank(rows):
             return tuple(pivots)
     ask_elimination(rows, width)
     found: tuple[int, ...] = exact_matrix(spanning(rows), width).rref_den()[2]
     return found
+
+
+def indices(arrangement: Planes, planes: Indices) -> tuple[int, ...]:
+    """Return plane indices, each checked."""
+    chosen = (planes,) if isinstance(planes, int) else tuple(planes)
+    for plane in chosen:
+        if isinstance(plane, bool) or not 0 <= plane < len(arrangement):
+            raise InputError(
+                f"plane {plane} does not exist; this arrangement has {len(arrangement)} planes, "
+                "counted from 0"
+            )
+    return chosen
+
+
+def flats_foreseen(planes: int, rank: int, known: int, found: float) -> float:
+    """Return about how many flats of a rank there are, where so many of a known rank were found.
+
+    In general position C(m, k) flats have the rank k. Of special planes it is a share near
+    s^(k(k-1)/2), where s is known from the second rank on: measured on braids, resonance
+    arrangements and random small normals.
+    """
+    share = (found / max(1, budget.choose(planes, known))) ** (1 / max(1, known * (known - 1)))
+    foreseen: float = budget.choose(planes, rank) * share ** (rank * (rank - 1))
+    return foreseen
+
+
+def is_generic(config: Configuration) -> bool:
+    """Return whether every basis-many of the vectors, infinity included, are seen to be one.
+
+    Then every flat has as many planes as its rank, and none is parallel to another. False says
+    nothing: there may be too many, or a minor that only a prime divides.
+
+    Where r of n vectors are the identity, the minors of order r of all are the minors of every
+    order of the others. A row more at a time, they are expanded along it, modulo a prime: what is
+    not 0 there is not 0.
+    """
+    rows = [*config.vectors, *([] if config.infinity is None else [config.infinity])]
+    rank, others = config.rank, len(rows) - config.rank
+    if math.comb(len(rows), rank) > _MINORS or not others or largest(rows) == math.inf:
+        return len(rows) == rank
+    reduced, pivots = echelon(list(zip(*rows, strict=True)))
+    if len(pivots) < rank:
+        return False
+    matrix = np.delete(reduced, pivots, axis=1)
+    minors = np.ones((1, 1), dtype=np.int64)
+    for k in range(1, min(rank, others) + 1):
+        chosen, columns = _subsets(rank, k), _subsets(others, k)
+        above = _place(chosen[:, :-1])[:, None]
+        larger = np.zeros((len(chosen), len(columns)), dtype=np.int64)
+        for j in range(k):
+            rest = _place(np.delete(columns, j, axis=1))
+            term = matrix[np.ix_(chosen[:, -1], columns[:, j])] * minors[above, rest]
+            larger += (-1) ** j * (term % PRIME)
+        minors = larger % PRIME
+        if not minors.all():
+            return False
+    return True
+
+
+def _subsets(n: int, k: int) -> NDArray[np.intp]:
+    """Return the subsets of k of n numbers, increasing each, in the order of their places."""
+    found = np.array(list(combinations(range(n), k)), dtype=np.intp)
+    return found[np.argsort(_place(found))]
+
+
+def _place(subsets: NDArray[np.intp]) -> NDArray[np.intp]:
+    """Return the place of each subset among those of its size, ordered by the last element."""
+    place = np.zeros(len(subsets), dtype=np.intp)
+    for i, column in enumerate(subsets.T.tolist(), start=1):
+        place += [math.comb(x, i) for x in column]
+    return place

@@ -15,18 +15,20 @@ from __future__ import annotations
 
 import itertools
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from operator import mul
 
 from arrangement.console.number_form import Shown
 from arrangement.console.progress import watched
 from arrangement.errors import InputError
 from arrangement.numbers import budget
-from arrangement.numbers.exact import IntegerVector, bits, unoriented
+from arrangement.numbers.exact import IntegerVector, bits as bits_of, largest, unoriented
+from arrangement.numbers.linear.cones import Cone
 from arrangement.planes.planes import Planes
 
-from .configuration import Configuration, configuration
+from .configuration import Configuration, configuration, flats_foreseen, indices
 from .low_rank import WhitneyMatrix, rank_two_groups
 
 
@@ -70,7 +72,7 @@ class IntersectionLattice(Shown):
         plain = all(len(members) == 1 for members in distinct)
 
         def planes(mask: int) -> tuple[int, ...]:
-            classes = bits(mask)
+            classes = bits_of(mask)
             return classes if plain else tuple(sorted(p for c in classes for p in distinct[c]))
 
         return tuple(
@@ -108,8 +110,8 @@ class IntersectionLattice(Shown):
     def closure(self, planes: Iterable[int]) -> Flat | None:
         """Return the intersection of some input planes as a flat, or None if it is empty."""
         wanted = 0
-        for plane in planes:
-            wanted |= 1 << self.arrangement.class_of[_checked(self.arrangement, plane)]
+        for plane in indices(self.arrangement, planes):
+            wanted |= 1 << self.arrangement.class_of[plane]
         for flats, masks in zip(self.flats, self.masks, strict=True):
             for flat, mask in zip(flats, masks, strict=True):
                 if mask & wanted == wanted:
@@ -215,11 +217,19 @@ class _Quotients:
 
     `vectors[i]` has, for each class beside flat i, its primitive unoriented vector; class
     `infinity` stands for infinity.
+
+    Attributes:
+        top: the rank of all vectors.
+        bits: of their entries, many if they are irrational.
+        rank: of the level.
     """
 
     masks: tuple[int, ...]
     vectors: list[dict[int, IntegerVector]]
     infinity: int
+    top: int = 0
+    bits: float = 0
+    rank: int = 0
 
     @classmethod
     def begin(cls, config: Configuration, masks: list[tuple[int, ...]]) -> _Quotients:
@@ -230,7 +240,9 @@ class _Quotients:
         vectors = {i: unoriented(vector) for i, vector in enumerate(config.vectors)}
         if config.infinity is not None:
             vectors[count] = config.infinity
-        return cls((0,), [vectors], count)
+        size = largest(config.vectors)
+        bits = size.bit_length() if isinstance(size, int) else 1000
+        return cls((0,), [vectors], count, config.rank, bits)
 
     def extend(self, *, keep: bool) -> tuple[tuple[int, ...], tuple[tuple[int, ...], ...]]:
         """Move up one level; return its flats, and for each old flat the covers among them.
@@ -240,19 +252,7 @@ class _Quotients:
         position: dict[int, int] = {}
         covers: list[tuple[int, ...]] = []
         quotients: list[dict[int, IntegerVector]] = []
-        work = sum(map(len, self.vectors))
-        # In general position a flat of k planes covers k others; each plane left has a vector.
-        width = max((len(x) for vectors in self.vectors for x in vectors.values()), default=0)
-        fewest = min((mask.bit_count() for mask in self.masks), default=0)
-        flats, each = work / (1 + fewest), work / max(1, len(self.masks))
-        # the level above has as much at each; where planes are special it has fewer flats
-        higher = flats * each * keep / 4
-        budget.ask(
-            f"what covers {len(self.masks):,} flats",
-            "count without the lattice (arrangement polynomial)",
-            seconds=3e-6 * (work + higher),
-            bytes=(200 * work + 32 * flats * each * width) * keep + 200 * higher,
-        )
+        self._ask()
         for mask, vectors in zip(self.masks, self.vectors, strict=True):
             groups: dict[IntegerVector, list[int]] = {}
             for plane, vector in vectors.items():
@@ -270,8 +270,30 @@ class _Quotients:
                         quotients.append(_contract(vectors, vector, set(planes)))
                 above.append(position[flat])
             covers.append(tuple(above))
-        self.masks, self.vectors = tuple(position), quotients
+        self.masks, self.vectors, self.rank = tuple(position), quotients, self.rank + 1
         return self.masks, tuple(covers)
+
+    def _ask(self) -> None:
+        """Refuse what is out of reach, on this level or a later one."""
+        planes, known = self.infinity, max(self.rank, 2)
+        found: float = len(self.masks)
+        if self.rank == 1:  # each is counted as often as planes contain it
+            sizes = (Counter(vectors.values()).values() for vectors in self.vectors)
+            found = sum(1 / (size + 1) for row in sizes for size in row)
+        vectors = seconds = bytes = 0.0
+        for k in range(self.rank, self.top - 1 if self.rank else 1):
+            flats = flats_foreseen(planes, k, known, found)
+            kept = flats_foreseen(planes, k + 1, known, found) * max(planes - k - 1, 0)
+            kept *= k + 2 < self.top
+            before, vectors = vectors, kept * (160 + (self.top - k) * self.bits * (k + 1) / 4)
+            seconds += 1e-6 * (flats * (planes - k) / 2 + kept * (2 + 0.06 * self.bits))
+            bytes = max(bytes, before + vectors + 20 * flats * (planes - k))
+        budget.ask(
+            f"the flats of rank {self.rank + 1} and more of {planes:,} planes",
+            "count without the lattice (arrangement polynomial)",
+            seconds=seconds,
+            bytes=bytes,
+        )
 
 
 def _contract(
@@ -312,15 +334,6 @@ def _lower_levels_of_rank_three(
     atoms = tuple(1 << plane for plane in range(count))
     covers = [(tuple(range(count)),), tuple(map(tuple, above))]
     return [(0,), atoms, tuple(lines)], covers
-
-
-def _checked(arrangement: Planes, plane: int) -> int:
-    """Return a plane index, or refuse it."""
-    if isinstance(plane, bool) or not 0 <= plane < len(arrangement):
-        raise InputError(
-            f"plane {plane} does not exist; this arrangement has planes 0 to {len(arrangement) - 1}"
-        )
-    return int(plane)
 
 
 def modular_chain(arrangement: Planes) -> tuple[Flat, ...] | None:
@@ -383,3 +396,78 @@ def _chain(arrangement: Planes) -> tuple[IntersectionLattice, list[int]] | None:
             return None
         chain.insert(0, found)
     return lattice, chain
+
+
+def f_vector_in_cone(planes: Planes, inequalities: Sequence[IntegerVector]) -> tuple[int, ...]:
+    """Return (f_0, ..., f_d), the faces of central planes inside ``{x : a . x > 0}``.
+
+    Planes cut an open convex set K in as many regions as the sum of |mu(X)| over the flats X that
+    meet K. [Zaslavsky1977] The flats in an interval between two that meet K all do, so mu is that
+    of all planes; and the faces in a flat X are the regions of the planes in X. Whether a flat
+    meets the cone is read off the generators of their intersection.
+
+    Args:
+        planes: central; coincident ones count once.
+        inequalities: integer rows a; with none the cone is the whole space.
+
+    >>> from arrangement import Arrangement
+    >>> f_vector_in_cone(Arrangement([[1, -1], [1, 1]]), [(1, 0), (0, 1)])
+    (0, 1, 2)
+    """
+    cone = Cone(planes.dimension)
+    for row in inequalities:
+        cone.cut(row, keep_positive=True)
+    missing = planes.dimension + 1
+    if not _meets(cone, inequalities):
+        return (0,) * missing
+    normals = [plane[:-1] for plane in planes.distinct_planes]
+    masks: list[tuple[int, ...]] = [(0,)]
+    covers: list[tuple[tuple[int, ...], ...]] = []
+    cones = [cone]
+    while cones:
+        found: dict[int, Cone] = {}
+        position: dict[int, int] = {}
+        above = []
+        for mask, cone in zip(masks[-1], cones, strict=True):
+            flats = _covers_in_cone(cone, mask, normals, inequalities)
+            found.update(flats)
+            above.append(tuple(position.setdefault(flat, len(position)) for flat in flats))
+        covers.append(tuple(above))
+        if position:
+            masks.append(tuple(position))
+        cones = [found[flat] for flat in position]
+    rows = IntersectionLattice(planes, tuple(masks), tuple(covers)).whitney_matrix
+    sums = [sum(row) for row in rows]
+    return (0,) * (missing - len(sums)) + tuple(reversed(sums))
+
+
+def _covers_in_cone(
+    cone: Cone, mask: int, normals: Sequence[IntegerVector], inequalities: Sequence[IntegerVector]
+) -> dict[int, Cone]:
+    """Return the flats one rank above that meet the cone, with their parts of it.
+
+    Such a part is open in its flat, so its generators span it and tell which planes contain it.
+    """
+    found: dict[int, Cone] = {}
+    seen = mask
+    for i, normal in enumerate(normals):
+        if seen >> i & 1:
+            continue
+        part = cone.copy()
+        part.cut(normal, keep_positive=False)
+        if _meets(part, inequalities):
+            rays, lines = part.generators
+            flat = sum(
+                1 << j
+                for j, other in enumerate(normals)
+                if not any(sum(map(mul, other, x)) for x in (*rays, *lines))
+            )
+            found[flat] = part
+            seen |= flat
+    return found
+
+
+def _meets(cone: Cone, inequalities: Sequence[IntegerVector]) -> bool:
+    """Return whether a cone, where the inequalities are >= 0, has a point where all are > 0."""
+    rays, _ = cone.generators
+    return all(any(sum(map(mul, row, ray)) for ray in rays) for row in inequalities)

@@ -90,7 +90,7 @@ def whitney_matrix(config: Configuration) -> WhitneyMatrix:
     below_top = _below_top(config)
     if config.infinity is not None:
         return below_top
-    return _with_top(below_top, config.rank)
+    return with_top(below_top, config.rank)
 
 
 def rank_two_groups(config: Configuration) -> Groups:
@@ -107,8 +107,10 @@ def rank_two_groups(config: Configuration) -> Groups:
         groups = [
             _group(_contract_by_one(vectors, rows), rows) for rows in _chunks(m, len(vectors))
         ]
+    columns = zip(*(vars(group).values() for group in groups), strict=True)
+    together = Groups(*map(np.concatenate, columns))
     # A plane is in no group of its own row, so the first one is never equal to it.
-    return _keep(_flats_only(_concatenate(groups), m), lambda g: g.first > g.row)
+    return _keep(_flats_only(together, m), lambda g: g.first > g.row)
 
 
 def _below_top(config: Configuration) -> WhitneyMatrix:
@@ -133,7 +135,7 @@ def _below_top(config: Configuration) -> WhitneyMatrix:
     )
 
 
-def _with_top(below: WhitneyMatrix, rank: int) -> WhitneyMatrix:
+def with_top(below: WhitneyMatrix, rank: int) -> WhitneyMatrix:
     """Append the one flat of full rank to the table of a central configuration."""
     rows = []
     for row in below:
@@ -287,9 +289,3 @@ def _keep(groups: Groups, rule: Any) -> Groups:
         groups.size[chosen],
         groups.columns[np.repeat(chosen, groups.size)],
     )
-
-
-def _concatenate(parts: list[Groups]) -> Groups:
-    """Join groups of consecutive rows."""
-    names = ("row", "first", "last", "size", "columns")
-    return Groups(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))

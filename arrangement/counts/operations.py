@@ -27,12 +27,11 @@ from arrangement.numbers.real_entries import entry
 from arrangement.numbers.symbolic import entries, exact_matrix
 from arrangement.planes.planes import Planes
 
-from .configuration import pivot_columns
+from .configuration import Indices, indices, pivot_columns
 from .low_rank import MAX_RANK
 
 #: Planes of low rank that are counted without a look at their factors.
 _MANY = 500
-Indices = int | Iterable[int]
 #: What comes out is of the class of what went in.
 AnyPlanes = TypeVar("AnyPlanes", bound=Planes)
 
@@ -55,7 +54,7 @@ def deletion(arrangement: AnyPlanes, planes: Indices) -> AnyPlanes:
     >>> deletion(Arrangement([[1, 0], [0, 1], [1, 1]]), 1).integer_planes
     ((1, 0, 0), (1, 1, 0))
     """
-    gone = set(_indices(arrangement, planes))
+    gone = set(indices(arrangement, planes))
     return _selected(arrangement, [i for i in range(len(arrangement)) if i not in gone])
 
 
@@ -172,7 +171,7 @@ def flat_chart(arrangement: Planes, planes: Indices) -> Chart:
     Raises:
         InputError: if the intersection is empty.
     """
-    chosen = _indices(arrangement, planes)
+    chosen = indices(arrangement, planes)
     dimension = arrangement.dimension
     echelon, scale, pivots = arrangement.matrix.extract(chosen, range(dimension + 1)).rref_den()
     if dimension in pivots:
@@ -279,11 +278,7 @@ def over_factors(
     for factor, times in Counter(irreducible_factors(arrangement)).items():
         own = numbers(factor)
         for _ in range(times):
-            longer = [0] * (len(found) + len(own) - 1)
-            for i, x in enumerate(found):
-                for j, y in enumerate(own):
-                    longer[i + j] += x * y
-            found = longer
+            found = np.convolve(np.array(found, object), own).tolist()
     return tuple(found)
 
 
@@ -304,15 +299,3 @@ def _of(arrangement: AnyPlanes, planes: Sequence[Sequence[Any]]) -> AnyPlanes:
         [plane[-1] for plane in planes],
         dimension=arrangement.dimension,
     )
-
-
-def _indices(arrangement: Planes, planes: Indices) -> tuple[int, ...]:
-    """Return plane indices, checked."""
-    chosen = (planes,) if isinstance(planes, int) else tuple(planes)
-    for plane in chosen:
-        if isinstance(plane, bool) or not 0 <= plane < len(arrangement):
-            raise InputError(
-                f"plane {plane} does not exist; this arrangement has {len(arrangement)} planes, "
-                "counted from 0"
-            )
-    return chosen

@@ -18,9 +18,9 @@ from arrangement.errors import InputError
 from arrangement.numbers.exact import shown
 from arrangement.planes.planes import Planes
 
-from .configuration import Configuration, configuration
+from .configuration import Configuration, configuration, is_generic
 from .lattice import intersection_lattice
-from .low_rank import MAX_RANK, WhitneyMatrix, whitney_matrix
+from .low_rank import MAX_RANK, WhitneyMatrix, whitney_matrix, with_top
 from .operations import over_factors
 
 if TYPE_CHECKING:
@@ -53,7 +53,21 @@ def doubly_indexed_whitney_numbers(arrangement: Planes) -> WhitneyMatrix:
     config = configuration(arrangement)
     if config.rank <= MAX_RANK:
         return whitney_matrix(config)
-    return intersection_lattice(arrangement).whitney_matrix
+    return _generic_matrix(config) or intersection_lattice(arrangement).whitney_matrix
+
+
+def _generic_matrix(config: Configuration) -> WhitneyMatrix | None:
+    """Return the table of planes in general position; None if they are not seen to be.
+
+    Each flat below the top has as many planes as its rank, so every interval below it is Boolean.
+    """
+    if not is_generic(config):
+        return None
+    m, ranks = len(config.vectors), range(config.rank)
+    below = tuple(
+        tuple(math.comb(m, j) * math.comb(j, k) if j >= k else 0 for j in ranks) for k in ranks
+    )
+    return below if config.infinity is not None else with_top(below, config.rank)
 
 
 def whitney_numbers(arrangement: Planes) -> WhitneyNumbers:
@@ -110,6 +124,8 @@ def first_whitney_numbers(
         if found is not None:
             return found
     config = configuration(arrangement)
+    if symmetry is None and config.rank > MAX_RANK and (generic := _generic_matrix(config)):
+        return tuple((-1) ** k * value for k, value in enumerate(generic[0]))
     if (config.rank > MAX_RANK or (config.rank and symmetry is not None)) and (annex := _annex()):
         found = annex.first_numbers(arrangement, config, symmetry, time_limit, deadline)
         return tuple(found)
@@ -215,6 +231,8 @@ def _faces_by_codimension(arrangement: Planes) -> tuple[int, ...]:
     if product is not None:
         return product
     config = configuration(arrangement)
+    if config.rank > MAX_RANK and (generic := _generic_matrix(config)):
+        return tuple(map(sum, generic))
     if (by_classes := _flats_and_faces(arrangement, config, faces=True)) is not None:
         return by_classes[1]
     return tuple(map(sum, doubly_indexed_whitney_numbers(arrangement)))

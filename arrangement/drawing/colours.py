@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from functools import cache
+from itertools import cycle
 from typing import TypeAlias, TypeVar
 
 from arrangement.errors import InputError, refusal
@@ -15,7 +18,7 @@ PALETTE = ("#ffffff", "#fdf0c0", "#b9dfd3", "#7fb9d8", "#6a96c8", "#8a7fb5")
 #: Regions with a common side, never of one colour; the second row for opposite regions.
 CHECKERS = (PALETTE[1], PALETTE[3], "#d8a640", "#3f7fae")
 
-COLOURINGS = ("sides", "parity", "signs", "none")
+COLOURINGS = ("sides", "parity", "signs", "orbits", "none")
 
 #: Inks; the colours are those of Okabe and Ito.
 BLACK, GREY, PALE, BLUE, VERMILION = "#000000", "#767676", "#f2f2f2", "#0072b2", "#d55e00"
@@ -48,6 +51,10 @@ class DrawnRegion:
 
 Paint = TypeVar("Paint", bound=Callable[..., str])
 Painter: TypeAlias = Callable[[DrawnRegion], str]
+#: A name, with own colours after it as in ``sides:white,gold``; own colours; or a function.
+Choice: TypeAlias = str | Sequence[str] | Painter
+#: More orbits than this are counted, not listed.
+_LISTED = 12
 
 
 @dataclass(frozen=True)
@@ -55,15 +62,40 @@ class Colouring:
     """A colour for each region, and what a legend says of it.
 
     Attributes:
-        paint: the colour of a region.
+        base: the colour of a region, without own colours.
         name: of the colouring; None for a function of one's own.
+        own: the colours that replace others.
+        orbits: the sizes of the orbits, in the order of their colours.
     """
 
-    paint: Painter
+    base: Painter
     name: str | None
+    own: Mapping[str, str] = field(default_factory=dict)
+    orbits: Sequence[int] = ()
+
+    def paint(self, region: DrawnRegion) -> str:
+        """Return the colour of a region."""
+        return self.shown(self.base(region))
+
+    def shown(self, fill: str) -> str:
+        """Return the own colour in place of one of the scheme."""
+        return self.own.get(fill, fill)
+
+    def with_own(self, own: Sequence[str], drawn: Sequence[DrawnRegion]) -> Colouring:
+        """Return the same with own colours in the order of the legend, again from the first one."""
+        fills = dict.fromkeys([fill for fill, _ in self.keys(drawn)] + [*map(self.base, drawn)])
+        return replace(self, own=dict(zip(fills, cycle(own), strict=False)) if own else {})
 
     def keys(self, drawn: Iterable[DrawnRegion]) -> list[tuple[str, str]]:
         """Return fills and what they mean, for the regions that are drawn."""
+        return [(self.shown(fill), text) for fill, text in self._keys(drawn)]
+
+    def _keys(self, drawn: Iterable[DrawnRegion]) -> list[tuple[str, str]]:
+        if self.name == "orbits":
+            if len(self.orbits) > _LISTED:
+                return []
+            texts = [f"orbit of {size}" for size in self.orbits]
+            return [(orbit_colour(k), text) for k, text in enumerate(texts)]
         if self.name == "sides":
             numbers = sorted({region.sides for region in drawn} - {0})
             return [(side_colour(k), f"{k} sides" if k > 1 else "1 side") for k in numbers]
@@ -78,7 +110,7 @@ class Colouring:
             ]
         groups: dict[str, set[int]] = {}
         for region in drawn if self.name == "signs" else ():
-            groups.setdefault(self.paint(region), set()).add(region.signs.count(-1))
+            groups.setdefault(self.base(region), set()).add(region.signs.count(-1))
         entries: list[tuple[str, str]] = []
         for fill, counts in sorted(groups.items(), key=lambda item: min(item[1])):
             low, high = min(counts), max(counts)
@@ -89,18 +121,20 @@ class Colouring:
 
 
 def colouring(
-    colour: str | Painter | None,
+    colour: Choice | None,
     antipodes: str | None,
     regions: Sequence[DrawnRegion],
     pairs: Sequence[tuple[int, int]],
     firsts: Sequence[int],
+    orbits: Callable[[], Sequence[int]] | None = None,
 ) -> Colouring:
     """Return the colouring of a name, or the one that suits an arrangement best.
 
     Args:
-        colour: "sides", "signs", "parity", "none", or a function. If omitted: the number of
-            sides where it tells neighbours apart, else the parity of minus signs, which always
-            does. So two colours are enough for distinct planes.
+        colour: "sides", "signs", "parity", "orbits", "none", or a function; own colours after a
+            name, or alone. If omitted: the number of sides where it tells neighbours apart, else
+            the parity of minus signs, which always does. So two colours are enough for distinct
+            planes.
         antipodes: "same" or "opposite" colours for opposite regions of central planes. With
             c distinct planes parity gives the same ones if c is even, else the two opposite ones.
             Otherwise more colours are needed. Same and c odd: at least four if the planes are in
@@ -109,16 +143,61 @@ def colouring(
         regions: all of them.
         pairs: the numbers of regions with a common side.
         firsts: the first plane of each class of coincident ones.
+        orbits: returns the number of the orbit of each region, from 0, where that is known.
 
     Raises:
-        InputError: an unknown name, or antipodes with another colouring than parity.
+        InputError: an unknown name or colour, or antipodes with another colouring than parity.
     """
+    name, own = _read_choice(colour)
+    found = _colouring(name, antipodes, regions, pairs, firsts, orbits)
+    return found.with_own(own, regions) if own else found
+
+
+def _read_choice(colour: Choice | None) -> tuple[str | Painter | None, list[str]]:
+    """Return the colouring and the own colours."""
+    if colour is None or callable(colour):
+        return colour, []
+    name, found = "", list(colour)
+    if isinstance(colour, str):
+        name, colon, listed = colour.partition(":")
+        if not colon and (colour in COLOURINGS or ("," not in colour and "#" not in colour)):
+            return colour, []
+        name, listed = (name, listed) if colon else ("", colour)
+        found = listed.split(",")
+    from matplotlib.colors import is_color_like, to_hex
+
+    for text in found:
+        if not is_color_like(text):
+            raise InputError(
+                f"{shown(text)} is no colour; give names or #rrggbb, such as gold,#0af"
+            )
+    return name or None, [to_hex(text) for text in found]
+
+
+def _colouring(
+    colour: str | Painter | None,
+    antipodes: str | None,
+    regions: Sequence[DrawnRegion],
+    pairs: Sequence[tuple[int, int]],
+    firsts: Sequence[int],
+    orbits: Callable[[], Sequence[int]] | None,
+) -> Colouring:
     if antipodes not in (None, "same", "opposite"):
         raise refusal(f"antipodes is {shown(antipodes)}", antipodes, ("same", "opposite"))
     if isinstance(colour, str) and colour not in COLOURINGS:
         raise refusal(f"the colouring is {shown(colour)}", colour, COLOURINGS)
     if antipodes is not None and colour not in (None, "parity"):
         raise InputError("antipodes goes with the colouring parity; leave out the other colouring")
+    if colour == "orbits":
+        if orbits is None:
+            raise InputError("orbits are those of central planes in R^3; choose another colouring")
+        of = dict(zip((region.signs for region in regions), orbits(), strict=True))
+        sizes = Counter(of.values())
+        return Colouring(
+            lambda region: orbit_colour(of[region.signs]),
+            colour,
+            orbits=[sizes[k] for k in range(len(sizes))],
+        )
     if colour is None:
         apart = all(regions[a].sides != regions[b].sides for a, b in pairs)
         colour = "sides" if apart and pairs and antipodes is None else "parity"
@@ -181,11 +260,18 @@ def chosen(colour: str | Paint, painters: Mapping[str, Paint]) -> Paint:
     return painters[colour]
 
 
+def orbit_colour(orbit: int) -> str:
+    """Return the colour of an orbit of regions, by its number."""
+    first = (CHECKERS[0], CHECKERS[1], PALETTE[2], CHECKERS[2], PALETTE[5])
+    return first[orbit] if orbit < len(first) else pale(plane_colour(orbit - len(first)), 0.4)
+
+
 def side_colour(sides: int) -> str:
     """Return the colour of a region by its number of sides."""
     return PALETTE[min(max(sides - 2, 0), 5)]
 
 
+@cache
 def plane_colour(label: int) -> str:
     """Return the colour of a class of planes: the scheme, then darker and paler; 36 in all."""
     turn, place = divmod(label % (4 * len(PLANE_COLOURS)), len(PLANE_COLOURS))
@@ -193,6 +279,7 @@ def plane_colour(label: int) -> str:
     return (colour, darkened(colour, 0.6), pale(colour, 0.4), darkened(colour, 0.8))[turn]
 
 
+@cache
 def letter_colour(label: int) -> str:
     """Return the colour of a class of planes, dark enough for letters on white (4.5 to 1, WCAG)."""
     channels = [int(plane_colour(label)[k : k + 2], 16) / 255 for k in (1, 3, 5)]

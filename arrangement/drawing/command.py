@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
@@ -14,6 +15,8 @@ from .registry import LENGTHS, LETTERS, Drawings, Option
 
 _KINDS: dict[str, dict[str, Any]] = {
     "str": {"metavar": "NAME"},
+    "Labels": {"metavar": "NAME"},
+    "Choice": {"metavar": "NAME"},
     "AxisNames": {"nargs": "?", "const": True, "metavar": "NAMES"},
     "int": {"type": terminal.integer_argument, "metavar": "K"},
     "float": {"type": terminal.length_argument, "metavar": "N"},
@@ -25,7 +28,7 @@ _KINDS: dict[str, dict[str, Any]] = {
     "bool": {"action": argparse.BooleanOptionalAction, "default": None},
 }
 #: Options of all pictures.
-_PRINTING = ("font_size", "text", "fragment", "theme", "legend")
+_PRINTING = ("font_size", "text", "fragment", "theme", "legend", "columns", "frames")
 #: Options of several values that are written one by one.
 _FLAGS = {"wrenches": "wrench"}
 
@@ -33,18 +36,28 @@ _FLAGS = {"wrenches": "wrench"}
 def add_options(
     parser: argparse.ArgumentParser, drawings: Drawings, own: Collection[str] = ()
 ) -> None:
-    """Add the options of all that can be drawn, but for those that the command has itself."""
+    """Add the options of all that can be drawn, but for those that the command has itself.
+
+    The help explains those of the view, model or page that is named, or lists whose they are.
+    """
+    words = parser.words if isinstance(parser, terminal.Parser) else ()
+    asked = _asked(words) if {"-h", "--help"} & {*words} else None
+    subject = next(a.metavar for a in parser._actions if not a.option_strings)
+    parser.usage = f"%(prog)s {subject} -o PATH [--view VIEW] [options]"
+    if not asked:
+        parser.epilog = "--view VIEW --help explains the options of a view, a page or a model."
     parser.add_argument(
         "-o",
         "--output",
         required=True,
         metavar="PATH",
-        help=".svg, .pdf, .png, .tex (TikZ): a picture; .html: an interactive page"
+        help=".svg, .pdf, .png, .tex (TikZ): a picture; .gif, .mp4: one that turns; .html: a page"
         + "; .stl, .glb, .obj: a model" * bool(drawings.models),
     )
     for kind, suffix in (("view", "picture"), ("model", "model")):
         if known := getattr(drawings, f"{kind}s"):
             text = f"of a {suffix}: {', '.join(known)} (default: the first)"
+            text += "; several, as in sphere,dual, are panels of one sheet" * (kind == "view")
             parser.add_argument(f"--{kind}", metavar=kind.upper(), help=text)
     for name, metavar, text in (
         ("font-size", "LENGTH", "of a picture, of its larger letters, such as 8pt; lines follow"),
@@ -57,6 +70,11 @@ def add_options(
     parser.add_argument(
         "--fragment", action="store_true", default=None, help="in .tex: no document, for \\input"
     )
+    for name, metavar, text in (
+        ("columns", "K", "of panels (default: 2)"),
+        ("frames", "K", "of a full turn in .gif, .mp4 (default: 36)"),
+    ):
+        parser.add_argument(f"--{name}", type=terminal.integer_argument, metavar=metavar, help=text)
     found: dict[str, list[tuple[str, Option]]] = {}
     for name, option in _every(drawings):
         found.setdefault(_flag(option), []).append((name, option))
@@ -66,7 +84,8 @@ def add_options(
             if any(option.many for _, option in uses):
                 extend = {"action": "extend", "nargs": "+"}
                 style |= {"action": "append"} if "nargs" in style else extend
-            added = parser.add_argument(f"--{flag.replace('_', '-')}", **style, help=_help(uses))
+            text = _help(uses, asked)
+            added = parser.add_argument(f"--{flag.replace('_', '-')}", **style, help=text)
             if uses[0][1].kind == "Wrench" and isinstance(parser, terminal.Parser):
                 parser.growing.append(added)
 
@@ -82,15 +101,22 @@ def _flag(option: Option) -> str:
     return _FLAGS.get(option.name, option.name)
 
 
-def _help(uses: list[tuple[str, Option]]) -> str:
-    """Say what an option means, view by view where that differs."""
-    texts: dict[str, list[str]] = {}
-    for name, option in uses:
-        text = option.text.partition(". ")[0].replace("`", "").rstrip(".")
-        texts.setdefault(text, []).append(name)
-    return "; ".join(f"{', '.join(names)}: {text}" for text, names in texts.items()).replace(
-        "%", "%%"
-    )
+def _asked(words: Collection[str]) -> set[str]:
+    """Return the views, models and pages that are named on a command line."""
+    found = re.findall(r"--(?:view|model)[ =]([^ ]+)", " ".join(words))
+    return {name for names in found for name in names.split(",")}
+
+
+def _help(uses: list[tuple[str, Option]], asked: set[str] | None) -> str:
+    """Say what an option means for the views that are asked for, or else whose option it is."""
+    if not asked:
+        return f"of {', '.join(name for name, _ in uses)}"
+    known = {name: option.text for name, option in uses}
+    own = [text for name, text in known.items() if name.rpartition(" ")[2] in asked]
+    for _ in range(2):  # a view may refer to another one, and that to a third
+        own = [re.sub(r"as for `draw_(\w+)`", lambda x: known[x[1]].rstrip("."), t) for t in own]
+    texts = dict.fromkeys(text.replace("`", "").replace("%", "%%").rstrip(".") for text in own)
+    return "; or: ".join(texts) or argparse.SUPPRESS
 
 
 def given_options(

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.writing import write_bytes_atomically
-from arrangement.errors import InputError, MissingExtraError
+from arrangement.errors import InputError, MissingExtraError, refusal
 from arrangement.numbers.exact import rational, shown
 
 if TYPE_CHECKING:
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 PICTURES = (".pdf", ".png", ".svg")
 TIKZ = (".tex",)
+MOVIES = (".gif", ".mp4")
 MODELS = (".glb", ".obj", ".stl")
 PAGES = (".html",)
 #: The first one is the default.
@@ -32,6 +33,12 @@ _METADATA: dict[str, dict[str, Any]] = {
     ".pdf": {"CreationDate": None},
     ".png": {"Software": None},
 }
+
+
+def check_choice(name: str, value: object, known: tuple[str, ...]) -> None:
+    """Refuse what is not one of the known words."""
+    if value not in known:
+        raise refusal(f"the {name} is {shown(value)}", value, known)
 
 
 def require_matplotlib() -> Any:
@@ -110,12 +117,53 @@ def save_figure(path: str | os.PathLike[str], make: Callable[[], Figure]) -> Non
     write_bytes_atomically(path, picture_bytes(suffix, make))
 
 
-def picture_bytes(suffix: str, make: Callable[[], Figure], letters: bool = False) -> bytes:
+def picture_bytes(
+    suffix: str, make: Callable[[], Figure], letters: bool = False, dpi: int = 300
+) -> bytes:
     """Return the figure that `make` returns as a file; in SVG with letters instead of outlines."""
     stream = io.BytesIO()
     with own_settings({"svg.fonttype": "none"} if letters else {}):
-        make().savefig(stream, format=suffix[1:], dpi=300, metadata=_METADATA[suffix])
+        make().savefig(stream, format=suffix[1:], dpi=dpi, metadata=_METADATA[suffix])
     return stream.getvalue()
+
+
+def movie_bytes(suffix: str, pictures: Iterable[bytes], seconds: float = 4.0) -> bytes:
+    """Return pictures in PNG as one GIF, or MP4, that shows them in so many seconds.
+
+    Raises:
+        InputError: MP4 is asked for and there is no ffmpeg.
+    """
+    from PIL import Image
+
+    frames = [Image.open(io.BytesIO(picture)).convert("RGB") for picture in pictures]
+    # All frames have one size, which MP4 wants even.
+    size = max(f.width for f in frames) + 1 & ~1, max(f.height for f in frames) + 1 & ~1
+    for k, frame in enumerate(frames):
+        frames[k] = Image.new("RGB", size, frame.getpixel((0, 0)))
+        frames[k].paste(frame, ((size[0] - frame.width) // 2, 0))
+    if suffix == ".gif":
+        stream, first = io.BytesIO(), frames[0].quantize(64)
+        rest = [frame.quantize(palette=first) for frame in frames]
+        pause = round(1000 * seconds / len(frames))
+        rest[0].save(stream, "GIF", save_all=True, append_images=rest[1:], duration=pause, loop=0)
+        return stream.getvalue()
+    import shutil
+    import subprocess
+    import tempfile
+
+    program = shutil.which("ffmpeg")
+    if program is None:
+        raise InputError("MP4 needs ffmpeg, which is not installed; .gif needs nothing more")
+    with tempfile.TemporaryDirectory() as folder:
+        raw = ["-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{size[0]}x{size[1]}"]
+        words = [program, "-v", "error", *raw, "-r", f"{len(frames) / seconds:g}", "-i", "-"]
+        target = Path(folder) / "turn.mp4"
+        words += ["-pix_fmt", "yuv420p", "-fflags", "+bitexact", "-flags", "+bitexact", str(target)]
+        data = b"".join(frame.tobytes() for frame in frames)
+        done = subprocess.run(words, input=data, capture_output=True, check=False)
+        if done.returncode:
+            raise InputError(f"ffmpeg refused the pictures: {shown(done.stderr.decode()[-200:])}")
+        return target.read_bytes()
 
 
 def own_settings(more: Mapping[str, Any] | None = None) -> AbstractContextManager[None]:

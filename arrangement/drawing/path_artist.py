@@ -1,29 +1,62 @@
-"""The paths of a scene as one artist of matplotlib, which is imported with this module.
+"""Scenes as artists and figures of matplotlib, which is imported with this module.
 
 A `Patch` for each path, with its own transforms and callbacks, takes most of the time of a picture.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any
+import operator
+import os
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from dataclasses import replace
+from fnmatch import fnmatchcase
+from itertools import groupby
+from typing import Any, TypeAlias
 
 import numpy as np
 
-from .output import require_matplotlib
-from .scene.items import Box, Path, Place
+from arrangement.console.writing import write_bytes_atomically, write_text_atomically
+from arrangement.errors import InputError
+from arrangement.numbers.exact import shown
+
+from .output import (
+    LEGENDS,
+    PICTURES,
+    THEMES,
+    TIKZ,
+    check_choice,
+    ending,
+    own_settings,
+    picture_bytes,
+    require_matplotlib,
+)
+from .scene.items import SHADES, Ball, Box, Item, Label, Mark, Path, Place
+from .scene.layout import laid_out
+from .scene.scene import DPI, NarrowError, Scene
+from .themes import themed
 
 try:
     from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
     from matplotlib.colors import to_rgba
+    from matplotlib.figure import Figure, FigureBase, SubFigure
     from matplotlib.patches import Circle, PathPatch, Rectangle
     from matplotlib.path import Path as Outline
+    from matplotlib.patheffects import Normal, Stroke
     from matplotlib.transforms import Affine2D, Bbox, TransformedPath
 except ImportError:
     require_matplotlib()  # says which extra brings it
     raise
 
+#: What can be drawn into.
+Room: TypeAlias = Axes | Figure | SubFigure
+
 _HATCH_WIDTH = 0.35
+#: In millimetres: in narrower axes letters and lines are smaller.
+_NARROW = 70.0
+#: Size of the image of a ball.
+_PIXELS = 256
 
 
 class Paths(Artist):
@@ -118,3 +151,203 @@ def patch(item: Path, axes: Any) -> PathPatch:
         box = Rectangle((left, low), right - left, high - low, transform=axes.transData)
         made.set_clip_path(box)
     return made
+
+
+def figure(scene: Scene, made: Figure | None = None) -> Figure:
+    """Return a scene as a figure with one coordinate system, that of the scene.
+
+    Args:
+        made: an empty figure to be filled, instead of a new one.
+    """
+    made = Figure() if made is None else made
+    made.set_dpi(DPI)
+    made.set_size_inches(scene.paper[0] / 25.4, scene.paper[1] / 25.4)
+    axes: Any = made.add_axes((0.0, 0.0, 1.0, 1.0))
+    _clear(axes, scene)
+    for k, items in _runs(scene):
+        paths = []
+        for item in items:
+            if isinstance(item, Path):
+                paths.append(item)
+            else:
+                _draw(axes, item, {**item.style, "zorder": k})
+        axes.add_artist(Paths(paths)).set_zorder(k)
+    return made
+
+
+def into(place: Room, make: Callable[[float], Scene]) -> Figure:
+    """Draw into axes, or into new ones that fill a figure; every element is an artist of its own.
+
+    Args:
+        place: where to; what is there stays.
+        make: returns the scene for a width in millimetres. It is asked for one as wide as the
+            axes, or narrower where that one would be too high, but for none that is too narrow
+            for its letters: these, and lines, are made smaller then.
+
+    Returns:
+        The figure of the axes.
+    """
+    axes: Any = place.add_axes((0.0, 0.0, 1.0, 1.0)) if isinstance(place, FigureBase) else place
+    owner = axes.figure
+    while hasattr(owner, "_parent"):  # of a subfigure, whose size is its own
+        owner = owner._parent
+    box = axes.get_window_extent()
+    room = [25.4 * length / owner.dpi for length in (box.width, box.height)]
+    width, scene = max(room[0], _NARROW), None
+    while scene is None:
+        try:
+            scene = make(width)
+        except NarrowError:
+            width *= 1.2
+    for _ in range(3):
+        if scene.paper[1] > room[1]:
+            width = max(width * room[1] / scene.paper[1], _NARROW)
+            with suppress(NarrowError):
+                scene = make(width)
+    scene = scene.scaled(min(1.0, *map(operator.truediv, room, scene.paper)))
+    _clear(axes, scene)
+    for k, items in _runs(scene):
+        for item in items:
+            if isinstance(item, Path):
+                axes.add_patch(patch(item, axes)).set_zorder(k)
+            else:
+                _draw(axes, item, {**item.style, "zorder": k})
+    axes.set_aspect("equal")  # an image has changed it
+    return owner  # type: ignore[no-any-return]
+
+
+def _clear(axes: Any, scene: Scene) -> None:
+    axes.set(xlim=(0, scene.width), ylim=(0, scene.height))
+    axes.set_axis_off()
+
+
+def _runs(scene: Scene) -> Iterator[tuple[int, Iterator[Item]]]:
+    """Yield runs of items of one kind, from below, with their heights."""
+    runs = groupby(sorted(scene.items, key=lambda item: item.height), key=type)
+    for k, (_, items) in enumerate(runs):
+        yield k, items
+
+
+def _draw(axes: Any, item: Item, style: dict[str, Any]) -> None:
+    if item.name:
+        style["gid"] = item.name
+    if isinstance(item, Label):
+        _write(axes, item, style)
+    elif isinstance(item, Mark):
+        axes.plot(
+            *([x] for x in item.place), item.sign, ms=item.size, ls="none", clip_on=False, **style
+        )
+    elif isinstance(item, Ball):
+        _shade(axes, item, style)
+
+
+def _shade(axes: Any, item: Ball, style: dict[str, Any]) -> None:
+    """Add a ball as a small image under its disc; neighbouring pixels differ by one shade."""
+    middle = (np.arange(_PIXELS) + 0.5) / _PIXELS * 2 - 1
+    x, y = np.meshgrid(middle, middle)
+    fx, fy = item.focus
+    # The circle of size t has its centre at (1 - t) focus: |p - (1 - t) f| = t.
+    px, py, rest = x - fx, y - fy, 1 - fx * fx - fy * fy
+    along = px * fx + py * fy
+    size = (along + np.sqrt(along**2 + rest * (px**2 + py**2))) / rest
+    sizes, shares = np.array(SHADES).T
+    share = np.interp(size, sizes, shares)[..., None]
+    near, far = (np.array(to_rgba(colour)) for colour in (item.near, item.far))
+    (cx, cy), r = item.centre, item.radius
+    image = axes.imshow(
+        near + share * (far - near),
+        extent=(cx - r, cx + r, cy - r, cy + r),
+        origin="lower",
+        aspect="auto",
+        interpolation="none",
+        **style,
+    )
+    image.set_clip_path(Circle(item.centre, r, transform=axes.transData))
+
+
+def _write(axes: Any, item: Label, style: dict[str, Any]) -> None:
+    halo, plate = style.pop("halo", None), style.pop("plate", None)
+    if plate is not None:
+        style["bbox"] = plate
+    place = {"size": item.size, "ha": item.ha, "va": item.va, "rotation": item.rotation}
+    effects: list[Any] = [] if halo is None else [Stroke(linewidth=halo[0], foreground=halo[1])]
+    if effects and require_matplotlib().rcParams["svg.fonttype"] == "none":
+        # What has an effect becomes outlines; the letters on it stay letters.
+        axes.text(*item.place, item.text, **place, linespacing=1.0, path_effects=effects, **style)
+        effects = []
+    effects = [*effects, Normal()] if effects else effects
+    axes.text(*item.place, item.text, **place, linespacing=1.0, path_effects=effects, **style)
+
+
+def finished(made: Scene, legend: str, theme: str, scale: float = 1.0) -> Scene:
+    """Return a picture with its legend at a place, enlarged, in a theme; refuse unknown ones."""
+    check_choice("legend", legend, LEGENDS)
+    check_choice("theme", theme, THEMES)
+    return themed(laid_out(made, legend).scaled(scale), theme)
+
+
+def write_scene(
+    path: str | os.PathLike[str],
+    make: Callable[[], Scene],
+    *,
+    letters: bool = False,
+    fragment: bool = False,
+) -> None:
+    """Write the scene that `make` returns, as it is, in the format of the suffix.
+
+    Raises:
+        InputError: the suffix is not one of a picture, or there is no place to write.
+        MissingExtraError: matplotlib is absent.
+    """
+    suffix = ending(path, (*PICTURES, *TIKZ))
+    if suffix in TIKZ:
+        from .tikz.tikz import tikz
+
+        with own_settings():
+            write_text_atomically(path, tikz(make(), fragment=fragment))
+    else:
+        content = picture_bytes(suffix, lambda: figure(make()), letters=letters)
+        write_bytes_atomically(path, content)
+
+
+class Drawing(Figure):
+    """A picture with its legend: a figure of matplotlib that is written in every format.
+
+    Attributes:
+        scene: what is drawn, and the legend as data.
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        super().__init__()
+        self.scene = scene
+        figure(laid_out(scene), self)
+
+    def restyle(self, name: str, **style: Any) -> None:
+        """Change elements of the picture, in every format in which it is written afterwards.
+
+        Args:
+            name: of elements, such as ``region-2`` or ``front-*``.
+            style: ``fc`` colour inside, ``ec`` of the line, ``lw`` its width in points, ``alpha``.
+
+        Raises:
+            InputError: the picture has no such element.
+        """
+        items = self.scene.items
+        found = [k for k, item in enumerate(items) if fnmatchcase(item.name, name)]
+        if not found:
+            raise InputError(f"the picture has no element {shown(name)}")
+        for k in found:
+            items[k] = replace(items[k], style={**items[k].style, **style})
+        self.clear()
+        figure(laid_out(self.scene), self)
+
+    def write(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        theme: str = THEMES[0],
+        legend: str = LEGENDS[0],
+        fragment: bool = False,
+    ) -> None:
+        """Write SVG, PDF, PNG or TikZ, the same bytes each time; see `Drawings.write`."""
+        write_scene(path, lambda: finished(self.scene, legend, theme), fragment=fragment)

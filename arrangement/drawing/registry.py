@@ -12,12 +12,13 @@ import math
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
-from functools import cache
+from dataclasses import dataclass, replace
+from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from arrangement.console.plugins import named
+from arrangement.console.progress import watched
 from arrangement.console.writing import write_bytes_atomically, write_text_atomically
 from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import shown
@@ -25,12 +26,15 @@ from arrangement.numbers.exact import shown
 from .output import (
     LEGENDS,
     MODELS,
+    MOVIES,
     PAGES,
     PICTURES,
     THEMES,
     TIKZ,
+    check_choice,
     ending,
     millimetres,
+    movie_bytes,
     own_settings,
     picture_bytes,
     points,
@@ -38,8 +42,7 @@ from .output import (
 )
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
+    from .path_artist import Drawing
     from .scene.scene import Scene
 
 #: The kinds of options, for signatures; `command` tells how each is written on a command line.
@@ -47,6 +50,8 @@ Vector: TypeAlias = Sequence[object]
 Exact: TypeAlias = object
 Wrench: TypeAlias = Iterable[Any]
 Corner: TypeAlias = Iterable[Any]
+#: Of regions: a word, or some regions, by sign vector or number, with or without texts.
+Labels: TypeAlias = str | Mapping[Any, str] | Iterable[Any]
 #: Names of axes, or True for those that suit.
 AxisNames: TypeAlias = str | bool
 
@@ -112,17 +117,22 @@ class Drawings:
         fragment: bool = False,
         theme: str | None = None,
         legend: str | None = None,
+        columns: int | None = None,
+        frames: int | None = None,
         **options: Any,
     ) -> dict[str, str]:
         """Draw into a file, whole or not at all.
 
         Args:
             subject: an arrangement, or a grasp, that the view can show; see its function.
-            path: ``.svg``, ``.pdf``, ``.png`` or ``.tex`` (TikZ) for a picture; ``.stl``, ``.glb``
-                or ``.obj`` for a model. STL and OBJ are in millimetres, GLB is in metres as its
-                standard demands; ``.html`` for an interactive page.
-            view: of a picture or a page; if omitted, the first one.
-            model: if omitted, the first one.
+            path: ``.svg``, ``.pdf``, ``.png`` or ``.tex`` (TikZ) for a picture; ``.gif`` or
+                ``.mp4`` (with ffmpeg) for one that turns; ``.stl``, ``.glb`` or ``.obj`` for a
+                model. STL and OBJ are in millimetres, GLB is in metres as its standard demands;
+                ``.html`` for an interactive page.
+            view: of a picture, a page or a model; if omitted, the first one. Several pictures,
+                such as ``"sphere,dual"``, are panels of one sheet with one legend, by default
+                180 mm wide; each takes the options that it has.
+            model: the same for a model alone.
             font_size: of the larger letters of a picture, in points; if omitted, 7. All other
                 letters and the lines keep their proportions to it; the width stays.
             text: in SVG "outlines", which look the same everywhere, or "text", which can be found
@@ -131,6 +141,9 @@ class Drawings:
             theme: of a picture: "light", if omitted; "dark"; or "mono", black on white with
                 hatchings.
             legend: of a picture: "below", if omitted; "right"; or "none".
+            columns: of panels; 2, if omitted.
+            frames: how many pictures make a full turn; 36, if omitted. They have no
+                labels of regions unless these are asked for.
             options: those of the function of the view, model or page. The width of a view and the
                 size of a model are in millimetres, or texts with a unit: ``"8.4cm"``, ``"252pt"``;
                 the size of a view is its width.
@@ -149,25 +162,26 @@ class Drawings:
             if "width" in options:
                 raise InputError("a picture has one size, its width, and both are given; give one")
             options["width"] = options.pop("size")
-        draw = self._function(kind, name, options)
+        self._check_options(kind, name, options)
         for length in LENGTHS & options.keys():
             options[length] = millimetres(options[length], f"the {length}")
         suffix = Path(path).suffix.lower()
         printing = {"font_size": font_size, "theme": theme, "legend": legend, "text": text}
-        _check_form(kind, suffix, {**printing, "fragment": fragment})
+        printing |= {"fragment": fragment, "frames": frames, "columns": columns}
+        _check_form(kind, suffix, printing, name)
         if kind == "view":
-            from .scene.layout import laid_out, picture_width
+            from .path_artist import finished, write_scene
+            from .scene.layout import picture_width
             from .scene.scene import FONT, NarrowError
-            from .themes import themed
 
             scale = 1.0 if font_size is None else points(font_size, "the font size") / FONT
             width = options.get("width", known["width"].default)
             place = legend or LEGENDS[0]
             options["width"] = picture_width(width, place) / scale
 
-            def scene() -> Scene:
+            def scene(**azimuth: float) -> Scene:
                 try:
-                    made: Scene = draw.scene(subject, **options)
+                    made = self._scene(subject, name, columns, {**options, **azimuth})
                 except NarrowError as error:
                     if options["width"] == width:
                         raise
@@ -175,17 +189,44 @@ class Drawings:
                     why += ["without the legend at the right"] * (place == "right")
                     counted = f"{width:.4g}, counted as {', '.join(why)}"
                     raise InputError(f"{error} (the width given is {counted})") from None
-                return themed(laid_out(made, place).scaled(scale), theme or THEMES[0])
+                return finished(made, place, theme or THEMES[0], scale)
 
-            write_scene(path, scene, letters=text == "text", fragment=fragment)
+            if suffix not in MOVIES:
+                write_scene(path, scene, letters=text == "text", fragment=fragment)
+            elif "azimuth" in known:
+                if "labels" in known:
+                    options.setdefault("labels", "none")
+                write_movie(path, scene, FRAMES if frames is None else frames)
+            else:
+                able = [view for view in self.views if "azimuth" in self.options("view", view)]
+                raise InputError(f"the view {name} does not turn; there are {', '.join(able)}")
         elif kind == "page":
-            write_text_atomically(path, draw(subject, **options))
+            write_text_atomically(path, self._named(kind, name)(subject, **options))
         else:
-            write_bytes_atomically(path, draw(subject, suffix, **options))
+            write_bytes_atomically(path, self._named(kind, name)(subject, suffix, **options))
         return {kind: name}
 
+    def _scene(
+        self, subject: Any, name: str, columns: int | None, options: dict[str, Any]
+    ) -> Scene:
+        """Return the scene of a view, or of several as panels of a sheet."""
+        from .scene.layout import APART, composed
+
+        names = name.split(",")
+        if len(names) == 1:
+            return self._named("view", name).scene(subject, **options)  # type: ignore[no-any-return]
+        count = 2 if columns is None else columns
+        shares = max(1, min(count, len(names)))
+        options["width"] = (options["width"] + APART) / shares - APART
+        parts = []
+        for part in names:
+            own = self.options("view", part).keys() & options.keys()
+            view = self._named("view", part)
+            parts.append(view.scene(subject, **{key: options[key] for key in own}))
+        return composed(parts, count)
+
     @_within_floats()
-    def draw(self, subject: Any, view: str | None = None, **options: Any) -> Figure:
+    def draw(self, subject: Any, view: str | None = None, **options: Any) -> Drawing:
         """Draw a view as a figure of matplotlib; the first one if none is named.
 
         Args:
@@ -199,23 +240,17 @@ class Drawings:
         """
         name = next(iter(self.views)) if view is None else view
         own = {option: value for option, value in options.items() if option != "ax"}
-        made: Figure = self._function("view", name, own)(subject, **options)
+        self._check_options("view", name, own)
+        made: Drawing = self._named("view", name)(subject, **options)
         return made
 
     def svg(self, subject: Any, view: str, **options: Any) -> str | None:
         """Return a picture as SVG text; None without matplotlib, or when `write` would refuse."""
-        draw = _within_floats()(lambda: self._function("view", view, options)(subject, **options))
-        return svg_text(draw)
+        return svg_text(_within_floats()(lambda: self.draw(subject, view, **options)))
 
-    def _function(self, kind: str, name: str, options: Mapping[str, Any]) -> Any:
-        """Return the function behind a name, if it has these options.
-
-        Raises:
-            InputError: an unknown name or option.
-        """
-        known = getattr(self, f"{kind}s")
-        if name not in known:
-            raise refusal(f"the {kind} is {shown(name)}", name, known)
+    def _check_options(self, kind: str, name: str, options: Iterable[str]) -> None:
+        """Refuse a name that is unknown, and options that it lacks or needs."""
+        self._check_name(kind, name)
         found = self.options(kind, name)
         for option in options:
             if option not in found:
@@ -225,7 +260,12 @@ class Drawings:
         for needed in found.values():
             if needed.required and needed.name not in options:
                 raise InputError(f"the {kind} {name} needs {needed.name}; give at least one")
-        return self._named(kind, name)
+
+    def _check_name(self, kind: str, name: str) -> None:
+        known = getattr(self, f"{kind}s")
+        for part in name.split(",") if kind == "view" else [name]:
+            if part not in known:
+                raise refusal(f"the {kind} is {shown(part)}", part, known)
 
     def _named(self, kind: str, name: str) -> Any:
         return named(f"{self.package}.{getattr(self, f'{kind}s')[name]}")
@@ -240,59 +280,62 @@ class Drawings:
                 suffix.
         """
         models = MODELS if self.models else ()
-        kinds = {"view": (*PICTURES, *TIKZ), "model": models, "page": PAGES}
+        kinds = {"view": (*PICTURES, *TIKZ, *MOVIES), "model": models, "page": PAGES}
         suffix = ending(path, sorted(end for suffixes in kinds.values() for end in suffixes))
         kind = next(kind for kind, suffixes in kinds.items() if suffix in suffixes)
-        name, other = (model, view) if kind == "model" else (view, model)
-        if other is not None:
-            wrong = "view" if kind == "model" else "model"
+        known, name = getattr(self, f"{kind}s"), view
+        if kind == "model":
+            if view in self.views and view not in known:
+                there = ", ".join(known)
+                raise InputError(f"the view {view} has no model; there are models of {there}")
+            if view is not None and model not in (None, view):
+                raise InputError(f"the view is {view} and the model {model}; name one")
+            name = view or model
+        elif model is not None:
             raise InputError(
-                f"a {wrong} was named and the file name ends in {suffix}; a {wrong} needs one of "
-                f"{', '.join(kinds[wrong])}"
+                f"a model was named and the file name ends in {suffix}; a model needs one of "
+                f"{', '.join(models)}"
             )
-        known = getattr(self, f"{kind}s")
         name = next(iter(known)) if name is None else name
-        if name not in known:
-            raise refusal(f"the {kind} is {shown(name)}", name, known)
+        self._check_name(kind, name)
         return kind, name
 
     def options(self, kind: str, name: str) -> dict[str, Option]:
-        """Return the options of a view, model or page by name."""
-        return _options(self._named(kind, name))
+        """Return the options of a view, model or page by name; of panels those of all."""
+        parts = name.split(",") if kind == "view" else [name]
+        found = {k: x for part in parts for k, x in _options(self._named(kind, part)).items()}
+        if len(parts) > 1 and "width" in found:
+            found["width"] = replace(found["width"], default=WHOLE)
+        return found
 
 
-def write_scene(
-    path: str | os.PathLike[str],
-    make: Callable[[], Scene],
-    *,
-    letters: bool = False,
-    fragment: bool = False,
-) -> None:
-    """Write the scene that `make` returns, as it is, in the format of the suffix.
+def write_movie(path: str | os.PathLike[str], make: Callable[..., Scene], count: int) -> None:
+    """Write the pictures that `make` returns for angles ``azimuth`` all around, one after another.
 
     Raises:
-        InputError: the suffix is not one of a picture, or there is no place to write.
+        InputError: no such number of pictures, or no ffmpeg for ``.mp4``.
         MissingExtraError: matplotlib is absent.
     """
-    suffix = ending(path, (*PICTURES, *TIKZ))
-    if suffix in TIKZ:
-        from .tikz.tikz import tikz
+    from .path_artist import figure
 
+    if not isinstance(count, int) or not 2 <= count <= 720:
+        raise InputError(f"a turn has {shown(count)} frames; give 2 to 720")
+    frames = []
+    for k in watched(range(count), "pictures"):
         with own_settings():
-            write_text_atomically(path, tikz(make(), fragment=fragment))
-    else:
-        from .figure import figure
-
-        content = picture_bytes(suffix, lambda: figure(make()), letters=letters)
-        write_bytes_atomically(path, content)
+            sheet = make(azimuth=360 * k / count)
+            frames.append(picture_bytes(".png", partial(figure, sheet), dpi=150))
+    write_bytes_atomically(path, movie_bytes(ending(path, MOVIES), frames))
 
 
 #: Options that are lengths, in millimetres.
 LENGTHS = {"width", "size"}
 LETTERS = ("outlines", "text")
+#: Pictures of a full turn, and the width of a sheet with panels, in millimetres.
+FRAMES, WHOLE = 36, 180.0
 
 
-def _check_form(kind: str, suffix: str, printing: Mapping[str, Any]) -> None:
+def _check_form(kind: str, suffix: str, printing: Mapping[str, Any], name: str = "") -> None:
     """Refuse what does not go with a kind of file."""
     given = {name for name, x in printing.items() if x is not None and x is not False}
     for names, fits, what in (
@@ -303,12 +346,14 @@ def _check_form(kind: str, suffix: str, printing: Mapping[str, Any]) -> None:
         ),
         ({"fragment"}, suffix in TIKZ, "a fragment is TikZ, .tex"),
         ({"text"}, suffix == ".svg", "text or outlines is a choice of .svg"),
+        ({"frames"}, suffix in MOVIES, "frames are for .gif and .mp4"),
+        ({"columns"}, "," in name, "columns are for several views, such as sphere,dual"),
     ):
         if given & names and not fits:
             raise InputError(f"{what}, and the file name ends in {suffix}")
     for name, known in (("theme", THEMES), ("legend", LEGENDS), ("text", LETTERS)):
-        if name in given and printing[name] not in known:
-            raise refusal(f"the {name} is {shown(printing[name])}", printing[name], known)
+        if name in given:
+            check_choice(name, printing[name], known)
 
 
 @cache

@@ -99,7 +99,9 @@ def _mono(scene: Scene) -> Callable[[Item], Item]:
     def change(item: Item) -> Item:
         if isinstance(item, Ball):
             return item
-        style = _with_colours(item, lambda colour: _hex(_grey(colour)))
+        style = _with_colours(
+            item, lambda rgba: _hex(_from_oklab((float(_oklab(rgba)[0]), 0.0, 0.0), rgba[3]))
+        )
         if _is_hatched(item):
             hatch = hatches[_rgba(item.style["fc"])[:3]]
             style |= {"fc": "#ffffff"} | ({"hatch": hatch} if hatch else {})
@@ -139,15 +141,13 @@ def _is_seam(item: Item) -> bool:
 def _rgba(colour: Any) -> Rgba:
     from matplotlib.colors import to_rgba
 
-    found: Rgba = to_rgba(colour)
-    return found
+    return to_rgba(colour)
 
 
 def _hex(colour: Rgba) -> str:
     from matplotlib.colors import to_hex
 
-    text: str = to_hex(colour, keep_alpha=colour[3] < 1)
-    return text
+    return to_hex(colour, keep_alpha=colour[3] < 1)
 
 
 #: From linear RGB to the cone responses of OKLab, and from their cube roots to L, a, b.
@@ -184,10 +184,6 @@ def _night(colour: Rgba, least: float = 0.0) -> Rgba:
     light, a, b = _oklab(colour)
     found = _NIGHT + (1 - light) * (_DAY - _NIGHT)
     return _from_oklab((found if _is_grey(colour) else max(found, least), a, b), colour[3])
-
-
-def _grey(colour: Rgba) -> Rgba:
-    return _from_oklab((float(_oklab(colour)[0]), 0.0, 0.0), colour[3])
 
 
 def _from_oklab(lab: tuple[float, float, float], alpha: float) -> Rgba:

@@ -11,9 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
-from itertools import combinations, product
-
-import numpy as np
+from itertools import product
 
 from arrangement.enumeration.choose import enumerate_faces
 from arrangement.errors import InputError, refusal
@@ -31,8 +29,8 @@ from arrangement.numbers.linear.rank import cross
 from arrangement.numbers.number_field import rational_near
 from arrangement.planes.planes import Planes
 
-#: The edges of the icosahedron are cut into so many parts; the ball has 10 n^2 + 2 corners.
-_FREQUENCY = 16
+#: So often the faces of the icosahedron are cut in four; the ball has 10 4^n + 2 corners.
+_SUBDIVISIONS = 4
 
 Faces = tuple[tuple[int, ...], ...]
 
@@ -155,18 +153,12 @@ def _ball() -> tuple[tuple[IntegerVector, ...], Faces]:
     It is turned out of every symmetric position, so that planes with small integers do not pass
     close to its corners.
     """
-    points, faces = _geodesic(_FREQUENCY)
-    a, b, c = 0.3719, 0.5923, 0.2281
-    turn = _rotation(2, a) @ _rotation(0, b) @ _rotation(2, c)
-    return tuple(_on_sphere(*point) for point in (points @ turn.T).tolist()), faces
+    from scipy.spatial.transform import Rotation
+    from trimesh.creation import icosphere
 
-
-def _rotation(axis: int, angle: float) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
-    j, k = (axis + 1) % 3, (axis + 2) % 3
-    matrix = np.eye(3)
-    matrix[[j, k], [j, k]] = math.cos(angle)
-    matrix[j, k], matrix[k, j] = -math.sin(angle), math.sin(angle)
-    return matrix
+    ball = icosphere(subdivisions=_SUBDIVISIONS)
+    points = Rotation.from_euler("ZXZ", (0.3719, 0.5923, 0.2281)).inv().apply(ball.vertices)
+    return tuple(_on_sphere(*p) for p in points.tolist()), tuple(map(tuple, ball.faces.tolist()))
 
 
 def _on_sphere(x: float, y: float, z: float) -> IntegerVector:
@@ -179,47 +171,6 @@ def _on_sphere(x: float, y: float, z: float) -> IntegerVector:
     return primitive(
         [Fraction(v) for v in (2 * p * scale, 2 * q * scale, far * (square - one), square + one)]
     )
-
-
-def _geodesic(n: int) -> tuple[np.ndarray[tuple[int, int], np.dtype[np.float64]], Faces]:
-    """Return the icosahedron with every face cut into n^2 triangles, blown up to the sphere."""
-    golden = (1 + math.sqrt(5)) / 2
-    corners = [
-        tuple(np.roll((0.0, s, t * golden), shift).tolist())
-        for shift in range(3)
-        for s, t in product((-1, 1), repeat=2)
-    ]
-    sides = []
-    for i, j, k in combinations(range(12), 3):
-        a, b, c = np.array([corners[i], corners[j], corners[k]])
-        if max(math.dist(a, b), math.dist(b, c), math.dist(c, a)) < 2.1:
-            outward = float(np.linalg.det(np.array([a, b, c]))) > 0
-            sides.append((i, j, k) if outward else (i, k, j))
-    sides.sort()
-    index: dict[tuple[tuple[int, int], ...], int] = {}
-    points: list[list[float]] = []
-
-    def number(weights: dict[int, int]) -> int:
-        key = tuple(sorted((corner, w) for corner, w in weights.items() if w))
-        if key not in index:
-            index[key] = len(points)
-            points.append([sum(w * corners[c][axis] for c, w in key) for axis in range(3)])
-        return index[key]
-
-    faces = []
-    for i, j, k in sides:
-        grid = {
-            (a, b): number({i: n - a - b, j: a, k: b})
-            for a in range(n + 1)
-            for b in range(n + 1 - a)
-        }
-        for a, b in grid:
-            if a + b < n:
-                faces.append((grid[a, b], grid[a + 1, b], grid[a, b + 1]))
-            if a + b < n - 1:
-                faces.append((grid[a + 1, b], grid[a + 1, b + 1], grid[a, b + 1]))
-    array = np.array(points)
-    return array / np.linalg.norm(array, axis=1, keepdims=True), tuple(faces)
 
 
 _SOLIDS = {"ball": _ball, "cube": _cube}

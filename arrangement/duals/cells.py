@@ -18,7 +18,7 @@ from arrangement.numbers.exact import (
     IntegerVector,
     shown,
 )
-from arrangement.numbers.linear.rank import cycle_edges
+from arrangement.numbers.linear.rank import cycle_edges, loop_around
 from arrangement.planes.planes import Planes
 
 from .body import Body, Faces, body_around
@@ -156,12 +156,8 @@ class _Knife:
                 faces.append(kept)
                 walls.append(wall)
         edges = {edge for face in faces for edge in cycle_edges(face)}
-        following = {b: a for a, b in edges if (b, a) not in edges}
-        lid = [min(following)]
-        while following[lid[-1]] != lid[0]:
-            lid.append(following[lid[-1]])
-        assert len(lid) == len(following), "a cut through a convex solid is one polygon"
-        return (*faces, tuple(lid)), (*walls, self.label)
+        first, *rest = loop_around(edges)
+        return (*faces, (first, *reversed(rest))), (*walls, self.label)
 
     def _clipped(self, face: tuple[int, ...], side: int) -> tuple[int, ...]:
         """Return the part of a face on one side, which may be less than a polygon."""

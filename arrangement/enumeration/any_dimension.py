@@ -35,9 +35,9 @@ from arrangement.numbers.coefficients import (
     primitive,
 )
 from arrangement.numbers.linear.rank import rank, unit_vectors
+from arrangement.numbers.packing import Words, grouped, pack, unpack
 from arrangement.planes.planes import Planes
 
-from .packing import Words, grouped, pack, unpack
 from .sequence import Level, Rows, Signs, no_faces
 
 Indices: TypeAlias = NDArray[np.intp]
@@ -218,8 +218,7 @@ def _as_level(planes: Planes, numbers: Coefficients, faces: CentralFaces) -> Lev
 
     def signs(rows: Rows) -> Signs:
         bits = unpack(words[rows], 2 * classes).view(np.int8)
-        found: Signs = (bits[:, 0::2] - bits[:, 1::2])[:, columns] * orientation
-        return found
+        return (bits[:, 0::2] - bits[:, 1::2])[:, columns] * orientation
 
     return Level(len(words), signs, lambda rows: numbers.numbers(points[rows]))
 

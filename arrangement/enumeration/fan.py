@@ -18,11 +18,16 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.numbers.coefficients import Integers, for_products, largest_entry
+from arrangement.numbers.coefficients import (
+    Integers,
+    as_integers,
+    for_products,
+    largest_entry,
+)
 from arrangement.numbers.linear.rank import unit_vectors
+from arrangement.numbers.packing import Bits
 
-from .packing import Bits
-from .sequence import Signs, integer_matrix, primitive_rows
+from .sequence import Signs, primitive_rows
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +73,7 @@ class Fan:
             normal: n integers; all zero for a plane that contains every face.
             sides: of -1, 0, 1: (0, 1) leaves a half space, (0,) the plane itself.
         """
-        form = integer_matrix([tuple(normal)], self.lines.shape[1])[0]
+        form = as_integers([normal])[0]
         factor = len(form) * largest_entry(form)
         on_lines = for_products(self.lines, factor) @ form
         if on_lines.any():

@@ -6,7 +6,7 @@ that are asked for, when they are asked for.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -17,12 +17,10 @@ from numpy.typing import NDArray
 
 from arrangement.console.number_form import Shown
 from arrangement.errors import InputError
-from arrangement.numbers.coefficients import SAFE, Coefficients, Integers, primitive
+from arrangement.numbers.coefficients import Coefficients, Integers, primitive
 from arrangement.numbers.exact import (
-    IntegerVector,
     RationalVector,
     fraction,
-    largest,
     quotient,
     shown,
 )
@@ -200,12 +198,6 @@ def primitive_rows(rows: Integers) -> Integers:
         lines, _, sides = numbers.unoriented(numbers.array(flat, rows.shape[-1]))
         return numbers.numbers(lines * sides[:, None, None]).reshape(rows.shape)
     return primitive(rows[..., None])[..., 0]
-
-
-def integer_matrix(rows: Iterable[IntegerVector], n: int) -> Integers:
-    """Return an integer matrix with n columns, int64 where all entries fit."""
-    listed = list(rows)
-    return np.array(listed, np.int64 if largest(listed) < SAFE else object).reshape(len(listed), n)
 
 
 def rational_points(points: Integers) -> Iterator[RationalVector]:

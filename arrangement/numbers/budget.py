@@ -17,18 +17,26 @@ from typing import Any
 
 from arrangement.errors import InputError, OutOfReachError
 
-#: What a question may take; and the seconds of work that tells how far it is.
-FACES, BYTES, SECONDS, TOLD = 20_000_000, 400 * 2**20, 10, 300
+#: What a question may take; and the seconds of work for which more were asked, where it tells how
+#: far it is.
+FACES, BYTES, SECONDS, TOLD = 20_000_000, 400 * 2**20, 2, 300
+#: Seconds after which a command ends whose time nobody foresaw: slow machines get there, too.
+STOPPED = 10
 #: What is read, shown or tried at most.
 MOST = {
     "bytes of a file": 4 * 2**20,
     "bytes of a certificate": 64 * 2**20,
     "bytes of a file of many arrangements": 64 * 2**20,
     "bytes of a record": 256 * 2**20,
+    "characters of a number": 100_000,
+    "digits of a number on a page": 1000,
     "coordinates": 1000,
+    "planes in the lab": 20,
+    "contacts in the lab": 8,
+    "planes whose symmetry is looked for": 60,
     "planes in a picture": 1000,
     "great circles in a picture": 60,
-    "great circles on a page": 30,
+    "great circles on a page": 40,
     "planes in a body": 40,
     "cells in a picture": 400,
     "flats of one rank in a picture": 500,
@@ -144,8 +152,8 @@ def watch(seconds: float) -> None:
 
     def over(*_: Any) -> None:
         raise TimeOver(
-            f"it has taken {most:g} seconds of the processor; "
-            f"--limit {math.ceil(2 * times())} allows more"
+            f"it has taken {about(most)} seconds of the processor, without an end; ask for less, "
+            f"or --limit {math.ceil(2 * times())} allows more"
         )
 
     if hasattr(signal, "setitimer") and threading.current_thread() is threading.main_thread():
@@ -169,8 +177,8 @@ def about(number: float) -> str:
 
 def choose(n: int, k: int) -> float:
     """Return a binomial coefficient, infinity where it is far out of reach."""
-    few = min(k, n - k)
-    return math.comb(n, few) if few * math.log2(max(n, 2)) < 900 else math.inf
+    few = max(min(k, n - k), 0)
+    return 0 if k > n else math.comb(n, few) if few * math.log2(max(n, 2)) < 900 else math.inf
 
 
 def power(base: float, exponent: float) -> float:

@@ -25,7 +25,6 @@ from .exact import IntegerVector, RationalVector, rational_vector, to_text
 from .polynomials import (
     checked_ends,
     integral_multiple,
-    solution,
     square_part,
     to_polynomial,
     to_rational,
@@ -81,7 +80,7 @@ class NumberField:
         scale = integral_multiple(monic)
         integers = [int(x * scale ** (n - k)) for k, x in enumerate(monic)]
         start, factor = Fraction(0), Fraction(1, scale)  # the root is start + factor * generator
-        if n == 2:
+        if n == 2:  # then the root of the discriminant
             square = integers[1] ** 2 - 4 * integers[0]
             part = square_part(square)
             start, factor = Fraction(-integers[1], 2 * scale), Fraction(part, 2 * scale)
@@ -166,6 +165,11 @@ class NumberField:
         from sympy import QQ
 
         return QQ.alg_field_from_poly(to_polynomial(self.minimal_polynomial), "a", self.index)
+
+    def of_domain(self, value: Any) -> Real:
+        """Return a number of `domain` as one of the field."""
+        terms = reversed(value.to_list())
+        return self.number([Fraction(int(c.numerator), int(c.denominator)) for c in terms])
 
     def __eq__(self, other: object) -> bool:
         if self is other:
@@ -253,18 +257,14 @@ class NumberField:
         return self._reduced(found)
 
     def inverse(self, coefficients: IntegerVector) -> Real:
-        """Return 1 over a number, from the equations for its coefficients."""
+        """Return 1 over a number."""
         if len(coefficients) == 2:
             a, b = coefficients
             norm = a * a + b * b * self.minimal_polynomial[0]
             return self.made((a, -b) if norm > 0 else (-a, b), abs(norm))
         found = self._inverses.get(coefficients)
         if found is None:
-            columns, column = [], coefficients
-            for _ in range(self.degree):
-                columns.append(column)
-                column = self._reduced((0, *column))
-            found = self.number(solution([*zip(*columns, strict=True)]))
+            found = self.of_domain(self.domain(list(coefficients[::-1])) ** -1)
             self._inverses[coefficients] = found
         return found
 

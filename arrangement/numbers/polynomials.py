@@ -85,18 +85,9 @@ def square_part(number: int) -> int:
     """Return the largest s with s^2 dividing a positive number; 1 for numbers beyond factoring."""
     if number.bit_length() > 100:
         return 1
-    found, p = 1, 2
-    while p * p * p <= number:  # what is left then has at most two prime factors
-        while number % (p * p) == 0:
-            number //= p * p
-            found *= p
-        if number % p == 0:
-            number //= p
-        p += 1
-        if p > 10**5:
-            return found
-    root = math.isqrt(number)
-    return found * root if root * root == number else found
+    from flint import fmpz
+
+    return math.prod(int(p) ** (power // 2) for p, power in fmpz(number).factor())
 
 
 def value_at(polynomial: Sequence[Fraction | int], x: Fraction) -> Fraction:
@@ -105,20 +96,6 @@ def value_at(polynomial: Sequence[Fraction | int], x: Fraction) -> Fraction:
     for c in reversed(polynomial):
         found = found * x + c
     return found
-
-
-def solution(matrix: Sequence[Sequence[int]]) -> list[Fraction]:
-    """Return x with ``matrix x = (1, 0, ..., 0)``, by elimination."""
-    n = len(matrix)
-    rows = [[Fraction(x) for x in row] + [Fraction(i == 0)] for i, row in enumerate(matrix)]
-    for j in range(n):
-        pivot = next(i for i in range(j, n) if rows[i][j])
-        rows[j], rows[pivot] = rows[pivot], rows[j]
-        top = rows[j] = [x / rows[j][j] for x in rows[j]]
-        for i in range(n):
-            if i != j and (factor := rows[i][j]):
-                rows[i] = [x - factor * y for x, y in zip(rows[i], top, strict=True)]
-    return [row[-1] for row in rows]
 
 
 def to_rational(value: Fraction) -> Any:

@@ -132,9 +132,7 @@ class _Values:
         for factor, _ in factors:
             if factor.degree() == 1:
                 top, rest = factor.rep.to_list()
-                ratio = (-rest / top).to_list()
-                parts = [Fraction(int(c.numerator), int(c.denominator)) for c in reversed(ratio)]
-                root = self._field.number(parts)
+                root = self._field.of_domain(-rest / top)
                 if low < root < high:
                     return root
         return None

@@ -44,12 +44,7 @@ def entries(rows: Sequence[Sequence[Any]], field: NumberField | None) -> list[li
     """Return rows of numbers of SymPy's domain, from an `exact_matrix` or computed from it."""
     if field is None:
         return [[int(x) for x in row] for row in rows]
-
-    def number(x: Any) -> Real:
-        parts = [Fraction(int(c.numerator), int(c.denominator)) for c in reversed(x.to_list())]
-        return field.number(parts)
-
-    return [[number(x) for x in row] for row in rows]
+    return [[field.of_domain(x) for x in row] for row in rows]
 
 
 def to_sympy(values: Any) -> Any:

@@ -13,6 +13,8 @@ from .sphere.stereographic import draw_stereographic as draw_stereographic
 from .views import (
     DRAWINGS as DRAWINGS,
     DrawnRegion as DrawnRegion,
+    animate as animate,
+    compose as compose,
     save_figure as save_figure,
     write_drawing as write_drawing,
 )

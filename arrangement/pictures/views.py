@@ -1,17 +1,23 @@
-"""The registry of what can be drawn of an arrangement: one line each."""
+"""The registry of what can be drawn of an arrangement, one line each, and what notebooks show."""
 
 from __future__ import annotations
 
+import os
 from dataclasses import replace
+from html import escape
 from typing import TYPE_CHECKING, Any
 
+from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import DrawnRegion as DrawnRegion
-from arrangement.drawing.output import save_figure as save_figure
+from arrangement.drawing.figure import compose as compose
+from arrangement.drawing.output import require_matplotlib, save_figure as save_figure
 from arrangement.drawing.registry import Drawings
+from arrangement.errors import MissingExtraError
+from arrangement.numbers import budget
 from arrangement.planes.planes import Planes
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from arrangement.drawing.path_artist import Drawing
 
 DRAWINGS = Drawings(
     "arrangement.pictures",
@@ -42,9 +48,26 @@ def drawings_of(planes: Planes) -> Drawings:
     return replace(DRAWINGS, **kinds)
 
 
-def draw(planes: Planes, view: str | None = None, **options: Any) -> Figure:
+def draw(planes: Planes, view: str | None = None, **options: Any) -> Drawing:
     """Draw planes as a figure; arguments and errors are those of `Drawings.draw`."""
     return drawings_of(planes).draw(planes, view, **options)
+
+
+def animate(
+    planes: Planes,
+    path: str | os.PathLike[str],
+    view: str | None = None,
+    *,
+    turn: int = 36,
+    **options: Any,
+) -> None:
+    """Write planes that turn about the upright axis, as ``.gif``, or ``.mp4`` where ffmpeg is.
+
+    Args:
+        planes, path, view, options: those of `Drawings.write`.
+        turn: how many pictures make the full turn.
+    """
+    write_drawing(planes, path, view, frames=turn, **options)
 
 
 def write_drawing(planes: Planes, *args: Any, **options: Any) -> dict[str, str]:
@@ -53,3 +76,42 @@ def write_drawing(planes: Planes, *args: Any, **options: Any) -> dict[str, str]:
     Arguments and errors are those of `Drawings.write`.
     """
     return drawings_of(planes).write(planes, *args, **options)
+
+
+#: Faces are counted for a table only where that takes no time worth noticing.
+MOST_PLANES, MOST_DIMENSIONS = 10, 4
+
+
+def arrangement_svg(arrangement: Arrangement) -> str | None:
+    """Return the great circles as SVG text; None where there is no such picture."""
+    if not _has_picture(arrangement):
+        return None
+    return DRAWINGS.svg(arrangement, "sphere")
+
+
+def arrangement_html(arrangement: Arrangement) -> str | None:
+    """Return a table of counts; None where a picture is shown instead."""
+    if _has_picture(arrangement):
+        return None
+    kind = "central" if arrangement.is_central else "affine"
+    rows = [
+        ("space", f"R<sup>{arrangement.dimension}</sup>"),
+        ("planes", f"{len(arrangement)} ({len(arrangement.distinct)} distinct), {kind}"),
+        ("rank", str(arrangement.rank)),
+    ]
+    if len(arrangement.distinct) <= MOST_PLANES and arrangement.dimension <= MOST_DIMENSIONS:
+        counts = enumerate(arrangement.f_vector)
+        rows += [(f"faces of dimension {k}", str(number)) for k, number in counts]
+    cells = "".join(f"<tr><th>{escape(name)}</th><td>{text}</td></tr>" for name, text in rows)
+    return f"<table><caption>Arrangement</caption>{cells}</table>"
+
+
+def _has_picture(arrangement: Arrangement) -> bool:
+    """Return whether there are great circles, few enough, and matplotlib to draw them."""
+    if arrangement.dimension != 3 or not arrangement.is_central or arrangement.rank < 3:
+        return False
+    try:
+        require_matplotlib()
+    except MissingExtraError:
+        return False
+    return len(arrangement.distinct) <= budget.most("great circles in a picture")

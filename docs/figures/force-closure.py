@@ -3,7 +3,7 @@
 from _plane import BLUE, GREY, ORANGE, dot, label, line, panels, save
 
 from equilibrium import read_grasp
-from equilibrium.methods.friction_cones.grasp_wrench_space import GraspWrenchSpace
+from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
 
 
 def panel(axes, friction):

@@ -3,8 +3,8 @@
 from _plane import BLUE, GREY, ORANGE, arrow, body, dot, label, panels, save
 
 from equilibrium import read_grasp, solve
-from equilibrium.methods.contact_laws.springs import linear_compliance
-from equilibrium.methods.friction_cones.cones import cones
+from equilibrium.methods.cones import cones
+from equilibrium.methods.springs import linear_compliance
 
 SQUARE = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
 TALL = [(-1, -1.6), (1, -1.6), (1, 1.6), (-1, 1.6)]

@@ -40,8 +40,7 @@ from arrangement.console.number_form import Shown
 from arrangement.numbers.exact import IntegerVector, RationalVector, to_text, vector_text
 from equilibrium.model.contact import VALUES, pyramid_edges
 from equilibrium.model.errors import CertificateError, GraspError
-from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.model.plane import in_plane
+from equilibrium.model.grasp import Grasp, in_plane, read_wrench
 from equilibrium.model.range import NO_RANGE, Range
 
 from .enclosure import enclosure_problem

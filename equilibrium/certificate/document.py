@@ -52,11 +52,8 @@ def resisted_certificate(
     """Return the certificate of an equilibrium: its motion and forces, or the box that holds it."""
     box = found.box
     if box is None:
-        proof: dict[str, Any] = {
-            "motion": _texts(found.motion),
-            "forces": list(map(_texts, found.forces)),
-        }
-        return _certificate("resisted", grasp, wrench, pyramid, within, **proof)
+        proof = {"motion": _texts(found.motion), "forces": list(map(_texts, found.forces))}
+        return certificate("resisted", grasp, wrench, pyramid, within, **proof)
     friction = [
         "detached" if share is None else _texts(share) if share else "slip"
         for share in box.friction
@@ -71,7 +68,7 @@ def resisted_certificate(
     }
     if box.idle:
         form["idle"] = list(map(_texts, box.idle))
-    return _certificate("resisted", grasp, wrench, within=within, enclosure=form)
+    return certificate("resisted", grasp, wrench, within=within, enclosure=form)
 
 
 def refuted_certificate(
@@ -87,21 +84,10 @@ def refuted_certificate(
         tree: the root node, in the form of `equilibrium.certificate.reading`.
         pyramid: edges of friction pyramids; None for round cones.
     """
-    return _certificate("not resisted", grasp, wrench, pyramid, within, tree=tree)
+    return certificate("not resisted", grasp, wrench, pyramid, within, tree=tree)
 
 
-def bounded_certificate(
-    kind: str, grasp: Grasp, wrench: RationalVector, parts: dict[str, Any]
-) -> Certificate:
-    """Return the certificate of a verdict for all grasps within bounds.
-
-    Args:
-        parts: "bounds", "box" and "faces", in the form of `equilibrium.certificate.robust`.
-    """
-    return _certificate(kind, grasp, wrench, **parts)
-
-
-def _certificate(
+def certificate(
     kind: str,
     grasp: Grasp,
     wrench: RationalVector,
@@ -109,6 +95,12 @@ def _certificate(
     within: Range = NO_RANGE,
     **proof: Any,
 ) -> Certificate:
+    """Return the certificate of a verdict.
+
+    Args:
+        proof: by the keys of `equilibrium.certificate.reading`, or of a verdict for all grasps
+            within bounds "bounds", "box" and "faces", see `equilibrium.certificate.robust`.
+    """
     if pyramid is not None:
         proof = {"pyramid": pyramid, **proof}
     question = {"grasp": Grasp(grasp.contacts, grasp.units).to_dict(), "wrench": _texts(wrench)}

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from arrangement.console import terminal
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, to_text
-from equilibrium.model.data_error import AS_ROUNDED
 from equilibrium.model.errors import GraspError
+from equilibrium.model.labels import AS_ROUNDED
 
 if TYPE_CHECKING:
     from equilibrium.grasps.inputs import Conversion
@@ -206,15 +206,16 @@ def read(arguments: argparse.Namespace) -> Grasp:
         arguments.grasp, round_normals=arguments.round_normals, as_given=arguments.as_given
     )
     tell_rounding(found)
-    # Behind the time that is given to a search, so that it can say what it knows.
-    searching = getattr(arguments, "time_limit", None) or 0
-    budget.watch(1.2 * usual_seconds(found.grasp) + 2 * searching)
+    # In space proofs are long, and of converted data many roundings are asked.
+    if found.grasp.dimension == 3 or found.grasp.data_error is not None:
+        searching = getattr(arguments, "time_limit", None) or 0
+        budget.watch(1.2 * usual_seconds(found.grasp) + 2 * searching)
     return found.grasp
 
 
 def usual_seconds(grasp: Grasp) -> float:
-    """Return what a question about a grasp may take; in space a minute, since proofs are long."""
-    return budget.SECONDS * (1 if grasp.dimension == 2 else 6)
+    """Return what a search may take, by the clock; in space a minute, since proofs are long."""
+    return budget.STOPPED * (1 if grasp.dimension == 2 else 6)
 
 
 def tell_rounding(found: Conversion) -> None:

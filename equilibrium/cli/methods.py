@@ -1,4 +1,4 @@
-"""The subcommands of ``equilibrium`` about the other methods; `equilibrium.cli` adds them."""
+"""The subcommands of ``equilibrium`` about the other methods and contact modes."""
 
 from __future__ import annotations
 
@@ -9,8 +9,9 @@ from math import gcd
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console import terminal
-from arrangement.console.number_form import counted, number, vector
-from arrangement.numbers.exact import IntegerVector, rational
+from arrangement.console.number_form import counted, number, sign_text, vector
+from arrangement.console.progress import shown
+from arrangement.numbers.exact import rational
 from equilibrium.model.contact import pyramid_words
 
 from .arguments import (
@@ -21,20 +22,22 @@ from .arguments import (
     add_number,
     applied,
     grasp_of,
+    seconds,
     show,
 )
 
 if TYPE_CHECKING:
-    from equilibrium.methods.compare import Comparison
-    from equilibrium.methods.friction_cones.grasp_wrench_space import GraspWrenchSpace
+    from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
     from equilibrium.methods.survey import Example, Survey
     from equilibrium.model.grasp import Grasp
+    from equilibrium.modes import ContactModes, Slips
+
 
 _WORDS = {True: "yes", False: "no", None: "-"}
 
 
 def add_commands(commands: Any) -> None:
-    """Add compare, wrench-space and survey."""
+    """Add compare, wrench-space, survey and modes."""
     text = "the verdicts of all methods (exit 0 if the complete model accepts, 1 no, 3 undecided)"
     comparison = add_command(commands, "compare", _compare, text)
     add_applied(comparison)
@@ -49,6 +52,7 @@ def add_commands(commands: Any) -> None:
 
     text = "how often the methods disagree with the complete model on random grasps"
     survey = add_command(commands, "survey", _survey, text, grasp=False)
+    survey.set_defaults(long=True)
     add_count(survey, "--number", 60, "of questions")
     survey.add_argument(
         "--contacts",
@@ -61,6 +65,13 @@ def add_commands(commands: Any) -> None:
     text = "tries of each size to find a smallest example of each disagreement"
     add_count(survey, "--examples", 0, text, "TRIES")
 
+    text = "contact modes: what rigid contacts can do, from kinematics alone"
+    modes = add_command(commands, "modes", _modes, text, preload=False)
+    modes.add_argument("--count", action="store_true", help="say how many there are, list none")
+    modes.add_argument(
+        "--time-limit", metavar="SECONDS", type=seconds, help="give up then (exit 2)"
+    )
+
 
 def _compare(arguments: argparse.Namespace) -> int:
     from equilibrium.decide.solver import solve
@@ -71,7 +82,10 @@ def _compare(arguments: argparse.Namespace) -> int:
     wrench = applied(arguments, grasp)
     question_document(grasp, wrench, "compare")
     found = compare(grasp, wrench, pyramid=arguments.cone)
-    lines, document, yes = [*_comparison_lines(found)], found.to_dict(), found.answers[0].accepts
+    lines, document, yes = list[str](), found.to_dict(), found.answers[0].accepts
+    for answer in found.answers:
+        mark = "!" if answer.method in found.disagreeing else " "
+        lines.append(f"{mark} {_WORDS[answer.accepts]:<4}{answer.title:<60}{answer.remark}")
     if grasp.data_error is not None:
         again = solve(grasp, wrench, pyramid=arguments.cone).within_error()
         document["within_error"] = again.to_dict()
@@ -80,14 +94,8 @@ def _compare(arguments: argparse.Namespace) -> int:
     return show(arguments, document, lines, yes, found.grasp)
 
 
-def _comparison_lines(found: Comparison) -> Iterator[str]:
-    for answer in found.answers:
-        mark = "!" if answer.method in found.disagreeing else " "
-        yield f"{mark} {_WORDS[answer.accepts]:<4}{answer.title:<60}{answer.remark}"
-
-
 def _wrench_space(arguments: argparse.Namespace) -> int:
-    from equilibrium.methods.friction_cones.grasp_wrench_space import GraspWrenchSpace
+    from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
 
     grasp = grasp_of(arguments)
     edges = _edges(arguments, grasp)
@@ -98,7 +106,8 @@ def _wrench_space(arguments: argparse.Namespace) -> int:
         "force_closure": space.force_closure,
         "epsilon_squared": space.epsilon_squared,
         "vertices": sorted(space.polytope.points),
-        "facets": sorted(map(_outward, space.facets)),
+        # (normal, constant) with the normal outward and of coprime integers.
+        "facets": sorted([Fraction(-x, gcd(*row[:-1])) for x in row] for row in space.facets),
     }
     lines = list(_space_lines(space))
     if grasp.dimension == 2:
@@ -119,7 +128,7 @@ def _wrench_space(arguments: argparse.Namespace) -> int:
 
 def _edges(arguments: argparse.Namespace, grasp: Grasp) -> int:
     """Return the edges of the pyramids of a hull; refuse what would take minutes."""
-    from equilibrium.methods.friction_cones.grasp_wrench_space import MOST_IN_HULL
+    from equilibrium.methods.grasp_wrench_space import MOST_IN_HULL
     from equilibrium.model.contact import pyramid_edges
     from equilibrium.model.errors import GraspError
 
@@ -152,11 +161,6 @@ def _space_lines(space: GraspWrenchSpace) -> Iterator[str]:
     yield f"facets           {len(space.facets)}"
 
 
-def _outward(row: IntegerVector) -> list[Fraction]:
-    """Return ``(normal, constant)`` with the normal outward and of coprime integers."""
-    return [Fraction(-x, gcd(*row[:-1])) for x in row]
-
-
 def _survey(arguments: argparse.Namespace) -> int:
     from equilibrium.methods.survey import smallest_examples, survey
 
@@ -186,3 +190,46 @@ def _survey_lines(found: Survey, examples: Iterable[Example]) -> Iterator[str]:
 
 def _flat(value: str | list[str]) -> str:
     return number(rational(value)) if isinstance(value, str) else vector(map(rational, value))
+
+
+def _modes(arguments: argparse.Namespace) -> int:
+    from equilibrium.modes import ContactModes
+
+    modes = ContactModes.of_grasp(grasp_of(arguments), time_limit=arguments.time_limit)
+    with shown():
+        return show(
+            arguments, _modes_document(modes, arguments), _modes_lines(modes, arguments.count)
+        )
+
+
+def _modes_document(modes: ContactModes, arguments: argparse.Namespace) -> dict[str, Any]:
+    if not arguments.json:
+        return {}
+    if arguments.count:
+        return {
+            "contacting_separating": len(modes.contacting_separating),
+            "sliding_sticking": modes.sliding_sticking_count,
+        }
+    return {
+        "contacting_separating": [mode.to_dict() for mode in modes.contacting_separating],
+        "sliding_sticking": [mode.to_dict() for mode in modes.sliding_sticking()],
+    }
+
+
+def _modes_lines(modes: ContactModes, count: bool) -> Iterator[str]:
+    total = len(modes.contacting_separating)
+    if count:
+        yield f"contacting-separating  {total:>7}"
+        yield f"sliding-sticking       {modes.sliding_sticking_count:>7}"
+        return
+    yield f"contacting-separating modes: {total} (c: stays in contact, s: separates)"
+    for kept in modes.contacting_separating:
+        signs = "".join("s" if sign else "c" for sign in kept.signs)
+        yield f"  {signs}  dim {kept.dimension}  {vector(kept.motion)}"
+    yield "sliding-sticking modes (0: no slip, + and -: slip along a tangent)"
+    for slid in modes.sliding_sticking():
+        yield f"  {_slips(slid.signs)}  dim {slid.dimension}  {vector(slid.motion)}"
+
+
+def _slips(signs: Slips) -> str:
+    return " ".join("s" if s is None else sign_text(s) for s in signs)

@@ -13,7 +13,7 @@ from arrangement.numbers import budget
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.range import Range
 
-from . import draw, inputs, methods, modes, wrench_sets
+from . import draw, inputs, methods, wrench_sets
 from .arguments import (
     add_applied,
     add_command,
@@ -119,7 +119,6 @@ def _parser() -> terminal.Parser:
     add_command(commands, "list", _list, "list the built-in grasps", grasp=False)
     wrench_sets.add_commands(commands)
     methods.add_commands(commands)
-    modes.add_commands(commands)
     inputs.add_commands(commands)
     draw.add_commands(commands)
     return parser
@@ -149,7 +148,7 @@ def _solve(arguments: argparse.Namespace) -> int:
     wrench = applied(arguments, grasp)
     bounds = range_given(arguments)
     if arguments.literal:
-        from equilibrium.methods.contact_laws.printed_model import solve_literal
+        from equilibrium.methods.printed_model import solve_literal
 
         if set(bounds.values()) != {None}:
             raise GraspError("a literal reading has no largest turn or force; omit one of the two")
@@ -195,15 +194,14 @@ def _answer(
         if arguments.certificate is not None and robust.certificate is not None:
             write_certificate(arguments.certificate, robust.certificate)
             lines.append("the certificate written is the proof for all of them")
-        yes = True if robust else None if robust.counterexample is None else False
+        yes = True if robust else None if robust.turned is None else False
     return show(arguments, document, lines, yes, found.grasp)
 
 
 def _verify(arguments: argparse.Namespace) -> int:
     from equilibrium.certificate.checker import Report
     from equilibrium.certificate.reading import read_question
-    from equilibrium.grasps.files import read_certificate, verify
-    from equilibrium.grasps.proved_checker import verify_proved
+    from equilibrium.grasps.files import read_certificate, verify, verify_proved
     from equilibrium.model.errors import GraspError
 
     path, question, known = arguments.certificate, _asked(arguments), True

@@ -70,6 +70,7 @@ def add_commands(commands: Any) -> None:
 
     text = "seeded search for grasps that a binary search misjudges"
     gaps = add_command(commands, "gaps", _gaps, text, grasp=False)
+    gaps.set_defaults(long=True)
     text = "of each grasp (default: 3)"
     gaps.add_argument("--contacts", type=terminal.count_argument, default=3, metavar="M", help=text)
     add_count(gaps, "--seed", 29, "of the random grasps", "SEED")

@@ -12,13 +12,14 @@ import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import partial
 from itertools import islice
 from random import Random
 from typing import Any
 
 from arrangement.console.number_form import Shown, near
 from arrangement.numbers.exact import RationalVector, number_text, to_text
-from equilibrium.certificate.document import Certificate, bounded_certificate
+from equilibrium.certificate.document import Certificate, certificate
 from equilibrium.certificate.robust import Bounds, read_bounds
 from equilibrium.grasps.inputs.incidences import other_rounding
 from equilibrium.model.contact import VALUES, Contact
@@ -41,29 +42,59 @@ _STEPS, _INNER = 12, 3
 _LEAVES = 3
 
 
-@dataclass(frozen=True, repr=False)
-class Robustness(Shown):
+@dataclass(frozen=True, repr=False, kw_only=True)
+class _OtherGrasps(Shown):
+    """What became of a verdict when other grasps were asked about.
+
+    Attributes:
+        verdict: that of the grasp itself, or "depends on the rounding".
+        turned: the verdict on a grasp asked about, if it is another one, and how far that grasp is:
+            `change`, see `_nearest`.
+        inner: where it is, a proof of the verdict for all grasps within smaller bounds, if found.
+        certificate: of the verdict for all grasps asked about, if it holds.
+    """
+
+    verdict: str
+    turned: Any = field(default=None, repr=False)
+    change: dict[str, Fraction] = field(default_factory=dict, repr=False)
+    inner: Certificate | None = field(default=None, repr=False)
+    certificate: Certificate | None = field(default=None, repr=False)
+
+    def _turned_document(self, name: str) -> dict[str, Any]:
+        """Return the JSON form of a verdict that is another one, under a name; empty without."""
+        if self.turned is None:
+            return {}
+        sizes = {key: to_text(x) for key, x in self.change.items()}
+        proof = {} if self.inner is None else {"holds_within": self.inner.to_dict()}
+        return {name: self.turned.to_dict(), "change": sizes} | proof
+
+    def _turned_lines(self) -> Iterator[str]:
+        for i, c in enumerate(self.turned.grasp, 1):
+            point, normal = (", ".join(number_text(x, 10) for x in v) for v in (c.point, c.normal))
+            friction = number_text(c.friction)
+            yield f"    contact {i}  point ({point})  normal ({normal})  friction {friction}"
+        sizes = ", ".join(f"{k} by {near(x, 2)}" for k, x in self.change.items() if x)
+        yield f"    largest changes of one number: {sizes}"
+        yield "    found by search: a smaller change may turn it, too"
+        yield from (f"    {line}" for line in self.turned.warnings)
+        if self.inner is not None:
+            document = self.inner.to_dict()
+            yield f"{document['certificate']} for all {read_bounds(document)}: proved"
+
+
+@dataclass(frozen=True, repr=False, kw_only=True)
+class Robustness(_OtherGrasps):
     """Whether a verdict holds within bounds; true when that is proved.
 
     Attributes:
         answer: "holds", "does not hold" or "undecided".
-        verdict: that of the grasp itself.
         bounds: of the grasps looked at.
-        counterexample: the verdict on a grasp within the bounds, if it is another one, and how far
-            that grasp is: `change`, see `_nearest`.
-        inner: where it is, a proof of the verdict for all grasps within smaller bounds, if found.
-        certificate: of the verdict for all grasps within the bounds, if it holds.
     """
 
     shown_fields = ("answer", "verdict", "bounds")
 
     answer: str
-    verdict: str
     bounds: Bounds
-    counterexample: Any = field(default=None, repr=False)
-    change: dict[str, Fraction] = field(default_factory=dict, repr=False)
-    inner: Certificate | None = field(default=None, repr=False)
-    certificate: Certificate | None = field(default=None, repr=False)
 
     def __bool__(self) -> bool:
         return self.answer == HOLDS
@@ -73,43 +104,33 @@ class Robustness(Shown):
         document: dict[str, Any] = {"answer": self.answer, "bounds": self.bounds.to_dict()}
         if self.certificate is not None:
             document["certificate"] = self.certificate.to_dict()
-        turned = self.counterexample, self.change, self.inner
-        return document | _turned_document("counterexample", *turned)
+        return document | self._turned_document("counterexample")
 
     def lines(self) -> Iterator[str]:
         """Yield the answer in words."""
         if self.answer == HOLDS:
             yield f"{self.verdict} for all {self.bounds}: proved"
-        elif self.counterexample is None:
+        elif self.turned is None:
             yield f"for all {self.bounds}: undecided; no proof and no counterexample was found"
         else:
-            yield f"not for all {self.bounds}: {self.counterexample.verdict} for"
-            yield from _turned_lines(self.counterexample, self.change, self.inner)
+            yield f"not for all {self.bounds}: {self.turned.verdict} for"
+            yield from self._turned_lines()
 
 
-@dataclass(frozen=True, repr=False)
-class WithinError(Shown):
+@dataclass(frozen=True, repr=False, kw_only=True)
+class WithinError(_OtherGrasps):
     """What became of a verdict when grasps within the error of the data were asked about.
 
+    Where it is proved for all of them, friction and preload that are 0 stay 0, and none was asked.
+
     Attributes:
-        verdict: that of the grasp itself, or "depends on the rounding".
         asked: how many others were asked about; `open`: how many of them were undecided.
-        turned: a verdict that is another one, if any, of the nearest such grasp found.
-        change: how far that grasp is, see `_nearest`.
-        inner: as in `Robustness`.
-        certificate: that the verdict is the same for all grasps within the error; friction and
-            preload that are 0 stay 0. Then no other was asked about.
     """
 
     shown_fields = ("verdict", "asked", "open", "proved")
 
-    verdict: str
-    asked: int
-    open: int
-    turned: Any = field(default=None, repr=False)
-    change: dict[str, Fraction] = field(default_factory=dict, repr=False)
-    inner: Certificate | None = field(default=None, repr=False)
-    certificate: Certificate | None = field(default=None, repr=False)
+    asked: int = 0
+    open: int = 0
 
     @property
     def proved(self) -> bool:
@@ -120,7 +141,7 @@ class WithinError(Shown):
         """Return a JSON form."""
         document: dict[str, Any] = {"verdict": self.verdict, "proved": self.proved}
         document |= {"asked": self.asked, "undecided": self.open}
-        return document | _turned_document("turned", self.turned, self.change, self.inner)
+        return document | self._turned_document("turned")
 
     def lines(self) -> Iterator[str]:
         """Yield the answer in words."""
@@ -132,39 +153,10 @@ class WithinError(Shown):
             yield f"{self.asked} others within the error of the data: no other verdict{left}"
             return
         yield f"{DEPENDS}: {self.turned.verdict} for, within the error of the data,"
-        yield from _turned_lines(self.turned, self.change, self.inner)
+        yield from self._turned_lines()
 
 
-def _turned_document(
-    name: str, other: Any, change: dict[str, Fraction], inner: Certificate | None
-) -> dict[str, Any]:
-    """Return the JSON form of a verdict that is another one, under a name; empty without one."""
-    if other is None:
-        return {}
-    sizes = {key: to_text(x) for key, x in change.items()}
-    proof = {} if inner is None else {"holds_within": inner.to_dict()}
-    return {name: other.to_dict(), "change": sizes} | proof
-
-
-def _turned_lines(
-    other: Any, change: dict[str, Fraction], inner: Certificate | None
-) -> Iterator[str]:
-    for i, c in enumerate(other.grasp, 1):
-        point, normal = (", ".join(number_text(x, 10) for x in v) for v in (c.point, c.normal))
-        friction = number_text(c.friction)
-        yield f"    contact {i}  point ({point})  normal ({normal})  friction {friction}"
-    sizes = ", ".join(f"{k} by {near(x, 2)}" for k, x in change.items() if x)
-    yield f"    largest changes of one number: {sizes}"
-    yield "    found by search: a smaller change may turn it, too"
-    yield from (f"    {line}" for line in other.warnings)
-    if inner is not None:
-        document = inner.to_dict()
-        yield f"{document['certificate']} for all {read_bounds(document)}: proved"
-
-
-def _nearest(
-    found: Any, turned: Any, bounds: Bounds
-) -> tuple[Any, dict[str, Fraction], Certificate | None]:
+def _nearest(found: Any, turned: Any, bounds: Bounds) -> dict[str, Any]:
     """Return a verdict like `turned` of a grasp near, on the straight way between the two grasps.
 
     A share of the way that turns the verdict, and one that does not, are brought together: by
@@ -188,7 +180,7 @@ def _nearest(
             one, two = (getattr(c, name) for c in (old, new))
             pairs = [(one, two)] if name in VALUES else zip(one, two, strict=True)
             change[name] = max(change[name], *(abs(x - y) for x, y in pairs))
-    return turned, change, _inner(found, bounds, high)
+    return {"turned": turned, "change": change, "inner": _inner(found, bounds, high)}
 
 
 def _inner(found: Any, bounds: Bounds, share: Fraction) -> Certificate | None:
@@ -227,7 +219,7 @@ def within_error(found: Any) -> WithinError:
     if every and found.verdict != OPEN and _may_be_proved(found) and _fits_floats(found):
         proof = _proof(found, Closing(found, bounds, _PROOF))
         if proof is not None:
-            return WithinError(found.verdict, 0, 0, certificate=proof)
+            return WithinError(verdict=found.verdict, certificate=proof)
     asked = left = 0
     for grasp in others(found):
         asked += 1
@@ -235,8 +227,9 @@ def within_error(found: Any) -> WithinError:
         if other is None:
             left += 1
         elif found.verdict not in (OPEN, other.verdict):
-            return WithinError(DEPENDS, asked, left, *_nearest(found, other, bounds))
-    return WithinError(found.verdict, asked, left)
+            turned = _nearest(found, other, bounds)
+            return WithinError(verdict=DEPENDS, asked=asked, open=left, **turned)
+    return WithinError(verdict=found.verdict, asked=asked, open=left)
 
 
 def others(found: Any) -> Iterator[Grasp]:
@@ -297,18 +290,17 @@ def robust(found: Any, bounds: Bounds) -> Robustness:
             "points, friction, stiffness, preload, motion or forces is not between 1e-38 and 1e38; "
             "take other units"
         )
-    name, wrench = found.verdict, found.wrench
+    name, answer = found.verdict, partial(Robustness, verdict=found.verdict, bounds=bounds)
     if name == OPEN:
-        return Robustness(OPEN, name, bounds)
+        return answer(answer=OPEN)
     search = Closing(found, bounds, _SEARCH)
-    proof = _proof(found, search)
-    if proof is not None:
-        return Robustness(HOLDS, name, bounds, certificate=proof)
+    if proof := _proof(found, search):
+        return answer(answer=HOLDS, certificate=proof)
     for other in _against(found, search):
-        turned = _in_time(found, other, wrench)
+        turned = _in_time(found, other, found.wrench)
         if turned is not None and turned.verdict != name:
-            return Robustness(FAILS, name, bounds, *_nearest(found, turned, bounds))
-    return Robustness(OPEN, name, bounds)
+            return answer(answer=FAILS, **_nearest(found, turned, bounds))
+    return answer(answer=OPEN)
 
 
 def _may_be_proved(found: Any) -> bool:
@@ -330,7 +322,7 @@ def _fits_floats(found: Any) -> bool:
 def _proof(found: Any, search: Closing) -> Certificate | None:
     """Return the first proof for all grasps that the checker accepts."""
     for parts in search.proofs():
-        proof = bounded_certificate(found.verdict, found.grasp, found.wrench, parts)
+        proof = certificate(found.verdict, found.grasp, found.wrench, **parts)
         if proof.verify():
             return proof
     return None

@@ -28,8 +28,7 @@ from equilibrium.plane.search.units import SearchUnits
 from equilibrium.plane.states.contact_states import Codes, state_codes, states_at, states_of_code
 from equilibrium.plane.states.equilibrium import Equilibrium, equilibrium_of, maximal
 from equilibrium.plane.states.interval_filter import Screen
-from equilibrium.plane.states.singular import SingularStates
-from equilibrium.plane.states.state_system import States, state_system
+from equilibrium.plane.states.state_system import SingularStates, States, state_system
 
 from . import NOT_RESISTED, RESISTED, UNDECIDED
 from .verdict import Verdict

@@ -8,11 +8,13 @@ import os
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from arrangement.console.proved_program import ask_proved
 from arrangement.console.writing import write_text_atomically
 from arrangement.library.files.json_files import Source, read_document
 from equilibrium.certificate.checker import Question, Report, check
 from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.reading import SCHEMA_VERSION
+from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, Range
 
@@ -65,3 +67,23 @@ def verify(
         InputError: the document has no readable form.
     """
     return check(read_certificate(source), question, pyramid, within)
+
+
+def verify_proved(path: str | os.PathLike[str]) -> tuple[bool, str]:
+    """Check a certificate with the proved checker.
+
+    Args:
+        path: of a file, or ``"-"`` (stdin).
+
+    Returns:
+        Whether it is valid, and its kind: "resisted" or "not resisted".
+
+    Raises:
+        CertificateError: the program is not built, or what it says of a file that it cannot read.
+    """
+    name = os.fspath(path)
+    named = name if name == "-" or not name.startswith("-") else f"./{name}"
+    answer, kind = ask_proved(named, error=CertificateError)
+    if kind not in ("resisted", "not resisted"):
+        raise CertificateError(f"it is a certificate of {kind}, not of a grasp")
+    return answer == "accepted", kind

@@ -6,7 +6,7 @@ is their table, `compare` asks all of them, `survey` counts how often they disag
 """
 
 from .compare import Answer as Answer, Comparison as Comparison, ask as ask, compare as compare
-from .friction_cones.grasp_wrench_space import GraspWrenchSpace as GraspWrenchSpace
+from .grasp_wrench_space import GraspWrenchSpace as GraspWrenchSpace
 from .method import Method as Method
 from .registry import METHODS as METHODS, method_named as method_named
 from .survey import (

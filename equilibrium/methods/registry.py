@@ -6,17 +6,17 @@ from arrangement.console.number_form import counted
 from arrangement.errors import refusal
 from arrangement.numbers.exact import RationalVector, shown
 from equilibrium.decide.solver import solve
-from equilibrium.methods.contact_laws.printed_model import PRINTED
-from equilibrium.methods.contact_laws.springs import FRICTIONLESS_SLIP, LINEAR_COMPLIANCE
-from equilibrium.methods.friction_cones.cones import CONES
-from equilibrium.methods.friction_cones.form_closure import FORM_CLOSURE
-from equilibrium.methods.friction_cones.grasp_wrench_space import (
+from equilibrium.methods.cones import CONES
+from equilibrium.methods.form_closure import FORM_CLOSURE
+from equilibrium.methods.grasp_wrench_space import (
     WRENCH_SPACE,
     WRENCH_SPACE_L1,
     WRENCH_SPACE_LINF,
 )
-from equilibrium.methods.friction_cones.weak_strong import FRICTIONLESS, STRONG, WEAK
 from equilibrium.methods.method import Method, Outcome
+from equilibrium.methods.printed_model import PRINTED
+from equilibrium.methods.springs import FRICTIONLESS_SLIP, LINEAR_COMPLIANCE
+from equilibrium.methods.weak_strong import FRICTIONLESS, STRONG, WEAK
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp

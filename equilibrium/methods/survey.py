@@ -19,7 +19,7 @@ from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector, to_text
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.methods.compare import ask
-from equilibrium.methods.friction_cones.grasp_wrench_space import GraspWrenchSpace
+from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
 from equilibrium.methods.registry import DECIDING
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp

@@ -12,10 +12,10 @@ where n is opposite to it).
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any
 
 from arrangement.console.number_form import Shown
@@ -128,6 +128,11 @@ class Contact(Shown):
         if self.dimension == 2:
             return (self.tangent,)
         return self.tangent, cross(self.normal, self.tangent)
+
+    def force(self, shares: Sequence[Fraction]) -> RationalVector:
+        """Return the force with these components: along the normal, then the tangents."""
+        frame = zip(self.normal, *self.tangents, strict=True)
+        return tuple(Fraction(dot(shares, axis)) for axis in frame)
 
     @cached_property
     def normal_wrench(self) -> RationalVector:
@@ -249,6 +254,11 @@ def pyramid_edges(count: int, dimension: int = 3) -> tuple[RationalVector, ...]:
             "in the plane the friction cone has two edges, and a pyramid is for grasps in space; "
             "omit it"
         )
+    return _edges(count)
+
+
+@cache
+def _edges(count: int) -> tuple[RationalVector, ...]:
     half = []
     for k in range(count // 2):
         angle = 2 * math.pi * k / count

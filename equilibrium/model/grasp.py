@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
@@ -17,18 +17,17 @@ from arrangement.console.plugins import InlinePage, named
 from arrangement.console.writing import write_text_atomically
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers import budget
-from arrangement.numbers.exact import RationalVector, rational_vector, shown
+from arrangement.numbers.exact import RationalVector, dot, rational_vector, shown
+from arrangement.numbers.linear.rank import cross
 
 from .contact import IN_SPACE, Contact, contact_of, wrench_at
-from .data_error import DataError
 from .errors import GraspError
+from .labels import DataError, Units
 from .outline import Circle, Mesh, Outline, Polygon, coordinates, read_outline
-from .units import Units
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
     from arrangement import Arrangement
+    from arrangement.drawing.path_artist import Drawing
 
 
 #: The coordinates of the space of motions in the plane.
@@ -180,8 +179,8 @@ class Grasp:
         """Return the same grasp with the shape of its object stated, or with none."""
         return replace(self, outline=outline)
 
-    def draw(self, view: str | None = None, **options: Any) -> Figure:
-        """Draw a picture as a figure of matplotlib (the extra ``figures``).
+    def draw(self, view: str | None = None, **options: Any) -> Drawing:
+        """Draw a picture as a figure of matplotlib (the extra ``figures``), which writes TikZ, too.
 
         Args:
             view: "grasp", "resist", "slice", "polar", "compare", "methods", "proof" or
@@ -192,7 +191,7 @@ class Grasp:
             InputError: an unknown view or option, or a grasp that the view cannot show.
             MissingExtraError: matplotlib is absent.
         """
-        made: Figure = named("equilibrium.pictures.views:draw")(self, view, **options)
+        made: Drawing = named("equilibrium.pictures.views:draw")(self, view, **options)
         return made
 
     def lab(self) -> InlinePage:
@@ -269,3 +268,41 @@ def wrench_of(
     along = coordinates(force, "force", dimension)
     place = coordinates([0] * dimension if point is None else point, "point", dimension)
     return wrench_at(place, along)
+
+
+def in_plane(
+    grasp: Grasp, wrench: RationalVector, axes: Sequence[RationalVector]
+) -> tuple[Grasp, RationalVector]:
+    """Return the planar grasp and wrench, in coordinates along two axes of space.
+
+    Args:
+        axes: at a right angle to one another, of length 1.
+
+    Raises:
+        GraspError: the axes are not, or a contact or the load is not in one plane along them.
+    """
+    u, v = axes
+    if (dot(u, u), dot(v, v), dot(u, v)) != (1, 1, 0):
+        raise GraspError("the axes of the plane are not of length 1 and at a right angle")
+    normal = cross(u, v)
+    heights = {dot(normal, contact.point) for contact in grasp}
+    if len(heights) > 1 or any(dot(normal, contact.normal) for contact in grasp):
+        raise GraspError("the contacts do not lie in one plane along the axes")
+    height = heights.pop() if heights else Fraction(0)
+    # The load about the point of the plane that is next to the origin.
+    force = wrench[:3]
+    moved = wrench_at(tuple(height * x for x in normal), force)
+    torque = tuple(x - y for x, y in zip(wrench[3:], moved[3:], strict=True))
+    if dot(normal, force) or dot(torque, u) or dot(torque, v):
+        raise GraspError("the load does not lie in the plane of the contacts")
+    flat = Grasp(
+        Contact(
+            (dot(u, c.point), dot(v, c.point)),
+            (dot(u, c.normal), dot(v, c.normal)),
+            c.friction,
+            c.stiffness,
+            c.preload,
+        )
+        for c in grasp
+    )
+    return flat, (dot(u, force), dot(v, force), dot(normal, torque))

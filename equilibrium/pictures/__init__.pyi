@@ -5,8 +5,8 @@ from .lab.page import resist_page as resist_page
 from .views import DRAWINGS as DRAWINGS, write_drawing as write_drawing
 from .wrenches.forces import (
     draw_compare as draw_compare,
+    draw_methods as draw_methods,
     draw_resist as draw_resist,
     draw_slice as draw_slice,
 )
-from .wrenches.methods import draw_methods as draw_methods
 from .wrenches.polar import draw_polar as draw_polar

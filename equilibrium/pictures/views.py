@@ -10,7 +10,7 @@ from arrangement.numbers import budget
 from equilibrium.model.grasp import Grasp
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from arrangement.drawing.path_artist import Drawing
 
 DRAWINGS = Drawings(
     "equilibrium.pictures",
@@ -20,7 +20,7 @@ DRAWINGS = Drawings(
         "slice": "wrenches.forces:draw_slice",
         "polar": "wrenches.polar:draw_polar",
         "compare": "wrenches.forces:draw_compare",
-        "methods": "wrenches.methods:draw_methods",
+        "methods": "wrenches.forces:draw_methods",
         "proof": "grasp.proof:draw_proof",
         "wrench-set": "wrenches.wrench_set:draw_wrench_set",
     },
@@ -56,7 +56,7 @@ def drawings_of(grasp: Grasp) -> Drawings:
     return replace(DRAWINGS, **kinds)
 
 
-def draw(grasp: Grasp, view: str | None = None, **options: Any) -> Figure:
+def draw(grasp: Grasp, view: str | None = None, **options: Any) -> Drawing:
     """Draw a grasp as a figure; arguments and errors are those of `Drawings.draw`."""
     return drawings_of(grasp).draw(grasp, view, **options)
 

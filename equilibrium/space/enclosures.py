@@ -21,7 +21,7 @@ from equilibrium.plane.contacts import nearest
 from equilibrium.space.states import StateBalance
 
 #: Sizes of boxes, relative to the motion, and digits of their inverses: in floats, in decimals.
-_RADII, _FINE = ((1e-11, 9), (1e-9, 9), (1e-7, 9)), ((1e-25, 30),)
+_RADII, _FINE = ((1e-11, 9), (1e-9, 9), (1e-7, 9)), ((1e-30, 30),)
 _LEAST = 1e-40
 #: Significant digits of the centres of boxes in decimals and in floats; the decimals.
 _CENTRE, _SHORT = 45, 20

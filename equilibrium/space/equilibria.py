@@ -23,6 +23,8 @@ from equilibrium.space.states import StateBalance, States
 
 #: Motions that balance leaves open are multiples of one over this.
 _COARSE = 2**10
+#: Motions that agree to one over this lead to the same equilibrium, mostly.
+_ABOUT = 8
 
 
 def proposals(
@@ -33,9 +35,11 @@ def proposals(
     tried: set[object],
 ) -> Iterator[Solution]:
     """Yield equilibria of given states near a motion; those in `tried` are not tried again."""
-    if (states.key, states.rational) in tried:
+    size = float(np.abs(motion).max()) or 1.0
+    about = tuple(np.rint(_ABOUT * motion / size).astype(int).tolist())
+    if (states.key, states.rational, about) in tried:
         return
-    tried.add((states.key, states.rational))
+    tried.add((states.key, states.rational, about))
     balance = StateBalance(contacts, wrench, states)
     if states.rational:
         # The simplest motion first, of those that balance leaves open.

@@ -15,8 +15,7 @@ from typing import Any
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from arrangement.numbers.linear.rank import cross, difference
 from equilibrium.model.errors import GraspError, TimeLimitError
-from equilibrium.model.grasp import Grasp
-from equilibrium.model.plane import in_plane
+from equilibrium.model.grasp import Grasp, in_plane
 from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import IntegerContacts

@@ -9,7 +9,7 @@ the number of contacts. Contacts are made sharper step by step, and states read 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 import numpy as np
@@ -28,6 +28,8 @@ _SHARES = 2**14
 _SIMPLE, _SAME = 64, 1e-6
 #: From this share of its limit on, friction may be that of a slip.
 _SLIPS = 0.9999
+#: Beside others, forces below this are within the errors of floats.
+_FELT = 1e-6
 
 
 class SpatialContinuation(Continuation):
@@ -63,7 +65,7 @@ class States:
     Contacts without friction count as sticking ones with no share.
 
     Attributes:
-        ratio: (m, 2), of friction forces to their limits.
+        ratio: (m, 2), of friction forces to their limits; forces: (m, 3).
         touching, slipping: contacts with a force, and those among them that slip.
         shares: (m, 2), of the friction limit, rounded; those of slips only if they are rational.
         rational: whether all slips go along rational directions.
@@ -73,6 +75,8 @@ class States:
 
     def __init__(self, contacts: FloatContacts, force: Floats, ratio: Floats) -> None:
         ratio = np.where(contacts.friction[:, None] > 0, ratio, 0.0)
+        pressed = np.maximum(force, 0.0)
+        self.forces = np.column_stack([pressed, ratio * (contacts.friction * pressed)[:, None]])
         self.touching = [bool(x) for x in force > 0]
         self.ratio = ratio
         size = np.linalg.norm(ratio, axis=1)
@@ -110,6 +114,33 @@ def smooth_states(contacts: FloatContacts, motion: Floats, eps: float) -> States
     slip = contacts.tangents @ motion
     root = np.sqrt((slip * slip).sum(axis=1) + eps * eps)
     return States(contacts, force, np.nan_to_num(-slip / root[:, None]))
+
+
+def rubbing_states(
+    contacts: FloatContacts, motion: Floats, forces: Floats, slipping: Sequence[bool], size: float
+) -> tuple[Floats, States] | None:
+    """Return a motion near, and states, where contacts that rub but hardly press slip; if any.
+
+    With a friction of 10^12 a normal force that floats do not see allows any friction, so it does
+    not tell whether a contact sticks. That these slip, by as little, opposite to their friction, is
+    an equation for each motion, as regular as for small frictions.
+
+    Args:
+        forces: (m, 3), maybe of smaller frictions.
+        size: of the forces that matter.
+    """
+    c, pull, least = contacts, np.hypot(*forces[:, 1:].T), _FELT * size
+    press = pull / np.maximum(c.friction, 1e-300)
+    rubs = (pull > least) & (press < least) & (np.array(slipping) | (forces[:, 0] < least))
+    if not rubs.any():
+        return None
+    normal = np.where(rubs, press, forces[:, 0])
+    ratio = forces[:, 1:] / np.maximum(c.friction * normal, 1e-300)[:, None]
+    moved = press[rubs] / c.stiffness[rubs]
+    rows = np.concatenate([c.normal[rubs], *c.tangents[rubs].swapaxes(0, 1)])
+    ends = [c.preload[rubs] / c.stiffness[rubs] - moved, *(-ratio[rubs].T * moved)]
+    change = np.linalg.lstsq(rows, np.concatenate(ends) - rows @ motion, rcond=None)[0]
+    return motion + change, States(c, normal, ratio)
 
 
 class StateBalance:

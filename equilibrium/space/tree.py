@@ -6,6 +6,7 @@ a node is the law, and exact programs decide what floats leave open, so the sear
 
 from __future__ import annotations
 
+import copy
 import math
 import time
 from collections.abc import Callable
@@ -29,7 +30,7 @@ from .leaves import Leaves
 from .memory import Memory, OpenTree
 from .plane import decide_in_plane
 from .relaxation import Point, Ray, Relaxation
-from .states import SpatialContinuation, States, smooth_states
+from .states import SpatialContinuation, States, rubbing_states, smooth_states
 
 #: Nodes of a tree, if not told otherwise, and random starts of the first search.
 NODES, _STARTS = 4000, 3
@@ -46,6 +47,8 @@ _ALMOST, _LOOSE = 1e-3, 1e-6
 _NOTHING, _THIN = 1e-9, 0.3
 #: The sharpness of contacts for a search that starts near an equilibrium.
 _NEAR = 1e-3
+#: Larger frictions are huge.
+_EVEN = 100.0
 #: States that are not split further.
 _DECIDED = ("detached", "stick")
 #: Exact programs of more contacts take seconds, and are asked last.
@@ -97,6 +100,12 @@ class SpatialSearch:
         if math.isfinite(deadline):
             self.relaxation.settings.time_limit = max(0.01, deadline - time.monotonic())
         self.smooth = SpatialContinuation(contacts, wrench, self.cones)
+        #: The last as given; before it one of smaller frictions, if some are huge.
+        self.searches = [self.smooth]
+        if contacts.friction.max(initial=0.0) > _EVEN:
+            less = copy.copy(contacts)
+            less.friction = np.minimum(contacts.friction, _EVEN)
+            self.searches.insert(0, SpatialContinuation(less, wrench, self.cones))
         self.tried: set[object] = set()
         #: Whether exact programs are tried where floats end; other ways are tried before.
         self.exactly = False
@@ -168,16 +177,18 @@ class SpatialSearch:
 
     def _near(self, motion: Floats, sharpness: float) -> Solution | None:
         """Return an equilibrium that the smoothed balance leads to."""
-        for end, eps in self.smooth.path(motion, sharpness):
-            if time.monotonic() > self.deadline:
-                break
-            found = (
-                self._smooth_pyramids(self.exact, end, eps)
-                if isinstance(self.exact, PyramidParts)
-                else self._equilibrium(end, smooth_states(self.contacts, end, eps))
-            )
-            if found is not None:
-                return found
+        for smooth in self.searches:
+            for end, eps in smooth.path(motion, sharpness):
+                if time.monotonic() > self.deadline:
+                    break
+                if isinstance(self.exact, PyramidParts):
+                    found = self._smooth_pyramids(self.exact, end, eps)
+                else:
+                    states = smooth_states(smooth.contacts, end, eps)
+                    found = self._equilibrium(end, states)
+                    found = found or self._rubbing(end, states.forces, states.slipping)
+                if found is not None:
+                    return found
         self.residual = min(self.residual, self.smooth.reached / (self.smooth.size or 1.0))
         return None
 
@@ -213,7 +224,16 @@ class SpatialSearch:
             )
         limits = np.maximum(self.contacts.friction * normal, 1e-12)
         round_ = States(self.contacts, normal, found.forces[:, 1:] / limits[:, None])
-        return self._equilibrium(found.motion * self.relaxation.scale, round_)
+        motion = found.motion * self.relaxation.scale
+        near = self._equilibrium(motion, round_)
+        forces = found.forces * self.relaxation.force
+        return near or self._rubbing(motion, forces, round_.slipping)
+
+    def _rubbing(self, motion: Floats, forces: Floats, slipping: list[bool]) -> Solution | None:
+        """Return an equilibrium where contacts of huge friction slip that seem to stick."""
+        size = self.relaxation.force
+        found = rubbing_states(self.contacts, motion, forces, slipping, size)
+        return self._equilibrium(*found) if found else None
 
     def _leaf(self, states: Node, found: Ray | Point | None) -> Any | None:
         """Return a leaf where a relaxation has no solution, or where its program failed."""

@@ -8,16 +8,22 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import compress
 from math import lcm
 from typing import Any, NamedTuple
 
+import numpy as np
+
+from arrangement import Arrangement
 from arrangement.console.number_form import Shown
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, reduced
+from arrangement.numbers.float_filter import SMALLEST, Booleans, error_bound, scaled
 from arrangement.numbers.linear.cones import Cone, both_ways
 from arrangement.numbers.linear.intervals import Interval, intersection, union
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
 from arrangement.numbers.linear.separation import surely_outside
+from arrangement.numbers.packing import pack
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.range import NO_RANGE, Range
@@ -32,6 +38,9 @@ from equilibrium.plane.states.state_system import States
 
 #: Above this number, redundant images are removed before the next sticking contact.
 _MANY = 40
+#: The states with a normal force, and the number of each state in arrays.
+_TOUCHING = ("stick", "slip+", "slip-")
+_CODES = {state: k for k, state in enumerate(("detached", *_TOUCHING))}
 
 
 class _Integers(NamedTuple):
@@ -81,6 +90,7 @@ class StateImages:
         self._whole.cut((0, 0, 0, 1), keep_positive=True)
         for row in range_rows(within, springs):
             self._whole.cut(primitive(row), keep_positive=True)
+        self._grasp = grasp
         self._path: list[tuple[str, Cone]] = []
         self._plane: IntegerVector | None = None
 
@@ -140,8 +150,7 @@ class StateImages:
         At one motion ``a . w + b`` lies between two bounds, each linear: every sticking contact
         pulls one way or the other.
         """
-        if plane != self._plane:
-            self._plane, self._bounds = plane, self._bounds_on(plane)
+        self._bounds_on(plane)
         constant = self._scale * plane[3]
         lowest, highest = [0, 0, 0, constant], [0, 0, 0, constant]
         for contact, bounds, state in zip(self._contacts, self._bounds, states, strict=True):
@@ -156,10 +165,52 @@ class StateImages:
 
     def _bounds_on(self, plane: IntegerVector) -> list[dict[str, tuple[int, int]]]:
         """Return the bounds of ``a . w`` for a normal force of 1, by contact and state."""
-        found = []
-        for contact in self._contacts:
-            values = {s: [dot(plane[:3], b) for b in contact.balances[s]] for s in contact.balances}
-            found.append({state: (min(v), max(v)) for state, v in values.items()})
+        if plane != self._plane:
+            self._plane, self._bounds = plane, []
+            for contact in self._contacts:
+                balances = contact.balances.items()
+                values = {state: [dot(plane[:3], b) for b in vs] for state, vs in balances}
+                self._bounds.append({state: (min(v), max(v)) for state, v in values.items()})
+        return self._bounds
+
+    def may_reach(self, listed: Sequence[States], plane: IntegerVector) -> Booleans:
+        """Return for each choice of contact states whether it may resist a wrench of a plane.
+
+        Where ``a . w + b`` has one sign at all vertices and rays of the planes of motions that a
+        cell may have, in floats by more than their error, the cell does not reach the plane.
+        """
+        planes, bounds = self._grasp.motion_arrangement(), self._bounds_on(plane)
+        if planes.rank < 3:
+            return np.ones(len(listed), np.bool_)
+        at_infinity = Arrangement(planes.normals).faces(1).points[:, :-1].tolist()
+        motions = [*planes.faces(0).points.tolist(), *((*ray, 0) for ray in at_infinity)]
+        springs, slips = ([getattr(c, name) for c in self._contacts] for name in ("spring", "slip"))
+        rows = np.array([*springs, (0, 0, 0, 1), *slips], object)
+        values = np.array(motions, object) @ rows.T
+        forces, moves = (scaled(part.tolist())[0] for part in np.hsplit(values, [len(bounds) + 1]))
+        # For each contact and state what it adds at least, and less what it adds at most.
+        both = [((0, 0), *(b[state] for state in _TOUCHING)) for b in bounds]
+        ends = [sign * pair[k] for k, sign in ((0, 1), (1, -1)) for of in both for pair in of]
+        constant = self._scale * plane[3]
+        factors = scaled([(*ends, constant, -constant)])[0][0]
+        constants, factors = factors[-2:], factors[:-2].reshape(2, len(bounds), 4)
+        codes = np.array([[_CODES[state] for state in states] for states in listed], np.intp)
+        stick = codes == _CODES["stick"]
+        # What a state excludes; what a motion has of it.
+        excluded = (codes == 0, codes > 0, stick | (codes == 2), stick | (codes == 3))
+        has = (forces[:, :-1] > 0, forces[:, :-1] < 0, moves < 0, moves > 0)
+        excluded_bits, has_bits = pack(np.hstack(excluded)), pack(np.hstack(has))
+        error = error_bound(2 + 1 + len(bounds) + 1)
+        found = np.zeros(len(listed), np.bool_)
+        for start in range(0, len(listed), _MANY):
+            part = excluded_bits[start : start + _MANY, None]
+            at, motion = np.nonzero(~(part & has_bits).any(axis=2))
+            at += start
+            terms = factors[:, range(len(bounds)), codes[at]] * forces[motion, :-1]
+            last = constants[:, None] * forces[motion, -1]
+            sizes = np.abs(terms).sum(axis=2) + np.abs(last)
+            low, high = terms.sum(axis=2) + last <= error * sizes + SMALLEST
+            found[np.intersect1d(at[low], at[high])] = True
         return found
 
     def _images(self, states: Sequence[str], motion: IntegerVector) -> Iterator[IntegerVector]:
@@ -248,10 +299,14 @@ def images_of(
     solver: Solver, plane: IntegerVector | None = None
 ) -> Iterator[tuple[States, Polyhedron | None]]:
     """Yield all contact states with `StateImages.resisted_with`."""
-    images, found = StateImages(solver.grasp, solver.within), {}
-    for states in watched(sorted(solver.states), "contact states"):
-        found[states] = images.resisted_with(states, plane)
-    yield from ((states, found[states]) for states in solver.states)
+    images, listed = StateImages(solver.grasp, solver.within), solver.states
+    if plane is not None:
+        listed = tuple(compress(listed, images.may_reach(listed, plane)))
+    found = {
+        states: images.resisted_with(states, plane)
+        for states in watched(sorted(listed), "contact states")
+    }
+    yield from ((states, found.get(states)) for states in solver.states)
 
 
 def states_with(pieces: Sequence[Piece], point: RationalVector) -> tuple[States, ...]:

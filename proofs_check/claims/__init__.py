@@ -1,4 +1,4 @@
-"""The claims of the paper: `claims.toml` says what they state, modules how each is checked.
+"""The claims of the paper: `claims.toml` has their words, modules the functions that check them.
 
 Each module has a tuple CLAIMS; `registry` collects them in the order of the paper.
 """

@@ -9,21 +9,14 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable, Iterator
-from functools import partial
 from itertools import combinations
+from operator import attrgetter
 from typing import Any
 
 from arrangement.enumeration.great_circles import sphere_arrangement
 from proofs_check.instances.printed import STATE_COUNTS
 
 from .parts import *
-
-ENUMERATION = "enumeration of all faces"
-THEOREM = "Zaslavsky's theorem on the intersection lattice"
-
-
-def _states_enumerated(planes: Arrangement) -> int:
-    return len({face.signs for face in planes.faces()})
 
 
 def _states_counted(planes: Arrangement) -> int:
@@ -36,9 +29,9 @@ def _published_predicted(planes: Arrangement) -> int:
     return vertices + edges + (edges - vertices + 2)
 
 
-def _general_position(rng: random.Random) -> Iterator[Case]:
-    for m in STATE_COUNTS:
-        yield arrangement_case(simple_arrangement(rng, m), f"m = {m}")
+def _in_general_position(*counts: int) -> Callable[[random.Random], Iterator[Case]]:
+    """Return what yields one arrangement in general position for each number of planes."""
+    return lambda rng: (arrangement_case(simple_arrangement(rng, m), f"m = {m}") for m in counts)
 
 
 def _simple_types(rng: random.Random) -> Iterator[Case]:
@@ -48,13 +41,13 @@ def _simple_types(rng: random.Random) -> Iterator[Case]:
 
 def _region_maximum(planes: Arrangement, regions: int) -> bool:
     """At most m^2 - m + 2, with equality exactly for distinct planes in general position."""
-    m = len(planes)
-    simple = planes.is_simple and len(planes.distinct) == m
-    return regions <= m * m - m + 2 and (regions == m * m - m + 2) == simple
+    most = _most_regions(len(planes))
+    simple = planes.is_simple and len(planes.distinct) == len(planes)
+    return regions <= most and (regions == most) == simple
 
 
 def _region_maxima(signs: Signs, n: int) -> Booleans:
-    regions, most = f_vectors(signs, n)[:, 2], n * n - n + 2
+    regions, most = f_vectors(signs, n)[:, 2], _most_regions(n)
     below: Booleans = (regions <= most) & ((regions == most) == signs.all(1))
     return below
 
@@ -84,10 +77,6 @@ def _bound(planes: Arrangement) -> tuple[int, ...]:
     return tuple(counts.fukuda_bound(m, d, k) for k in range(d + 1))
 
 
-def _below_bound(planes: Arrangement, f: tuple[int, ...]) -> bool:
-    return all(number <= bound for number, bound in zip(f, _bound(planes), strict=True))
-
-
 def _explain_count(planes: Arrangement, states: Any) -> str:
     m, printed = len(planes), STATE_COUNTS.get(len(planes))
     if states == printed:
@@ -103,31 +92,13 @@ def _explain_published(planes: Arrangement, listed: Any) -> str:
     return f"printed {printed}; different states of rigid motion: {true}"
 
 
-_COLUMNS = exhaustive(
-    "the 8 printed columns, one arrangement in general position each", _general_position
-)
-_on_f_vectors = partial(
-    stated,
-    routes=(
-        Route(ENUMERATION, lambda planes: planes.f_vector),
-        Route(THEOREM, counts.f_vector),
-    ),
-)
-
-
 def _general_f(m: int) -> tuple[int, ...]:
     """The closed form of the f-vector in general position, m >= 3."""
-    return (1, m * (m - 1), 2 * m * (m - 1), m * m - m + 2)
-
-
-_OVER = (
-    "counted on all 167 types of 3 to 7 distinct planes of rank 3, "
-    "samples of 1 to 10 planes of every rank, and 8, 12, 16 planes in general position"
-)
+    return (1, m * (m - 1), 2 * m * (m - 1), _most_regions(m))
 
 
 def _counted_cases(rng: random.Random) -> Iterator[Case]:
-    yield from types_and_samples(rng, range(3, 8), range(1, 11))
+    yield from types_and_samples(10)(rng)
     for m in (8, 12, 16):
         yield arrangement_case(simple_arrangement(rng, m), f"m = {m}, general position")
 
@@ -148,22 +119,9 @@ def _tests_by_theorem(planes: Arrangement) -> int:
     return 1 + sum(map(counts.region_count, starts))
 
 
-def _comparisons_by_pairs(planes: Arrangement) -> int:
-    return sum(1 for _ in combinations(_signs(planes), 2))
-
-
-def _comparisons_by_theorem(planes: Arrangement) -> int:
-    return math.comb(counts.region_count(planes), 2)
-
-
 def _graph_traced(planes: Arrangement) -> tuple[int, int]:
     sphere = sphere_arrangement(planes)
     return sphere.region_count, sphere.arc_count
-
-
-def _graph_by_theorem(planes: Arrangement) -> tuple[int, int]:
-    f = counts.f_vector(planes)
-    return f[3], f[2]
 
 
 def _growth(count: Callable[[int], int]) -> Callable[[Arrangement, object], str]:
@@ -189,117 +147,97 @@ def _work(m: int) -> int:
     return e**3 + v * e * e * v.bit_length()
 
 
-_step = partial(
-    stated,
-    sources=proved(_OVER, _counted_cases),
-)
-
+_enumerated = attrgetter("f_vector")
 
 CLAIMS = (
     stated(
-        id="great-circle-regions",
-        routes=(
-            Route(
-                "great circles: arcs traced around regions",
-                lambda planes: sphere_arrangement(planes).region_count,
-            ),
-            Route("|chi(-1)| of the characteristic polynomial", counts.region_count),
-        ),
+        "great-circle-regions",
+        lambda planes: sphere_arrangement(planes).region_count,
+        counts.region_count,
         judge=_region_maximum,
-        many_types=ManyTypes("regions composed from cocircuits and counted", _region_maxima),
-        sources=proved_on_types(12, per_count=4),
+        many_types=_region_maxima,
+        cases=types_and_samples(12, per_count=4),
     ),
     stated(
-        id="slip-state-counts",
-        routes=(
-            Route(
-                "Steps 1 to 3 as published, run",
-                lambda planes: len(published_enumeration(planes).states),
-            ),
-            Route("V + E + (E - V + 2) from Zaslavsky's theorem", _published_predicted),
-        ),
+        "slip-state-counts",
+        lambda planes: len(published_enumeration(planes).states),
+        _published_predicted,
         judge=lambda planes, listed: listed == STATE_COUNTS[len(planes)],
-        sources=_COLUMNS,
+        cases=_in_general_position(*STATE_COUNTS),
         explain=_explain_published,
     ),
     stated(
-        id="different-slip-states",
-        routes=(Route(ENUMERATION, _states_enumerated), Route(THEOREM, _states_counted)),
+        "different-slip-states",
+        lambda planes: len({face.signs for face in planes.faces()}),
+        _states_counted,
         judge=lambda planes, states: states == STATE_COUNTS[len(planes)],
-        sources=_COLUMNS,
+        cases=_in_general_position(*STATE_COUNTS),
         search=lambda: smallest_arrangements(range(2, 4), distinct=True),
         explain=_explain_count,
     ),
-    _on_f_vectors(
-        id="state-formula",
+    stated(
+        "state-formula",
+        _enumerated,
+        counts.f_vector,
         judge=lambda planes, f: f == _general_f(len(planes)),
-        sources=proved(
-            "checked on all 18 simple types of 3 to 7 planes; beside them one sample for each "
-            "m = 8, ..., 15",
-            _simple_types,
-        ),
+        cases=_simple_types,
     ),
-    _on_f_vectors(
-        id="fukuda-bound",
-        judge=_below_bound,
-        sources=proved(
-            "checked on central and affine arrangements in R^1 to R^4, degenerate ones included",
-            _bound_cases,
-        ),
+    stated(
+        "fukuda-bound",
+        _enumerated,
+        counts.f_vector,
+        judge=lambda planes, f: at_most(f, _bound(planes)),
+        cases=_bound_cases,
     ),
-    _on_f_vectors(
-        id="fukuda-bound-attained",
+    stated(
+        "fukuda-bound-attained",
+        _enumerated,
+        counts.f_vector,
         judge=lambda planes, f: f == _bound(planes),
-        sources=proved(
-            "checked on a simple affine arrangement for each d = 1, ..., 4, m up to 8, 8, 7, 6",
-            _simple_affine,
-        ),
+        cases=_simple_affine,
     ),
-    _on_f_vectors(
-        id="bound-not-attained",
+    stated(
+        "bound-not-attained",
+        _enumerated,
+        counts.f_vector,
         judge=lambda planes, f: sum(f) < sum(_bound(planes)),
-        sources=proved_on_types(10),
-        hypothesis=Hypothesis("m >= 4", lambda planes: len(planes) >= 4),
+        cases=types_and_samples(10),
+        covers=lambda planes: len(planes) >= 4,
         search=lambda: smallest_arrangements(range(1, 4), 1),
     ),
     stated(
-        id="step-1-square-bound",
-        routes=(
-            Route(ENUMERATION, lambda planes: planes.f_vector[3]),
-            Route("|chi(-1)| of the characteristic polynomial", counts.region_count),
-        ),
+        "step-1-square-bound",
+        lambda planes: planes.f_vector[3],
+        counts.region_count,
         judge=lambda planes, regions: regions <= len(planes) ** 2,
-        sources=proved_on_types(12),
-        hypothesis=Hypothesis("m >= 2", lambda planes: len(planes) >= 2),
+        cases=types_and_samples(12),
+        covers=lambda planes: len(planes) >= 2,
         search=lambda: smallest_arrangements(range(1, 4), 1),
     ),
-    _step(
-        id="step-1-time",
-        routes=(
-            Route("beginnings of the enumerated regions' signs", _tests_by_signs),
-            Route("1 + sum of |chi(-1)| over the first i planes", _tests_by_theorem),
-        ),
+    stated(
+        "step-1-time",
+        _tests_by_signs,
+        _tests_by_theorem,
         judge=lambda planes, tests: tests <= len(planes) ** 3,
+        cases=_counted_cases,
         explain=_growth(lambda m: 1 + sum(map(_most_regions, range(1, m)))),
     ),
-    _step(
-        id="step-2-time",
-        routes=(
-            Route("pairs of enumerated regions, one by one", _comparisons_by_pairs),
-            Route("V (V - 1) / 2 with V = |chi(-1)|", _comparisons_by_theorem),
-        ),
+    stated(
+        "step-2-time",
+        lambda planes: sum(1 for _ in combinations(_signs(planes), 2)),
+        lambda planes: math.comb(counts.region_count(planes), 2),
         judge=lambda planes, pairs: pairs <= len(planes) ** 4,
+        cases=_counted_cases,
         explain=_growth(lambda m: math.comb(_most_regions(m), 2)),
     ),
-    _step(
-        id="step-3-time",
-        routes=(
-            Route("great circles: regions and arcs traced", _graph_traced),
-            Route("Zaslavsky's theorem", _graph_by_theorem),
-        ),
+    stated(
+        "step-3-time",
+        _graph_traced,
+        lambda planes: counts.f_vector(planes)[3:1:-1],
         judge=lambda planes, found: (
             found[0] <= _most_regions(len(planes)) and found[1] <= 2 * len(planes) ** 2
         ),
+        cases=_counted_cases,
         explain=_growth(_work),
     ),
 )

@@ -12,15 +12,8 @@ from proofs_check.routes.many_types import cycle_bases_are_faces
 
 from .parts import *
 
-FACES = "enumerated faces"
-COVECTORS = "covectors composed from the chirotope"
 #: What a slip state contributes to V, E and F of the dual.
-_VEF_ROUTES = (
-    Route("enumeration of all faces", lambda planes: _vef(planes.f_vector)),
-    Route("Zaslavsky's theorem", lambda planes: _vef(counts.f_vector(planes))),
-)
-COMPOSED = "all faces, composed from cocircuits and counted"
-RANK_3 = Hypothesis("the normals have rank 3", lambda planes: planes.rank == 3)
+_VEF = (lambda planes: _vef(planes.f_vector), lambda planes: _vef(counts.f_vector(planes)))
 
 
 def _edge_and_face_bounds(signs: Signs, n: int) -> Booleans:
@@ -63,14 +56,10 @@ def _planar_by_networkx(planes: Arrangement) -> tuple[bool, bool]:
 
 
 def _planar_by_sphere(planes: Arrangement) -> tuple[bool, bool]:
-    graph = _covector_graph(planes)
-    planar = is_sphere(graph) or _cycle_or_edge(graph)
-    return planar, is_three_connected(graph)
-
-
-def _cycle_or_edge(graph: DualGraph) -> bool:
     """In rank 1 and 2 the graph is an edge or a cycle, which is planar."""
-    return all(len(near) <= 2 for near in graph.neighbours.values())
+    graph = _covector_graph(planes)
+    cycle_or_edge = all(len(near) <= 2 for near in graph.neighbours.values())
+    return is_sphere(graph) or cycle_or_edge, is_three_connected(graph)
 
 
 def _hamming(graph: DualGraph) -> tuple[int, int, bool]:
@@ -109,81 +98,63 @@ def _horton_cycles(planes: Arrangement) -> tuple[tuple[int, ...], bool]:
     return tuple(sorted(lengths)), len(faces) > 1 and lengths == tuple(faces[:-1])
 
 
+def _has_rank_3(planes: Arrangement) -> bool:
+    return planes.rank == 3
+
+
 #: True of most planes; the smallest counterexample to the rest is looked for.
-_saved = partial(
-    stated,
-    search=lambda: smallest_arrangements(range(1, 4), 1),
-)
+_saved = partial(stated, search=lambda: smallest_arrangements(range(1, 4), 1))
 
 CLAIMS = (
     _saved(
-        id="euler",
-        routes=_VEF_ROUTES,
+        "euler",
+        *_VEF,
         judge=lambda planes, vef: vef[0] - vef[1] + vef[2] == 2,
-        sources=proved_on_types(10, "of every rank", 4),
-        hypothesis=RANK_3,
+        cases=types_and_samples(10, per_count=4),
+        covers=_has_rank_3,
     ),
     _saved(
-        id="dual-edge-and-face-bounds",
-        routes=_VEF_ROUTES,
+        "dual-edge-and-face-bounds",
+        *_VEF,
         judge=lambda planes, vef: vef[1] <= 3 * vef[0] - 6 and vef[2] <= 2 * vef[0] - 4,
-        many_types=ManyTypes(COMPOSED, _edge_and_face_bounds),
-        sources=proved_on_types(10, "of every rank", 4),
-        hypothesis=Hypothesis("two planes differ", lambda planes: planes.rank >= 2),
+        many_types=_edge_and_face_bounds,
+        cases=types_and_samples(10, per_count=4),
+        covers=lambda planes: planes.rank >= 2,
     ),
     stated(
-        id="dual-bipartite-bounds",
-        routes=_VEF_ROUTES,
+        "dual-bipartite-bounds",
+        *_VEF,
         judge=lambda planes, vef: (
             vef[1] <= 2 * vef[0] - 4
             and vef[2] <= vef[0] - 2
             and (vef[1] == 2 * vef[0] - 4) == planes.is_simple == (vef[2] == vef[0] - 2)
         ),
-        many_types=ManyTypes(COMPOSED, _bipartite_bounds),
-        sources=proved(
-            f"checked on {EVERY_TYPE}; beside them samples of 3 to 12 planes of rank 3, some "
-            "coincident",
-            _rank_three,
-        ),
+        many_types=_bipartite_bounds,
+        cases=_rank_three,
     ),
     _saved(
-        id="dual-planar-3-connected",
-        routes=(
-            Route(f"{FACES}; networkx planarity and node connectivity", _planar_by_networkx),
-            Route(f"{COVECTORS}; faces close to a sphere, removal of pairs", _planar_by_sphere),
-        ),
+        "dual-planar-3-connected",
+        _planar_by_networkx,
+        _planar_by_sphere,
         judge=lambda planes, value: value == (True, True),
-        sources=proved_on_types(6, "of every rank"),
-        hypothesis=RANK_3,
+        cases=types_and_samples(6),
+        covers=_has_rank_3,
     ),
     _saved(
-        id="hamming-edges",
-        routes=(
-            Route(FACES, lambda planes: _hamming(_faces_graph(planes))),
-            Route(COVECTORS, lambda planes: _hamming(_covector_graph(planes))),
-        ),
+        "hamming-edges",
+        lambda planes: _hamming(_faces_graph(planes)),
+        lambda planes: _hamming(_covector_graph(planes)),
         judge=lambda planes, value: value[0] == value[1] and value[2],
-        sources=proved_on_types(6),
-        hypothesis=Hypothesis(
-            "no two planes coincide", lambda planes: len(planes.distinct) == len(planes)
-        ),
+        cases=types_and_samples(6),
+        covers=lambda planes: len(planes.distinct) == len(planes),
     ),
     _saved(
-        id="cycle-basis-faces",
-        routes=(
-            Route("Steps 1 to 3 run (networkx), against enumerated faces", _published_cycles),
-            Route(f"Horton's algorithm on {COVECTORS}", _horton_cycles),
-        ),
+        "cycle-basis-faces",
+        _published_cycles,
+        _horton_cycles,
         judge=lambda planes, value: value[1],
-        many_types=ManyTypes(
-            "Horton's cycles, each at least as long as the faces that it encloses",
-            cycle_bases_are_faces,
-        ),
-        sources=proved(
-            "checked on all 24 types of 3 to 6 distinct planes of rank 3; beside them samples of "
-            "1 to 6 planes of every rank",
-            lambda rng: types_and_samples(rng, range(3, 7), range(1, 7)),
-        ),
-        hypothesis=RANK_3,
+        many_types=cycle_bases_are_faces,
+        cases=types_and_samples(6, counts=range(3, 7)),
+        covers=_has_rank_3,
     ),
 )

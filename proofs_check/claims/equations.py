@@ -13,14 +13,14 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
-from equilibrium.methods.contact_laws.printed_model import solve_literal
+from equilibrium.methods.printed_model import solve_literal
 from equilibrium.wrench_sets import resisted_magnitudes
 from proofs_check.routes.oracle import Interval, Reading
 
 from .parts import *
 
 #: The deviations of the printed equations, by the names of
-#: `equilibrium.methods.contact_laws.printed_model`.
+#: `equilibrium.methods.printed_model`.
 DEVIATIONS = ("detachment", "preload", "signs")
 WRENCHES = ((0, 0, 0), (0, -1, 0), (0, 1, 0), (-1, 0, 0), (1, 0, 0), (0, 0, 1), (0, 0, -1))
 
@@ -35,17 +35,14 @@ def _reading(options: Collection[str]) -> Reading:
     )
 
 
-def _table_rows() -> Iterator[tuple[Question, printed.PrintedRow]]:
+_PRINTED = {
+    paper_question(contacts, printed.read_vector(row.wrench)[0], Fraction(row.preload)): row
     for contacts, rows in (
         (printed.THREE_CONTACT_GRASP, printed.THREE_CONTACTS),
         (printed.FOUR_CONTACT_GRASP, printed.FOUR_CONTACTS),
-    ):
-        for row in rows:
-            wrench, _ = printed.read_vector(row.wrench)
-            yield paper_question(contacts, wrench, Fraction(row.preload)), row
-
-
-_PRINTED = dict(_table_rows())
+    )
+    for row in rows
+}
 
 
 def _table_cases(_rng: random.Random) -> Iterator[Case]:
@@ -54,16 +51,15 @@ def _table_cases(_rng: random.Random) -> Iterator[Case]:
         yield Case(f"{label} {row.stable}", question, question.to_dict())
 
 
-def _word(stable: bool) -> str:
-    return "Yes" if stable else "No"
+_WORD = {True: "Yes", False: "No"}
 
 
 def _by_oracle(options: Collection[str], question: Question) -> str:
-    return _word(oracle.stable(question, _reading(options)))
+    return _WORD[oracle.stable(question, _reading(options))]
 
 
 def _by_literal(options: Collection[str], question: Question) -> str:
-    return _word(solve_literal(grasp_of(question), question.wrench, options).stable)
+    return _WORD[solve_literal(grasp_of(question), question.wrench, options).stable]
 
 
 def _explain_printed(question: Question, value: str) -> str:
@@ -72,30 +68,6 @@ def _explain_printed(question: Question, value: str) -> str:
         return ""
     alone = [name for name in DEVIATIONS if _by_oracle([name], question) != verdict]
     return f"enough alone: {', '.join(alone)}" if alone else "only several together do this"
-
-
-#: What the claims on the questions of the tables share; the printed equations fail all of them.
-_on_tables = partial(
-    stated,
-    sources=exhaustive("the 17 questions of the two tables", _table_cases),
-)
-
-
-def _search(contacts: range, **options: Any) -> Callable[[], Iterator[Case]]:
-    return lambda: smallest_questions(contacts, WRENCHES, **options)
-
-
-def _deviation_claim(name: str) -> Claim:
-    """One deviation alone: it should change no verdict of the model."""
-    return _on_tables(
-        id=f"printed-{name}",
-        routes=(
-            Route("elimination over all choices of states", partial(_deviation_pair, [name])),
-            Route("the solver and its literal reading", partial(_pair_by_solver, [name])),
-        ),
-        judge=_equal,
-        search=_search(range(1, 3)),
-    )
 
 
 Pair = tuple[str, str]
@@ -113,28 +85,16 @@ def _listed_pair(options: Collection[str], question: Question) -> Pair:
         all_stick="all-stick" not in options,
     )
     found = oracle.stable(question, _reading(options), states)
-    return _word(found), _by_oracle((), question)
+    return _WORD[found], _by_oracle((), question)
 
 
-def _deviation_pair(options: Collection[str], question: Question) -> Pair:
+def _pair_by_oracle(options: Collection[str], question: Question) -> Pair:
     return _by_oracle(options, question), _by_oracle((), question)
 
 
 def _pair_by_solver(options: Collection[str], question: Question) -> Pair:
     model = Solver(grasp_of(question)).solve(question.wrench)
-    return _by_literal(options, question), _word(model.stable)
-
-
-def _algorithm_2(*options: str) -> partial[Claim]:
-    """What the claims on Algorithm 2 with some points taken as printed share."""
-    return partial(
-        _on_tables,
-        routes=(
-            Route("elimination over the states of Steps 1 to 3", partial(_listed_pair, options)),
-            Route("the solver and its literal reading", partial(_pair_by_solver, options)),
-        ),
-        search=_search(range(1, 3)),
-    )
+    return _by_literal(options, question), _WORD[model.stable]
 
 
 def _normal_forces_solved(question: Question) -> tuple[tuple[Interval, ...], ...]:
@@ -162,10 +122,10 @@ def _counted(case: tuple[int, int]) -> int:
 def _added(case: tuple[int, int]) -> int:
     """Balance, springs, friction at slipping contacts, no motion at sticking ones."""
     m, slipping = case
-    return sum((3, m, *(1 for _ in range(slipping)), *(1 for _ in range(slipping, m))))
+    return 3 + m + len(range(slipping)) + len(range(slipping, m))
 
 
-def _constraint_cases(largest: int, _rng: Any = None) -> Iterator[Case]:
+def _constraint_cases(largest: int) -> Iterator[Case]:
     for m in range(1, largest + 1):
         for slipping in range(m + 1):
             yield Case(f"m = {m}, l = {slipping} slipping", (m, slipping), {"m": m, "l": slipping})
@@ -184,10 +144,6 @@ def _held_by_elimination(question: Question) -> tuple[Interval, ...]:
     )
 
 
-def _held_by_limits(question: Question) -> tuple[Interval, ...]:
-    return resisted_magnitudes(grasp_of(question), question.wrench).intervals
-
-
 def _axis_cases(_rng: random.Random) -> Iterator[Case]:
     for contacts in (printed.THREE_CONTACT_GRASP, printed.FOUR_CONTACT_GRASP):
         for preload in (0, 1):
@@ -196,60 +152,73 @@ def _axis_cases(_rng: random.Random) -> Iterator[Case]:
                 yield grasp_case(question, f"m = {len(contacts)}, P = {preload}, direction {axis}")
 
 
+def _search(contacts: range, **options: Any) -> Callable[[], Iterator[Case]]:
+    return lambda: smallest_questions(contacts, WRENCHES, **options)
+
+
+_on_tables = partial(stated, cases=_table_cases)
+
+
+def _deviation(
+    id: str, by_elimination: Callable[..., Pair], *options: str, **checked: Any
+) -> Claim:
+    """Return a claim on the verdicts with some points taken as printed, and those of the model."""
+    checked = {"judge": _equal, "search": _search(range(1, 3)), **checked}
+    routes = partial(by_elimination, options), partial(_pair_by_solver, options)
+    return _on_tables(id, *routes, **checked)
+
+
 CLAIMS = (
     _on_tables(
-        id="printed-equations",
-        routes=(
-            Route("elimination over all choices of states", partial(_by_oracle, DEVIATIONS)),
-            Route("the solver's literal reading", partial(_by_literal, DEVIATIONS)),
-        ),
+        "printed-equations",
+        partial(_by_oracle, DEVIATIONS),
+        partial(_by_literal, DEVIATIONS),
         judge=lambda question, value: value == _PRINTED[question].stable,
         explain=_explain_printed,
     ),
-    *map(_deviation_claim, DEVIATIONS),
+    # One deviation alone: it should change no verdict of the model.
+    *(_deviation(f"printed-{name}", _pair_by_oracle, name) for name in DEVIATIONS),
     stated(
-        id="constraint-count",
-        routes=(
-            Route("writing the system down and counting rows", _counted),
-            Route("adding up one equation for each contact and kind", _added),
-        ),
+        "constraint-count",
+        _counted,
+        _added,
         judge=lambda case, count: count == 3 + case[0] + 2 * (case[0] - case[1]),
-        sources=exhaustive("all l <= m <= 6", partial(_constraint_cases, 6)),
+        cases=lambda _: _constraint_cases(6),
         search=partial(_constraint_cases, 2),
     ),
-    _algorithm_2("cell-check", "detachment")(
-        id="algorithm-2-sound",
+    _deviation(
+        "algorithm-2-sound",
+        _listed_pair,
+        "cell-check",
+        "detachment",
         judge=lambda question, pair: pair != ("Yes", "No"),
     ),
-    _algorithm_2("cell-check", "detachment")(
-        id="algorithm-2-complete",
+    _deviation(
+        "algorithm-2-complete",
+        _listed_pair,
+        "cell-check",
+        "detachment",
         judge=lambda question, pair: pair != ("No", "Yes"),
     ),
-    _algorithm_2("all-stick")(
-        id="all-stick-listed",
-        judge=_equal,
+    _deviation(
+        "all-stick-listed",
+        _listed_pair,
+        "all-stick",
         search=lambda: smallest_questions(range(3, 4), WRENCHES[:1], preloads=(1,)),
     ),
     _on_tables(
-        id="single-solution",
-        routes=(
-            Route("elimination over 4^m states", oracle.normal_forces),
-            Route("ranges over the solver's pieces", _normal_forces_solved),
-        ),
+        "single-solution",
+        oracle.normal_forces,
+        _normal_forces_solved,
         judge=_single,
         search=_search(range(1, 3), preloads=(1,)),
     ),
     stated(
-        id="binary-search",
-        routes=(
-            Route("elimination over 4^m states", _held_by_elimination),
-            Route("closed forms from the solver's cells", _held_by_limits),
-        ),
+        "binary-search",
+        _held_by_elimination,
+        lambda question: resisted_magnitudes(grasp_of(question), question.wrench).intervals,
         judge=lambda question, held: len(held) <= 1 and all(low == 0 for low, _ in held),
-        sources=exhaustive(
-            "both grasps of the paper, both preloads, the six directions along the axes",
-            _axis_cases,
-        ),
+        cases=_axis_cases,
         search=lambda: smallest_questions(range(3, 4), AXES, preloads=(1,)),
     ),
 )

@@ -6,8 +6,8 @@ import random
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import partial
 from itertools import product
+from typing import Any
 
 from equilibrium.decide.solver import solve
 from equilibrium.methods.compare import ask
@@ -139,63 +139,33 @@ def _cones(_rng: random.Random) -> Iterator[Case]:
         yield Case(f"{case.label}, friction {friction}", asked, question.to_dict())
 
 
-def _grips(asked: Asked) -> bool:
-    return all(touch.friction > 1 for touch in asked.question.touches)
+def _method(id: str, **checked: Any) -> Claim:
+    """Return a claim on what a method says, and on what is right."""
+    checked = {"judge": lambda asked, found: found == asked.says, **checked}
+    return stated(id, _by_packages, _by_elimination, **checked)
 
-
-#: What the claims on methods share, unless one says otherwise.
-_method = partial(
-    stated,
-    routes=(
-        Route("the method and the solver of the package", _by_packages),
-        Route("Fourier-Motzkin elimination of the method's own conditions", _by_elimination),
-    ),
-    judge=lambda asked, found: found == asked.says,
-)
 
 CLAIMS = (
     _method(
-        id="method-grasp-wrench-space",
-        views=(
-            View(
-                "methods",
-                "The three-contact grasp without preload: what each method says of a push down and "
-                "a pull up.",
-                {"wrenches": [(0, -1, 0), (0, 1, 0)]},
-                paper_question(_THREE, [Fraction(0)] * 3, 0).to_dict(),
-            ),
-        ),
-        sources=sampled(
-            "forces of 1 and 100, up and down",
-            _three("wrench-space", {"1": "yn", "100": "yn", "-1": "yy", "-100": "yy"}),
-        ),
+        "method-grasp-wrench-space",
+        cases=_three("wrench-space", {"1": "yn", "100": "yn", "-1": "yy", "-100": "yy"}),
     ),
     _method(
-        id="method-cones-only",
+        "method-cones-only",
         judge=lambda asked, found: found[0],
-        sources=sampled("forces 2, -2 and 100, preload 0 and 1, friction 1/2 and 2", _cones),
-        hypothesis=Hypothesis("friction is above 1", _grips),
+        cases=_cones,
+        covers=lambda asked: all(touch.friction > 1 for touch in asked.question.touches),
         explain=lambda asked, found: f"corrected model: {'Yes' if found[1] else 'No'}",
     ),
     _method(
-        id="method-linear-compliance",
-        sources=sampled(
-            "forces -1, -2 and -100",
-            _three("linear-compliance", dict.fromkeys(("-1", "-2", "-100"), "ny")),
-        ),
+        "method-linear-compliance",
+        cases=_three("linear-compliance", dict.fromkeys(("-1", "-2", "-100"), "ny")),
     ),
     _method(
-        id="method-frictionless-slip-down",
-        sources=sampled(
-            "forces 0, -1, -2 and -100, no preload",
-            _three("frictionless-slip", dict.fromkeys(("0", "-1", "-2", "-100"), "yy")),
-        ),
+        "method-frictionless-slip-down",
+        cases=_three("frictionless-slip", dict.fromkeys(("0", "-1", "-2", "-100"), "yy")),
     ),
     _method(
-        id="method-frictionless-slip-up",
-        sources=exhaustive(
-            "all 27 combinations for this wrench",
-            _three("frictionless-slip", {"1": "ny"}, preload=1),
-        ),
+        "method-frictionless-slip-up", cases=_three("frictionless-slip", {"1": "ny"}, preload=1)
     ),
 )

@@ -8,6 +8,7 @@ from fractions import Fraction
 from functools import partial
 from itertools import chain, combinations, product
 from math import comb
+from typing import Any
 
 from arrangement.numbers.linear.rank import determinant
 
@@ -31,14 +32,6 @@ def most_faces(m: int, *, preload: bool) -> Faces:
     normal = 1 + (n - 1) + comb(n - 1, 2)
     regions = m * m - m + 2 + sum(1 + j + comb(j, 2) for j in range(m, n))
     return (points, lines, m * tangential + m * normal, regions)
-
-
-def _enumerated(grasp: Grasp) -> Faces:
-    return grasp.motion_arrangement().f_vector
-
-
-def _counted(grasp: Grasp) -> Faces:
-    return counts.f_vector(grasp.motion_arrangement())
 
 
 def _has_preload(grasp: Grasp) -> bool:
@@ -65,12 +58,7 @@ def _within(grasp: Grasp, f: Faces) -> bool:
     most = most_faces(len(grasp), preload=_has_preload(grasp))
     if in_general_position(grasp) and len(grasp) > 1:
         return f == most
-    return all(number <= bound for number, bound in zip(f, most, strict=True))
-
-
-def _linear(grasp: Grasp, f: Faces) -> bool:
-    """At most V points, 3V lines and 3V facets for V regions."""
-    return all(f[k] <= comb(3, k) * f[3] for k in range(3))
+    return at_most(f, most)
 
 
 def _random_grasp(rng: random.Random, m: int, *, preload: bool) -> Grasp:
@@ -85,7 +73,7 @@ def _random_grasp(rng: random.Random, m: int, *, preload: bool) -> Grasp:
     return Grasp(contacts)
 
 
-def _grasps(rng: random.Random, most: int, preloads: Sequence[bool]) -> Iterator[Case]:
+def _grasps(most: int, preloads: Sequence[bool], rng: random.Random) -> Iterator[Case]:
     """Yield for each m two grasps in general position and two that need not be."""
     for preload, m in product(preloads, range(1, most + 1)):
         wanted = {"general position": 2, "as drawn": 2}
@@ -98,11 +86,6 @@ def _grasps(rng: random.Random, most: int, preloads: Sequence[bool]) -> Iterator
             if wanted[remark]:
                 wanted[remark] -= 1
                 yield Case(f"m = {m}, {remark}", grasp, grasp.to_dict())
-
-
-def _random_grasps(most: int, *preloads: bool, what: str = "the numbers of") -> tuple[Source, ...]:
-    over = f"{what} random grasps of 1 to {most} contacts"
-    return proved(over, lambda rng: _grasps(rng, most, preloads))
 
 
 def _choices_of_faces(grasp: Grasp, closed: bool = False) -> set[tuple[int | str, ...]]:
@@ -121,11 +104,6 @@ def _choices_of_faces(grasp: Grasp, closed: bool = False) -> set[tuple[int | str
             options.append(detached + [("attached", s) for s in slips if attached])
         found |= {tuple(chain.from_iterable(chosen)) for chosen in product(*options)}
     return found
-
-
-def _states_of_faces(grasp: Grasp) -> int:
-    """Different states of the contacts over all faces; the slip of a detached one is no state."""
-    return len(_choices_of_faces(grasp))
 
 
 def _nodes_of_faces(closed: bool, grasp: Grasp) -> int:
@@ -162,19 +140,11 @@ def _by_elimination(grasp: Grasp, closed: bool = False) -> tuple[int, int]:
     return grown(0, False, [], [])
 
 
-def _nodes_by_elimination(closed: bool, grasp: Grasp) -> int:
-    return _by_elimination(grasp, closed)[0]
-
-
 def _possible(equalities: list[Row], inequalities: list[Row]) -> bool:
     """Whether e can be above 0."""
     limit: Row = tuple(map(Fraction, (0, 0, 0, -1, 1)))
     rows = project(equalities, [*inequalities, limit], keep=3)
     return rows is not None and all(row[4] > 0 for row in rows if row[3] < 0)
-
-
-def _few_states(grasp: Grasp, states: int) -> bool:
-    return states <= sum(most_faces(len(grasp), preload=_has_preload(grasp)))
 
 
 def _depth_by_faces(grasp: Grasp) -> int:
@@ -188,64 +158,57 @@ def _equal_contacts(most: int) -> Iterator[Case]:
         yield Case(f"m = {m}, all at one point", grasp, grasp.to_dict())
 
 
-def _state_tree(closed: bool) -> partial[Claim]:
-    """What the claims on trees of states share."""
-    return partial(
-        stated,
-        routes=(
-            Route("beginnings of the states of all faces", partial(_nodes_of_faces, closed)),
-            Route(
-                "Fourier-Motzkin elimination, node by node", partial(_nodes_by_elimination, closed)
-            ),
-        ),
+def _state_tree(id: str, *, closed: bool, **checked: Any) -> Claim:
+    """Return a claim on trees of states."""
+    return stated(
+        id,
+        partial(_nodes_of_faces, closed),
+        lambda grasp: _by_elimination(grasp, closed)[0],
         judge=lambda grasp, nodes: nodes <= _depth_by_faces(grasp),
         explain=lambda grasp, nodes: f"{nodes} nodes, depth by faces {_depth_by_faces(grasp)}",
+        **checked,
     )
 
 
-_on_faces = partial(
-    stated,
-    routes=(
-        Route("enumeration of all faces of 2m planes", _enumerated),
-        Route("Zaslavsky's theorem on the intersection lattice", _counted),
-    ),
+_FACES = (
+    lambda grasp: grasp.motion_arrangement().f_vector,
+    lambda grasp: counts.f_vector(grasp.motion_arrangement()),
 )
 
 CLAIMS = (
-    _on_faces(
-        id="model-faces-without-preload",
+    stated(
+        "model-faces-without-preload",
+        *_FACES,
         judge=_within,
-        sources=_random_grasps(7, False),
+        cases=partial(_grasps, 7, (False,)),
     ),
-    _on_faces(
-        id="model-faces-with-preload",
+    stated(
+        "model-faces-with-preload",
+        *_FACES,
         judge=_within,
-        sources=_random_grasps(5, True),
+        cases=partial(_grasps, 5, (True,)),
     ),
-    _on_faces(
-        id="model-linear-by-regions",
-        judge=_linear,
-        sources=_random_grasps(5, False, True),
+    stated(
+        "model-linear-by-regions",
+        *_FACES,
+        judge=lambda grasp, f: all(f[k] <= comb(3, k) * f[3] for k in range(3)),
+        cases=partial(_grasps, 5, (False, True)),
     ),
-    _on_faces(
-        id="model-states",
-        routes=(
-            Route("signs of all faces, repeats dropped", _states_of_faces),
-            Route(
-                "4^m choices by Fourier-Motzkin elimination",
-                lambda grasp: _by_elimination(grasp)[1],
-            ),
+    stated(
+        "model-states",
+        # The slip of a contact that is detached is no state.
+        lambda grasp: len(_choices_of_faces(grasp)),
+        lambda grasp: _by_elimination(grasp)[1],
+        judge=lambda grasp, states: (
+            states <= sum(most_faces(len(grasp), preload=_has_preload(grasp)))
         ),
-        judge=_few_states,
-        sources=_random_grasps(3, False, True, what="counted on"),
+        cases=partial(_grasps, 3, (False, True)),
     ),
-    _state_tree(closed=False)(
-        id="state-tree",
-        sources=_random_grasps(3, False, True, what="counted on"),
-    ),
-    _state_tree(closed=True)(
-        id="state-tree-closed",
-        sources=sampled("1 to 4 equal contacts", lambda _: _equal_contacts(4)),
+    _state_tree("state-tree", closed=False, cases=partial(_grasps, 3, (False, True))),
+    _state_tree(
+        "state-tree-closed",
+        closed=True,
+        cases=lambda _: _equal_contacts(4),
         search=lambda: _equal_contacts(3),
     ),
 )

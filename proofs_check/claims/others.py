@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from itertools import combinations
 from random import Random
 
 import networkx as nx
 
+from arrangement.console.number_form import counted
 from arrangement.library.census import PUBLISHED, PUBLISHED_SIMPLE, census
 from arrangement.library.families.simplicial import printed_vectors, simplicial, simplicial_entries
 from arrangement.library.published import PublishedCount, published_counts
@@ -123,8 +125,6 @@ _LARGEST = 256
 #: More regions are not enumerated.
 _MOST_REGIONS = 2000
 
-_BY_FLATS = Route("|chi(-1)| of the characteristic polynomial", counts.region_count)
-
 
 @cache
 def _entries() -> Mapping[Arrangement, PublishedCount]:
@@ -137,26 +137,13 @@ def _in_print(planes: Arrangement) -> int:
     return _entries()[planes].regions
 
 
-def _cases(wanted: Callable[[Arrangement], bool]) -> Iterator[Case]:
-    for planes, entry in _entries().items():
-        if wanted(planes):
-            yield Case(f"{entry.label}: {entry.source}", planes, planes.to_dict())
-
-
-def _printed(rng: Random) -> Iterator[Case]:
-    return _cases(lambda planes: _in_print(planes) <= _MOST_COUNTED)
-
-
-def _small(rng: Random) -> Iterator[Case]:
-    return _cases(lambda planes: _in_print(planes) <= _MOST_REGIONS)
-
-
-def _large(rng: Random) -> Iterator[Case]:
-    return _cases(lambda planes: _in_print(planes) > _MOST_COUNTED)
-
-
-def _as_printed(planes: Arrangement, regions: int) -> bool:
-    return regions == _in_print(planes)
+def _entries_with(least: int, most: float) -> Callable[[Random], Iterator[Case]]:
+    """Return what yields the entries whose number is above `least` and at most `most`."""
+    return lambda _: (
+        Case(f"{entry.label}: {entry.source}", planes, planes.to_dict())
+        for planes, entry in _entries().items()
+        if least < entry.regions <= most
+    )
 
 
 #: The vectors t and r: how many vertices lie on k planes, and how many planes have k vertices.
@@ -183,15 +170,6 @@ def _by_great_circles(planes: Arrangement) -> _Vectors:
     if 3 * incidence.region_count != 2 * incidence.arc_count:
         return {}, {}  # not simplicial
     return _vectors(incidence.circles_at(v).tolist() for v in range(incidence.vertex_count // 2))
-
-
-def _vectors_in_print(planes: Arrangement) -> _Vectors:
-    return printed_vectors(*_catalogue()[planes])
-
-
-def _entries_of_catalogue(rng: Random) -> Iterator[Case]:
-    for planes, entry in _catalogue().items():
-        yield Case(f"A{entry}", planes, planes.to_dict())
 
 
 #: Walls at a box -> contacting-separating modes.
@@ -225,16 +203,15 @@ def _turned(turns: Callable[[int], tuple[int, int]]) -> ContactModes:
     return ContactModes(straight.normals, turned, straight.n)
 
 
-def _modes_document(modes: ContactModes) -> dict[str, object]:
-    return {"normals": modes.normals, "tangents": modes.tangents}
+def _modes_case(label: str, modes: ContactModes, said: int) -> Case:
+    document = {"normals": modes.normals, "tangents": modes.tangents}
+    return Case(label, _Touching(modes, said), document)
 
 
 def _walls(rng: Random) -> Iterator[Case]:
     for walls, said in _BY_WALLS.items():
         modes = ContactModes.of_grasp(read_grasp(f"box-{walls}-wall{'s' * (walls > 1)}"))
-        yield Case(
-            f"{walls} wall{'s' * (walls > 1)}", _Touching(modes, said), _modes_document(modes)
-        )
+        yield _modes_case(counted(walls, "wall"), modes, said)
 
 
 def _tangents(rng: Random) -> Iterator[Case]:
@@ -245,82 +222,63 @@ def _tangents(rng: Random) -> Iterator[Case]:
         ("turned by the angle of 3-4-5", 404, lambda i: (4, 3)),
         ("turned differently at each contact", 468, lambda i: apart[i]),
     ):
-        modes = _turned(turns)
-        yield Case(text, _Touching(modes, said), _modes_document(modes))
+        yield _modes_case(text, _turned(turns), said)
 
 
 def _modes_counted(place: int) -> Callable[[_Touching], int]:
     return lambda t: mode_counts(t.modes.normals, t.modes.tangents, t.modes.n)[place]
 
 
+_in_print_claim = partial(stated, judge=lambda planes, regions: regions == _in_print(planes))
+_modes_claim = partial(stated, judge=lambda t, number: number == t.said)
+
 CLAIMS = (
     stated(
-        id="census-types",
-        routes=(
-            Route("smallest codes of the duals as maps (covectors)", _by_codes),
-            Route("isomorphism tests of networkx (enumerated faces)", _by_isomorphism),
-        ),
+        "census-types",
+        _by_codes,
+        _by_isomorphism,
         judge=lambda m, found: (
             found == (PUBLISHED[m], PUBLISHED_SIMPLE[m]) and len(census(m)) == found[0]
         ),
-        sources=exhaustive(
-            "the list for m = 3 to 7; a list with as many different types as exist is complete",
-            lambda _: (Case(f"m = {m}", m, {"planes_count": m}) for m in range(3, 8)),
-        ),
+        cases=lambda _: (Case(f"m = {m}", m, {"planes_count": m}) for m in range(3, 8)),
     ),
     stated(
-        id="simplicial-catalogue",
-        routes=(
-            Route("the flats of the lattice", _by_lattice),
-            Route(
-                "the vertices of the great circles, where all regions are triangles",
-                _by_great_circles,
-            ),
-        ),
-        judge=lambda planes, vectors: vectors == _vectors_in_print(planes),
-        sources=exhaustive("all known entries", _entries_of_catalogue),
-    ),
-    stated(
-        id="regions-in-print",
-        routes=(_BY_FLATS, Route("the number in print", _in_print)),
-        judge=_as_printed,
-        sources=exhaustive(f"the numbers in print up to {_MOST_COUNTED:,}", _printed),
-    ),
-    stated(
-        id="small-regions-in-print",
-        routes=(
-            _BY_FLATS,
-            Route("enumeration of all regions", lambda planes: len(planes.regions())),
-        ),
-        judge=_as_printed,
-        sources=exhaustive(f"the numbers in print up to {_MOST_REGIONS}", _small),
-    ),
-    stated(
-        id="large-regions-in-print",
-        routes=(_BY_FLATS, Route("the number in print", _in_print)),
-        judge=_as_printed,
-        sources=exhaustive(
-            f"the numbers in print over {_MOST_COUNTED:,}, of up to {_LARGEST} planes", _large
+        "simplicial-catalogue",
+        _by_lattice,
+        _by_great_circles,
+        judge=lambda planes, vectors: vectors == printed_vectors(*_catalogue()[planes]),
+        cases=lambda _: (
+            Case(f"A{entry}", planes, planes.to_dict()) for planes, entry in _catalogue().items()
         ),
     ),
-    stated(
-        id="contacting-modes-of-a-box",
-        routes=(
-            Route(
-                "faces of the cone N d >= 0, listed", lambda t: len(t.modes.contacting_separating)
-            ),
-            Route("sets of generators of that cone", _modes_counted(0)),
-        ),
-        judge=lambda t, number: number == t.said,
-        sources=exhaustive("the six numbers of walls", _walls),
+    _in_print_claim(
+        "regions-in-print",
+        counts.region_count,
+        _in_print,
+        cases=_entries_with(0, _MOST_COUNTED),
     ),
-    stated(
-        id="sliding-modes-depend-on-tangents",
-        routes=(
-            Route("faces inside the cone, listed", lambda t: t.modes.sliding_sticking_count),
-            Route("Zaslavsky's theorem on the flats that meet the cone", _modes_counted(1)),
-        ),
-        judge=lambda t, number: number == t.said,
-        sources=exhaustive("four choices of tangents", _tangents),
+    _in_print_claim(
+        "small-regions-in-print",
+        counts.region_count,
+        lambda planes: len(planes.regions()),
+        cases=_entries_with(0, _MOST_REGIONS),
+    ),
+    _in_print_claim(
+        "large-regions-in-print",
+        counts.region_count,
+        _in_print,
+        cases=_entries_with(_MOST_COUNTED, math.inf),
+    ),
+    _modes_claim(
+        "contacting-modes-of-a-box",
+        lambda t: len(t.modes.contacting_separating),
+        _modes_counted(0),
+        cases=_walls,
+    ),
+    _modes_claim(
+        "sliding-modes-depend-on-tangents",
+        lambda t: t.modes.sliding_sticking_count,
+        _modes_counted(1),
+        cases=_tangents,
     ),
 )

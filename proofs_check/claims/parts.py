@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
 from importlib.resources import files
+from random import Random
 from typing import Any
 
 from arrangement import counts as counts
@@ -20,12 +21,10 @@ from equilibrium.model.contact import Contact as Contact
 from equilibrium.model.grasp import Grasp as Grasp
 from proofs_check.instances import printed as printed
 from proofs_check.instances.arrangements import (
-    EVERY_TYPE as EVERY_TYPE,
     TYPES as TYPES,
     arrangement_case as arrangement_case,
     census_cases as census_cases,
     mixed_cases as mixed_cases,
-    proved_on_types as proved_on_types,
     random_arrangement as random_arrangement,
     simple_arrangement as simple_arrangement,
     smallest_arrangements as smallest_arrangements,
@@ -55,15 +54,13 @@ from proofs_check.routes.oracle import Question as Question, Row as Row, project
 from proofs_check.statements.statement import (
     Case as Case,
     Claim as Claim,
-    Hypothesis as Hypothesis,
-    ManyTypes as ManyTypes,
-    Route as Route,
-    Source as Source,
+    Hypothesis,
+    Kind,
+    ManyTypes,
+    Route,
+    Source,
     Verdict,
-    View as View,
-    exhaustive as exhaustive,
-    proved as proved,
-    sampled as sampled,
+    View,
 )
 
 
@@ -90,10 +87,8 @@ def words() -> Mapping[str, Mapping[str, Any]]:
 
 
 def _value(key: str, value: Any) -> Any:
-    if key in ("domain", "expected"):
-        return domain(value) if key == "domain" else Verdict(value)
-    if key == "views":
-        return tuple(View(**{**view, "caption": _text(view["caption"])}) for view in value)
+    if key in _READ:
+        return _READ[key](value)
     if isinstance(value, str):
         return _text(value)
     return tuple(map(_text, value)) if isinstance(value, list) else value
@@ -103,6 +98,46 @@ def _text(value: str) -> str:
     return " ".join(value.split())
 
 
-def stated(id: str, **checked: Any) -> Claim:
-    """Return the claim of that id: its words stand in ``claims.toml``, how to check it is given."""
-    return Claim(id=id, **{**words()[id], **checked})
+def _view(view: Mapping[str, Any]) -> View:
+    """Return a view; the name of a built-in grasp in its instance stands for contacts."""
+    instance = dict(view.get("instance", {}))
+    if "grasp" in instance:
+        instance = {**read_grasp(instance.pop("grasp")).to_dict(), **instance}
+    return View(**{**view, "caption": _text(view["caption"]), "instance": instance or None})
+
+
+_READ: dict[str, Callable[[Any], Any]] = {
+    "domain": domain,
+    "expected": Verdict,
+    "kind": Kind,
+    "views": lambda views: tuple(map(_view, views)),
+}
+
+
+def at_most(numbers: Sequence[int], bounds: Sequence[int]) -> bool:
+    """Return whether each number is within its bound."""
+    return all(number <= bound for number, bound in zip(numbers, bounds, strict=True))
+
+
+def stated(
+    id: str,
+    *routes: Callable[[Any], Any],
+    cases: Callable[[Random], Iterable[Case]],
+    covers: Callable[[Any], bool] | None = None,
+    many_types: Callable[[Signs, int], Booleans] | None = None,
+    **checked: Any,
+) -> Claim:
+    """Return the claim of that id: its words stand in ``claims.toml``, how to check it is given.
+
+    Args:
+        routes, cases: of the routes and of the source that are named there.
+        covers, many_types: of the hypothesis and the way to decide many types that are named there.
+    """
+    said = dict(words()[id])
+    kind, over = said.pop("kind"), said.pop("over")
+    if covers is not None:
+        said["hypothesis"] = Hypothesis(said["hypothesis"], covers)
+    if many_types is not None:
+        said["many_types"] = ManyTypes(said["many_types"], many_types)
+    said["routes"] = tuple(Route(*route) for route in zip(said["routes"], routes, strict=True))
+    return Claim(id=id, sources=(Source(kind, over, cases),), **said, **checked)

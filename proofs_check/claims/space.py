@@ -15,9 +15,7 @@ from arrangement.numbers.linear.programs import Infeasible, feasible_point
 from equilibrium.decide.solver import solve
 from equilibrium.decide.verdict import Verdict as Decision
 from equilibrium.grasps.inputs.random import random_grasp
-from proofs_check.instances.printed import FOUR_CONTACT_GRASP, FRICTION, THREE_CONTACT_GRASP
 from proofs_check.routes.leaves import leaf_count
-from proofs_check.routes.oracle import stable
 
 from .parts import *
 
@@ -34,20 +32,9 @@ def _in_space(question: Question, pyramid: int | None) -> bool:
     return solve(grasp_of(question).in_space(), wrench, pyramid=pyramid).stable
 
 
-@lru_cache(maxsize=64)
-def _by_states(question: Question) -> _Pair:
-    return stable(question), _in_space(question, None)
-
-
-@lru_cache(maxsize=64)
-def _by_solver(question: Question) -> _Pair:
-    return Solver(grasp_of(question)).solve(question.wrench).stable, _in_space(question, 4)
-
-
-def _cases(source: Random) -> Iterator[Case]:
-    del source
+def _cases(_: Random) -> Iterator[Case]:
     for contacts, preload, load in product(
-        (THREE_CONTACT_GRASP, FOUR_CONTACT_GRASP), (0, 1), _LOADS
+        (printed.THREE_CONTACT_GRASP, printed.FOUR_CONTACT_GRASP), (0, 1), _LOADS
     ):
         question = paper_question(contacts, load, preload)
         label = f"{len(contacts)} contacts, P = {preload}, w = ({', '.join(map(str, load))})"
@@ -76,8 +63,7 @@ def _finger(reach: int, stiffness: str, force: int) -> _Finger:
     return _Finger(Contact([reach, 0, 0], [0, 0, 1], 0, stiffness), Fraction(force))
 
 
-def _fingers(source: Random) -> Iterator[Case]:
-    del source
+def _fingers(_: Random) -> Iterator[Case]:
     for text, finger in (
         ("motion", _finger(0, "1", 6)),
         ("force", _finger(0, "100", 201)),
@@ -118,8 +104,7 @@ def _boxed_by_hand(finger: _Finger) -> _Pair:
     return finger.force >= 0, motion <= _MOTION and finger.force <= _FORCE and torque <= _TORQUE
 
 
-def _slip_planes(source: Random) -> Iterator[Case]:
-    del source
+def _slip_planes(_: Random) -> Iterator[Case]:
     for m in range(1, 5):
         grasp = random_grasp(m, seed=1, dimension=3)
         yield Case(f"{m} random contacts", grasp, grasp.to_dict())
@@ -138,10 +123,10 @@ def _slip_arrangement(grasp: Grasp) -> Arrangement:
     return Arrangement([row for c in grasp for row in c.tangential_wrenches], dimension=6)
 
 
-def _zaslavsky_bound(planes: int, rank: int = 6) -> int:
-    """Return the faces of so many planes in general position through the origin of R^rank.
+def _zaslavsky_bound(planes: int) -> int:
+    """Return the faces of so many planes in general position through the origin of R^6.
 
-    A flat of k < rank planes is one of ``comb(planes, k)``, and the others cut it into regions; all
+    A flat of k < 6 planes is one of ``comb(planes, k)``, and the others cut it into regions; all
     planes together leave the origin.
     """
 
@@ -149,9 +134,9 @@ def _zaslavsky_bound(planes: int, rank: int = 6) -> int:
         total: int = 2 * sum(comb(n - 1, i) for i in range(d))
         return total if n else 1
 
-    if planes <= rank:
+    if planes <= 6:
         return int(3**planes)
-    return 1 + sum(comb(planes, k) * regions(planes - k, rank - k) for k in range(rank))
+    return 1 + sum(comb(planes, k) * regions(planes - k, 6 - k) for k in range(6))
 
 
 #: Two fingers and a load that pyramids of 4 edges hold, and finer ones and round cones do not.
@@ -161,15 +146,6 @@ _TWO_FINGERS = Grasp(
 _LET_GO = (0, 1, 2, 0, 0, 1)
 #: Edges; None is the round cone.
 _FINER = (4, 8, None)
-
-
-def _pyramids(source: Random) -> Iterator[Case]:
-    del source
-    yield Case("two fingers, w = (0, 1, 2, 0, 0, 1)", _TWO_FINGERS, _TWO_FINGERS.to_dict())
-
-
-def _by_search(grasp: Grasp) -> tuple[bool, ...]:
-    return tuple(solve(grasp, _LET_GO, pyramid=edges).stable for edges in _FINER)
 
 
 def _by_proofs(grasp: Grasp) -> tuple[bool, ...]:
@@ -198,7 +174,7 @@ def _jaws(m: int, load: tuple[Fraction, ...]) -> Question:
     n, share = m // 2, Fraction(4, m)
     heights = [Fraction(2 * k - (n - 1), n - 1) for k in range(n)]
     rows = tuple(
-        (Fraction(-side), height, Fraction(side), Fraction(0), FRICTION, share, share)
+        (Fraction(-side), height, Fraction(side), Fraction(0), printed.FRICTION, share, share)
         for side, height in product((1, -1), heights)
     )
     return Question(rows, load)
@@ -216,77 +192,53 @@ def _checked(question: Question) -> int:
     return report.leaves
 
 
-def _evaluated(question: Question) -> int:
-    return leaf_count(question, _decided(question).proof["tree"])
-
-
-def _jaw_cases() -> Iterator[Case]:
-    for load, m in product(_JAW_LOADS, _COUNTS):
-        label = f"m = {m}, w = ({', '.join(map(str, load))})"
-        yield grasp_case(_jaws(m, load), label)
-
-
 CLAIMS = (
     stated(
-        id="more-edges-hold-no-less",
-        routes=(
-            Route("the solver", _by_search),
-            Route("certificates, read by the checker", _by_proofs),
-        ),
+        "more-edges-hold-no-less",
+        lambda grasp: tuple(solve(grasp, _LET_GO, pyramid=edges).stable for edges in _FINER),
+        _by_proofs,
         judge=lambda grasp, verdicts: list(verdicts) == sorted(verdicts),
-        sources=sampled("two fingers, found by a random search", _pyramids),
+        cases=lambda _: [
+            Case("two fingers, w = (0, 1, 2, 0, 0, 1)", _TWO_FINGERS, _TWO_FINGERS.to_dict())
+        ],
         explain=lambda grasp, verdicts: " ".join("yes" if v else "no" for v in verdicts),
     ),
     stated(
-        id="boxes-change-verdicts",
-        routes=(
-            Route("the solver; linear programs of both states", _boxed_by_programs),
-            Route("the one force that balances, by hand", _boxed_by_hand),
-        ),
+        "boxes-change-verdicts",
+        _boxed_by_programs,
+        _boxed_by_hand,
         judge=lambda finger, verdicts: verdicts[0] == verdicts[1],
-        sources=exhaustive("one instance for each of the three bounds", _fingers),
+        cases=_fingers,
         explain=lambda finger, verdicts: f"resisted {verdicts[0]}, within the bounds {verdicts[1]}",
     ),
     stated(
-        id="slip-states-in-space",
-        routes=(
-            Route(
-                "faces listed",
-                lambda grasp: (
-                    len({face.signs for face in _slip_arrangement(grasp).faces()}),
-                    _zaslavsky_bound(2 * len(grasp)),
-                ),
-            ),
-            Route(
-                "Zaslavsky's theorem, for the grasp and for powers of the moment curve",
-                lambda grasp: (
-                    sum(_slip_arrangement(grasp).f_vector),
-                    _general_faces(2 * len(grasp)),
-                ),
-            ),
+        "slip-states-in-space",
+        lambda grasp: (
+            len({face.signs for face in _slip_arrangement(grasp).faces()}),
+            _zaslavsky_bound(2 * len(grasp)),
         ),
+        lambda grasp: (sum(_slip_arrangement(grasp).f_vector), _general_faces(2 * len(grasp))),
         judge=lambda grasp, numbers: numbers[0] <= numbers[1],
-        sources=sampled("1 to 4 random contacts, and two known grasps", _slip_planes),
+        cases=_slip_planes,
         explain=lambda grasp, numbers: f"{numbers[0]} of at most {numbers[1]}",
     ),
     stated(
-        id="planar-verdicts-embed",
-        routes=(
-            Route("all states in the plane; sectors and enclosures in space", _by_states),
-            Route("the planar solver; linear programs with pyramids in space", _by_solver),
-        ),
+        "planar-verdicts-embed",
+        lambda question: (oracle.stable(question), _in_space(question, None)),
+        lambda question: (_decided(question).stable, _in_space(question, 4)),
         judge=lambda question, verdicts: verdicts[0] == verdicts[1],
-        sources=sampled("the paper's contacts, without preload and with preload 1", _cases),
+        cases=_cases,
         explain=lambda question, verdicts: f"in the plane {verdicts[0]}, in space {verdicts[1]}",
     ),
     stated(
-        id="leaves-do-not-grow",
-        routes=(
-            Route("the checker of certificates", _checked),
-            Route("every leaf evaluated at the generators of its region", _evaluated),
-        ),
+        "leaves-do-not-grow",
+        _checked,
+        lambda question: leaf_count(question, _decided(question).proof["tree"]),
         judge=lambda question, leaves: leaves <= _checked(_jaws(4, question.wrench)),
-        sources=sampled("five loads for m = 4, 6, 10, 20, 40, 80", lambda _: _jaw_cases()),
+        cases=lambda _: (
+            grasp_case(_jaws(m, load), f"m = {m}, w = ({', '.join(map(str, load))})")
+            for load, m in product(_JAW_LOADS, _COUNTS)
+        ),
         explain=lambda question, leaves: f"{leaves} leaves for {len(question.contacts)} contacts",
     ),
 )

@@ -6,7 +6,7 @@ import random
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, partial
 from itertools import combinations, product
 
 import networkx as nx
@@ -59,18 +59,20 @@ def _checked_afresh(planes: Arrangement) -> bool:
 
 
 def _weights_by_hand(planes: Arrangement) -> bool:
-    pairs = [[_positive(region) for region in edge] for edge in from_covectors(planes).edges]
-    return edges_have_weights(pairs)
-
-
-def _positive(region: tuple[int, ...]) -> int:
-    return sum(1 << k for k, sign in enumerate(region) if sign > 0)
+    """Each region is the number whose bits are its positive signs."""
+    return edges_have_weights(
+        [
+            [sum(1 << k for k, sign in enumerate(region) if sign > 0) for region in edge]
+            for edge in from_covectors(planes).edges
+        ]
+    )
 
 
 def _explain(planes: Arrangement, inscribable: bool) -> str:
     certificate = _answer(planes).certificate
-    proof = {"parity": "classes of regions by parity are unequal (Steinitz)"}
-    text = proof.get(certificate.kind, f"Rivin's criterion, {certificate.kind}")
+    text = f"Rivin's criterion, {certificate.kind}"
+    if certificate.kind == "parity":
+        text = "classes of regions by parity are unequal (Steinitz)"
     return f"{'inscribable' if inscribable else 'not inscribable'}: {text}"
 
 
@@ -156,47 +158,33 @@ def _weights_by_flows(planes: Arrangement) -> bool:
     return bool(nx.is_strongly_connected(nx.DiGraph(turned)))
 
 
+_smallest = partial(smallest_arrangements, range(3, 5), 1, distinct=True, rank=3)
+
 CLAIMS = (
     stated(
-        id="sphere-dual-weights",
-        routes=(
-            Route("two facets of each region, exchanged along cycles", _weights_by_hand),
-            Route("a largest flow of networkx (enumerated faces)", _weights_by_flows),
-        ),
+        "sphere-dual-weights",
+        _weights_by_hand,
+        _weights_by_flows,
         judge=lambda planes, exist: exist,
-        many_types=ManyTypes("the first route on composed regions", have_weights),
-        sources=exhaustive(
-            "all 24 types of 3 to 6 distinct planes of rank 3 and all 11 simple types of 7", _types
-        ),
-        search=lambda: smallest_arrangements(range(3, 5), 1, distinct=True, rank=3),
+        many_types=have_weights,
+        cases=_types,
+        search=_smallest,
     ),
     stated(
-        id="sphere-dual-convex",
-        routes=(
-            Route("Rivin's criterion; certificate verified by maximum flows", _verified),
-            Route("the certificate on the covectors' graph, cycles listed", _checked_afresh),
-        ),
+        "sphere-dual-convex",
+        _verified,
+        _checked_afresh,
         judge=lambda planes, inscribable: inscribable,
-        sources=exhaustive(
-            "all 24 types of 3 to 6 distinct planes of rank 3 and all 11 simple types of 7; a yes "
-            "gives an inscribed polyhedron with this graph, its vertices in the regions or not",
-            _types,
-        ),
-        search=lambda: smallest_arrangements(range(3, 5), 1, distinct=True, rank=3),
+        cases=_types,
+        search=_smallest,
         explain=_explain,
     ),
     stated(
-        id="sphere-hull-edges",
-        routes=(
-            Route("hull by Qhull, every sign checked exactly", _edge_counts_by_hull),
-            Route("all planes through three points, exact", _edge_counts_by_supports),
-        ),
+        "sphere-hull-edges",
+        _edge_counts_by_hull,
+        _edge_counts_by_supports,
         judge=lambda chosen, found: found == (0, 0),
-        sources=exhaustive(
-            "all 7 types of 3 to 5 distinct planes of rank 3, with points near the middles of the "
-            "regions",
-            _middle_points,
-        ),
+        cases=_middle_points,
         search=_cube_choices,
     ),
 )

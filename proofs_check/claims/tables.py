@@ -10,8 +10,6 @@ from functools import partial
 
 from .parts import *
 
-BRUTE_FORCE = "substitution into the model, and brute force over 4^m states by elimination"
-SOLVER = "the solver with its certificate, and its pieces of solutions"
 TINY = Fraction(1, 10**30)
 
 
@@ -58,22 +56,14 @@ def _solved(row: TableRow) -> str:
     return "Yes, numbers fit" if fits else "Yes, numbers do not fit"
 
 
-def _as_printed(row: TableRow, value: str) -> bool:
-    return value == ("Yes, numbers fit" if row.stable else "No")
-
-
 def _explain_row(row: TableRow, _value: str) -> str:
     if not row.motion:
         return ""
     broken = oracle.violations(row.question, row.motion, row.forces)
     if broken:
         return f"printed numbers break: {', '.join(broken)}"
-    forces = " ".join(_vector(force) for force in row.forces)
-    return f"f = {forces}, d = {_vector(row.motion)}"
-
-
-def _vector(values: Iterable[Fraction]) -> str:
-    return f"({','.join(str(value) for value in values)})"
+    *forces, motion = (f"({','.join(map(str, values))})" for values in (*row.forces, row.motion))
+    return f"f = {' '.join(forces)}, d = {motion}"
 
 
 @dataclass(frozen=True)
@@ -121,13 +111,6 @@ def _held_solved(probes: Probes) -> tuple[bool, ...]:
     )
 
 
-def _shown(
-    contacts: Sequence[Sequence[int]], wrench: Sequence[int], preload: int, caption: str
-) -> tuple[View, ...]:
-    question = paper_question(contacts, list(map(Fraction, wrench)), preload)
-    return (View("grasp", caption, {"wrench": wrench}, question.to_dict()),)
-
-
 def _downward(_rng: random.Random) -> Iterator[Case]:
     zero = Fraction(0)
     for force in map(Fraction, ("0", "-1/3", "-1", "-2", "-17", "-1000000")):
@@ -137,63 +120,32 @@ def _downward(_rng: random.Random) -> Iterator[Case]:
         yield Case(f"w = (0, {force}, 0)", row, question.to_dict())
 
 
-_ROUTES = (Route(BRUTE_FORCE, _substituted), Route(SOLVER, _solved))
 _table = partial(
     stated,
-    routes=_ROUTES,
-    judge=_as_printed,
-    explain=_explain_row,
+    judge=lambda row, value: value == ("Yes, numbers fit" if row.stable else "No"),
 )
 
 CLAIMS = (
     _table(
-        id="table-three-contacts",
-        views=_shown(
-            printed.THREE_CONTACT_GRASP,
-            (0, 1, 0),
-            1,
-            "The row w = (0, 1, 0), P = 1, with the printed forces and motion.",
-        ),
-        sources=exhaustive(
-            "all 7 printed rows",
-            partial(_rows, printed.THREE_CONTACT_GRASP, printed.THREE_CONTACTS),
-        ),
+        "table-three-contacts",
+        _substituted,
+        _solved,
+        explain=_explain_row,
+        cases=partial(_rows, printed.THREE_CONTACT_GRASP, printed.THREE_CONTACTS),
     ),
     _table(
-        id="table-four-contacts",
-        views=_shown(
-            printed.FOUR_CONTACT_GRASP,
-            (0, 0, 3),
-            0,
-            "The row w = (0, 0, 3), P = 0: two contacts carry the torque, two have let go.",
-        ),
-        sources=exhaustive(
-            "all 10 printed rows", partial(_rows, printed.FOUR_CONTACT_GRASP, printed.FOUR_CONTACTS)
-        ),
+        "table-four-contacts",
+        _substituted,
+        _solved,
+        explain=_explain_row,
+        cases=partial(_rows, printed.FOUR_CONTACT_GRASP, printed.FOUR_CONTACTS),
     ),
+    _table("downward-forces", _substituted, _solved, cases=_downward),
     stated(
-        id="downward-forces",
-        routes=_ROUTES,
-        judge=_as_printed,
-        sources=sampled("six magnitudes from 0 to 10^6", _downward),
-    ),
-    stated(
-        id="vertical-limits",
-        views=(
-            View(
-                "slice",
-                "The three-contact grasp, forces at torque 0, exact. Upwards nothing is resisted "
-                "without preload, and at most 1 with preload 1.",
-                instance=paper_question(
-                    printed.THREE_CONTACT_GRASP, [Fraction(0)] * 3, 1
-                ).to_dict(),
-            ),
-        ),
-        routes=(
-            Route("exact set of all t by elimination over 4^m states", _held_exactly),
-            Route("the solver at each t", _held_solved),
-        ),
+        "vertical-limits",
+        _held_exactly,
+        _held_solved,
         judge=lambda probes, held: held == probes.holds,
-        sources=exhaustive("both grasps with both preloads; all t by the first route", _rays),
+        cases=_rays,
     ),
 )

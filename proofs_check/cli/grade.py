@@ -103,9 +103,8 @@ def _line_of_class(marks: dict[str, GradedAnswer] | InputError) -> tuple[str, st
 
 
 def _total(marks: Mapping[str, GradedAnswer]) -> tuple[Fraction, int]:
-    return sum((one.points for one in marks.values()), Fraction()), sum(
-        one.most for one in marks.values()
-    )
+    every = marks.values()
+    return sum((one.points for one in every), Fraction()), sum(one.most for one in every)
 
 
 def _code(marks: Mapping[str, GradedAnswer]) -> int:
@@ -129,10 +128,8 @@ def _json(points: Fraction) -> int | str:
 
 def _list(exercises: Mapping[str, Exercise], as_json: bool) -> int:
     if as_json:
-        asked = [
-            {"id": id, "points": one.points, "of": one.of, "question": one.question}
-            for id, one in exercises.items()
-        ]
+        names = ("id", "points", "of", "question")
+        asked = [{name: getattr(one, name) for name in names} for one in exercises.values()]
         terminal.print_json({"exercises": asked})
     else:
         _table(

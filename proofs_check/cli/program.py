@@ -26,7 +26,7 @@ def _parser() -> terminal.Parser:
 
     def command(name: str, function: str, help: str) -> argparse.ArgumentParser:
         added: argparse.ArgumentParser = commands.add_parser(name, help=help)
-        added.set_defaults(command=_later(function))
+        added.set_defaults(command=_later(function), long=True)  # it tells how far it is
         terminal.add_common_options(added)
         if name in ("run", "try", "sweep", "report"):
             terminal.add_number_options(added)

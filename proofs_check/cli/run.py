@@ -88,6 +88,7 @@ def _described(claim: Claim, width: int) -> str:
         ("expected", claim.expected.value),
         ("holds when", claim.hypothesis.text if claim.hypothesis else ""),
         ("meaning", claim.meaning),
+        *(("proved", text.badge_text(badge)) for badge in report.badges(claim)),
         (
             "in prose",
             claim.prose or ("" if claim.theorems or not claim.proof else "the whole proof"),
@@ -98,7 +99,7 @@ def _described(claim: Claim, width: int) -> str:
         if entry:
             lines += textwrap.wrap(f"{name:<12}{entry}", width, subsequent_indent=" " * 12)
     if claim.theorems:
-        lines += ["proved in Coq (docs, What is proved):", *map(report.theorem, claim.theorems)]
+        lines += ["in Coq (docs, What is proved):", *map(report.theorem, claim.theorems)]
     return "\n".join(lines)
 
 

@@ -16,7 +16,6 @@ The lecturer's file is run with all rights, as with ``python FILE.py``. Answers 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
@@ -39,7 +38,7 @@ from arrangement.numbers.exact import rational, rational_vector, shown
 from equilibrium.certificate.checker import Report, check
 from equilibrium.model.grasp import Grasp
 from proofs_check.errors import OwnClaimError
-from proofs_check.own_claims.claim_file import defined, line_of
+from proofs_check.own_claims.claim_file import defined, id_of, line_of
 
 
 @dataclass(frozen=True, repr=False)
@@ -135,10 +134,7 @@ def exercise(
         raise OwnClaimError(f"points is {shown(points)}; give an integer, at least 0")
 
     def decorate(function: Callable[[Any], Any]) -> Exercise:
-        name = id or function.__name__.lower().replace("_", "-")
-        if not re.fullmatch("[a-z0-9]+(-[a-z0-9]+)*", name):
-            raise OwnClaimError(f"{name!r} is not an id; use lower case words with hyphens")
-        return Exercise(name, question, of, points, function)
+        return Exercise(id_of(function, id), question, of, points, function)
 
     return decorate
 

@@ -13,7 +13,7 @@ from fractions import Fraction
 
 from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp, solve
-from equilibrium.methods.friction_cones.form_closure import form_closure
+from equilibrium.methods.form_closure import form_closure
 from proofs_check import claim
 
 

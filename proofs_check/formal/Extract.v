@@ -1,7 +1,7 @@
 (** The checkers and the counts as an OCaml program, its integers those of zarith. *)
 
 Require Import ZArith Extraction ExtrOcamlZBigInt.
-Require Import Checker Soundness Counting Whitney Claims FinalPolynomials.
+Require Import Checker Soundness Counting Whitney Bounded Claims FinalPolynomials.
 Require Import SpatialChecker SpatialSoundness Inscribed Weights.
 
 (** One line beyond the standard library's: without it, gcd counts down bits one by one. *)
@@ -21,13 +21,20 @@ Print Assumptions faces_alternating.
 Print Assumptions regions_complete.
 Print Assumptions faces_complete.
 Print Assumptions whitney.
+Print Assumptions bounded_counted.
+Print Assumptions no_half_line.
+Print Assumptions central_unbounded.
 
 Print Assumptions great_circle_regions.
 Print Assumptions great_circle_regions_attained.
 Print Assumptions great_circle_regions_only_general.
+Print Assumptions general_position_of_great_circles.
 Print Assumptions state_formula.
 Print Assumptions slip_states_at_most.
 Print Assumptions slip_states_attained.
+Print Assumptions slip_states_only_general.
+Print Assumptions facets_only_general.
+Print Assumptions rays_only_general.
 Print Assumptions euler.
 Print Assumptions dual_edge_and_face_bounds.
 Print Assumptions dual_bipartite_bounds.

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import combinations_with_replacement, product
 
 from arrangement.arrangement import Arrangement
 from arrangement.library import census
 from arrangement.numbers.exact import primitive
-from proofs_check.statements.statement import Case, Source, proved
+from proofs_check.statements.statement import Case
 
 Vector = tuple[int, ...]
 #: The numbers of planes for which every type is checked in a default run.
 TYPES = range(3, 8)
-EVERY_TYPE = "all 167 types of 3 to 7 distinct planes of rank 3"
 
 
 def arrangement_case(planes: Arrangement, label: str = "") -> Case:
@@ -82,20 +81,18 @@ def census_cases(counts: range, *, simple: bool = False) -> Iterator[Case]:
 
 
 def types_and_samples(
-    rng: random.Random, counts: range, samples: range, *, per_count: int = 3
-) -> Iterator[Case]:
-    """Yield every type for `counts`, then samples of all ranks, coincident planes included."""
-    yield from census_cases(counts)
-    yield from mixed_cases(rng, samples, per_count=per_count)
+    most: int, per_count: int = 3, counts: range = TYPES
+) -> Callable[[random.Random], Iterator[Case]]:
+    """Return what yields every type for `counts`, then samples of 1 to `most` planes of all ranks.
 
+    Coincident planes are included.
+    """
 
-def proved_on_types(
-    most: int, text: str = "of every rank, some coincident", per_count: int = 3
-) -> tuple[Source, ...]:
-    """Return the source of a proved claim: every type, and samples of up to `most` planes."""
-    over = f"checked on {EVERY_TYPE}; beside them samples of 1 to {most} planes {text}"
-    counts = range(1, most + 1)
-    return proved(over, lambda rng: types_and_samples(rng, TYPES, counts, per_count=per_count))
+    def cases(rng: random.Random) -> Iterator[Case]:
+        yield from census_cases(counts)
+        yield from mixed_cases(rng, range(1, most + 1), per_count=per_count)
+
+    return cases
 
 
 def smallest_arrangements(

@@ -155,29 +155,30 @@ def _is_rank_3(planes: Any) -> bool:
 
 
 def _is_distinct(planes: Any) -> bool:
-    return _is_rank_3(planes) and len(planes.distinct) == len(planes)
-
-
-def _is_simple(planes: Any) -> bool:
-    return _is_central(planes) and len(planes.distinct) == len(planes) and planes.is_simple
-
-
-def _is_simple_affine(planes: Any) -> bool:
-    distinct = _in_space(planes) and len(planes.distinct) == len(planes)
-    return distinct and not planes.is_central and planes.is_simple
+    return _in_space(planes) and len(planes.distinct) == len(planes)
 
 
 _LISTED = (
     Domain("central", "central arrangements in R^3", "planes", 1, _central, _is_central),
     _belonging("rank-3", "central arrangements of rank 3", 3, _is_rank_3),
-    _belonging("distinct", "central arrangements of different planes, of rank 3", 3, _is_distinct),
-    _belonging("simple", "central arrangements in general position in R^3", 1, _is_simple),
+    _belonging(
+        "distinct",
+        "central arrangements of different planes, of rank 3",
+        3,
+        lambda planes: _is_rank_3(planes) and _is_distinct(planes),
+    ),
+    _belonging(
+        "simple",
+        "central arrangements in general position in R^3",
+        1,
+        lambda planes: _is_central(planes) and _is_distinct(planes) and planes.is_simple,
+    ),
     Domain("affine", "arrangements in R^3, central or not", "planes", 1, _affine, _in_space),
     _belonging(
         "simple-affine",
         "affine arrangements in general position in R^3",
         2,
-        _is_simple_affine,
+        lambda planes: _is_distinct(planes) and not planes.is_central and planes.is_simple,
         affine=True,
     ),
     Domain("grasp", "grasps", "contacts", 1, _random_grasp, lambda x: isinstance(x, Grasp)),

@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 import importlib.util
 import operator
+import re
 import sys
 import traceback
 from collections.abc import Callable
@@ -53,6 +54,18 @@ class Unequal:
 
     def __bool__(self) -> bool:
         return False
+
+
+def id_of(function: Callable[..., Any], given: str | None) -> str:
+    """Return the id of what a decorator makes: the one given, or the name of the function.
+
+    Raises:
+        OwnClaimError: it has other signs than those of an id.
+    """
+    name = given or function.__name__.strip("_").lower().replace("_", "-")
+    if not re.fullmatch("[a-z0-9]+(-[a-z0-9]+)*", name):
+        raise OwnClaimError(f"{name!r} is not an id; use lower case words with hyphens")
+    return name
 
 
 def compared(text: str, kind: str, left: Any, right: Any) -> Any:

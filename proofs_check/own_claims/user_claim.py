@@ -18,7 +18,6 @@ with ``python FILE.py``. Nothing else that this package reads is ever executed.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from numbers import Integral
@@ -34,17 +33,14 @@ from proofs_check.statements.statement import (
     Case,
     Claim,
     Domain,
+    Kind,
     Route,
     Source,
     Verdict,
-    exhaustive,
-    sampled,
 )
 
-from .claim_file import Unequal, line_of
+from .claim_file import Unequal, id_of, line_of
 from .shrink import smallest_case
-
-_NAME = re.compile(r"[a-z0-9]+(?:-[a-z0-9]+)*")
 
 
 def claim(
@@ -99,14 +95,14 @@ def claim(
         return dual_polyhedron(subject) if wanted else subject
 
     def decorate(function: Callable[..., Any]) -> Claim:
-        name = id or function.__name__.strip("_").lower().replace("_", "-")
-        if not _NAME.fullmatch(name):
-            raise OwnClaimError(f"{name!r} is not an id; use lower case words with hyphens")
+        name = id_of(function, id)
         sources: tuple[Source, ...] = ()
         if listed is not None:
-            sources = exhaustive(f"the {len(listed)} given instances", lambda _: listed)
+            sources = (
+                Source(Kind.EXHAUSTIVE, f"the {len(listed)} given instances", lambda _: listed),
+            )
         elif chosen and chosen.unit == "planes":
-            named = sampled("named families", lambda _: known_families(chosen))
+            named = (Source(Kind.SAMPLED, "named families", lambda _: known_families(chosen)),)
             sources = census_sources(census) + (named if families else ())
         return Claim(
             id=name,
@@ -229,7 +225,9 @@ def _value(way: Callable[[Any], Any], subject: Any) -> Any:
 def census_sources(most: int) -> tuple[Source, ...]:
     """Return the source with all types of 3 to so many planes; none for 0."""
     over = f"one arrangement of every combinatorial type of 3 to {most} planes"
-    return exhaustive(over, lambda _: census_cases(range(3, most + 1))) if most else ()
+    return (
+        (Source(Kind.EXHAUSTIVE, over, lambda _: census_cases(range(3, most + 1))),) if most else ()
+    )
 
 
 def _answer(name: str, function: Callable[..., Any], *arguments: Any) -> bool | str:

@@ -14,7 +14,7 @@ from arrangement.errors import InputError
 
 from .formula import mathml
 from .page import html_page
-from .text import overview, remark, value_text, verdict
+from .text import badge_text, overview, remark, value_text, verdict
 
 Record = Mapping[str, Any]
 
@@ -115,6 +115,7 @@ def _facts(result: Record) -> list[tuple[str, str]]:
         *(("hypothesis", text) for text in result["hypotheses"]),
         ("verdict", verdict(result)),
         ("evidence", result["evidence"]),
+        *(("proved", badge_text(badge)) for badge in result.get("badges", [])),
         *((f"route {i}", name) for i, name in enumerate(result["routes"], 1)),
         ("holds when", result.get("saving_hypothesis") or ""),
         ("meaning", result["meaning"]),

@@ -83,7 +83,10 @@ def html_page(record: Record) -> str:
     }
     body = pages.get_template("report.html").render(
         record={"title": "", "about": "", "command": "", **record},
-        sections=[(name, list(group)) for name, group in groupby(results, _section)],
+        sections=[
+            (name, list(group))
+            for name, group in groupby(results, lambda result: result.get("section") or "")
+        ],
         counted=[(kind, kinds[kind]) for kind in KINDS.values() if kinds[kind]],
         number_of_cases=sum(len(result["records"]) for result in results),
         two_routes=all(len(result["routes"]) > 1 for result in results),
@@ -99,10 +102,6 @@ def html_page(record: Record) -> str:
     )
     title = record.get("title") or "Verdicts"
     return framed(title, body, [BASE_STYLE, _STYLE], [_SCRIPT], "; style-src-attr 'unsafe-inline'")
-
-
-def _section(result: Record) -> str:
-    return result.get("section") or ""
 
 
 def _kind(result: Record) -> VerdictStyle:
@@ -178,8 +177,6 @@ def _origins(result: Record) -> list[str]:
     if result.get("proof"):
         section, words = result["proof"]
         entries.append(f"Proof: docs/proofs.rst, {section}: {words}")
-    # What the badge means, in one line.
-    entries += [f"Theorem {name}: checked by Coq" for name in result.get("theorems", [])]
     return entries
 
 
@@ -233,12 +230,10 @@ def _for_page(svg: str, name: str) -> str:
     opening, body = svg[svg.index("<svg") :].split(">", 1)
     opening = re.sub(r' (xmlns(:\w+)?|height|version)="[^"]*"', "", opening)
     body = re.sub(r"<metadata>.*?</metadata>|<style.*?</style>", "", body, flags=re.DOTALL)
-    body = re.sub(r' d="[^"]*"', _shorter, body)
+    # Data of paths with two digits after the point, on fewer lines.
+    body = re.sub(
+        r' d="[^"]*"', lambda d: re.sub(r"(\.\d\d)\d+", r"\1", d[0]).replace("\n", ""), body
+    )
     prefix = re.sub(r"[^a-z0-9-]", "", name)
     body = re.sub(r'( id="|url\(#|href="#)', rf"\g<1>{prefix}-", body)
     return f"{opening}>{body}"
-
-
-def _shorter(path: re.Match[str]) -> str:
-    """Return the data of a path with two digits after the point, on fewer lines."""
-    return re.sub(r"(\.\d\d)\d+", r"\1", path[0]).replace("\n", "")

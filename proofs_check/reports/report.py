@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 import os
 import platform
+import re
 import subprocess
 import time
 from collections.abc import Iterable, Mapping
@@ -23,6 +24,7 @@ from typing import Any
 from arrangement.console.number_form import counted
 from arrangement.numbers.exact import to_text
 from proofs_check.errors import ClaimError
+from proofs_check.routes.proved import COUNTS
 from proofs_check.statements.evidence import Evidence, Failure, Part, Record, Result
 from proofs_check.statements.statement import Claim, Kind
 
@@ -113,10 +115,49 @@ def theorem(name: str) -> str:
 
 @lru_cache(maxsize=1)
 def theorems() -> dict[str, str]:
-    """Return the statements of all theorems for claims, by name."""
-    source = files("proofs_check").joinpath("formal", "claims", "Claims.v")
-    stated = source.read_text(encoding="utf-8").split("\nTheorem ")[1:]
-    return {text.split()[0]: f"Theorem {text.partition('Proof.')[0].strip()}" for text in stated}
+    """Return the statements of all theorems for claims, by name.
+
+    Of those alone whose axioms `make formal` prints and compares.
+    """
+    folder = files("proofs_check").joinpath("formal")
+    source, printed = (
+        folder.joinpath(*path).read_text(encoding="utf-8")
+        for path in (("claims", "Claims.v"), ("Extract.v",))
+    )
+    stated = (f"Theorem {text}" for text in source.split("\nTheorem ")[1:])
+    named = {text.split()[1]: text.partition("Proof.")[0].strip() for text in stated}
+    return {k: v for k, v in named.items() if f"\nPrint Assumptions {k}.\n" in printed}
+
+
+def badges(claim: Claim, evidence: Evidence | None = None) -> list[dict[str, Any]]:
+    """Return what of a claim is a theorem, and that the proved program took part, if it did.
+
+    Nothing here can be set: theorems are looked up in the sources of the proofs, and the program's
+    counts among the values that this evidence has.
+
+    >>> from proofs_check import registry
+    >>> [badge["names"] for badge in badges(registry()["step-1-square-bound"])]
+    [['theorem step_1_square_bound'], ['theorem step_1_square_bound_needs_two_planes']]
+    """
+    known = theorems()
+    found = [] if claim.file else [name for name in claim.theorems if name in known]
+    general = [name for name in found if re.search(r"forall [\w ]*\bplanes\b", known[name])]
+    others = [name for name in found if name not in general]
+    shown = [
+        {"names": [f"theorem {name}" for name in names], "meaning": meaning}
+        for names, meaning in (
+            (general, "for every number of planes, checked by Coq"),
+            (others, "a counterexample, computed inside a proof that Coq checked"),
+        )
+        if names
+    ]
+    ways = [route.compute for route in claim.routes]
+    agreed = sum(record.agree for record in evidence.records) if evidence else 0
+    if evidence and agreed and COUNTS.get(claim.id) in ways:
+        number = f"{agreed} of {counted(len(evidence.records), 'case')}"
+        meaning = f"the same value in {number}; that it counts right is a theorem in Coq"
+        shown.append({"names": ["counted by the proved program"], "meaning": meaning})
+    return shown
 
 
 def _part_text(part: Part, seed: int) -> str:
@@ -200,6 +241,7 @@ def claim_record(claim: Claim) -> dict[str, Any]:
         "proof": list(claim.proof) if claim.proof else None,
         "theorems": list(claim.theorems),
         "prose": claim.prose,
+        "badges": badges(claim),
         "file": claim.file,
         "views": [plain(asdict(view)) for view in claim.views],
     }
@@ -211,6 +253,7 @@ def result_record(result: Result) -> dict[str, Any]:
     smallest = evidence.counterexample
     return {
         **claim_record(result.claim),
+        "badges": badges(result.claim, evidence),
         "verdict": result.verdict.value if result.verdict else None,
         "as_expected": result.as_expected,
         "evidence": evidence_text(result),

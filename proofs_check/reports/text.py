@@ -21,6 +21,11 @@ def verdict(result: Record) -> str:
     return text if result["as_expected"] else f"{text} (expected: {result['expected']})"
 
 
+def badge_text(badge: Mapping[str, Any]) -> str:
+    """Return a badge of a claim in one line."""
+    return f"{', '.join(badge['names'])}: {badge['meaning']}"
+
+
 def value_text(value: Any, limit: int = 0) -> str:
     """Return a value of a record as text: sequences in parentheses, errors in their words.
 

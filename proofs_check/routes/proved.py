@@ -23,8 +23,15 @@ def _of_faces(quantity: Callable[[tuple[int, ...]], Any]) -> Callable[[Planes], 
 _REGIONS = _of_faces(lambda f: f[-1])
 _F_VECTOR = _of_faces(lambda f: f)
 _DUAL = _of_faces(lambda f: (f[3], f[2], f[1]))
+
+
+def _of_motions(grasp: Any) -> tuple[int, ...]:
+    """The f-vector of the planes at which the state of some contact changes."""
+    return proved_f_vector(grasp.motion_arrangement())
+
+
 #: The quantities of claims, by their ids.
-COUNTS: Mapping[str, Callable[[Planes], Any]] = {
+COUNTS: Mapping[str, Callable[[Any], Any]] = {
     "great-circle-regions": _REGIONS,
     "state-formula": _F_VECTOR,
     "fukuda-bound": _F_VECTOR,
@@ -39,4 +46,7 @@ COUNTS: Mapping[str, Callable[[Planes], Any]] = {
     "step-3-time": _of_faces(lambda f: (f[3], f[2])),
     "slip-state-counts": _of_faces(lambda f: f[3] + f[2] + (f[2] - f[3] + 2)),
     "different-slip-states": _of_faces(sum),
+    "model-faces-without-preload": _of_motions,
+    "model-faces-with-preload": _of_motions,
+    "model-linear-by-regions": _of_motions,
 }

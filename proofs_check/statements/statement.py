@@ -71,21 +71,6 @@ class Source(Shown):
     cases: Callable[[Random], Iterable[Case]]
 
 
-def proved(over: str, cases: Callable[[Random], Iterable[Case]]) -> tuple[Source, ...]:
-    """Return the source of a claim that is proved: the cases on which parts of it are checked."""
-    return (Source(Kind.PROVED, over, cases),)
-
-
-def exhaustive(over: str, cases: Callable[[Random], Iterable[Case]]) -> tuple[Source, ...]:
-    """Return the source of a claim that is checked on every instance that it speaks of."""
-    return (Source(Kind.EXHAUSTIVE, over, cases),)
-
-
-def sampled(over: str, cases: Callable[[Random], Iterable[Case]]) -> tuple[Source, ...]:
-    """Return the source of a claim that is checked on samples."""
-    return (Source(Kind.SAMPLED, over, cases),)
-
-
 @dataclass(frozen=True, repr=False)
 class Domain(Shown):
     """A set of instances that random ones can be drawn from.

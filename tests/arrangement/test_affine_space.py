@@ -16,6 +16,7 @@ from arrangement.enumeration.choose import enumerate_faces
 from arrangement.enumeration.sequence import FaceSequence
 from arrangement.numbers.float_filter import EXACT, SMALLEST, UNIT, certain, error_bound, scaled
 from tests.arrangement.strategies import arrangements
+from tests.arrangement.test_engines import same_faces
 
 NEAR = Fraction(1, 10**30)
 HUGE = st.integers(-(2**300), 2**300)
@@ -33,12 +34,8 @@ def space_faces(planes: Arrangement) -> FaceSequence:
 
 
 def assert_same_as_the_general_engine(planes: Arrangement) -> FaceSequence:
-    made, expected = space_faces(planes), enumerate_faces(planes, "any-dimension")
-    for dimension in range(4):
-        found = rows(made.of_dimension(dimension).signs)
-        assert len(found) == len(set(found))
-        assert set(found) == {face.signs for face in expected.of_dimension(dimension)}
-    assert made.f_vector == expected.f_vector
+    made = space_faces(planes)
+    same_faces(made, enumerate_faces(planes, "any-dimension"), planes)
     assert_points(planes, made)
     return made
 
@@ -206,9 +203,7 @@ def test_different_rows_with_one_key_stay_different(monkeypatch):
     """More than 64 classes need two words; here their mixed keys are made to collide."""
     planes = random_planes(Random(3), 66, 66, 40)
     expected = space_faces(planes)
-    monkeypatch.setattr(
-        "arrangement.enumeration.packing._keys", lambda rows: rows[:, 0] & np.uint64(7)
-    )
+    monkeypatch.setattr("arrangement.numbers.packing._keys", lambda rows: rows[:, 0] & np.uint64(7))
     found = space_faces(planes)
     assert found.f_vector == expected.f_vector == f_vector(planes)
     assert set(rows(found.signs)) == set(rows(expected.signs))

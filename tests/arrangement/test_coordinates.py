@@ -4,14 +4,19 @@ from typing import Any
 
 import numpy as np
 import pytest
-import trimesh
 from hypothesis import given, strategies as st
 
-from arrangement import Arrangement
+from arrangement import Arrangement, read_arrangement
 from arrangement.console.progress import shown
-from arrangement.library.families import near_pencil, simplicial, type_b
-from arrangement.library.files.table import read_arrangement
-from arrangement.pictures import write_drawing
+from arrangement.library.families import (
+    catalan,
+    coxeter,
+    linial,
+    near_pencil,
+    shi,
+    simplicial,
+    type_b,
+)
 from arrangement.pictures.duals.graph import planar_graph
 from arrangement.pictures.parts.coordinates import CHOICES, even_map, in_coordinates, symmetry
 
@@ -108,19 +113,6 @@ def test_the_graph_of_a3_has_a_hexagon_outside_and_its_mirrors():
     assert gaps.max() < 1e-6
 
 
-def test_a_model_in_symmetric_coordinates_is_the_regular_permutohedron(tmp_path):
-    """A truncated octahedron: all edges alike, all corners on one sphere; as given it is not."""
-    spreads = {}
-    for choice in ("given", "symmetric"):
-        path = tmp_path / f"{choice}.obj"
-        write_drawing(read_arrangement("braid-a3"), path, model="dual", coordinates=choice)
-        mesh = trimesh.load(path, process=False)
-        radii = np.linalg.norm(mesh.vertices - mesh.vertices.mean(axis=0), axis=1)
-        spreads[choice] = radii.max() / radii.min()
-    assert spreads["symmetric"] == pytest.approx(1, abs=1e-3)
-    assert spreads["given"] > 1.5
-
-
 def spread(rows: Any) -> float:
     """Return the least mean square of unit normals in any direction; 1/3 at most."""
     units = rows / np.linalg.norm(rows, axis=1, keepdims=True)
@@ -134,3 +126,26 @@ def test_the_even_map_spreads_the_normals(name):
     assert np.linalg.det(even) == pytest.approx(1)
     assert spread(rows @ even.T) > 0.3
     assert spread(rows @ even.T) >= spread(rows) - 1e-12
+
+
+@pytest.mark.parametrize("make", [coxeter, shi, catalan, linial])
+@pytest.mark.parametrize(
+    ("type", "step"), [("A2", 60), ("B2", 45), ("C2", 45), ("G2", 30), ("A3", 0), ("B3", 0)]
+)
+def test_planes_of_roots_have_the_angles_of_the_roots(make, type, step):
+    given = make(type)
+    moved, _ = in_coordinates(None, given)
+    assert moved.f_vector == given.f_vector
+    assert in_coordinates("given", given)[0] == given
+    units = np.array([[float(x) for x in plane[:-1]] for plane in moved.integer_planes])
+    units /= np.linalg.norm(units, axis=1)[:, None]
+    angles = np.degrees(np.arccos(np.clip(units @ units.T, -1, 1)))
+    known = np.arange(0, 181, step) if step else np.array([0, 45, 60, 90, 120, 135, 180])
+    if make is not coxeter or step:
+        assert np.abs(angles[..., None] - known).min(axis=-1).max() < 0.1
+
+
+@pytest.mark.parametrize("offsets", [(0, 0, 1), (1, 2, 1)])
+def test_lines_with_other_offsets_keep_their_coordinates(offsets):
+    lines = Arrangement([[1, 0], [0, 1], [1, 1]], offsets)
+    assert in_coordinates(None, lines)[0] == lines

@@ -7,10 +7,9 @@ import pytest
 from hypothesis import given, settings
 from sympy import sqrt
 
-from arrangement import Arrangement, InputError, counts
+from arrangement import Arrangement, InputError, counts, families
 from arrangement.counts import low_rank as lowrank
 from arrangement.counts.configuration import configuration
-from arrangement.library import families
 
 from . import oracle
 from .strategies import arrangements, product
@@ -230,11 +229,3 @@ def test_primes_of_bad_reduction_are_refused():
         counts.by_points(families.h3(), [7, 11, 19])
     with pytest.raises(InputError, match="bad reduction: modulo 2"):
         counts.by_points(families.simplicial(17, 8), [2, 7, 17])
-
-
-@pytest.mark.parametrize(("rank", "largest"), [(3, 2**31 - 1), (4, 1_154_107)])
-def test_minors_are_taken_in_int64_up_to_their_bound_and_not_beyond(rank, largest):
-    for size, dtype in ((largest, np.int64), (largest + 1, object)):
-        rows = np.eye(rank, dtype=object)
-        rows[0, 1] = size
-        assert lowrank._matrix(configuration(Arrangement(rows.tolist()))).dtype == dtype

@@ -8,12 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arrangement import Arrangement, InputError, cli, counts
+from arrangement import Arrangement, InputError, cli, counts, families
 from arrangement.counts.classes import in_parts as counts_in_parts
-from arrangement.counts.classes.forecast import forecast
+from arrangement.counts.classes.symmetric import forecast
 from arrangement.counts.configuration import configuration
 from arrangement.errors import OutOfTimeError, UnfinishedError
-from arrangement.library import families
 
 RESONANCE = families.resonance(5)
 NUMBERS = (1, -31, 375, -2130, 5270, -3485)

@@ -12,15 +12,15 @@ import sympy
 from hypothesis import given
 from sympy.combinatorics import Permutation, PermutationGroup
 
-from arrangement import Arrangement, InputError, NumberField, counts
+from arrangement import Arrangement, InputError, NumberField, counts, families
 from arrangement.counts.classes import symmetric
 from arrangement.counts.classes.automorphisms import Automorphisms
-from arrangement.counts.classes.images import Images, packed, unpacked
+from arrangement.counts.classes.images import Images
 from arrangement.counts.classes.symmetric import moduli_above
 from arrangement.counts.configuration import configuration
 from arrangement.counts.modular import ModularVectors, _inverses
 from arrangement.errors import OutOfTimeError
-from arrangement.library import families
+from arrangement.numbers.packing import pack, unpack
 
 from . import oracle
 from .strategies import arrangements
@@ -337,8 +337,8 @@ def test_small_images_are_images():
     generators = np.array(symmetries(planes))
     elements = group(planes).elements
     sets = np.random.default_rng(0).integers(0, 2, (150, len(planes))).astype(np.bool_)
-    small = unpacked(Images(generators).small(sets), len(planes))
+    small = unpack(Images(generators).small(sets), len(planes))
     for before, after in zip(sets, small, strict=True):
         orbit = {frozenset(g(i) for i in np.flatnonzero(before)) for g in elements}
         assert frozenset(np.flatnonzero(after)) in orbit
-    assert np.array_equal(unpacked(packed(sets), len(planes)), sets)
+    assert np.array_equal(unpack(pack(sets), len(planes)), sets)

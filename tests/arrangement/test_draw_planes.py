@@ -17,7 +17,7 @@ import shapely
 import trimesh
 from hypothesis import given, settings, strategies as st
 
-from arrangement import Arrangement, ArrangementError
+from arrangement import Arrangement, ArrangementError, read_arrangement
 from arrangement.cli import main
 from arrangement.counts import f_vector, region_count
 from arrangement.drawing.scene.items import Path
@@ -25,7 +25,6 @@ from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.duals.body import body_around
 from arrangement.duals.cells import Cells, cut_cells
 from arrangement.library.families.classical import golden_ratio
-from arrangement.library.files.table import read_arrangement
 from arrangement.numbers.exact import sign
 from arrangement.numbers.linear.rank import determinant
 from arrangement.pictures import (
@@ -330,30 +329,21 @@ def test_no_cell_apart_is_painted_over_one_that_is_nearer(planes, explode, direc
 @pytest.mark.campaign
 @pytest.mark.parametrize("name", ["simplex", "one", "none"])
 def test_the_page_opens_turns_and_tells(name, browser, tmp_path):
-    (tmp_path / "a.html").write_text(cells_page(PLANES[name]), encoding="utf-8")
-    browser.open(tmp_path / "a.html")
-    browser.settled()
-    drawn = "return document.querySelectorAll('#solid .face').length"
-    assert browser.run(drawn) > 0
+    browser.show(cells_page(PLANES[name]), tmp_path)
+    assert browser.count("#solid .face") > 0
     browser.run("document.getElementById('solid').dispatchEvent("
                 "new KeyboardEvent('keydown', {key: 'n'}))")  # fmt: skip
     browser.settled()
-    chosen = browser.run("return document.getElementById('chosen-title').textContent")
+    chosen = browser.text("chosen-title")
     assert chosen == data_of(cells_page(PLANES[name]))["pieces"][0]["name"]
-    assert browser.run("return document.querySelectorAll('#solid .chosen').length") > 0
+    assert browser.count("#solid .chosen") > 0
     assert browser.messages() == []
 
 
 def test_what_is_in_front_moves_with_the_pointer(browser, tmp_path):
     """Downwards as upwards: the nearest corner goes where the drag goes."""
-    page = cells_page(PLANES["one"])
-    (tmp_path / "a.html").write_text(page, encoding="utf-8")
-    browser.open(tmp_path / "a.html")
-    browser.settled()
-    box = browser.run(
-        "const r = document.getElementById('solid').getBoundingClientRect();"
-        "return [r.x + r.width / 2, r.y + r.height / 2]"
-    )
+    browser.show(cells_page(PLANES["one"]), tmp_path)
+    box = browser.middle("#solid")
     # What is painted last is nearest.
     place = (
         "const r = [...document.querySelectorAll('#solid .face')].at(-1).getBoundingClientRect();"
@@ -361,7 +351,7 @@ def test_what_is_in_front_moves_with_the_pointer(browser, tmp_path):
     )
     for way in (15, -15):
         before = browser.run(place)
-        browser.drag(tuple(box), (box[0], box[1] + way))
+        browser.drag(box, (box[0], box[1] + way))
         assert (browser.run(place) - before) * way > 0
 
 

@@ -12,18 +12,22 @@ import pytest
 from hypothesis import assume, given, strategies as st
 from matplotlib.image import imread
 
-from arrangement import Arrangement
+from arrangement import (
+    Arrangement,
+    InputError,
+    dual_polyhedron,
+    read_arrangement,
+    representative_hull,
+)
 from arrangement.counts import bounded_region_count, f_vector, whitney_numbers
 from arrangement.drawing.colours import PALETTE, DrawnRegion, colouring, plane_colour
-from arrangement.drawing.figure import figure
 from arrangement.drawing.output import own_settings, picture_bytes
+from arrangement.drawing.path_artist import figure
 from arrangement.drawing.scene.items import Label, Path as Drawn
 from arrangement.drawing.scene.labels import HAIR, spread
 from arrangement.drawing.scene.layout import laid_out
 from arrangement.drawing.scene.scene import Scene, area
-from arrangement.duals.inscribed.hull import representative_hull
-from arrangement.duals.zonohedron import dual_polyhedron
-from arrangement.library.files.table import read_arrangement
+from arrangement.library.families import coxeter, random_integer, simplicial
 from arrangement.pictures import (
     draw_counts,
     draw_dual,
@@ -38,7 +42,10 @@ from arrangement.pictures.diagrams.lattice import layered_orders
 from arrangement.pictures.diagrams.line_charts import LinesChart
 from arrangement.pictures.duals.graph import planar_graph
 from arrangement.pictures.duals.solids import dual_solid
+from arrangement.pictures.parts.coordinates import orbits
 from arrangement.pictures.parts.essential import fits
+from arrangement.pictures.sphere import gnomonic
+from arrangement.pictures.sphere.globe import Globe
 from arrangement.pictures.sphere.projections import CompressedChart, stereographic
 from arrangement.pictures.views import DRAWINGS
 from tests.drawn import elements, offences, paths, scene
@@ -93,6 +100,8 @@ def test_elements_drawn_are_those_counted(view, name):
         options = {"direction": VIEW}
         *_, arcs, seen = f_vector(Arrangement([*planes.normals, VIEW]))
         expected = {"region": seen // 2, "front and limb": arcs}
+        if view == "gnomonic":
+            options["rim"] = True
     if view in ("half", "whole"):
         options["whole"] = view == "whole"
     made = scene(DRAWINGS, "stereographic" if view in ("half", "whole") else view, name, **options)
@@ -195,14 +204,16 @@ def test_chart_is_to_scale_inside_and_takes_infinity_to_the_rim():
 
 def test_a_plane_at_infinity_is_named():
     planes = read_arrangement("coordinate-planes")
-    texts = [text.get_text() for text in draw_gnomonic(planes, direction=(0, 0, 1)).axes[0].texts]
-    assert any("line at infinity, plane 3;" in text for text in texts)
-    texts = [text.get_text() for text in draw_gnomonic(planes, direction=(1, 1, 1)).axes[0].texts]
-    assert not any("line at infinity, plane" in text for text in texts)
+    for ahead, named in (((0, 0, 1), True), ((1, 1, 1), False)):
+        made = draw_gnomonic.scene(planes, direction=ahead, rim=True)
+        assert any("line at infinity, plane 3;" in text for text, _ in made.legend.lines) == named
+        made = draw_gnomonic.scene(planes, direction=ahead)
+        assert any("farther out: plane 3" in text for text in made.legend.captions) == named
 
 
-def test_gnomonic_lines_are_straight_between_two_ends_named_alike():
-    figure = draw_gnomonic(read_arrangement("five-generic-planes"))
+@pytest.mark.parametrize("rim", [False, True])
+def test_gnomonic_lines_are_straight_between_two_ends_named_alike(rim):
+    figure = draw_gnomonic(read_arrangement("five-generic-planes"), rim=rim)
     for path in paths(figure):
         if path.name.startswith("front"):
             a, *_, d = path.points
@@ -538,7 +549,7 @@ def test_numbers_at_a_common_point_of_the_rim_have_the_order_of_their_lines(norm
         scene = view.scene(Arrangement(rows, offsets), projective=True, labels="none")
     else:
         cone = Arrangement([(*row, -c) for row, c in zip(rows, offsets, strict=True)])
-        scene = view.scene(cone, direction=(0, 0, 1), labels="none", coordinates="given")
+        scene = view.scene(cone, direction=(0, 0, 1), labels="none", coordinates="given", rim=True)
     numbers = [item for item in scene.items if isinstance(item, Label) and item.text in "123"]
     middle = np.array(np.mean([item.place for item in numbers], axis=0))
     for side in (1, -1):
@@ -595,3 +606,108 @@ def test_the_key_of_the_projective_plane_has_the_colours_of_its_regions():
     planes = read_arrangement("shi-a2-affine")
     made = draw_lines.scene(planes, projective=True, colour="sides")
     assert [text for _, _, text in made.legend.keys[:2]] == ["3 sides", "4 sides"]
+
+
+def test_a_window_shows_what_meets_it():
+    """The first window of the lines x = 0, y = 0, x + y = 1 is met by the third one alone."""
+    lines = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
+    made = scene_of(lines, window=[("1/4", "1/4"), (1, "1/2")])
+    assert elements(made) - Counter({"": 99}) == {"region": 2, "line": 1}
+    assert "5 regions outside the window" in written(made)
+    across = scene_of(lines, window=[(-1, -1), (1, 1)], faces="all")
+    assert elements(across) - Counter({"": 99}) == {"region": 5, "line": 3, "vertex": 3}
+    for wrong in ({"window": [(0, 0)]}, {"window": [(0, 0), (0, 1)]}, {"projective": True}):
+        with pytest.raises(InputError, match="window"):
+            scene_of(lines, **{"window": [(0, 0), (1, 1)], **wrong})
+
+
+@pytest.mark.parametrize(
+    ("planes", "sizes"),
+    [
+        (read_arrangement("cube-diagonals"), [6, 8]),
+        (read_arrangement("braid-a3"), [24]),
+        (coxeter("H3"), [120]),
+        (random_integer(5, 3, seed=1), [2] * 11),
+    ],
+)
+@pytest.mark.parametrize("view", ["sphere", "graph"])
+def test_orbits_are_those_of_the_symmetries(planes, sizes, view):
+    made = DRAWINGS.draw(planes, view, colour="orbits").scene
+    keys = [key.text for key in made.legend.keys if "orbit" in key.text]
+    assert keys == [f"orbit of {size}" for size in sizes]
+    signs = [face.signs for face in planes.regions()]
+    found = Counter(orbits(planes, signs))
+    assert [found[k] for k in range(len(found))] == sizes
+
+
+def test_own_colours_come_in_the_order_of_the_legend():
+    def fills(colour):
+        made = DRAWINGS.draw(read_arrangement("cube-diagonals"), colour=colour).scene
+        drawn = {x.style["fc"] for x in made.items if x.name.startswith("region")}
+        keys = {key.symbol[0].style["fc"]: key.text for key in made.legend.keys}
+        assert drawn == keys.keys()
+        return keys
+
+    assert fills("sides:gold,#00aaff") == {"#ffd700": "3 sides", "#00aaff": "4 sides"}
+    assert fills(["gold", "#00aaff"]) == fills("gold,#00aaff") == fills("sides:gold,#00aaff")
+    assert fills("orbits:gold,white") == {"#ffd700": "orbit of 6", "#ffffff": "orbit of 8"}
+    for colour, said in (("sides:gelb", "is no colour"), ("site:red", "did you mean sides")):
+        with pytest.raises(InputError, match=said):
+            fills(colour)
+
+
+@pytest.mark.parametrize(
+    ("labels", "texts"),
+    [
+        ("++++++=A,3=B", {"A", "B"}),
+        ({"++++++": "A", 3: "B"}, {"A", "B"}),
+        ("1,3", {"1", "3"}),
+        ([1, (1, 1, -1, 1, -1, -1)], {"1", "3"}),
+    ],
+)
+def test_some_regions_only_have_labels(labels, texts):
+    planes = read_arrangement("braid-a3")
+    assert [planes.regions()[k].signs for k in (0, 2)] == [(1,) * 6, (1, -1, 1, -1, -1, -1)]
+    made = DRAWINGS.draw(planes, "graph", labels=labels).scene
+    assert {x.text for x in made.items if isinstance(x, Label)} - {*"123456"} == texts - {*"123456"}
+    for wrong in ("25", "+-", "+-+-+-=A", "sing"):
+        with pytest.raises(InputError, match=r"there is no region|did you mean signs"):
+            DRAWINGS.draw(planes, labels=wrong)
+
+
+def test_the_dual_names_the_vertices_in_front_or_says_which_it_leaves_out():
+    made = DRAWINGS.draw(read_arrangement("nine-generic-planes"), "dual").scene
+    front = {x.name.split("-")[1] for x in made.items
+             if x.name.startswith("vertex") and x.order == 5}  # fmt: skip
+    (caption,) = (text for text in made.legend.captions if "no room" in text)
+    left = set(re.findall(r"\d+", caption))
+    written = {x.text for x in made.items if isinstance(x, Label) and x.place[0] > made.width / 2}
+    assert left < front
+    assert front - left <= written
+
+
+@pytest.mark.parametrize("planes", [coxeter("H3"), simplicial(13, 2), random_integer(9, 3, seed=2)])
+def test_a_gnomonic_chart_shows_lines_where_the_planes_meet_it(planes):
+    """Each piece lies on the line of its plane; regions fill the disc and have these signs."""
+    ahead = (1, 2, 4)
+    made = draw_gnomonic.scene(planes, direction=ahead, coordinates="given", labels="none")
+    (rim,) = (item for item in made.items if item.name == "border")
+    units = np.array([[float(x) for x in plane[:3]] for plane in planes.integer_planes])
+    units /= np.linalg.norm(units, axis=1)[:, None]
+    globe = gnomonic._upright(Globe(planes, ahead)).axes
+    reach = gnomonic._cut(Globe(planes, ahead)).reach
+    places = {}
+    for item in made.items:
+        flat = (getattr(item, "points", np.zeros((1, 2))) - rim.points) / rim.radius * reach
+        if item.name.startswith(("front", "region")):
+            places[item.name] = np.column_stack([flat, np.ones(len(flat))]) @ globe
+    whole = 0.0
+    signs = {f"region-{k}": face.signs for k, face in enumerate(planes.regions(), 1)}
+    for name, points in places.items():
+        heights = points @ units.T
+        if name.startswith("front"):
+            assert np.abs(heights).max(axis=0).min() < 1e-6
+        else:
+            assert tuple(np.sign(heights.mean(axis=0)).astype(int)) == signs[name]
+            whole += area((points @ globe.T)[::3, :2])
+    assert whole == pytest.approx(np.pi * reach**2, rel=2e-3)

@@ -12,7 +12,7 @@ import sympy
 from hypothesis import given, strategies as st
 
 from arrangement import InputError, from_floats, primitive, rational, to_text
-from arrangement.numbers.exact import MAX_TEXT_LENGTH, common_digits, number_text, shown
+from arrangement.numbers.exact import common_digits, number_text, shown
 
 
 @pytest.mark.ground_types
@@ -64,9 +64,7 @@ BAD_TEXTS = " |1 | 1|1/ 2|1/0|1/-2|1//2|1/2/3|1.5/2|.|-|--1|1e|e5|1/2e3|1e+-5|1e
 BAD_TEXTS += "|1e999999999|0x10|1_000|nan|inf|2**3|1+1|１２|٣|1\n|__import__('os').system('false')|"
 
 
-@pytest.mark.parametrize(
-    "text", [*BAD_TEXTS.split("|"), "9" * (MAX_TEXT_LENGTH + 1), "0." + "3" * MAX_TEXT_LENGTH]
-)
+@pytest.mark.parametrize("text", [*BAD_TEXTS.split("|"), "9" * 100_001, "0." + "3" * 100_000])
 def test_text_that_is_no_plain_number_is_refused(text):
     with pytest.raises(InputError) as caught:
         rational(text)

@@ -12,8 +12,7 @@ import networkx as nx
 import pytest
 import sympy
 
-from arrangement import Arrangement, InputError, counts
-from arrangement.library import families
+from arrangement import Arrangement, InputError, counts, families
 from arrangement.library.families.simplicial import printed_vectors
 from arrangement.library.published import published_counts
 
@@ -98,14 +97,10 @@ def test_polynomials_of_types(type):
 @pytest.mark.parametrize(
     "planes",
     [
-        families.generic(6),
         families.generic(5, 4),
-        families.generic(5, 2, affine=True),
         families.near_pencil(6, 4),
         families.pencil(4, 2),
-        families.type_b(3),
         families.type_d(3),
-        families.shi(3),
         families.catalan(3),
         families.linial(4),
         families.semiorder(3),

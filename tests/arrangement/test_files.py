@@ -13,7 +13,7 @@ import jsonschema
 import pytest
 
 from arrangement import Arrangement, InputError, read_arrangement, write_text_atomically
-from arrangement.library.files.documents import arrangement_schema
+from arrangement.library import files
 from arrangement.library.files.json_files import check_keys, check_list, instances, read_document
 from arrangement.library.instances import paths
 from tests.instances import is_in_space
@@ -73,8 +73,8 @@ HOSTILE: dict[str, tuple[str | bytes, str]] = {
     "null": (one_number("null"), "NoneType"),
     "a list for a number": (one_number("[1]"), "list"),
     "an object for a number": (one_number('{"p": 1}'), "dict"),
-    "too many digits": (one_number("9" * 100_001), "100001 digits"),
-    "a million digits": (one_number("9" * 10**6), "digits"),
+    "too many digits": (one_number("9" * 100_001), "100,001 characters"),
+    "a million digits": (one_number("9" * 10**6), "1,000,000 characters"),
     "a lone surrogate": (one_number('"\\ud800"'), "not an exact number"),
     "10 MB of nesting": (NESTED, "bytes of a file"),
     "nesting within the size limit": (NESTED[: 2**22 - 10], "nested too deeply"),
@@ -292,7 +292,8 @@ def test_every_built_in_document_reads_and_describes_itself():
             assert json.loads(path.read_bytes())["description"]
 
 
-VALIDATOR = jsonschema.Draft202012Validator(arrangement_schema())
+SCHEMA = Path(files.__file__).with_name("arrangement.schema.json")
+VALIDATOR = jsonschema.Draft202012Validator(json.loads(SCHEMA.read_bytes()))
 PLANES = [["0", "1", "-1/2"], [1, 0, "-0.25"]]
 GOOD = [
     {"planes": PLANES},
@@ -326,7 +327,7 @@ def test_the_schema_and_the_reader_agree(document, good):
 
 
 def test_what_ships_passes_the_schema():
-    jsonschema.Draft202012Validator.check_schema(arrangement_schema())
+    jsonschema.Draft202012Validator.check_schema(VALIDATOR.schema)
     assert paths()
     for path in paths().values():
         assert VALIDATOR.is_valid(json.loads(path.read_bytes()))

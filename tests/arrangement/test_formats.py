@@ -10,9 +10,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from arrangement import Arrangement, InputError, census, counts, read_arrangement
+from arrangement import Arrangement, InputError, census, counts, identify, read_arrangement
 from arrangement.cli import main
-from arrangement.library.census import identify
 from arrangement.library.files.table import FORMATS, Entries, converted
 
 CENTRAL = Arrangement([[1, 0, 0], [0, 1, 0], [2, -3, 5], [-4, 6, -10], ["1/2", "1/3", -1]])
@@ -374,3 +373,33 @@ def test_import_lists_and_takes_one(tmp_path, capsys):
     assert read_arrangement(taken) == other
     assert main(["import", "christ", str(path), "--number", "2", "--to", "matrix"]) == 0
     assert capsys.readouterr()[0].splitlines()[0] == "1 0 | 0"
+
+
+@pytest.mark.parametrize(
+    ("text", "rows"),
+    [
+        ("2*x - y + 1 = 0", [(2, -1, -1)]),
+        ("# two\nx = 3/2 y ; 0.5 y = 1 - x", [(2, -3, 0), (2, 1, 2)]),
+        ("x1 + x10 = 2 x2\n0 = x2", [(1, -2, 1, 0), (0, -1, 0, 0)]),
+        ("z = 1 + x", [(-1, 0, 1, 1)]),
+    ],
+)
+def test_equations_are_read_and_come_back(text, rows, tmp_path):
+    path = tmp_path / "a.eqn"
+    path.write_text(text)
+    found = read_arrangement(path)
+    assert list(found.integer_planes) == rows
+    path.write_text(FORMATS["equations"].write(found))
+    if found.dimension <= 3:
+        assert read_arrangement(path) == found
+
+
+@pytest.mark.parametrize(
+    "text", ["x*y = 1", "x = = 2", "2 = 3", "x^2 = 1", "2x+ = 1", "sin(x) = 0", "= x", "2*3*x = 1",
+             "x = x", "x + -y = 1", "1/0 x = 1", "x y = 5", "__import__('os') = x", "x"],
+)  # fmt: skip
+def test_what_is_no_linear_equation_is_refused(text, tmp_path):
+    path = tmp_path / "a.eqn"
+    path.write_text(f"x + y = 1\n{text}\n")
+    with pytest.raises(InputError):
+        read_arrangement(path)

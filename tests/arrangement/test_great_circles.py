@@ -1,6 +1,5 @@
 """Great circles: known planes, another engine, every rank, and faults that `validate` names."""
 
-import random
 from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
@@ -10,7 +9,6 @@ import numpy as np
 import pytest
 
 from arrangement import Arrangement, ArrangementError, InputError
-from arrangement.counts import f_vector
 from arrangement.enumeration.great_circles import SphereArrangement, sphere_arrangement
 
 Normals = list[tuple[int, ...]]
@@ -29,58 +27,6 @@ def sphere(normals: list[tuple[int, ...]]) -> SphereArrangement:
     made = sphere_arrangement(Arrangement(normals, dimension=3))
     made.validate()
     return made
-
-
-def degenerate(generator: random.Random) -> list[tuple[int, ...]]:
-    """Return up to 14 normals with entries in {-2..2}: pencils and coincident planes abound."""
-    entries = generator.choice([(-1, 0, 1), (-2, -1, 0, 1, 2), (0, 1), (0, 0, 1, -2)])
-    normals = [tuple(generator.choices(entries, k=3)) for _ in range(generator.randint(0, 14))]
-    return [normal for normal in normals if any(normal)]
-
-
-def check_all(normals: list[tuple[int, ...]]) -> None:
-    planes = Arrangement(normals, dimension=3)
-    sphere_arrangement(planes).validate()
-    faces, every = planes.faces(engine="great-circles"), planes.faces(engine="any-dimension")
-    assert faces.f_vector == f_vector(planes), normals
-    for k in range(4):
-        one, other = (x.of_dimension(k).signs.tolist() for x in (faces, every))
-        assert set(map(tuple, one)) == set(map(tuple, other)), normals
-
-
-#: Every rank, and repeated planes.
-NAMED = [
-    COORDINATES,
-    A3,
-    B3,
-    GENERIC,
-    NEAR_PENCIL,
-    COINCIDENT,
-    PENCIL,
-    [(2, -3, 5)],
-    [(0, 2, -1)] * 2,
-    [],
-]
-
-
-@pytest.mark.parametrize("normals", NAMED)
-def test_named_arrangements_have_the_faces_of_another_engine_and_the_theorem(normals):
-    check_all(normals)
-
-
-@pytest.mark.parametrize("seed", range(4))
-def test_random_degenerate_arrangements_have_the_faces_of_another_engine_and_the_theorem(seed):
-    generator = random.Random(seed)
-    for _ in range(40):
-        check_all(degenerate(generator))
-
-
-@pytest.mark.campaign
-@pytest.mark.parametrize("seed", range(100, 104))
-def test_a_thousand_random_degenerate_arrangements(seed):
-    generator = random.Random(seed)
-    for _ in range(250):
-        check_all(degenerate(generator))
 
 
 def test_boundaries_of_all_regions_are_those_of_each():

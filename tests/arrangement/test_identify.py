@@ -10,8 +10,7 @@ import pytest
 import sympy
 from hypothesis import given, strategies as st
 
-from arrangement import Arrangement, InputError, cli
-from arrangement.library import families
+from arrangement import Arrangement, InputError, cli, families
 from arrangement.library.census import PUBLISHED, catalogue, census, finschi_fukuda, identify
 from arrangement.library.census.chirotopes import (
     canonical,

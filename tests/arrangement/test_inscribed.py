@@ -26,7 +26,6 @@ from arrangement.duals.inscribed.hull import (
     sphere_hull,
     sphere_points,
 )
-from arrangement.duals.inscribed.report import inscribed_zonotope
 from arrangement.duals.inscribed.search import decide
 from arrangement.duals.zonohedron import DualPolyhedron
 from arrangement.library.families import generic, near_pencil, simplicial, type_b
@@ -497,35 +496,10 @@ def test_hulls_without_the_origin_inside_are_refused():
 B3_AND_DIAGONALS = Arrangement([*type_b(3).normals, (1, 1, 1), (1, 1, -1), (1, -1, 1), (1, -1, -1)])
 
 
-@pytest.mark.parametrize(
-    "planes", [Arrangement(SQUARE_AXES), Arrangement(A3), type_b(3), B3_AND_DIAGONALS]
-)
-def test_inscribed_zonotopes_have_their_vertices_in_their_regions(planes):
-    answer = inscribed_zonotope(planes)
-    answer.verify()
-    assert answer.lengths is not None
-    dual = dual_polyhedron(planes, answer.lengths)
-    assert dual.is_inscribed
-    for vertex, signs in zip(dual.vertices, dual.signs.tolist(), strict=True):
-        assert planes.signs_at(vertex) == tuple(signs)
-
-
-def test_changed_proofs_about_zonotopes_are_refused():
-    yes = inscribed_zonotope(type_b(3))
-    assert yes.lengths is not None
-    lengths = (yes.lengths[0] + 1, *yes.lengths[1:])
-    no = inscribed_zonotope(generic(5))
-    assert no.multipliers is not None
-    first = next(k for k, x in enumerate(no.multipliers) if x)
-    reversed_ = tuple(-x for x in no.multipliers)
-    shorter = no.multipliers[1:]
-    for changed in (
-        replace(yes, lengths=lengths),
-        replace(yes, lengths=None),
-        replace(no, multipliers=reversed_),
-        replace(no, multipliers=shorter),
-        replace(no, multipliers=(Fraction(0),) * len(no.multipliers)),
-        replace(no, multipliers=tuple(x * (k != first) for k, x in enumerate(no.multipliers))),
-    ):
-        with pytest.raises(ArrangementError):
-            changed.verify()
+@given(st.integers(4, 8), st.floats(0, 1), st.integers(0, 10**6))
+def test_polyhedral_graphs_are_the_planar_ones_of_connectivity_three(vertices, share, seed):
+    edges = round(vertices + share * (2 * vertices - 6))
+    random_graph = nx.gnm_random_graph(vertices, edges, seed=seed)
+    graph = PolyhedralGraph.of(vertices, random_graph.edges)
+    expected = nx.check_planarity(random_graph)[0] and nx.node_connectivity(random_graph) >= 3
+    assert expected == (not graph._not_polyhedral)

@@ -131,32 +131,6 @@ def test_thirty_digit_scalings_of_rows_change_no_verdict(problem, scale):
     assert type(answer) is type(minimize(*problem))
 
 
-@pytest.mark.parametrize(
-    ("problem", "kind"),
-    [
-        (([1], [], []), Unbounded),
-        (([0], [], []), Optimal),
-        (([1], [(1, -1)], []), Optimal),
-        (([1], [(1, -1), (-1, 0)], []), Infeasible),
-        (([0], [(0, -1)], []), Infeasible),
-        (([0], [], [(0, 1)]), Infeasible),
-        (([0], [], [(0, -1)]), Infeasible),
-        (([1, 1], [], [(1, 1, -3), (2, 2, -6)]), Optimal),
-        (([1, 0], [], [(1, 1, -3)]), Unbounded),
-        (([1, 1], [], [(1, 1, -3), (1, 1, -4)]), Infeasible),
-        (([0, 1], [(1, 0, 0)], [(0, 1, "5")]), Optimal),
-    ],
-)
-def test_small_programs(problem, kind):
-    objective, inequalities, equalities = (
-        [Fraction(a) for a in problem[0]],
-        *([tuple(Fraction(a) for a in row) for row in rows] for rows in problem[1:]),
-    )
-    answer = minimize(objective, inequalities, equalities)
-    assert type(answer) is kind
-    check((objective, inequalities, equalities), answer)
-
-
 def test_cycling_examples_end():
     """Beale 1955: the textbook rule cycles here; the optimum is -1/20."""
     quarter = Fraction(1, 4)

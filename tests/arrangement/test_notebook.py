@@ -10,9 +10,8 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from arrangement import Arrangement
+from arrangement import Arrangement, read_arrangement
 from arrangement.console.number_form import Shown
-from arrangement.library.files.table import read_arrangement
 
 AFFINE = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
 

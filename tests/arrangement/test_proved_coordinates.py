@@ -4,25 +4,21 @@ from __future__ import annotations
 
 import itertools
 import json
-import subprocess
-from collections.abc import Iterable
 from fractions import Fraction
-from pathlib import Path
 from random import Random
 from typing import Any
 
 import pytest
 
-from arrangement import ArrangementError, inscribability
+from arrangement import ArrangementError, InputError, inscribability
 from arrangement.console import proved_program
 from arrangement.duals.inscribed.certificates import (
     Certificate,
     FarkasCertificate,
     WeightCertificate,
 )
-from arrangement.duals.inscribed.proved import conditions_document, proved_conditions
+from arrangement.duals.inscribed.report import conditions_document, proved_conditions
 from arrangement.duals.inscribed.search import decide
-from arrangement.errors import InputError
 from arrangement.library.census.catalogue import without_coordinates
 from arrangement.library.census.final_polynomials import (
     OrderedProducts,
@@ -33,20 +29,7 @@ from arrangement.library.census.tables import check
 from arrangement.library.families import generic
 
 from .test_inscribed import KNOWN, polyhedral
-
-PROGRAM = proved_program.program()
-built = pytest.mark.skipif(PROGRAM is None, reason="`make formal` has not built the program")
-
-
-def answers(documents: Iterable[Any], folder: Path, *options: str) -> list[str]:
-    paths = []
-    for i, document in enumerate(documents):
-        paths.append(folder / f"{i}.json")
-        paths[-1].write_text(json.dumps(document))
-    done = subprocess.run([PROGRAM or "", *options, *paths], capture_output=True, text=True)
-    assert not done.stderr
-    assert done.returncode in (0, 1, 2)
-    return done.stdout.splitlines()
+from .test_proved import answers, assert_malformed, built
 
 
 @built
@@ -151,9 +134,7 @@ def test_what_is_no_such_proof_is_malformed(tmp_path):
         {"planes": []},
         {"other": 1},
     ]
-    first, *rest = answers([good, *({**good, **change} for change in changes)], tmp_path)
-    assert first == "accepted: no coordinates"
-    assert [line.partition(":")[0] for line in rest] == ["malformed"] * len(changes)
+    assert_malformed(good, changes, "accepted: no coordinates", tmp_path)
 
 
 def refutations() -> list[Certificate]:
@@ -223,9 +204,7 @@ def test_other_forms_of_multipliers_are_malformed(tmp_path):
         {"schema_version": 2},
         {"other": 1},
     ]
-    first, *rest = answers([good, *({**good, **change} for change in changes)], tmp_path)
-    assert first == "accepted: no weights"
-    assert [line.partition(":")[0] for line in rest] == ["malformed"] * len(changes)
+    assert_malformed(good, changes, "accepted: no weights", tmp_path)
     inscribability(generic(5)).verify(proved=True)
 
 
@@ -271,6 +250,4 @@ def test_weights_with_a_light_cutset_are_refused_and_both_checkers_agree(tmp_pat
         {"cutsets": []},
         {"schema_version": 2},
     ]
-    good = conditions_document(changed[-2])
-    said = answers([{**good, **change} for change in bad], tmp_path)
-    assert [line.partition(":")[0] for line in said] == ["malformed"] * len(bad)
+    assert_malformed(conditions_document(changed[-2]), bad, words[True], tmp_path)

@@ -184,19 +184,6 @@ def test_faces_are_equal_as_sets_and_say_so_briefly():
     assert len(repr(families.generic(60).regions()[0])) < 70
 
 
-def test_coincident_planes_count_once():
-    planes = Arrangement([[1, 0], [-2, 0], [0, 1], [1, 0]], [1, -2, 0, 1])
-    base = planes.region_at([2, 1])
-    assert base.walls == (0, 2)
-    assert len(base.facets) == 2
-    assert planes.distance_enumerator(base).as_expr() == T**2 + 2 * T + 1
-    assert base.separating(planes.region_at([0, 1])) == (0, 1, 3)
-    assert {planes for *_, planes in planes.region_graph().edges(data="planes")} == {
-        (0, 1, 3),
-        (2,),
-    }
-
-
 def test_a_choice_of_faces_is_a_sequence_again():
     faces = SHI.faces()
     some = faces.where(faces.signs[:, 0] == 0)

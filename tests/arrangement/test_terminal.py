@@ -111,7 +111,8 @@ def test_a_command_that_is_watched_ends_when_its_time_is_over(capsys):
 
     assert terminal.run(parser_for(never_ends), ["go", "--limit", "2"]) == 2
     said = capsys.readouterr().err
-    assert said == "error: it has taken 0.2 seconds of the processor; --limit 4 allows more\n"
+    assert said.startswith("error: it has taken 0.2 seconds of the processor")
+    assert said.endswith("or --limit 4 allows more\n")
     assert signal.getitimer(signal.ITIMER_VIRTUAL) == (0, 0)
 
 
@@ -173,7 +174,8 @@ sys.exit(main({words.split()!r}))
 
 def test_the_bar_gives_the_rate_of_this_run_and_the_remaining_time():
     now = [100.0]
-    bar = Bar(1000, "samples", 200, clock=lambda: now[0])
+    bar = Bar(None, "samples", clock=lambda: now[0])
+    bar.begin(200, 1000)
     now[0] = 110.0
     bar.update(400)
     assert bar.text() == "[#########...............] 400/1000 samples, 20 samples/s, 0:30 left"
@@ -233,39 +235,22 @@ def test_a_bar_waits_and_says_what_is_at_work(capsys):
 
 
 @pytest.mark.usefixtures("on_a_terminal")
-def test_watched_items_are_the_items_and_the_line_is_taken_away(capsys):
+def test_the_outermost_loop_tells_and_leaves_the_next_one_its_line(capsys):
     with shown():
         assert list(watched([3, 1, 2], "things")) == [3, 1, 2]
         assert list(watched(iter("ab"), "letters", 2)) == ["a", "b"]
-    captured = capsys.readouterr()
-    assert captured.out == ""
-    for text in ("1/3 things", "3/3 things", "2/2 letters"):
-        assert text in captured.err
-    assert captured.err.endswith("\r\x1b[K")
-
-
-@pytest.mark.usefixtures("on_a_terminal")
-def test_of_nested_loops_the_outermost_tells(capsys):
-    with shown():
         for _ in watched(range(2), "outer"):
             assert list(watched(range(3), "inner")) == [0, 1, 2]
-        assert list(watched(range(2), "next")) == [0, 1]
-    err = capsys.readouterr().err
-    assert "2/2 outer" in err
-    assert "inner" not in err
-    assert "2/2 next" in err
-
-
-@pytest.mark.usefixtures("on_a_terminal")
-def test_a_loop_that_breaks_off_leaves_the_next_one_its_line(capsys):
-    with shown():
         loop = watched(range(5), "broken")
-        for item in loop:
-            if item == 2:
-                break
+        assert next(iter(loop)) == 0
         del loop
         assert list(watched(range(2), "next")) == [0, 1]
-    assert "2/2 next" in capsys.readouterr().err
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    for text in ("1/3 things", "3/3 things", "2/2 letters", "2/2 outer", "2/2 next"):
+        assert text in captured.err
+    assert "inner" not in captured.err
+    assert captured.err.endswith("\r\x1b[K")
 
 
 @pytest.mark.usefixtures("on_a_terminal")

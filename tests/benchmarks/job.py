@@ -248,11 +248,61 @@ def foretold(n: int) -> Work:
     """Ours: the forecast of a count, of the resonance arrangement in R^n; its seconds."""
     import sympy  # noqa: F401
 
-    from arrangement.counts.classes.forecast import forecast
+    from arrangement.counts.classes.symmetric import forecast
     from arrangement.library.families import resonance
 
     planes = resonance(n)
     return lambda: round(sum(entry.seconds for entry in forecast(planes)))
+
+
+def loads_in_the_plane(loads: int) -> Work:
+    """Ours: the verdicts of many loads on eight contacts; how many are resisted."""
+    return _loads(8, 2, loads)
+
+
+def loads_in_space(loads: int) -> Work:
+    """Ours: the same on four contacts in space, a quarter of the loads on each of four grasps."""
+    return _loads(4, 3, loads)
+
+
+def _loads(contacts: int, dimension: int, loads: int) -> Work:
+    from equilibrium import Solver
+    from equilibrium.grasps.inputs.random import random_grasp, random_wrench
+
+    given = [random_wrench(1000 + k, dimension=dimension, bound=1) for k in range(loads)]
+    grasps = [random_grasp(contacts, seed, dimension=dimension) for seed in range(4)]
+    parts = [(grasp, given[k::4]) for k, grasp in enumerate(grasps)]
+    return lambda: sum(
+        verdict.stable for grasp, part in parts for verdict in Solver(grasp).solve_many(part)
+    )
+
+
+def loads_as_arrays(loads: int) -> Work:
+    """Ours: many loads on eight preloaded contacts as arrays; how many are resisted."""
+    import numpy as np
+
+    from equilibrium import check_loads
+    from equilibrium.grasps.inputs.random import random_grasp
+
+    grasp = random_grasp(8, 1)
+    data = [np.array([getattr(c, name) for c in grasp], float) for name in ("point", "normal")]
+    given = np.random.default_rng(1).normal(size=(loads, 3))
+    return lambda: int(check_loads(*data, 0.5, given, preload=1.0).resisted.sum())
+
+
+def inscribed_types(number: int) -> Work:
+    """Ours: whether types of nine planes with weights are inscribable; how many are."""
+    import numpy as np
+
+    from arrangement import inscribability
+    from arrangement.library.census import PUBLISHED, catalogue, census
+    from proofs_check.routes.many_types import have_weights
+
+    chosen = np.random.default_rng(9).permutation(PUBLISHED[9])[: 4 * number]
+    weighty = chosen[have_weights(catalogue.chirotopes(9, chosen), 9)][:number].tolist()
+    types = [census(9)[k] for k in weighty]
+    inscribability(census(8)[-1])  # loads modules
+    return lambda: sum(bool(inscribability(planes).certificate.inscribable) for planes in types)
 
 
 def published(planes: int) -> Work:

@@ -11,14 +11,14 @@ from arrangement.library.families import random_integer
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import random_grasp
 
-#: The command has to end within so many seconds of processor time.
+#: Seconds of processor time that are wished for a command where nothing else is said.
 AIM = 3.0
 
 
 def picture_table() -> None:
     """Print the processor time of each command, over three random inputs."""
-    print(f"\nPictures and pages: whole commands, aim {AIM:g} s")
-    print(f"  {'':<52} median slowest")
+    print("\nPictures and pages: whole commands")
+    print(f"  {'':<52} median slowest wished")
     grasp = ("equilibrium", "contacts", lambda m, seed: random_grasp(m, seed).to_dict())
     loaded = (
         "equilibrium", "preloaded contacts",
@@ -28,35 +28,41 @@ def picture_table() -> None:
     walls = ("equilibrium", "walls", lambda m, _: read_grasp(f"box-{m}-walls").to_dict())
     ball = read_grasp("three-fingers-on-a-ball").to_dict()
     fingers = ("equilibrium", "fingers", lambda *_: ball)
-    for (program, things, make), size, options in (
-        (grasp, 30, ["--wrench", "0", "-1", "0", "-o", "a.svg"]),
-        (grasp, 12, ["--view", "resist", "-o", "a.svg"]),
-        (grasp, 8, ["-o", "a.html"]),
-        (loaded, 6, ["--view", "wrench-set", "-o", "a.svg"]),
-        (walls, 3, ["--view", "slice", "-o", "a.svg"]),
-        (walls, 4, ["--view", "slice", "-o", "a.svg"]),
-        (fingers, 3, ["--view", "slice", "-o", "a.svg"]),
-        (planes, 30, ["--view", "dual", "-o", "a.svg"]),
+    for (program, things, make), size, options, wished in (
+        (grasp, 30, ["--wrench", "0", "-1", "0", "-o", "a.svg"], AIM),
+        (grasp, 12, ["--view", "resist", "-o", "a.svg"], 1.5),
+        (grasp, 8, ["-o", "a.html"], AIM),
+        (loaded, 6, ["--view", "wrench-set", "-o", "a.svg"], 1.5),
+        (walls, 3, ["--view", "slice", "-o", "a.svg"], AIM),
+        (walls, 4, ["--view", "slice", "-o", "a.svg"], 5.0),
+        (fingers, 3, ["--view", "slice", "-o", "a.svg"], 1.5),
+        (planes, 30, ["--view", "dual", "-o", "a.svg"], 1.5),
     ):
         times = sorted(
-            seconds(program, options, json.dumps(make(size, seed))) for seed in range(1, 4)
+            seconds(program, ["draw", *options], json.dumps(make(size, seed)))
+            for seed in range(1, 4)
         )
         view = "page" if options[-1] == "a.html" else "grasp"
         if "--view" in options:
             view = options[1]
         what = f"{program} draw, {view}, {size} {things}"
-        print(f"  {what:<52} {times[1]:.2f} s {times[-1]:.2f} s", flush=True)
+        print(f"  {what:<52} {times[1]:.2f} s {times[-1]:.2f} s {wished:g} s", flush=True)
 
 
-def seconds(program: str, options: list[str], document: str) -> float:
-    """Return the processor time of a command on a document."""
+def seconds(program: str, words: list[str], document: str) -> float:
+    """Return the processor time of a command on a document; "no" is an answer, too."""
+    name, *options = words
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "given.json").write_text(document, encoding="utf-8")
-        command = [sys.executable, "-m", program, "draw", "given.json", *options]
+        command = [sys.executable, "-m", program, name, "given.json", *options]
         # As of an installed program, modules are compiled once.
         environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": ""}
         before = os.times()
-        subprocess.run(command, cwd=folder, env=environment, check=True)
+        done = subprocess.run(
+            command, cwd=folder, env=environment, capture_output=True, check=False
+        )
+        if done.returncode not in (0, 1):
+            raise RuntimeError(f"{command} ends with {done.stderr.decode()}")
         after = os.times()
     passed = zip(before[2:4], after[2:4], strict=True)
     return sum(end - start for start, end in passed)

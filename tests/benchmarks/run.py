@@ -10,6 +10,8 @@ work on the machine still moves the times; the ratios within one run are what to
     run.py --only space [--contacts 3,4]           verdicts in space; see space.py
     run.py --only planes                          arrangements alone
     run.py --only pictures                        pictures and pages alone
+    run.py --only targets                         what is wished, and what it takes
+    run.py --only simulators [--every 6]          physics engines; needs .[simulators], an hour
 """
 
 import argparse
@@ -23,13 +25,16 @@ from grasps import LIMIT, grasp_tables, shown
 from job import COUNTED, FIELD_QUESTIONS, random_normals
 from peers import Measured, cgal, install_peers, ours, peer, polymake
 from pictures import picture_table
+from simulators import simulator_table
 from space import SIZES as SPATIAL, space_tables
+from targets import target_table
 
 from arrangement import Arrangement
 from arrangement.console.proved_program import ask_proved
 from arrangement.errors import InputError
 from arrangement.library import families
 
+TABLES = ("planes", "grasps", "space", "pictures", "targets", "simulators")
 CONTACTS = (10, 20, 50, 100, 1000)
 SIZES = (9, 50, 100, 200, 500, 1000, 2000)
 B3 = (
@@ -51,19 +56,24 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--peers", action="store_true", help="run the slow peers too")
     parser.add_argument("--install", action="store_true", help="create .bench-venv first")
-    parser.add_argument(
-        "--only", choices=("planes", "grasps", "space", "pictures"), help="some of the tables"
-    )
+    parser.add_argument("--only", choices=TABLES, help="some of the tables")
     parser.add_argument("--contacts", type=_sizes, help="sizes of the random grasps")
     parser.add_argument("--grasps", type=int, default=0, help="grasps of each size")
     parser.add_argument("--limit", type=float, default=LIMIT, help="seconds for grasps of one size")
+    parser.add_argument("--every", type=int, default=1, help="only each such scene of simulators")
+    parser.add_argument("--folder", help="write the slip loads of simulators here, as CSV files")
     options = parser.parse_args()
-    if options.only in (None, "pictures"):
+    if options.only == "simulators":
+        simulator_table(options.every, options.folder)
+        return
+    if options.only in (None, "pictures", "targets"):
         picture_table()
     if options.only in (None, "grasps"):
         grasp_tables(options.contacts or CONTACTS, options.limit, options.grasps)
     if options.only in (None, "space"):
         space_tables(options.contacts or SPATIAL, options.grasps)
+    if options.only in (None, "targets"):
+        target_table()
     if options.only not in (None, "planes"):
         return
     if options.install and (reason := install_peers()):

@@ -1,7 +1,6 @@
 """One question, answered by the solver and by brute force: what they disagree on."""
 
-from equilibrium import solve
-from equilibrium.decide.verdict import Verdict
+from equilibrium import Verdict, solve
 
 from . import oracle
 from .awkward import Question

@@ -7,11 +7,11 @@ Coincident planes, shared points, opposite normals, no friction, no preload or s
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cache
 from random import Random
 
-from equilibrium import Contact, Grasp
+from equilibrium import Contact, Grasp, resisted_magnitudes
 from equilibrium.grasps.inputs.random import random_grasp
-from equilibrium.wrench_sets.line import resisted_magnitudes
 
 Wrench = tuple[Fraction, ...]
 TINY = Fraction(1, 10**30)
@@ -32,6 +32,7 @@ class Question:
     load: str
 
 
+@cache
 def question(seed: int) -> Question:
     """Return the question of a seed; the number of contacts goes round 2, 3, 4, 5."""
     source = Random(f"awkward {seed}")

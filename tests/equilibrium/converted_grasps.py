@@ -6,9 +6,8 @@ from typing import Any
 
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.linear.rank import cross
-from equilibrium import Contact, Grasp
+from equilibrium import Contact, Grasp, unit_normal
 from equilibrium.grasps.inputs import Conversion, from_float_data
-from equilibrium.model.unit_normal import unit_normal
 
 SHAPES = ("circle", "ellipse", "polygon", "box", "box in space", "ball")
 #: The unit of length, metres or millimetres, of objects of some three centimetres.

@@ -15,8 +15,10 @@ LARGEST_RECORD = 8
 STATES = ("detached", "slip+", "slip-", "stick")
 
 
-def mutants(document: dict[str, Any], count: int, seed: int) -> Iterator[tuple[Path, str, Any]]:
-    """Yield changed copies: where, which change, and the copy; all kinds of fields in turn.
+def mutants(
+    document: dict[str, Any], count: int, seed: int, first: int = 0
+) -> Iterator[tuple[Path, str, Any]]:
+    """Yield changed copies: where, which change, and the copy; kinds of fields in turn from one on.
 
     Places that differ only in list indices, or in the keys of a large table, are of one kind. No
     copy equals the document, and each is a mapping.
@@ -28,7 +30,7 @@ def mutants(document: dict[str, Any], count: int, seed: int) -> Iterator[tuple[P
     order = sorted(kinds)
     found = 0
     while found < count:
-        kind = order[found % len(order)]
+        kind = order[(first + found) % len(order)]
         path = source.choice(kinds[kind])
         copied = copy.deepcopy(document)
         inside = {"root": copied}

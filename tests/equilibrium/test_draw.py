@@ -14,12 +14,11 @@ from arrangement.drawing.scene.items import Label
 from arrangement.drawing.scene.labels import flattened
 from arrangement.drawing.scene.layout import laid_out
 from arrangement.drawing.scene.scene import Scene, measure
-from equilibrium import Contact, Grasp, read_grasp, solve
+from equilibrium import Circle, Contact, Grasp, Polygon, read_grasp, solve
 from equilibrium.grasps.inputs import random_grasp, star_outline
 from equilibrium.methods import METHODS, resistance_figure
 from equilibrium.methods.compare import compare
 from equilibrium.methods.registry import WITH_REGION
-from equilibrium.model.outline import Circle, Polygon
 from equilibrium.pictures import (
     draw_compare,
     draw_grasp,

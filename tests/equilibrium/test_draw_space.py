@@ -14,20 +14,17 @@ from arrangement.drawing.scene.items import Label, Path as Line
 from arrangement.drawing.scene.layout import laid_out
 from arrangement.drawing.scene.scene import Scene
 from arrangement.errors import InputError
-from equilibrium import Contact, Grasp, GraspError, Mesh, read_grasp
+from equilibrium import Contact, Grasp, GraspError, Mesh, read_grasp, resisted_set
 from equilibrium.cli.program import main
 from equilibrium.decide import RESISTED, UNDECIDED
-from equilibrium.pictures.grasp.grasp import draw_grasp
-from equilibrium.pictures.grasp.proof import draw_proof
+from equilibrium.pictures import draw_grasp, draw_proof, draw_slice
 from equilibrium.pictures.space import space_slice
 from equilibrium.pictures.space.solid_grasp import Screw, SolidGrasp
 from equilibrium.pictures.space.space_grasp import drawn_in_space
 from equilibrium.pictures.space.space_page import grasp_model, grasp_page
-from equilibrium.pictures.wrenches.forces import draw_slice
 from equilibrium.pictures.wrenches.wrench_box import WALLS, WrenchBox, wrench_box
 from equilibrium.pictures.wrenches.wrench_page import wrench_set_model, wrench_set_page
 from equilibrium.pictures.wrenches.wrench_set import draw_wrench_set
-from equilibrium.wrench_sets import resisted_set
 from equilibrium.wrench_sets.spatial import SpatialMagnitudes
 from tests.drawn import offences
 from tests.instances import PLANAR
@@ -115,7 +112,7 @@ def test_points_on_the_axis_of_a_turn_do_not_slip():
     corners = np.abs(solid.slips).max(axis=1)
     assert (corners > 0).all()
     assert solid.slips[:, 2] == pytest.approx(0)
-    scene = drawn_in_space(solid, None, 88.0, "")
+    scene = drawn_in_space(solid, None, 0.0, 88.0, "")
     assert {"axis", "axis-turn"} <= {x.name.rsplit("-", 1)[0] for x in scene.items}
 
 
@@ -144,6 +141,20 @@ def test_a_slice_without_a_border_ends_where_the_proofs_end(monkeypatch):
             for name in ("spoke", "open")
         )
         assert length(held) == pytest.approx(4 * length(undecided))  # proved to 4, shown to 5
+
+
+def test_a_slice_without_an_end_says_how_far_it_was_tried(monkeypatch):
+    def known(grasp, way, **_):
+        samples = ((Fraction(0), RESISTED), (Fraction(64), RESISTED))
+        return SpatialMagnitudes(tuple(way), (), samples, ())
+
+    monkeypatch.setattr(space_slice, "spatial_magnitudes", known)
+    fingers = read_grasp("two-opposed-fingers")
+    scene: Scene = draw_slice.scene(fingers, axes="fy,fz", directions=3)
+    assert scene.legend.lines[-1][0] == "no end was found up to 64, the most tried, in all"
+    axis, spoke = (next(x for x in scene.items if x.name == name) for name in ("", "spoke-1"))
+    assert length([spoke]) == pytest.approx(64 / 160 * length([axis]))
+    assert "80" in {x.text for x in scene.items if isinstance(x, Label)}
 
 
 def test_a_slice_ends_at_the_proved_borders():

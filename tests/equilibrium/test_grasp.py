@@ -11,7 +11,7 @@ from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, GraspError, read_grasp, solve, unit_normal
 from equilibrium.cli.program import LITERAL
 from equilibrium.grasps.instances import paths
-from equilibrium.methods.contact_laws.printed_model import OPTIONS, solve_literal
+from equilibrium.methods.printed_model import OPTIONS, solve_literal
 from equilibrium.wrench_sets import resisted_magnitudes
 
 from .strategies import contacts, grasps, wrenches
@@ -131,11 +131,6 @@ def test_resistance_is_interrupted_and_goes_on():
     assert found.intervals == ((0, Fraction(5, 2)), (4, None))
 
 
-def test_several_equilibria_have_different_normal_forces():
-    verdict = solve(read_grasp("several-equilibria"), (-1, 0, 0))
-    assert len({piece.forces[0][0] for piece in verdict.equilibria}) > 1
-
-
 def test_friction_along_the_slip_is_found_by_the_printed_algorithm_alone():
     question = read_grasp("friction-along-slip"), (0, 0, 1)
     assert not solve(*question).stable
@@ -224,7 +219,7 @@ def test_without_merging_coincident_planes_a_facet_is_lost():
 
 def test_stopping_at_the_first_solution_misses_the_second():
     question = read_grasp("several-equilibria"), (-1, 0, 0)
-    assert len(solve(*question).equilibria) == 2
+    assert len({piece.forces[0][0] for piece in solve(*question).equilibria}) == 2
     assert len(solve_literal(*question, ["single-solution"]).equilibria) == 1
 
 

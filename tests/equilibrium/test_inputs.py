@@ -10,8 +10,8 @@ from hypothesis import given, settings, strategies as st
 
 from arrangement.cli import main as arrangement_main
 from arrangement.errors import InputError
+from equilibrium import Circle, Grasp, GraspError, Polygon, read_grasp
 from equilibrium.cli.program import main
-from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import (
     OnEdge,
     from_float_data,
@@ -27,9 +27,6 @@ from equilibrium.grasps.inputs import (
     star_outline,
 )
 from equilibrium.grasps.inputs.csv_file import parse_csv, tangential_arrangement
-from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp
-from equilibrium.model.outline import Circle, Polygon
 
 TRIANGLE = [(0, 0), (4, 0), (0, 3)]
 HEADER = "x,y,normal_x,normal_y,friction"
@@ -334,7 +331,5 @@ def test_commands_take_tables_and_round_normals_on_demand(capsys, tmp_path):
     assert main(["solve", "paper-three-contacts-preload-1", "--wrench", "0,1,0", "--json"]) == 0
     assert out == json.loads(capsys.readouterr().out)
     assert main(["lab", str(table), "-o", str(tmp_path / "lab.html")]) == 0
-    assert main(["solve", str(slanted), "--wrench", "0,0,0"]) == 2
-    assert "--round-normals" in capsys.readouterr().err
     assert main(["solve", str(slanted), "--wrench", "0,0,0", "--round-normals"]) in (0, 1)
     assert "rounded: points by 0, normals by 3.3e-10 radians" in capsys.readouterr().err

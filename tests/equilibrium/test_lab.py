@@ -10,18 +10,13 @@ from typing import Any
 import pytest
 
 from arrangement import InputError
-from equilibrium import Contact, Grasp, solve
-from equilibrium.certificate.checker import check
+from equilibrium import Contact, Grasp, Solver, check, contact_states, resisted_set, solve
 from equilibrium.certificate.law import law_problem
-from equilibrium.decide.solver import Solver
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.instances import paths
 from equilibrium.pictures.lab.page import lab_page
-from equilibrium.plane.states.contact_states import contact_states
-from equilibrium.wrench_sets import resisted_set
 from tests.browser import Browser
 from tests.instances import is_in_space
-from tests.labs import choose, enter
 
 NORMALS = [(1, 0), (0, 1), (-1, 0), (0, -1), ("3/5", "4/5"), ("-5/13", "12/13"), ("-3/5", "-4/5")]
 Question = tuple[Grasp, list[Fraction]]
@@ -50,10 +45,7 @@ def questions(number: int, seed: int, most: int = 4) -> list[Question]:
 @pytest.fixture
 def opened(browser: Browser, tmp_path: Path) -> Browser:
     """Return the browser with the lab of the three contacts with preload, under (0, 1, 0)."""
-    path = tmp_path / "lab.html"
-    path.write_text(lab_page(), encoding="utf-8")
-    browser.open(path, 1280, 1000)
-    browser.settled()
+    browser.show(lab_page(), tmp_path)
     return browser
 
 
@@ -69,8 +61,7 @@ def verdict(browser: Browser) -> str:
         if not browser.run(busy):
             break
         time.sleep(0.05)
-    said: str = browser.run("return document.getElementById('verdict').textContent")
-    return said
+    return browser.text("verdict")
 
 
 def question(browser: Browser) -> Question:
@@ -90,12 +81,7 @@ def assert_right(browser: Browser) -> None:
 
 
 def grip(browser: Browser, name: str) -> tuple[float, float]:
-    x, y = browser.run(
-        "const r = document.querySelector(`[data-grip='${arguments[0]}'] .knob`)"
-        ".getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]",
-        name,
-    )
-    return x, y
+    return browser.middle(f"[data-grip='{name}'] .knob")
 
 
 @pytest.mark.campaign
@@ -164,9 +150,9 @@ def test_its_pieces_of_wrenches_are_those_of_the_resisted_set(opened):
 
 
 def test_the_border_is_met_exactly(opened):
-    enter(opened, "w-y", "1")
+    opened.put("w-y", "1", "input")
     assert verdict(opened).startswith("Resisted")
-    enter(opened, "w-y", f"{10**30 + 1}/{10**30}")
+    opened.put("w-y", f"{10**30 + 1}/{10**30}", "input")
     assert verdict(opened).startswith("Not resisted")
 
 
@@ -195,9 +181,7 @@ def test_dragging_by_mouse_and_finger_snaps_to_exact_numbers(name, opened):
 def test_a_contact_slides_along_a_stated_outline(outline, touches, browser, tmp_path):
     """Its normal follows, and both stay exact."""
     form = {**read_grasp("paper-four-contacts-preload-1").to_dict(), "outline": outline}
-    path = tmp_path / "lab.html"
-    path.write_text(lab_page(Grasp.from_dict(form), wrench=[0, -1, 0]), encoding="utf-8")
-    browser.open(path, 1280, 1000)
+    browser.show(lab_page(Grasp.from_dict(form), wrench=[0, -1, 0]), tmp_path)
     x, y = grip(browser, "move-0")
     browser.drag((x, y), (x + 40, y - 20))
     grasp, _ = question(browser)
@@ -215,7 +199,7 @@ def test_a_contact_slides_along_a_stated_outline(outline, touches, browser, tmp_
     address = browser.run("return location.href")
     browser.open(address)
     assert question(browser)[0] == grasp
-    assert browser.run("return document.querySelectorAll('#grasp .body.stated').length") == 1
+    assert browser.count("#grasp .body.stated") == 1
 
 
 def test_all_can_be_done_with_keys(opened):
@@ -236,11 +220,11 @@ def test_all_can_be_done_with_keys(opened):
     opened.key("ArrowUp")
     assert question(opened)[1][2] == Fraction(1, 4)
     assert_right(opened)
-    assert opened.run("return document.getElementById('said').textContent")
+    assert opened.text("said")
 
 
 def test_the_address_holds_the_state(opened, tmp_path):
-    url = (tmp_path / "lab.html").as_uri()
+    url = (tmp_path / "page.html").as_uri()
     opened.open(f"{url}#1|0,0,3/5,4/5,1/3,2,1;0,1,0,-1,0,1,0|-1/2,1,1e-3")
     opened.settled()
     grasp, wrench = question(opened)
@@ -258,7 +242,7 @@ def test_a_cell_of_motions_is_shown_on_the_grasp(opened):
         "return [r.x + r.width * 0.3, r.y + r.height * 0.35]"
     )
     opened.click_at(x, y)
-    said = opened.run("return document.getElementById('motion-words').textContent")
+    said = opened.text("motion-words")
     motion = [Fraction(v) for v in said.partition("(")[2].partition(")")[0].split(", ")]
     grasp, _ = question(opened)
     assert motion[2] > 0
@@ -269,7 +253,7 @@ def test_a_cell_of_motions_is_shown_on_the_grasp(opened):
         )
         state = "detached" if gap >= contact.preload else f"slip{'+' if slip > 0 else '-'}"
         assert f"{i} {state if slip or state == 'detached' else 'stick'}" in said
-    assert opened.run("return document.querySelectorAll('#grasp .ghost .moved').length") == 1
+    assert opened.count("#grasp .ghost .moved") == 1
     under = opened.run(
         "return document.elementFromPoint(arguments[0], arguments[1])"
         ".closest('[data-states]').dataset.states",
@@ -277,7 +261,7 @@ def test_a_cell_of_motions_is_shown_on_the_grasp(opened):
         y,
     )
     assert all(f"{i} {state}" in said for i, state in enumerate(under.split(","), 1))
-    lit = opened.run("return document.querySelectorAll('#discs .cell.lit').length")
+    lit = opened.count("#discs .cell.lit")
     assert lit >= 1
     told = opened.run(
         "return [...document.querySelectorAll('#grasp .told-states .state')]"
@@ -286,21 +270,20 @@ def test_a_cell_of_motions_is_shown_on_the_grasp(opened):
     expected = ["slip" if "slip" in state else state for state in under.split(",")]
     assert told == expected
     opened.key("Escape")
-    assert "Click" in opened.run("return document.getElementById('motion-words').textContent")
+    assert "Click" in opened.text("motion-words")
 
 
 def test_the_algorithms_can_be_stepped(opened):
     time.sleep(0.5)
-    told = "return document.getElementById('told').textContent"
-    choose(opened, "algorithm", "planes")
+    opened.put("algorithm", "planes")
     for expected in ("2", "4", "8"):
         assert opened.run("return document.querySelector('#told b').textContent") == expected
         opened.run("document.getElementById('step').click()")
-    choose(opened, "algorithm", "states")
+    opened.put("algorithm", "states")
     grasp, wrench = question(opened)
     accepted = []
     for _ in contact_states(grasp):
-        said = opened.run(told)
+        said = opened.text("told")
         if "✓" in said:
             accepted.append(said)
         else:
@@ -310,11 +293,11 @@ def test_the_algorithms_can_be_stepped(opened):
 
 
 def test_a_refuted_load_shows_its_proof(opened):
-    enter(opened, "w-y", "5/4")
+    opened.put("w-y", "5/4", "input")
     assert verdict(opened).startswith("Not resisted")
     said = opened.run("return document.querySelector('.work').textContent")
     assert "Virtual motion" in said
-    assert opened.run("return document.querySelectorAll('#grasp .ghost').length") == 1
+    assert opened.count("#grasp .ghost") == 1
 
 
 @pytest.mark.campaign
@@ -330,9 +313,7 @@ def test_a_refuted_load_shows_its_proof(opened):
     ids=["none", "frictionless", "far", "twice", "long"],
 )
 def test_unusual_grasps_are_shown(grasp, browser, tmp_path):
-    path = tmp_path / "lab.html"
-    path.write_text(lab_page(grasp, wrench=[0, -1, 0]), encoding="utf-8")
-    browser.open(path)
+    browser.show(lab_page(grasp, wrench=[0, -1, 0]), tmp_path)
     assert_right(browser)
     browser.run("document.getElementById('add').click()")
     assert len(question(browser)[0]) == len(grasp) + 1
@@ -345,16 +326,13 @@ def test_an_equilibrium_is_shown_while_others_are_still_listed(browser, tmp_path
     corners = [("1", "0"), ("4/5", "3/5"), ("0", "1"), ("-3/5", "4/5")]
     places = [[sign * Fraction(x) for x in corner] for corner in corners for sign in (1, -1)]
     ring = Grasp(Contact(place, [-x for x in place], "1/2", 1, 1) for place in places)
-    path = tmp_path / "lab.html"
-    path.write_text(lab_page(ring, wrench=[1, 0, 0]), encoding="utf-8")
-    browser.open(path)
-    said = "return document.getElementById('verdict').textContent"
-    while not (shown := browser.run(said)).startswith("Resisted"):
+    browser.show(lab_page(ring, wrench=[1, 0, 0]), tmp_path)
+    while not (shown := browser.text("verdict")).startswith("Resisted"):
         time.sleep(0.05)
     assert "so far" in shown
-    assert browser.run("return document.querySelectorAll('#answer tr').length") == 9
-    enter(browser, "w-t", "9")
-    enter(browser, "w-x", "0")
+    assert browser.count("#answer tr") == 9
+    browser.put("w-t", "9", "input")
+    browser.put("w-x", "0", "input")
     assert verdict(browser).startswith("Not resisted")
     assert_right(browser)
     assert browser.messages() == []
@@ -362,13 +340,11 @@ def test_an_equilibrium_is_shown_while_others_are_still_listed(browser, tmp_path
 
 @pytest.mark.parametrize("broken", ["", "delete window.Worker", "window.Worker = BROKEN"])
 def test_it_answers_in_a_worker_and_without_one(broken, browser, tmp_path):
-    path = tmp_path / "lab.html"
-    path.write_text(lab_page(read_grasp("several-equilibria"), wrench=[-1, 0, 0]), encoding="utf-8")
     fails = "class { postMessage() { setTimeout(() => this.onerror(), 0); } }"
     ahead = {"source": broken.replace("BROKEN", fails)}
     name = browser.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", ahead)
     try:
-        browser.open(path)
+        browser.show(lab_page(read_grasp("several-equilibria"), wrench=[-1, 0, 0]), tmp_path)
         assert verdict(browser).startswith("Resisted 2 equilibria, exact")
     finally:
         browser.driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", name)
@@ -382,7 +358,7 @@ def test_a_grasp_in_space_is_refused():
 
 
 def test_too_many_contacts_or_digits_are_refused():
-    with pytest.raises(InputError, match="9 contacts; the lab takes at most 8"):
+    with pytest.raises(InputError, match="9 contacts in the lab; at most 8"):
         lab_page(Grasp([Contact([0, 0], [0, 1], 0)] * 9))
-    with pytest.raises(InputError, match="1001 digits; the lab takes at most 1000"):
+    with pytest.raises(InputError, match="the lab: 1,001 digits of a number on a page"):
         lab_page(wrench=[10**1000, 0, 0])

@@ -6,12 +6,11 @@ from typing import Any
 
 import pytest
 
-from arrangement import InputError
 from equilibrium.certificate.checker import check
 from equilibrium.cli.program import main
 from equilibrium.pictures.lab.page import lab_page, read_start, slip_exercises
+from tests.arrangement.test_lab import checked
 from tests.browser import Browser
-from tests.labs import checked, choose, enter, problem
 
 EXERCISES = {exercise["name"]: exercise for exercise in slip_exercises()}
 THREE = "-1,0,1,0,1/2,1,{0};0,-1,0,1,1/2,1,{0};1,0,-1,0,1/2,1,{0}"
@@ -91,14 +90,14 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def begin(browser: Browser, page: Path, name: str) -> None:
     browser.open(page)
     browser.settled()
-    choose(browser, "exercise", list(EXERCISES).index(name))
+    browser.put("exercise", list(EXERCISES).index(name))
 
 
 def answer(browser: Browser, link: str) -> str:
     """Change the page to a link, press check, and return what it says."""
     browser.run("location.hash = arguments[0]", link)
     browser.settled()
-    assert not problem(browser)
+    assert not browser.text("problem")
     return checked(browser)
 
 
@@ -118,12 +117,12 @@ def test_each_is_solved_by_an_answer_and_refuses_wrong_ones(name, page, browser)
         said = answer(browser, link)
         assert said.startswith("✗"), (link, said)
         assert why in said
-    assert browser.run("return document.getElementById('exercise-done').textContent")[0] == "0"
+    assert browser.text("exercise-done")[0] == "0"
     for link in SOLVED.get(name, lambda _: [])(start):
         said = answer(browser, link)
         assert said.startswith("✓"), (link, said)
     if name in SOLVED:
-        assert browser.run("return document.getElementById('exercise-done').textContent")[0] == "1"
+        assert browser.text("exercise-done")[0] == "1"
     assert browser.messages() == []
 
 
@@ -134,7 +133,7 @@ def test_a_refuting_motion_is_one_that_the_checker_takes(page, browser):
     assert browser.run("return document.querySelector('.work')") is None
     said = {}
     for motion in ("1, -1, 1", "0, 0, 1", "0, 0, -1", "1, 0, 0", "-1, 1, 1", "0, 1, 1", "-3, 3, 1"):
-        enter(browser, "motion", motion)
+        browser.put("motion", motion, "input")
         said[motion] = checked(browser)
     proof = {"schema_version": 3, "certificate": "not resisted", "grasp": grasp.to_dict()}
     for motion, text in said.items():
@@ -147,9 +146,7 @@ def test_a_refuting_motion_is_one_that_the_checker_takes(page, browser):
 def test_hints_come_one_by_one(page, browser):
     begin(browser, page, "Let one go")
     for expected in (0, 1, 2, 3, 3):
-        assert browser.run("return document.querySelectorAll('#exercise-hints li').length") == (
-            expected
-        )
+        assert browser.count("#exercise-hints li") == (expected)
         browser.run("document.getElementById('exercise-hint').click()")
     assert browser.run("return document.getElementById('exercise-hint').disabled")
 
@@ -172,50 +169,7 @@ def test_a_lecturer_brings_own_exercises(browser, tmp_path):
     source.write_text(json.dumps(OWN), encoding="utf-8")
     assert main(["lab", "-o", str(path), "--exercises", str(source)]) == 0
     browser.open(path)
-    browser.settled()
-    choose(browser, "exercise", 0)
-    assert "<b>Mine</b>" in browser.run("return document.getElementById('exercise').textContent")
+    browser.put("exercise", 0)
+    assert "<b>Mine</b>" in browser.text("exercise")
     assert answer(browser, f"1|{THREE.format('1')}|0,1,0").startswith("✓")
     assert browser.messages() == []
-
-
-@pytest.mark.parametrize(
-    ("change", "why"),
-    [
-        ({"goal": {"wins": True}}, "one of: resisted"),
-        ({"goal": {"resisted": "yes"}}, "goal resisted: 'yes' must be true or false"),
-        ({"goal": {"equilibria": 0}}, "integer above 0"),
-        ({"goal": {"gap": False}}, "must be true"),
-        ({"goal": {"states": ["slips"]}}, "list of detached"),
-        ({"goal": {"method": {"name": "mine", "says": True}}}, "known are printed"),
-        ({"goal": {"method": "printed"}}, '"name" and "says"'),
-        ({"start": "2|"}, "start: '2|'"),
-        ({"start": "1|1,2|0,0,0"}, "seven numbers"),
-        ({"start": "1|0,0,1,1,1,1,0|0,0,0"}, "start: .*normal"),
-        ({"fixed": ["colour"]}, "'colour'"),
-        ({"fixed": "points"}, "fixed is 'points'; expected a list"),
-        ({"name": ""}, '"name" must be a text'),
-        ({"extra": 1}, "unknown key 'extra'"),
-    ],
-)
-def test_own_exercises_that_are_wrong_are_explained(change, why, tmp_path):
-    path = tmp_path / "own.json"
-    path.write_text(json.dumps({**OWN, "exercises": [{**OWN["exercises"][0], **change}]}))
-    with pytest.raises(InputError, match=why) as problem:
-        slip_exercises(path)
-    assert "exercise 1" in str(problem.value)
-
-
-@pytest.mark.parametrize(
-    ("text", "why"),
-    [("{", "not valid JSON"), ("[]", "JSON object"), ('{"schema_version": 1}', "exercises")],
-)
-def test_a_file_without_exercises_is_explained_and_nothing_is_written(text, why, tmp_path, capsys):
-    path = tmp_path / "own.json"
-    path.write_text(text)
-    page = tmp_path / "lab.html"
-    assert main(["lab", "-o", str(page), "--exercises", str(path)]) == 2
-    assert why in capsys.readouterr().err
-    assert not page.exists()
-    assert main(["lab", "-o", str(page), "--exercises", str(tmp_path / "none.json")]) == 2
-    assert "cannot read" in capsys.readouterr().err

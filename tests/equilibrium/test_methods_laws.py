@@ -8,11 +8,11 @@ from scipy.optimize import linprog
 
 from arrangement.numbers.exact import dot
 from equilibrium.decide.solver import solve
-from equilibrium.methods.contact_laws.springs import frictionless_slip, linear_compliance
-from equilibrium.methods.friction_cones.cones import cones
-from equilibrium.methods.friction_cones.form_closure import form_closure
-from equilibrium.methods.friction_cones.grasp_wrench_space import GraspWrenchSpace, _hull
-from equilibrium.methods.friction_cones.weak_strong import mass_matrix, weak_strong
+from equilibrium.methods.cones import cones
+from equilibrium.methods.form_closure import form_closure
+from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace, _hull
+from equilibrium.methods.springs import frictionless_slip, linear_compliance
+from equilibrium.methods.weak_strong import mass_matrix, weak_strong
 from equilibrium.plane.contact_rows import friction_edges
 
 from .strategies import loads as wrenches, small, wide_grasps as grasps

@@ -9,8 +9,7 @@ import pytest
 from hypothesis import given
 
 from arrangement.numbers.exact import to_text
-from equilibrium import Contact, Grasp, Units, read_grasp, solve, unit_normal
-from equilibrium.certificate.checker import Report
+from equilibrium import Contact, Grasp, Report, Units, read_grasp, solve, unit_normal
 from equilibrium.model.outline import Circle, Polygon
 from equilibrium.pictures.notebook import MOST_PIECES
 

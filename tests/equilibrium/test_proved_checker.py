@@ -8,11 +8,9 @@ import pytest
 from arrangement.console import proved_program
 from arrangement.console.proved_program import PROGRAM
 from arrangement.errors import InputError
-from equilibrium import read_grasp, solve, verify
+from equilibrium import CertificateError, read_grasp, solve, verify, write_certificate
 from equilibrium.cli import main
-from equilibrium.grasps.files import write_certificate
-from equilibrium.grasps.proved_checker import verify_proved
-from equilibrium.model.errors import CertificateError
+from equilibrium.grasps.files import verify_proved
 
 
 @pytest.fixture

@@ -216,7 +216,6 @@ def test_only_large_motions_have_a_warning(capsys):
     assert json.loads(capsys.readouterr().out)["warnings"] == [line]
     assert main([*arguments, "--largest-turn", "1/10"]) == 1
     assert "among turns up to 1/10" in capsys.readouterr().out
-    assert main([*arguments, "--largest-turn", "-1"]) == 2
 
 
 def test_a_picture_says_that_motions_are_not_small(tmp_path):

@@ -9,8 +9,7 @@ from typing import Any
 
 import pytest
 
-from equilibrium import Contact, Grasp, Solver, TimeLimitError, read_grasp, solve
-from equilibrium.certificate.checker import check
+from equilibrium import Contact, Grasp, Solver, TimeLimitError, check, read_grasp, solve
 from equilibrium.certificate.document import refuted_certificate
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.plane.contacts import IntegerContacts

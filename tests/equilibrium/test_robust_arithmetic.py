@@ -8,7 +8,7 @@ from random import Random
 import pytest
 
 from arrangement.numbers.exact import dot
-from equilibrium import Contact, Grasp
+from equilibrium import Contact, Grasp, GraspError
 from equilibrium.certificate.robust import (
     Affine,
     Bounds,
@@ -18,7 +18,6 @@ from equilibrium.certificate.robust import (
     _turning,
     _Uncertain,
 )
-from equilibrium.model.errors import GraspError
 
 from .test_checker import random_leaf
 

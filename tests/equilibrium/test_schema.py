@@ -9,18 +9,13 @@ import jsonschema
 import pytest
 
 from arrangement.errors import InputError
-from equilibrium.certificate.checker import check
+from equilibrium import CertificateError, Circle, Contact, Grasp, GraspError, Polygon, Units, check
 from equilibrium.cli.program import main
 from equilibrium.decide.solver import solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.grasps.instances import paths
 from equilibrium.grasps.schemas import certificate_schema, grasp_schema
-from equilibrium.model.contact import Contact
-from equilibrium.model.errors import CertificateError, GraspError
-from equilibrium.model.grasp import Grasp
-from equilibrium.model.outline import Circle, Polygon
-from equilibrium.model.units import Units
 
 VALIDATOR = jsonschema.Draft202012Validator(grasp_schema())
 CONTACT = {"point": ["-1", 0], "normal": ["3/5", "-0.8"], "friction": "1/2"}

@@ -18,20 +18,14 @@ from scipy.optimize import linprog
 
 from arrangement.errors import InputError
 from arrangement.numbers.linear.programs import Infeasible, feasible_point
-from equilibrium.certificate.checker import check
+from equilibrium import Grasp, Solution, Solver, Verdict, check, read_grasp, solve, unit_normal
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.cli.program import main
-from equilibrium.decide.solver import Solver, solve
-from equilibrium.decide.verdict import Verdict
-from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import random_grasp, random_wrench, read_any
 from equilibrium.grasps.schemas import certificate_schema
 from equilibrium.model.contact import Contact, pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
-from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import Range
-from equilibrium.model.solution import Solution
-from equilibrium.model.unit_normal import unit_normal
 from equilibrium.space.plane import decide_in_plane
 from equilibrium.space.relaxation import Relaxation
 from equilibrium.wrench_sets.spatial import (
@@ -189,6 +183,19 @@ class TestKnownLoads:
                 solve(loads.grasp, (0, 0, base[2] - t, 0, 0, 0), **bounds).verdict for t in (2, 4)
             ]
             assert (found, set(loads._verdicts)) == (direct, asked)
+        one, *others = FEET.with_preload(0)
+        assert not KnownLoads(Grasp([replace(one, preload=1), *others]), 100).scales
+        known = KnownMagnitudes(KnownLoads(FEET.with_preload(0), 100), across(1, 0), (0,) * 6)
+        assert [known.verdict(Fraction(t)) for t in (1, 0)] == ["not resisted", "resisted"]
+
+    @pytest.mark.parametrize("box", [None, object()])
+    def test_between_exact_equilibria_alone_nothing_is_asked(self, box):
+        rest = solve(FEET, (0,) * 6).solution
+        found = SimpleNamespace(verdict="resisted", solution=replace(rest, box=box))
+        loads = SimpleNamespace(grasp=FEET, trees=[], ask=lambda _: found, scales=False)
+        known = KnownMagnitudes(loads, across(1, 0), (0,) * 6)
+        assert [known.verdict(Fraction(t)) for t in (1, 2)] == ["resisted"] * 2
+        assert known.held == ([(1, 2)] if box is None else [])
 
     def test_contacts_do_the_same_on_one_side_of_the_spring_in_one_direction(self):
         contact = Contact((0, 0, 0), (0, 0, 1), 1, 1, 1, (1, 0, 0))
@@ -377,13 +384,11 @@ def embedded(seeds):
     return decided
 
 
-def test_planar_grasps_answer_as_in_the_plane():
-    assert embedded(range(10)) == 10
-
-
-@pytest.mark.campaign
-def test_many_planar_grasps_answer_as_in_the_plane():
-    assert embedded(range(1000, 1060)) == 60
+@pytest.mark.parametrize(
+    "seeds", [range(10), pytest.param(range(1000, 1060), marks=pytest.mark.campaign)]
+)
+def test_planar_grasps_answer_as_in_the_plane(seeds):
+    assert embedded(seeds) == len(seeds)
 
 
 def decided(kind, seeds):
@@ -409,6 +414,8 @@ def test_questions_that_are_not_in_general_position_are_decided(kind):
         ("huge friction", 9),
         # Floats miss the forces; decimals do not.
         *(("huge friction", seed) for seed in (41, 51, 97)),
+        # What presses by 10^-12 of the load and slips by as little seems to stick.
+        *(("huge friction", seed) for seed in (112, 140, 145, 191, 197)),
         *(("unequal stiffness", seed) for seed in (22, 94)),
     ],
 )
@@ -432,15 +439,14 @@ def test_a_load_on_the_border_is_given_up_early(load, solved):
     assert len(solved) < 400
 
 
-#: Of 200 (with huge friction, of which some take minutes, of 100), those left open.
-OPEN = {"unequal stiffness": 4, "line": 2, "box": 4}
+#: Of 200, those left open.
+OPEN = {"huge friction": 2, "unequal stiffness": 3, "line": 2, "box": 4}
 
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("kind", exotic.KINDS)
 def test_most_questions_that_are_not_in_general_position_are_decided(kind):
-    size = 100 if kind == "huge friction" else 200
-    assert decided(kind, range(size)) >= size - OPEN.get(kind, 0)
+    assert decided(kind, range(200)) >= 200 - OPEN.get(kind, 0)
 
 
 def test_without_friction_a_load_is_resisted_if_normals_alone_balance_it():
@@ -591,11 +597,6 @@ class TestChecker:
     grasp = random_grasp(6, 2, dimension=3)
     box = solve(grasp, random_wrench(2, dimension=3, bound=1)).certificate.to_dict()
 
-    def test_the_border_is_where_the_proof_ends(self):
-        for size, valid in ((HAIR, True), (1, False)):
-            wrench = [str(size * x) for x in across(1, 0)]
-            assert bool(check({**self.tree, "wrench": wrench})) == valid
-
     def test_a_leaf_of_a_wider_cone_is_refused_with_its_path(self):
         grasp = self.tree["grasp"]
         contacts = [{**c, "friction": "51/100"} for c in grasp["contacts"]]
@@ -709,13 +710,6 @@ class TestAnswers:
     def test_a_wrench_of_the_wrong_length_names_the_right_one(self, length):
         with pytest.raises(GraspError, match="takes 6: f_x, f_y, f_z, tau_x, tau_y and tau_z"):
             solve(FINGERS, [0] * length)
-
-    def test_what_the_plane_alone_has_is_one_clear_error(self, capsys):
-        for command in (["region"], ["polyhedra"], ["map"]):
-            assert main([command[0], "two-opposed-fingers", *command[1:]]) == 2
-            error = capsys.readouterr().err
-            assert "this grasp is in space" in error
-            assert error.count("\n") == 1
 
 
 class TestModel:
@@ -887,15 +881,14 @@ def agrees_with_all_states(contacts, seeds):
     return resisted
 
 
-def test_verdicts_on_pyramids_are_those_of_all_states():
-    agrees_with_all_states(2, range(8))
+MANY = [(2, range(100, 160)), *((3, range(k, k + 10)) for k in range(0, 30, 10))]
 
 
-@pytest.mark.campaign
 @pytest.mark.parametrize(
-    ("m", "seeds"), [(2, range(100, 160)), *((3, range(k, k + 10)) for k in range(0, 30, 10))]
+    ("m", "seeds"),
+    [(2, range(8)), *(pytest.param(*row, marks=pytest.mark.campaign) for row in MANY)],
 )
-def test_many_verdicts_on_pyramids_are_those_of_all_states(m, seeds):
+def test_verdicts_on_pyramids_are_those_of_all_states(m, seeds):
     # No load of these on two contacts is resisted.
     assert (agrees_with_all_states(m, seeds) > 0) == (m == 3)
 
@@ -940,8 +933,6 @@ class TestPyramids:
         assert main(options) == 0
         assert main([*options, "--cone", "pyramid:4"]) == 1
         assert "not resisted, with friction pyramids of 4 edges" in capsys.readouterr().out
-        assert main([*options, "--cone", "pyramid:5"]) == 2
-        assert "even number" in capsys.readouterr().err
 
     def test_a_proof_for_a_pyramid_is_none_for_the_round_cone(self):
         found = solve(FINGERS, across("3/5", "4/5"), pyramid=4)

@@ -10,6 +10,7 @@ import pytest
 import sympy
 
 from arrangement.numbers.exact import dot
+from equilibrium import CertificateError, Grasp
 from equilibrium.certificate.document import resisted_certificate
 from equilibrium.certificate.enclosure import BrokenLaw, Interval, _balance, interval, total
 from equilibrium.certificate.reading import Leaf, Split
@@ -21,8 +22,6 @@ from equilibrium.certificate.space import (
     split_states,
 )
 from equilibrium.model.contact import Contact, pyramid_edges
-from equilibrium.model.errors import CertificateError
-from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.model.solution import Enclosure, Solution
 

@@ -141,23 +141,6 @@ def test_order_of_contacts_does_not_matter(grasp, wrench, random):
     }
 
 
-@pytest.mark.parametrize(
-    ("grasp", "wrench", "stable"),
-    [
-        (THREE, (0, 1, 0), True),
-        (THREE, (0, 1 + TINY, 0), False),
-        (FOUR, (0, 2, 0), True),
-        (FOUR, (0, 2 + TINY, 0), False),
-        (FOUR, (0, -2 - TINY, 0), False),
-        (FOUR.with_preload(0), (0, TINY, 0), False),
-    ],
-)
-def test_boundary_rows_are_exact(grasp, wrench, stable):
-    verdict = solve(grasp, wrench)
-    assert verdict.stable == stable
-    assert verdict.verify()
-
-
 def test_polytope_of_forces_has_exact_ranges_and_least_forces():
     (piece,) = solve(FOUR, (0, 0, 0)).equilibria
     half = Fraction(1, 2)
@@ -245,7 +228,7 @@ def test_forces_that_cancel_in_one_balance_are_refuted_by_the_others():
 
 
 def test_questions_are_of_all_kinds():
-    asked = [question(seed) for seed in range(80)]
-    assert Counter(len(q.grasp) for q in asked) == {2: 20, 3: 20, 4: 20, 5: 20}
+    asked = [question(seed) for seed in range(40)]
+    assert Counter(len(q.grasp) for q in asked) == {2: 10, 3: 10, 4: 10, 5: 10}
     assert {q.kind for q in asked} == set(GRASPS)
     assert {q.load for q in asked} == {"free", "zero", *BORDERS}

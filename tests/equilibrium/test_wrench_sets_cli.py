@@ -90,6 +90,13 @@ WITH_UNITS = {
 }
 
 
+#: How forces and torques are marked.
+MARKED = {
+    "margin": [r"uniform preload in \[1, no end\) kgf"],
+    "wrench-space": ["resisted forces at torque 0 kgf furlong:", r"volume +\S+ kgf\^3"],
+}
+
+
 @pytest.fixture
 def labelled(tmp_path):
     """The three contacts, once more with units."""
@@ -104,7 +111,9 @@ def test_outputs_carry_the_units_and_nothing_is_converted(capsys, labelled, comm
     main([command, THREE, *WITH_UNITS[command]])
     plain = capsys.readouterr().out
     main([command, labelled, *WITH_UNITS[command]])
-    first, *rest = capsys.readouterr().out.splitlines()
+    out = capsys.readouterr().out
+    assert all(re.search(words, out) for words in MARKED.get(command, ()))
+    first, *rest = out.splitlines()
     assert first == "lengths in furlong, forces in kgf, torques in kgf furlong"
     without = [re.sub(r" kgf( furlong|\^[23])?| furlong", "", line) for line in rest]
     assert without == plain.splitlines()
@@ -115,15 +124,6 @@ def test_outputs_carry_the_units_and_nothing_is_converted(capsys, labelled, comm
     assert holder.pop("units") == {"length": "furlong", "force": "kgf"}
     assert document == bare
     assert "units" not in other
-
-
-def test_forces_and_torques_are_marked_as_such(capsys, labelled):
-    main(["margin", labelled, *WITH_UNITS["margin"]])
-    assert "uniform preload in [1, no end) kgf" in capsys.readouterr().out
-    main(["wrench-space", labelled])
-    out = capsys.readouterr().out
-    assert "resisted forces at torque 0 kgf furlong:" in out
-    assert re.search(r"volume +\S+ kgf\^3", out)
 
 
 def test_polyhedra_hold_the_known_wrenches(capsys):

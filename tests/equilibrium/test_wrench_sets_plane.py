@@ -6,11 +6,7 @@ from hypothesis import given, settings, strategies as st
 
 from arrangement.numbers.linear.intervals import holds, remainder, union
 from arrangement.numbers.linear.polyhedron import from_conditions
-from equilibrium.decide.solver import solve
-from equilibrium.grasps.files import read_grasp
-from equilibrium.model.contact import Contact
-from equilibrium.model.grasp import Grasp
-from equilibrium.wrench_sets.friction import least_friction
+from equilibrium import Contact, Grasp, least_friction, read_grasp, solve
 from equilibrium.wrench_sets.margin import margin, sufficient_preloads
 from equilibrium.wrench_sets.outline import outline_of
 from equilibrium.wrench_sets.plane import FORCES, resisted_region, sectors

@@ -13,17 +13,12 @@ from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.polyhedron import from_conditions, from_generators
 from arrangement.numbers.linear.rank import cross
 from arrangement.numbers.linear.separation import possibly_meeting, sides, surely_outside
-from equilibrium.decide.solver import Solver, solve
+from equilibrium import Contact, Grasp, Solver, check_loads, contact_states, margin, solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs.random import random_grasp
-from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp
-from equilibrium.plane.states.contact_states import contact_states
 from equilibrium.wrench_sets import outline, space
 from equilibrium.wrench_sets.line import gaps, resisted_magnitudes
-from equilibrium.wrench_sets.loads import check_loads
-from equilibrium.wrench_sets.margin import margin
 from equilibrium.wrench_sets.outline import outline_of
 from equilibrium.wrench_sets.plane import FORCES, resisted_region
 from equilibrium.wrench_sets.space import StateImages, resisted_set
@@ -132,29 +127,6 @@ def scaled(direction, t, base=(0, 0, 0)):
     return [b + t * u for b, u in zip(base, direction, strict=True)]
 
 
-@pytest.mark.parametrize(
-    ("name", "direction", "intervals"),
-    [
-        # [HaasHeger2018], Table I and Section VI: downward forces without limit; upward none
-        # without preload, and up to 1 (= 2 friction) with preload 1.
-        (THREE, (0, -1, 0), ((0, None),)),
-        (THREE, (0, 1, 0), ((0, 0),)),
-        (THREE + "-preload-1", (0, -1, 0), ((0, None),)),
-        (THREE + "-preload-1", (0, 1, 0), ((0, 1),)),
-        # The same paper, Table III and Section VI: |w_y| <= 4 friction = 2 with preload 1, torques
-        # without limit.
-        (FOUR, (0, 1, 0), ((0, 0),)),
-        (FOUR, (0, -1, 0), ((0, 0),)),
-        (FOUR, (0, 0, 1), ((0, None),)),
-        (FOUR, (0, 0, -1), ((0, None),)),
-        (FOUR + "-preload-1", (0, 1, 0), ((0, 2),)),
-        (FOUR + "-preload-1", (0, -1, 0), ((0, 2),)),
-    ],
-)
-def test_values_of_the_paper(name, direction, intervals):
-    assert resisted_magnitudes(read_grasp(name), direction).intervals == intervals
-
-
 def test_a_grasp_whose_magnitudes_have_a_gap():
     grasp, direction = read_grasp("interrupted-push"), (-1, 0, 0)
     found = resisted_magnitudes(grasp, direction)
@@ -202,11 +174,20 @@ def test_a_plane_cuts_every_state_as_if_all_its_wrenches_were_there(grasp, spans
     origin = tuple(map(Fraction, origin))
     normal = cross(*spans)
     plane = primitive((*normal, -dot(normal, origin)))
-    images = StateImages(grasp)
-    for states in contact_states(grasp):
+    images, listed = StateImages(grasp), contact_states(grasp)
+    for states, may_reach in zip(listed, images.may_reach(listed, plane), strict=True):
         whole, reaching = images.resisted_with(states), images.resisted_with(states, plane)
         expected = None if whole is None else whole.cut(origin, spans)
         assert (None if reaching is None else reaching.cut(origin, spans)) == expected
+        assert may_reach or expected is None
+
+
+def test_states_that_miss_a_plane_are_known_from_the_ends_of_their_motions():
+    grasp, plane = random_grasp(6, 1).with_preload(1), (0, 0, 1, 0)
+    images, listed = StateImages(grasp), contact_states(grasp)
+    reaching = [images.resisted_with(states, plane) is not None for states in listed]
+    assert images.may_reach(listed, plane).tolist() == reaching
+    assert not all(reaching)
 
 
 @given(st.lists(polygons, min_size=1, max_size=6))

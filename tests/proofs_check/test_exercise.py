@@ -11,10 +11,9 @@ import pytest
 
 from arrangement import Arrangement
 from equilibrium import Grasp, check, read_grasp, solve
-from proofs_check import exercise
+from proofs_check import OwnClaimError, exercise
 from proofs_check.cli.program import main
 from proofs_check.course.exercise import FORMS
-from proofs_check.errors import OwnClaimError
 
 GRASP = read_grasp("opposed-contacts")
 YES = solve(GRASP, (1, 0, 0)).certificate.to_dict()
@@ -123,19 +122,6 @@ def test_without_answers_the_questions_are_listed(desk, capsys):
     assert "One? Answer: number" in capsys.readouterr().out
     assert main(["grade", "lecture.py", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["exercises"][1]["of"] == "grasp"
-
-
-def test_other_files_are_refused(desk, capsys):
-    for bad in ("[]", '{"schema_version": 1, "answers": []}', "print(1)"):
-        Path("bad.json").write_text(bad, encoding="utf-8")
-        assert main(["grade", "lecture.py", "bad.json"]) == 2
-    Path("empty.py").write_text("x = 1", encoding="utf-8")
-    assert main(["grade", "empty.py"]) == 2
-    assert "has no exercises" in capsys.readouterr().err
-    twice = LECTURE + LECTURE.replace("def one", "def uno").replace("points=2", 'id="one"')
-    Path("twice.py").write_text(twice.replace("def somewhere", "def there"), encoding="utf-8")
-    assert main(["grade", "twice.py"]) == 2
-    assert "two exercises with one id" in capsys.readouterr().err
 
 
 def test_a_class_is_marked_whatever_one_of_it_hands_in(desk, capsys):

@@ -7,14 +7,13 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import arrangement.library.census
-from arrangement.arrangement import Arrangement
-from arrangement.enumeration.paper_steps import published_enumeration
+from arrangement import Arrangement, published_enumeration
 from arrangement.library.census import PUBLISHED, PUBLISHED_SIMPLE, census
 from proofs_check import Kind, Verdict, evaluate, registry
 from proofs_check.claims import counting as steps, others as types
 from proofs_check.instances.arrangements import census_cases, simple_arrangement
 from proofs_check.routes.dual_graph import from_covectors
-from proofs_check.statements.statement import exhaustive
+from proofs_check.statements.statement import Source
 
 #: Text in `over` -> the types it promises.
 PROMISED = {
@@ -66,7 +65,7 @@ def test_a_claim_that_fails_on_one_type_alone_is_refuted_by_it():
     claim = replace(
         registry()["great-circle-regions"],
         judge=lambda planes, regions: planes != special,
-        sources=exhaustive("types", lambda rng: census_cases(range(6, 8))),
+        sources=(Source(Kind.EXHAUSTIVE, "types", lambda rng: census_cases(range(6, 8))),),
     )
     result = evaluate(claim)
     assert result.verdict is Verdict.REFUTED

@@ -2,6 +2,7 @@
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -10,7 +11,10 @@ from arrangement.console.proved_program import program
 from proofs_check import Verdict, registry
 from proofs_check.cli.program import main
 from proofs_check.reports import report
+from proofs_check.reports.page import html_page
 from proofs_check.routes.proved import COUNTS
+from proofs_check.statements.evidence import Failure, evaluate
+from proofs_check.statements.statement import Route
 
 FOLDER = Path(__file__).resolve().parents[2] / "proofs_check" / "formal"
 SOURCES = sorted(set(FOLDER.rglob("*.v")) - set(FOLDER.rglob("_build/*")))
@@ -43,7 +47,7 @@ def test_the_axioms_of_every_theorem_of_the_program_are_printed():
     """On grasps, on counts, of claims, on coordinates, and on grasps in space."""
     about = [FOLDER / "grasps" / "Soundness.v"]
     about += [FOLDER / "counting" / name for name in ("Counting.v", "Whitney.v")]
-    about.append(FOLDER / "claims" / "Claims.v")
+    about += [FOLDER / "claims" / name for name in ("Bounded.v", "Claims.v")]
     about.append(FOLDER / "realizability" / "FinalPolynomials.v")
     about.append(FOLDER / "space" / "SpatialSoundness.v")
     about += [FOLDER / "realizability" / name for name in ("Inscribed.v", "Weights.v")]
@@ -64,6 +68,8 @@ def test_claims_and_theorems_name_one_another():
     assert all(claim.proof or claim.expected is Verdict.REFUTED for claim in claims)
     for claim in claims:
         assert claim.theorems[0] == claim.id.replace("-", "_")
+        for_all = "for every number of planes" in report.badges(claim)[0]["meaning"]
+        assert for_all == (claim.proof is not None), claim.id
 
 
 def test_a_theorem_is_shown_with_its_claim(capsys):
@@ -75,6 +81,27 @@ def test_a_theorem_is_shown_with_its_claim(capsys):
     assert "in prose    the whole proof" in capsys.readouterr().out
 
 
+def named(claim, **changes):
+    claim = replace(claim, **changes)
+    shown = report.badges(claim, evaluate(claim, 0).evidence if claim.routes else None)
+    return [name for badge in shown for name in badge["names"]]
+
+
+def test_no_hand_sets_a_badge():
+    """Names alone give none: neither of theorems, nor of a route, nor of a file's claim."""
+    euler, states = registry()["euler"], registry()["different-slip-states"]
+    invented = {"routes": (), "theorems": ("euler", "invented", "two_planes_general")}
+    assert named(euler, **invented) == ["theorem euler"]
+    assert named(euler, **invented, file="own.py") == []
+    called = Route("the program proved in Coq", lambda planes: sum(planes.f_vector))
+    assert named(states, routes=(*states.routes, called)) == ["theorem different_slip_states"]
+    proved = replace(called, compute=COUNTS[states.id])
+    claim = replace(states, routes=(*states.routes, proved))
+    found = evaluate(states, 0).evidence
+    broken = [replace(r, values=(*r.values, Failure("it failed"))) for r in found.records]
+    assert len(report.badges(claim, replace(found, records=tuple(broken)))) == 1
+
+
 @pytest.mark.skipif(program() is None, reason="`make formal` has not built the program")
 def test_the_proved_program_is_a_third_route(capsys):
     assert main(["run", "--proved", "--json", "different-slip-states"]) == 0
@@ -82,12 +109,8 @@ def test_the_proved_program_is_a_third_route(capsys):
     assert result["routes"][-1] == "the program proved in Coq"
     assert [len(set(record["values"])) for record in result["records"]] == [1] * 8
     assert {len(record["values"]) for record in result["records"]} == {3}
-
-
-def test_files_have_no_proved_route(tmp_path, capsys):
-    (tmp_path / "own.py").write_text("")
-    assert main(["run", "--proved", str(tmp_path / "own.py")]) == 2
-    assert "--proved is for the claims of the paper" in capsys.readouterr().err
+    assert result["badges"][-1]["names"] == ["counted by the proved program"]
+    assert "in 8 of 8 cases" in html_page(json.loads(json.dumps(report.json_record([result], 0))))
 
 
 def test_the_proved_route_is_of_claims_that_there_are():

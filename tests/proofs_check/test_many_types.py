@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from arrangement import inscribability
 from arrangement.library.census import PUBLISHED, catalogue, census
 from proofs_check.routes import many_types
 from proofs_check.routes.dual_graph import from_covectors, minimum_cycle_lengths
@@ -70,3 +71,12 @@ def test_a_type_that_both_routes_find_otherwise_breaks_the_sweep(monkeypatch):
     )
     found = run_chunk(plan_sweep("great-circle-regions", (9, 9), None, chunk=3), 1).result
     assert found["counts"] == {"9": [0, 0, 0, 3, 0]}
+
+
+@pytest.mark.campaign
+def test_a_sample_of_the_types_of_nine_planes_with_weights_is_decided():
+    """Of types that have weights some cutset may still be too light; each answer is verified."""
+    chosen = np.random.default_rng(9).permutation(PUBLISHED[9])
+    weighty = many_types.have_weights(catalogue.chirotopes(9, chosen[:12_000]), 9)
+    for k in chosen[:12_000][weighty][:5000].tolist():
+        inscribability(census(9)[k]).certificate.verify()

@@ -15,10 +15,8 @@ from numpy.typing import NDArray
 from arrangement.enumeration import choose
 from arrangement.enumeration.sequence import Level
 from arrangement.planes.planes import Planes
-from equilibrium.grasps.files import read_grasp
+from equilibrium import Contact, Grasp, read_grasp
 from equilibrium.methods.compare import ask as right
-from equilibrium.model.contact import Contact
-from equilibrium.model.grasp import Grasp
 from proofs_check import Verdict, evaluate, registry
 from proofs_check.claims import dual, methods, model, tables
 from proofs_check.routes import oracle
@@ -147,7 +145,8 @@ def test_with_preload_regions_are_whitney_numbers_added_up(m):
 @settings(max_examples=15)
 def test_states_are_counted_alike_by_faces_and_by_elimination(seed, m, preload):
     grasp = model._random_grasp(Random(seed), m, preload=preload)
-    assert model._states_of_faces(grasp) == model._by_elimination(grasp)[1]
+    by_faces, by_elimination = registry()["model-states"].routes
+    assert by_faces.compute(grasp) == by_elimination.compute(grasp)
 
 
 def test_one_contact_has_four_states():

@@ -4,10 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from proofs_check.claims import registry
+from proofs_check import evaluate, registry
 from proofs_check.reports import report
 from proofs_check.reports.page import html_page
-from proofs_check.statements.evidence import evaluate
 
 IDS = ("single-solution", "step-1-square-bound", "fukuda-bound", "method-linear-compliance")
 VISIBLE = "return [...document.querySelectorAll('article')].filter(c => !c.hidden).map(c => c.id)"
@@ -29,7 +28,7 @@ def test_the_page_fits_its_window_and_asks_for_nothing(browser, page, width, the
     assert browser.run("return document.documentElement.scrollWidth") == width
     paper = browser.run("return getComputedStyle(document.body).backgroundColor")
     assert (paper == "rgb(255, 255, 255)") == (theme == "light")
-    assert browser.run("return document.querySelectorAll('svg path').length") > 50
+    assert browser.count("svg path") > 50
     assert browser.run("return document.querySelector('math msub') !== null")
     assert browser.messages() == []
     assert browser.outside() == []
@@ -51,7 +50,7 @@ def test_search_and_filters_leave_what_was_asked_for(browser, page):
     assert browser.run(VISIBLE) == ["single-solution", "step-1-square-bound"]
     shown = "return [...document.querySelectorAll('h2.section')].filter(h => !h.hidden).length"
     assert browser.run(shown) == 2
-    assert browser.run("return document.getElementById('shown').textContent") == "2 of 4"
+    assert browser.text("shown") == "2 of 4"
 
 
 def test_the_page_is_complete_without_its_script(browser, page):

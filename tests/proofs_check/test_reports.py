@@ -17,19 +17,16 @@ from typing import Any
 
 import pytest
 
-from arrangement import Arrangement
-from arrangement.errors import InputError
+from arrangement import Arrangement, InputError
 from arrangement.library.families import generic
 from equilibrium.grasps.files import read_grasp
-from proofs_check.claims import registry
+from proofs_check import Kind, evaluate, registry
 from proofs_check.cli.program import main
 from proofs_check.reports import forms as pages, report
 from proofs_check.reports.formula import mathml
 from proofs_check.reports.page import pictures, python_lines
 from proofs_check.reports.report import commit
 from proofs_check.reports.text import value_text
-from proofs_check.statements.evidence import evaluate
-from proofs_check.statements.statement import Kind
 
 ROOT = Path(__file__).parents[2]
 IDS = ("different-slip-states", "step-1-square-bound")
@@ -49,6 +46,8 @@ def hostile(text: str) -> dict[str, Any]:
         **dict.fromkeys(("id", "locator", "statement", "evidence", "meaning", "verdict"), text),
         **dict.fromkeys(("formula", "section", "file", "quantity"), text),
         "proof": [text, text],
+        "prose": text,
+        "badges": [{"names": [text], "meaning": text}],
         "views": [{"name": text, "caption": text, "options": {text: text}, "instance": None}],
         "expected": text,
         "as_expected": False,

@@ -6,18 +6,16 @@ import sqlite3
 import sys
 from contextlib import closing
 from pathlib import Path
-from typing import Any
 
 import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement.console import workers
 from arrangement.errors import WorkerError
-from proofs_check.claims import registry
+from proofs_check import registry
 from proofs_check.cli.program import main
 from proofs_check.errors import SweepError
 from proofs_check.statements.evidence import verdict_from
-from proofs_check.statements.statement import Verdict
 from proofs_check.sweep import report as sweepreport, store
 from proofs_check.sweep.sweep import (
     Plan,
@@ -64,8 +62,6 @@ def test_a_sweep_over_types_takes_each_of_them_once(tmp_path, capsys):
     record = ["sweep", "euler", "--types", "3..5", "--store", str(tmp_path / "s.sqlite")]
     assert main(record) == 0
     assert "7 all types of 3 to 5 distinct planes of rank 3: 7 that hold" in capsys.readouterr().out
-    assert main([*record, "--samples", "3"]) == 2
-    assert main(["sweep", "euler", "--types", "8..10", "--store", str(tmp_path / "t")]) == 2
 
 
 def test_shards_merged_are_the_whole(tmp_path):
@@ -265,29 +261,6 @@ def test_status_says_how_far_it_is(tmp_path, capsys):
     assert main(["sweep", CLAIM, *options]) == 0
     assert main(["status", path]) == 0
     assert "20 of 20" in capsys.readouterr().out
-
-
-def _sums(**outcomes: int) -> Any:
-    order = ("holds", "fails", "excused", "broken", "outside")
-    chunk = {"counts": {"3": [outcomes.get(kind, 0) for kind in order]}, "smallest": {}}
-    return total([store.Chunk(0, chunk, {}, 0)])
-
-
-@pytest.mark.parametrize(
-    ("outcomes", "expected"),
-    [
-        ({}, None),
-        ({"outside": 5}, None),
-        ({"holds": 5}, Verdict.HOLDS),
-        ({"holds": 5, "broken": 1}, None),
-        ({"holds": 5, "fails": 1}, Verdict.REFUTED),
-        ({"holds": 5, "excused": 1}, Verdict.HOLDS_UNDER_HYPOTHESIS),
-        ({"excused": 1}, Verdict.REFUTED),
-        ({"holds": 5, "excused": 1, "fails": 1}, Verdict.REFUTED),
-    ],
-)
-def test_the_verdict_follows_from_the_counts(outcomes, expected):
-    assert verdict_from(_sums(**outcomes).outcomes) is expected
 
 
 @pytest.mark.parametrize("missing", ["joblib", "distributed"])

@@ -13,9 +13,8 @@ from pathlib import Path
 
 import pytest
 
-from arrangement import counts
+from arrangement import counts, families
 from arrangement.counts.classes import in_parts
-from arrangement.library import families
 from proofs_check.errors import SweepError
 from proofs_check.sweep import report as sweepreport, store
 

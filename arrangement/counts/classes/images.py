@@ -8,15 +8,13 @@ lie in one orbit, and nothing else is asked.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
+
+from arrangement.numbers.packing import Bits, Words, grouped, pack, unpack
 
 from .automorphisms import Permutations
 
-Booleans = NDArray[np.bool_]
-Words = NDArray[np.uint64]
 #: Sets whose images are compared at once, in words of 64.
 _BATCH = 1 << 9
-_FACTOR = 0x9E3779B97F4A7C15
 #: Permutations that a walk tries.
 _ELEMENTS = 40
 
@@ -31,30 +29,30 @@ class Images:
     def __init__(self, generators: Permutations) -> None:
         self._elements = _products(generators, _ELEMENTS)
 
-    def small(self, sets: Booleans) -> Words:
+    def small(self, sets: Bits) -> Words:
         """Return an image of each set (a row), packed, that no permutation of the list improves."""
         size = sets.shape[1]
-        found = packed(sets)
+        found = pack(sets)
         if not len(self._elements):
             return found
         names = np.arange(len(found))
         moving = np.ones(len(found), dtype=np.bool_)
         while moving.any():
-            order, start = groups(found)
+            order, start = grouped(found)
             place = np.empty_like(order)
             place[order] = np.cumsum(start) - 1
             moving = np.logical_and.reduceat(moving[order], np.flatnonzero(start))
             found, names = found[order[start]], place[names]
             batch = 64 * _BATCH
             for part in np.array_split(np.flatnonzero(moving), -(-int(moving.sum()) // batch) or 1):
-                walked = self._walked(unpacked(found[part], size))
+                walked = self._walked(unpack(found[part], size))
                 moving[part] = (walked != found[part]).any(axis=1)
                 found[part] = walked
         return found[names]
 
-    def _walked(self, sets: Booleans) -> Words:
+    def _walked(self, sets: Bits) -> Words:
         """Walk with up to 64 `_BATCH` sets; bit j of row i says whether set j has vector i."""
-        best = packed(np.ascontiguousarray(sets.T))
+        best = pack(np.ascontiguousarray(sets.T))
         for element in self._elements:
             image = best[element]
             better = np.zeros(best.shape[1], dtype=np.uint64)
@@ -64,34 +62,7 @@ class Images:
                 better |= differ & there
                 open_ ^= differ
             best ^= (best ^ image) & better
-        return packed(unpacked(best, len(sets)).T)
-
-
-def groups(words: Words) -> tuple[NDArray[np.intp], Booleans]:
-    """Return an order that puts equal rows side by side, and where in it a row begins to differ.
-
-    Rows are sorted by a hash. If two different rows have the same one, equal rows may end up apart.
-    """
-    factors = np.cumprod(np.full(words.shape[1], _FACTOR, dtype=np.uint64))
-    order = (words * factors).sum(axis=1).argsort()
-    start = np.ones(len(order), dtype=np.bool_)
-    start[1:] = (words[order[1:]] != words[order[:-1]]).any(axis=1)
-    return order, start
-
-
-def packed(rows: Booleans) -> Words:
-    """Return rows of bits as words; the last word is filled with zeros."""
-    size = rows.shape[1]
-    bits = np.packbits(rows, axis=1, bitorder="little")
-    full = np.zeros((len(rows), 8 * -(-size // 64)), dtype=np.uint8)
-    full[:, : bits.shape[1]] = bits
-    return full.view(np.uint64)
-
-
-def unpacked(words: Words, size: int) -> Booleans:
-    """Return the first `size` bits of each row."""
-    bits = np.unpackbits(words.view(np.uint8), axis=1, count=size, bitorder="little")
-    return bits.view(np.bool_)
+        return pack(unpack(best, len(sets)).T)
 
 
 def _products(generators: Permutations, count: int) -> Permutations:

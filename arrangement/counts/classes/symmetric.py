@@ -20,14 +20,15 @@ from numpy.typing import NDArray
 
 from arrangement.console.progress import watched
 from arrangement.counts.classes.automorphisms import Automorphisms, Permutations
-from arrangement.counts.classes.images import Images, Words, groups, packed, unpacked
-from arrangement.counts.configuration import Configuration
+from arrangement.counts.classes.images import Images
+from arrangement.counts.configuration import Configuration, configuration, flats_foreseen
 from arrangement.counts.modular import Integers, ModularVectors
 from arrangement.counts.operations import localization, restriction
 from arrangement.counts.whitney import first_whitney_numbers
 from arrangement.errors import InputError, OutOfTimeError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
+from arrangement.numbers.packing import Words, grouped, pack, unpack
 from arrangement.planes.planes import Planes
 
 #: Pairs of a flat and a plane that are worked on at once.
@@ -181,7 +182,7 @@ class Classes:
 
     def bottom(self) -> Flats:
         """Return the whole space."""
-        empty = packed(np.zeros((1, self._vectors.count), dtype=np.bool_))
+        empty = pack(np.zeros((1, self._vectors.count), dtype=np.bool_))
         return Flats(np.zeros((1, 0), np.int64), empty, empty, np.ones_like(self._modulus))
 
     def above(self, flats: Flats, rank: int, *, keep: bool = False) -> tuple[Flats, Integers]:
@@ -194,17 +195,19 @@ class Classes:
         parts, residues = [], np.zeros(len(self._moduli), dtype=np.int64)
         count = self._vectors.count
         step = max(1, min(_CHUNK // count, _COVERED // count**2))
-        pairs = len(flats) * self._vectors.count
+        ranks = range(rank - 1, self.rank - 1 if rank > 2 else rank)
+        ahead = sum(flats_foreseen(self._planes, k, rank - 1, len(flats)) for k in ranks)
+        pairs = ahead * count
         budget.ask(
-            f"what covers {len(flats):,} classes of flats of rank {rank - 1}",
+            f"what covers {len(flats):,} classes of flats of rank {rank - 1}, and so on",
             "leave out planes, or count in parts (--store FOLDER)",
-            told=pairs * 1e-7 * self.rank,
+            told=pairs * 5e-8 * self.rank,
         )
         pieces = [flats[i : i + step] for i in range(0, len(flats), step)]
         for done, piece in enumerate(watched(pieces, f"parts of rank {rank}", len(pieces))):
             if time.monotonic() > self._deadline:
                 raise TimeoutError
-            members = unpacked(piece.members, self._vectors.count)
+            members = unpack(piece.members, self._vectors.count)
             covers = self._vectors.covers(piece.bases, members)
             if not self._central:
                 covers = covers.without(self._planes)
@@ -217,7 +220,7 @@ class Classes:
                 above[covers.cover, covers.member] = True
                 bases = np.column_stack([piece.bases[covers.below], covers.plane])
                 images = self._images.small(above)
-                parts.append(self.merged(Flats(bases, packed(above), images, values)))
+                parts.append(self.merged(Flats(bases, pack(above), images, values)))
                 if done == min(2, len(pieces) - 1):
                     found, share = Flats.joined(parts), (done + 1) / len(pieces)
                     numbers = (found.bases, found.members, found.images, found.values)
@@ -230,7 +233,7 @@ class Classes:
 
     def merged(self, flats: Flats) -> Flats:
         """Return one flat of each class, with the sum of the values of all."""
-        order, start = groups(flats.images)
+        order, start = grouped(flats.images)
         first = np.flatnonzero(start)
         values = np.add.reduceat(flats.values[:, order], first, axis=1) % self._modulus
         one = order[first]
@@ -289,7 +292,7 @@ def flats_and_faces(
     sums = []
     for rank, flats in enumerate(Classes(config, Images(generators), math.inf, moduli).levels()):
         residues = [[0] * len(moduli), [0] * len(moduli)]
-        sets = unpacked(flats.members, automorphisms.size)
+        sets = unpack(flats.members, automorphisms.size)
         for place, members in enumerate(watched(sets, f"classes of rank {rank}")):
             chosen = [planes.firsts[i] for i in np.flatnonzero(members)]
             moebius = first_whitney_numbers(localization(planes, chosen))[-1] if rank else 1
@@ -313,3 +316,67 @@ def _regions(planes: Planes, chosen: list[int], rank: int) -> int:
     if rank == planes.dimension:
         return 1
     return sum(map(abs, first_whitney_numbers(restriction(planes, chosen))))
+
+
+#: Classes in a sample.
+SAMPLE = 2000
+
+
+@dataclass(frozen=True)
+class RankForecast:
+    """What the flats of one rank will take.
+
+    Attributes:
+        rank: of the flats.
+        classes: of them; those above which are looked for.
+        exact: whether they were all counted.
+        seconds: of one processor, for all flats above them.
+        megabytes: of memory, for one flat of each class.
+    """
+
+    rank: int
+    classes: int
+    exact: bool
+    seconds: float
+    megabytes: float
+
+
+def forecast(arrangement: Planes, sample: int = SAMPLE) -> Iterator[RankForecast]:
+    """Yield what each rank will take in `first_whitney_numbers`, as soon as it is measured.
+
+    Ranks with few classes are done; of others a random sample is. Each half of a sample leads to
+    some classes of the next rank. If it were by chance whether a class comes up, their number would
+    be the product of what the halves found, divided by what both found: capture and recapture.
+    Classes with many flats below come up more often than others, so that numbers come out too
+    small, the more so the further a rank is from the last one that was done.
+
+    Source: for the number of classes, G. Seber, The Estimation of Animal Abundance (1982),
+    chapter 3 (Petersen's method).
+
+    >>> from arrangement.library import families
+    >>> [(entry.rank, entry.exact) for entry in forecast(families.resonance(5))]
+    [(0, True), (1, True), (2, True), (3, True)]
+    """
+    config = configuration(arrangement)
+    made = classes(config, Automorphisms(config).generators(), math.inf)
+    generator = np.random.default_rng(0)
+    flats, number, exact = made.bottom(), 1.0, True
+    for rank in watched(range(1, made.rank), "ranks"):
+        chosen = flats
+        if len(flats) > sample:
+            chosen = flats[generator.permutation(len(flats))[:sample]]
+        began = time.process_time()
+        halves = [made.above(chosen[k::2], rank)[0] for k in (0, 1)]
+        seconds = (time.process_time() - began) / len(chosen) * number
+        yield RankForecast(rank - 1, round(number), exact, seconds, number * _bytes(flats) / 2**20)
+        if rank == made.rank - 1:
+            return
+        flats = made.merged(Flats.joined([half for half in halves if len(half)]))
+        exact = exact and len(chosen) == number
+        both = sum(map(len, halves)) - len(flats)
+        number = len(flats) if exact else math.prod(map(len, halves)) / max(1, both)
+
+
+def _bytes(flats: Flats) -> float:
+    arrays = (flats.bases, flats.members, flats.images, flats.values)
+    return sum(array.nbytes for array in arrays) / len(flats)

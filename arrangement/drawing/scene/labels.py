@@ -33,8 +33,7 @@ def flattened(curve: Floats, steps: int = 24) -> Floats:
     t = np.linspace(0, 1, steps, endpoint=False)[:, None, None]
     p, q, r, end = curve[:-1:3], curve[1::3], curve[2::3], curve[3::3]
     points = (1 - t) ** 3 * p + 3 * t * (1 - t) ** 2 * q + 3 * t**2 * (1 - t) * r + t**3 * end
-    flat: Floats = points.transpose(1, 0, 2).reshape(-1, 2)
-    return flat
+    return points.transpose(1, 0, 2).reshape(-1, 2)
 
 
 def along(curve: Floats, steps: int = 8) -> Floats:
@@ -105,8 +104,7 @@ def write_inside(
 def ring(centre: Place, radius: float, steps: int = 200) -> Floats:
     """Return points along a circle, the last one as the first."""
     at = np.linspace(0, 2 * math.pi, steps)
-    circle: Floats = np.asarray(centre) + radius * np.stack([np.cos(at), np.sin(at)], axis=1)
-    return circle
+    return np.asarray(centre) + radius * np.stack([np.cos(at), np.sin(at)], axis=1)
 
 
 def keep_off(
@@ -344,3 +342,78 @@ class Labels:
             wanted = [at for at in wanted if np.linalg.norm(at - away[0]) > away[1]]
         look: dict[str, Any] = {"weight": "bold", "halo": (1.5, "white"), "zorder": 7}
         self.scene.text(self.place("w", wanted), "w", color=VERMILION, style="italic", **look)
+
+
+#: Lengths of leader lines that are tried, in points.
+_REACHES = (7.0, 10.0, 14.0, 19.0, 25.0, 32.0, 40.0, 50.0)
+#: Radius of the dot at the end of a leader line, in points.
+DOT = 0.6
+#: The least radius of a disc in what is named, in points.
+LEAST = 0.45
+
+
+class Leaders:
+    """Labels off all lines, each with a line to a dot in what it names.
+
+    Args:
+        scene: where to.
+        lines: (k, 2) each; no label covers one, and leader lines cross as few as can be.
+        within: a part of the scene that must not be left.
+        areas: (k, 2) each; other places are better for labels, which might be taken for theirs.
+    """
+
+    def __init__(
+        self, scene: Scene, lines: Sequence[Floats], within: Box, areas: Sequence[Floats]
+    ) -> None:
+        import shapely
+
+        self.scene = scene
+        self.off = keep_off(lines)
+        self.within = shapely.box(*within)
+        self.areas = shapely.STRtree([shapely.Polygon(area).buffer(0) for area in areas])
+        self.drawn: list[Any] = []
+
+    def write(self, edge: Floats, text: str, size: float) -> bool:
+        """Name what has an outline with points `edge`, or return False where there is no room."""
+        import shapely
+
+        area = shapely.Polygon(edge).buffer(0)
+        if area.is_empty:
+            return False
+        pole, rim = shapely.maximum_inscribed_circle(area).coords
+        room = math.dist(pole, rim)
+        if room < LEAST:
+            return False
+        start = np.round(pole, 2)
+        half = np.array(self.scene.measure(text, size)) / 2
+        ways = np.tile(list(around((0.0, 1.0))), (len(_REACHES), 1))
+        length = np.repeat(_REACHES, 24)[:, None]
+        centres = start + ways * (length + reach(half, ways))
+        low, high = centres - half, centres + half
+        boxes = shapely.box(*(low - 1.0).T, *(high + 1.0).T)
+        tracks = shapely.linestrings(
+            np.stack([np.broadcast_to(start, centres.shape), start + ways * (length - 0.6)], axis=1)
+        )
+        written = shapely.STRtree(shapely.box(*np.array(self.scene.boxes).reshape(-1, 4).T))
+        leaders = shapely.STRtree(self.drawn)
+        free = shapely.contains(self.within, boxes) & ~covering(
+            self.off, np.hstack([low, high]), 1.0
+        )
+        for taken in (
+            leaders.query(boxes, "dwithin", 0.6),
+            leaders.query(tracks, "dwithin", 0.6),
+            written.query(tracks, "intersects"),
+        ):
+            free[np.unique(taken[0])] = False
+        crossed = np.bincount(self.off.query(tracks, "intersects")[0], minlength=len(tracks))
+        cost = 6.0 * crossed + length[:, 0]
+        cost[np.unique(self.areas.query(boxes, "intersects")[0])] += 15.0
+        cost[np.unique(written.query(boxes, "dwithin", 3.0)[0])] += 8.0
+        order = np.argsort(cost, kind="stable").tolist()
+        if (k := place(self.scene, text, size, centres, free=free, order=order)) < 0:
+            return False
+        self.drawn.append(tracks[k])
+        style = {"zorder": 5.5, "gid": "leader"}
+        self.scene.line(shapely.get_coordinates(tracks[k]), ec="black", lw=0.35, **style)
+        self.scene.circle(start, min(DOT, 0.8 * room), fc="black", ec="none", **style)
+        return True

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import accumulate
 from typing import Any
 
+from arrangement.console.progress import note
 from arrangement.drawing.colours import BLACK, VERMILION
+from arrangement.errors import InputError
 
 from .items import moved
-from .scene import POINTS, Key, Legend, Scene, measure, wrapped
+from .scene import FONT, POINTS, Key, Legend, Scene, measure, wrapped
 
 #: The share of the width for a legend at the right, and of the height for keys and lines below.
 BESIDE, BELOW = 0.32, 1 / 6
@@ -19,6 +24,8 @@ _SIDE, _BESIDE, _GAP = 8.5, 4.2, 8.5
 _CAPTION, _TABLE = 6.0, 5.5
 #: A row of keys as high as so many sizes of its letters, and the rows of the table in points.
 _ROW, _TABLE_ROW = 1.45, 7.0
+#: Between panels, in millimetres; so two of 88 mm fill a page of 180 mm.
+APART = 4.0
 
 
 def picture_width(width: float, legend: str) -> float:
@@ -61,6 +68,64 @@ def laid_out(scene: Scene, legend: str = "below") -> Scene:
     return sheet
 
 
+def composed(
+    scenes: Sequence[Scene], columns: int = 2, titles: Sequence[str] | None = None
+) -> Scene:
+    """Return several pictures as panels of one sheet, row by row, with one legend.
+
+    What the legends of all panels say, and symbols and numbers that mean the same wherever they
+    occur, the common one says once. The rest, and captions, stand below their panel. The names of
+    elements have the panel first: ``panel-2-region-3``.
+
+    Args:
+        titles: above the panels; if omitted, (a), (b), ...
+    """
+    if not isinstance(columns, int) or columns < 1 or (titles and len(titles) != len(scenes)):
+        raise InputError("give at least one column, and as many titles as pictures")
+    own = [scene.legend for scene in scenes]
+    meanings: dict[str, set[str]] = {}
+    for key in (key for legend in own for key in legend.keys):
+        meanings.setdefault(repr(key.symbol), set()).add(key.text)
+    for entry in (entry for legend in own for entry in legend.table):
+        meanings.setdefault(entry.split()[0], set()).add(entry.strip())
+    numbers = {entry.split()[0]: entry for legend in own for entry in legend.table}
+    same = all(len(meanings[number]) == 1 for number in numbers)
+
+    whole, panels = Legend(), []
+    for legend, scene in zip(own, scenes, strict=True):
+        rest = Legend(captions=legend.captions)
+        for key in legend.keys:
+            (whole if len(meanings[repr(key.symbol)]) == 1 else rest).keys.append(key)
+        for line in legend.lines:
+            (whole if all(line in other.lines for other in own) else rest).lines.append(line)
+        rest.table = [] if same else legend.table
+        panel = Scene(*scene.paper)
+        panel.place(scene, 0.0, 0.0)
+        panel.legend = rest
+        panels.append(laid_out(panel))
+    unique = {(repr(key.symbol), key.text): key for key in whole.keys}
+    whole.keys, whole.lines = list(unique.values()), list(dict.fromkeys(whole.lines))
+    if same:
+        whole.table = [numbers[k] for k in sorted(numbers, key=lambda k: (len(k), k))]
+    names = [f"({chr(97 + k)})" for k in range(len(panels))] if titles is None else titles
+    above, gap = 1.5 * FONT * any(names), APART * POINTS
+    rows = [range(k, min(k + columns, len(panels))) for k in range(0, len(panels), columns)]
+    wide = [max(p.width for p in panels[j::columns]) for j in range(min(columns, len(panels)))]
+    high = [max(panels[k].height for k in row) + above for row in rows]
+    lefts, tops = ([0.0, *accumulate(size + gap for size in sizes)] for sizes in (wide, high))
+    sheet = Scene((lefts[-1] - gap) / POINTS, (tops[-1] - gap) / POINTS)
+    for k, panel in enumerate(panels):
+        i, j = divmod(k, columns)
+        panel.items = [replace(x, name=x.name and f"panel-{k + 1}-{x.name}") for x in panel.items]
+        top = sheet.height - tops[i] - above
+        sheet.place(panel, lefts[j] + (wide[j] - panel.width) / 2, top - panel.height)
+        at = (lefts[j] + 2.0, top + above / 2)
+        for title in names[k : k + 1]:
+            sheet.text(at, title, ha="left", weight="bold", gid=f"panel-{k + 1}", role="label")
+    sheet.legend = whole
+    return sheet
+
+
 def _captions(texts: list[str], width: float) -> Scene:
     """Return lines of text that fit a width in points, in the middle."""
     room = width - 2 * _SIDE
@@ -76,7 +141,7 @@ def _captions(texts: list[str], width: float) -> Scene:
 def _strip(legend: Legend, width: float, size: float, highest: float) -> Scene:
     """Return the legend as wide as given, its block of keys and lines in the middle.
 
-    The table is left out, and a note says so, where it would be higher than `highest`.
+    The table is left out, and a note on stderr says so, where it would be higher than `highest`.
     """
     room, row = width - 2 * _SIDE, _ROW * size
     first, last = (
@@ -91,8 +156,8 @@ def _strip(legend: Legend, width: float, size: float, highest: float) -> Scene:
     rows = _rows(legend, room, size)
     table = _table(legend.table, room)
     if len(table) * _TABLE_ROW > highest > 0:
-        table = [["regions in the order of Arrangement.regions(): their table would fill the page"]]
-        table = [[line] for line in wrapped(table[0][0], room, _TABLE)]
+        note(f"a table of {len(legend.table)} sign vectors would fill the page and is left out")
+        table = []
     heights = [max(1, *(len(texts) for _, _, texts in cells)) for cells in rows]
     count = len(first) + sum(heights) + len(last)
     height = row * count + _TABLE_ROW * len(table) + 4.0 * bool(count or table)

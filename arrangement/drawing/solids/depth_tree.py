@@ -209,8 +209,7 @@ class SolidSheet:
 
     def place(self, points: Any) -> Floats:
         """Return points in the axes of the picture (.., 2 or 3) on the scene."""
-        placed: Floats = np.asarray(points)[..., :2] * self.scale + self.shift
-        return placed
+        return np.asarray(points)[..., :2] * self.scale + self.shift
 
     def at(self, points: Any) -> Floats:
         """Return points of space on the scene."""

@@ -95,17 +95,7 @@ def _split(loop: Loop, line: IntegerVector) -> tuple[Loop, Loop]:
         return [], loop
     if min(values) >= 0:
         return loop, []
-    above, below = [], []
-    for k, (p, at) in enumerate(zip(loop, values, strict=True)):
-        if at * values[k - 1] < 0:
-            cut = between(loop[k - 1], p, values[k - 1], at)
-            above.append(cut)
-            below.append(cut)
-        if at >= 0:
-            above.append(p)
-        if at <= 0:
-            below.append(p)
-    return above, below
+    return clipped(loop, values), clipped(loop, [-at for at in values])
 
 
 def minus(loop: Loop, cover: Loop) -> list[Loop]:

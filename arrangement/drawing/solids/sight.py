@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Sequence
 from itertools import product
 from typing import Any, TypeAlias
@@ -33,8 +34,7 @@ def lit(colour: str, normal: Any, least: float = 0.76) -> str:
 def unit(vectors: Any) -> Floats:
     """Return vectors (.., 3) with length 1; those of length 0 stay."""
     lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
-    found: Floats = np.asarray(vectors) / np.where(lengths > 0, lengths, 1.0)
-    return found
+    return np.asarray(vectors) / np.where(lengths > 0, lengths, 1.0)
 
 
 def unit_vectors(vectors: Sequence[Sequence[Any]]) -> Floats:
@@ -67,6 +67,19 @@ def view_direction(direction: Sequence[object]) -> IntegerVector:
     if len(vector) != 3 or not any(vector):
         raise InputError(f"the direction is {shown(vector)}; give three numbers that are not all 0")
     return vector
+
+
+def turned(direction: IntegerVector, azimuth: float) -> IntegerVector:
+    """Return a direction near the one that is reached by going round the upright axis.
+
+    Args:
+        azimuth: in degrees, counter-clockwise seen from above.
+    """
+    if not azimuth % 360:
+        return direction
+    (x, y, z), turn = unit_vectors([direction])[0].tolist(), math.radians(azimuth)
+    c, s = math.cos(turn), math.sin(turn)
+    return primitive([round(1000 * k) for k in (c * x - s * y, s * x + c * y, z)])
 
 
 def views(*entries: Iterable[int], low: float = -1.0, high: float = 1.0) -> list[IntegerVector]:

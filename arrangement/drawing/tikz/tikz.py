@@ -49,21 +49,6 @@ _CIRCLES = {".": 0.1, "o": 0.2, "O": 0.35}
 WIDTH = 0.35
 
 
-def hatching(
-    hatch: str, low: Floats, high: Floats, top: float
-) -> tuple[list[tuple[Floats, Floats]], list[tuple[Floats, float]]]:
-    """Return lines (start, end) and circles (centre, radius) that fill a box, and a little more.
-
-    Args:
-        hatch: equal signs, such as ``//``; dots are circles to be filled.
-        low, high: corners of the box.
-        top: the height of the sheet; its left upper corner is where hatching is counted from.
-    """
-    if hatch[0] in _CIRCLES:
-        return [], list(_circles(low, high, 12 / len(hatch), _CIRCLES[hatch[0]], top))
-    return list(_lines(hatch, low, high, top)), []
-
-
 def _lines(hatch: str, low: Floats, high: Floats, top: float) -> Iterator[tuple[Floats, Floats]]:
     corners = np.array([low, (low[0], high[1]), (high[0], low[1]), high])
     middle, reach = (low + high) / 2, float(np.linalg.norm(high - low)) / 2
@@ -276,9 +261,13 @@ class _Writer:
         extent = np.full(2, item.radius)
         corners = np.atleast_2d(item.points)
         low, high = corners.min(axis=0) - extent, corners.max(axis=0) + extent
-        lines, circles = hatching(hatch, low, high, self.scene.height)
-        found = [f"{point(start)} -- {point(end)}" for start, end in lines]
-        found += [disc(*circle) for circle in circles]
+        top = self.scene.height  # hatching is counted from the left upper corner of the sheet
+        if share := _CIRCLES.get(hatch[0]):
+            circles = _circles(low, high, 12 / len(hatch), share, top)
+            found = [disc(*circle) for circle in circles]
+        else:
+            lines = _lines(hatch, low, high, top)
+            found = [f"{point(start)} -- {point(end)}" for start, end in lines]
         line = {"ec": item.style.get("ec", "black"), "lw": WIDTH}
         line |= {"fc": line["ec"]} if hatch[0] == "." else {}
         return self._path_options(line, filled=hatch[0] == "."), " ".join(found)

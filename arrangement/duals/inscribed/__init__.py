@@ -8,7 +8,6 @@ dual polyhedron with these vertices is convex. Two questions follow, and both ar
 * *Any points:* is there a convex polyhedron at all that has the graph of the dual and its vertices
   on a sphere? `inscribability` answers by Rivin's criterion. A "no" rules out every choice of
   points. A "yes" gives some inscribed polyhedron with this graph; that its vertices can also be
-  placed in their regions is a further condition: `representative_hull` checks it for points at
-  hand, and `inscribed_zonotope` finds such points by an exact linear program where a zonotope has
-  them.
+  placed in their regions is a further condition, which `representative_hull` checks for points at
+  hand.
 """

@@ -24,15 +24,17 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import combinations
 from typing import TypeAlias
 
 import networkx as nx
 
 from arrangement.errors import ArrangementError, InputError
+from arrangement.numbers.linear.rank import cycle_edges
 
 Edge: TypeAlias = tuple[int, int]
 
@@ -75,7 +77,7 @@ class PolyhedralGraph:
         return tuple(map(tuple, lists))
 
     def require_polyhedral(self) -> None:
-        """Raise `ArrangementError` unless the graph is planar and 3-connected. O(V E)."""
+        """Raise `ArrangementError` unless the graph is planar and 3-connected."""
         if self._not_polyhedral:
             raise ArrangementError(self._not_polyhedral)
 
@@ -83,27 +85,40 @@ class PolyhedralGraph:
     def _not_polyhedral(self) -> str:
         """Why the graph is not planar or not 3-connected, or ""; a graph is looked at once."""
         graph = self.to_networkx()
-        if self.vertex_count < 4 or not nx.check_planarity(graph)[0]:
+        planar, embedding = nx.check_planarity(graph)
+        if self.vertex_count < 4 or not planar:
             return "the graph is not planar, or has fewer than 4 vertices"
+        if not nx.is_connected(graph):
+            return "the graph is not connected"
+        # A connected plane graph is 2-connected exactly if no vertex is twice on a face. Around a
+        # vertex of a pair that separates such a graph there are two faces that hold both and no
+        # edge between them. So it is 3-connected exactly if two faces have at most one vertex, or
+        # two with the edge between them, in common.
+        face_of: dict[Edge, int] = {}
+        faces: list[list[int]] = []
+        for u, v in embedding.edges:
+            if (u, v) not in face_of:
+                around = embedding.traverse_face(u, v)
+                face_of.update(dict.fromkeys(cycle_edges(around), len(faces)))
+                faces.append(around)
+        if any(len(set(around)) < len(around) for around in faces):
+            return "the graph is not 2-connected"
+        beside: dict[frozenset[int], set[int]] = {
+            frozenset((face_of[u, v], face_of[v, u])): {u, v} for u, v in self.edges
+        }
+        common: dict[frozenset[int], set[int]] = {}
         for v in range(self.vertex_count):
-            # A copy, since a view asks for every neighbour whether it is left.
-            rest = graph.copy()
-            rest.remove_node(v)
-            if not nx.is_biconnected(rest):
-                return f"the graph is not 3-connected: see vertex {v}"
+            for pair in combinations([face_of[v, u] for u in self.neighbours[v]], 2):
+                common.setdefault(frozenset(pair), set()).add(v)
+        for faces_of, shared in common.items():
+            if len(shared) > 1 and shared != beside.get(faces_of):
+                return f"the graph is not 3-connected: see vertex {min(shared)}"
         return ""
 
     def is_connected_part(self, part: Iterable[int]) -> bool:
         """Whether a nonempty set of vertices spans a connected graph."""
-        remaining = set(part)
-        if not remaining:
-            return False
-        stack = [remaining.pop()]
-        while stack:
-            ahead = remaining.intersection(self.neighbours[stack.pop()])
-            remaining -= ahead
-            stack.extend(ahead)
-        return not remaining
+        spanned = self.to_networkx().subgraph(part)
+        return len(spanned) > 0 and nx.is_connected(spanned)
 
 
 @dataclass(frozen=True)
@@ -119,9 +134,12 @@ class WeightCertificate:
     def verify(self) -> None:
         """Check all conditions; every cutset is covered by maximum flows.
 
-        A cutset of condition 3 has a fixed vertex r on one side, with a neighbour of r on the same
-        side and an edge on the other one. So it is enough that every flow from {r, neighbour} to
-        the ends of an edge elsewhere can exceed 1: at most deg(r) E flows.
+        A cutset of condition 3 has a fixed vertex r on one side, with a neighbour of r, and an edge
+        on the other one. Let a neighbour be on the side of r. Where every flow from this side to a
+        vertex x with another neighbour of x can exceed 1, x is on this side too; so all are, one
+        after another, and no cutset is left. So this neighbour is on the other side, with one of
+        its own, and so is the second one; the others are beside r only if some flow to the
+        neighbours before is at most 1.
 
         Raises:
             ArrangementError: the condition that fails.
@@ -141,14 +159,29 @@ class WeightCertificate:
             if sum(around.values()) != unit:
                 raise ArrangementError(f"the weights at vertex {v} do not sum to 1")
         root = min(range(len(capacity)), key=lambda v: len(capacity[v]))
-        for neighbour in capacity[root]:
-            for u, v in self.graph.edges:
-                if {u, v}.isdisjoint((root, neighbour)) and not _flow_exceeds(
-                    capacity, (root, neighbour), (u, v), unit
-                ):
-                    raise ArrangementError(
-                        f"a cutset between edges {(root, neighbour)} and {(u, v)} weighs at most 1"
-                    )
+        first, *others = capacity[root]
+        inside = {root, first}
+        # Breadth first: what comes later is close to the vertices inside.
+        for x in [v for _, v in nx.bfs_edges(self.graph.to_networkx(), root)]:
+            if x != first:
+                for y in capacity[x].keys() - inside:
+                    self._require_flow(capacity, {x, y}, frozenset(inside), unit)
+                inside.add(x)
+        beyond = {first}
+        for neighbour in others:
+            here = frozenset((root, neighbour))
+            more = capacity[first].keys() - here if len(beyond) == 1 else beyond
+            for y in more:
+                self._require_flow(capacity, beyond | {y}, here, unit)
+            beyond.add(neighbour)
+
+    def _require_flow(
+        self, capacity: list[dict[int, int]], ends: set[int], others: frozenset[int], unit: int
+    ) -> None:
+        if not _flow_exceeds(capacity, ends, others, unit):
+            raise ArrangementError(
+                f"a cutset between vertices {sorted(ends)} and {sorted(others)} weighs at most 1"
+            )
 
 
 @dataclass(frozen=True)
@@ -252,29 +285,44 @@ class IndependentSetCertificate:
 Certificate: TypeAlias = WeightCertificate | FarkasCertificate | IndependentSetCertificate
 
 
-def _flow_exceeds(capacity: list[dict[int, int]], sources: Edge, sinks: Edge, bound: int) -> bool:
-    """Whether a flow between two pairs of vertices can exceed `bound` (shortest paths first)."""
-    residual = [dict(around) for around in capacity]
-    value = 0
+def _flow_exceeds(
+    capacity: list[dict[int, int]], sources: set[int], sinks: frozenset[int], bound: int
+) -> bool:
+    """Whether a flow between two sets of vertices can exceed `bound` (shortest paths first)."""
+    value = sum(room for u in sources for v, room in capacity[u].items() if v in sinks)
+    if value > bound:
+        return True
+    residual: dict[int, dict[int, int]] = {
+        u: {v: room for v, room in capacity[u].items() if v not in sinks} for u in sources
+    }
+
+    def leaving(u: int) -> dict[int, int]:
+        if u not in residual:
+            residual[u] = dict(capacity[u])
+        return residual[u]
+
     while value <= bound:
-        path = _augmenting_path(residual, sources, sinks)
+        path = _augmenting_path(leaving, sources, sinks)
         if not path:
             return False
         amount = min(residual[u][v] for u, v in path)
         for u, v in path:
             residual[u][v] -= amount
-            residual[v][u] += amount
+            if v not in sinks:
+                leaving(v)[u] += amount
         value += amount
     return True
 
 
-def _augmenting_path(residual: list[dict[int, int]], sources: Edge, sinks: Edge) -> list[Edge]:
+def _augmenting_path(
+    leaving: Callable[[int], dict[int, int]], sources: set[int], sinks: frozenset[int]
+) -> list[Edge]:
     """Return the steps of a shortest path with room left, or none."""
     parent = {source: source for source in sources}
     queue = deque(sources)
     while queue:
         u = queue.popleft()
-        for v, room in residual[u].items():
+        for v, room in leaving(u).items():
             if room and v not in parent:
                 parent[v] = u
                 queue.append(v)

@@ -15,18 +15,20 @@ from typing import TypeAlias
 
 import numpy as np
 
+from arrangement.drawing.solids.meshes import triangles
 from arrangement.duals.zonohedron import DualPolyhedron
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot
+from arrangement.numbers.linear.polyhedron import from_generators
 from arrangement.numbers.linear.rank import cycle_edges, plane_through, triple_product
 
 
-def sphere_points(dual: DualPolyhedron, bits: int = 10) -> tuple[RationalVector, ...]:
+def sphere_points(dual: DualPolyhedron) -> tuple[RationalVector, ...]:
     """Return a rational point of the unit sphere in the region of each vertex of the dual.
 
     The point is near the middle of the region's rays. It is the stereographic image of a point
-    with coordinates that are multiples of 2^-bits; `bits` is doubled until the point lies in the
-    region, which is tested by integer signs. Opposite regions get opposite points.
+    with coordinates that are multiples of 2^-10, 2^-20, ..., until the point lies in the region,
+    which is tested by integer signs. Opposite regions get opposite points.
 
     >>> from arrangement import Arrangement, dual_polyhedron
     >>> cube = dual_polyhedron(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]]))
@@ -37,7 +39,7 @@ def sphere_points(dual: DualPolyhedron, bits: int = 10) -> tuple[RationalVector,
     found = []
     for middle, signs in zip(_middles(dual), dual.signs.tolist(), strict=True):
         sides = [tuple(s * x for x in plane) for s, plane in zip(signs, planes, strict=True)]
-        found.append(_inside(middle, sides, bits))
+        found.append(_inside(middle, sides))
     return tuple(found)
 
 
@@ -55,8 +57,9 @@ def _middles(dual: DualPolyhedron) -> list[IntegerVector]:
     return [tuple(total) for total in sums]
 
 
-def _inside(middle: IntegerVector, sides: list[IntegerVector], bits: int) -> RationalVector:
+def _inside(middle: IntegerVector, sides: list[IntegerVector]) -> RationalVector:
     """Return a unit vector near `middle` on the positive side of all the given normals."""
+    bits = 10
     while True:
         *numerators, denominator = rational_direction(middle, bits)
         if all(dot(side, numerators) > 0 for side in sides):
@@ -174,27 +177,25 @@ def representative_hull(
 def sphere_hull(points: Sequence[RationalVector]) -> SphereHull:
     """Return the exact hull of distinct rational points of the unit sphere around the origin.
 
-    Qhull proposes triangles; if they do not pass the exact check, an exact incremental hull takes
-    over. The check: every directed edge occurs once, with its reverse; all triangles are
-    positively oriented about the origin; a ray meets only one triangle, so that they tile the
-    sphere once; and no edge is reentrant. A star-shaped body without reentrant edges is convex.
+    Qhull proposes triangles; if they do not pass the exact check, an exact hull takes over. The
+    check: every directed edge occurs once, with its reverse; all triangles are positively oriented
+    about the origin; a ray meets only one triangle, so that they tile the sphere once; and no edge
+    is reentrant. A star-shaped body without reentrant edges is convex.
 
     Raises:
         InputError: a point off the sphere, two equal points, or the origin is not strictly inside.
 
-    Complexity: O(V log V) for the proposal and O(V) determinants; O(V^2) for the fallback.
+    Complexity: O(V log V) for the proposal and O(V) determinants; O(V^3) for the other hull.
     """
     homogeneous = [_homogeneous(i, point) for i, point in enumerate(points)]
     if len(set(homogeneous)) < len(homogeneous):
         raise InputError("two points are equal; give distinct points")
-    for propose in (_qhull, _incremental):
-        triangles = propose(homogeneous)
-        flat = _flat_edges_if_hull(homogeneous, triangles)
+    for propose in (_qhull, _exact):
+        found = propose(homogeneous)
+        flat = _flat_edges_if_hull(homogeneous, found)
         if flat is not None:
-            edges = frozenset(
-                (min(e), max(e)) for triangle in triangles for e in cycle_edges(triangle)
-            )
-            return SphereHull(tuple(map(tuple, points)), tuple(triangles), edges, flat)
+            edges = frozenset((min(e), max(e)) for triangle in found for e in cycle_edges(triangle))
+            return SphereHull(tuple(map(tuple, points)), tuple(found), edges, flat)
     raise InputError("the origin is not strictly inside the hull of the points")
 
 
@@ -259,37 +260,12 @@ def _qhull(points: list[IntegerVector]) -> list[Triangle]:
     ]
 
 
-def _incremental(points: list[IntegerVector]) -> list[Triangle]:
-    """Exact hull, one point at a time; a face counts as visible only from strictly outside.
-
-    A point in the plane of a face, but outside it, then only adds triangles to that flat face.
-    """
-    first = _simplex(points)
-    a, b, c, d = first
-    if dot(plane_through(points[a], points[b], points[c]), points[d]) < 0:
-        b, c = c, b
-    faces = {
-        t: plane_through(*(points[v] for v in t))
-        for t in ((a, b, c), (a, c, d), (a, d, b), (b, d, c))
-    }
-    for p in range(len(points)):
-        if p in first:
-            continue
-        visible = [t for t, h in faces.items() if dot(h, points[p]) < 0]
-        border = {edge for x, y, z in visible for edge in cycle_edges((x, y, z))}
-        for t in visible:
-            del faces[t]
-        for u, v in border:
-            if (v, u) not in border:
-                faces[u, v, p] = plane_through(points[u], points[v], points[p])
-    return list(faces)
-
-
-def _simplex(points: list[IntegerVector]) -> tuple[int, int, int, int]:
-    """Return four points that are not in one plane. Three points of a sphere are never aligned."""
-    if len(points) >= 4:
-        base = plane_through(*points[:3])
-        for d in range(3, len(points)):
-            if dot(base, points[d]):
-                return 0, 1, 2, d
-    raise InputError("all points lie in one plane; the origin is not strictly inside their hull")
+def _exact(points: list[IntegerVector]) -> list[Triangle]:
+    """Return the triangles of the hull by the double description; none if it is flat."""
+    hull = from_generators(points, (), 3)
+    if hull is None or hull.equalities:
+        return []
+    place = {point: k for k, point in enumerate(points)}
+    number = [place[corner] for corner in hull.homogeneous[0]]
+    fans = triangles([tuple(number[j] for j in cycle) for cycle in hull.cycles]).tolist()
+    return [(a, b, c) for a, b, c in fans]

@@ -1,21 +1,33 @@
-"""Answers with evidence: whether the dual, or a zonotope with these normals, can be inscribed."""
+"""The answer with its evidence, which the program that is proved in Coq can check too.
+
+The theorems of that program are about the linear conditions: these weights satisfy them, or no real
+weights do. That they decide is Rivin's theorem, which is not proved there, nor that the graph is
+planar and 3-connected.
+"""
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 from arrangement.console.number_form import Shown
+from arrangement.console.proved_program import ask_proved
 from arrangement.counts import region_count
 from arrangement.duals.zonohedron import DualPolyhedron, dual_polyhedron
 from arrangement.errors import ArrangementError
-from arrangement.numbers.exact import RationalVector, dot
-from arrangement.numbers.linear.programs import Infeasible, feasible_point
+from arrangement.numbers.exact import RationalVector, to_text
 from arrangement.planes.planes import Planes
 
-from .certificates import Certificate, PolyhedralGraph
+from .certificates import (
+    Certificate,
+    FarkasCertificate,
+    IndependentSetCertificate,
+    PolyhedralGraph,
+    WeightCertificate,
+)
 from .hull import sphere_points
-from .proved import proved_conditions
 from .search import decide
 
 
@@ -100,89 +112,43 @@ def inscribability(arrangement: Planes | DualPolyhedron) -> Inscribability:
     return Inscribability(dual.arrangement, sphere_points(dual), decide(graph))
 
 
-@dataclass(frozen=True)
-class InscribedZonotope:
-    """Whether some lengths of the given normals give an inscribed zonotope; with its proof.
-
-    Attributes:
-        arrangement: the planes.
-        lengths: positive factors of the normals, or None.
-        multipliers: without lengths, a factor for each edge of the dual, so that the sum of the
-            edge equations is a form in the lengths with coefficients <= 0, not all zero.
-    """
-
-    arrangement: Planes
-    lengths: RationalVector | None
-    multipliers: RationalVector | None
-
-    def verify(self) -> None:
-        """Check the vertices, or the sum of the equations.
-
-        Raises:
-            ArrangementError: what fails.
-        """
-        dual = dual_polyhedron(self.arrangement, self.lengths)
-        dual.validate()
-        if self.lengths is not None:
-            if not dual.is_inscribed:
-                raise ArrangementError("the vertices have different distances from the origin")
-            return
-        if self.multipliers is None or len(self.multipliers) != len(dual.edges):
-            raise ArrangementError("there is not one multiplier for each edge")
-        total = [Fraction(0)] * len(self.arrangement)
-        for multiplier, row in zip(self.multipliers, _edge_equations(dual), strict=True):
-            if multiplier:
-                total = [t + multiplier * x for t, x in zip(total, row, strict=True)]
-        if any(t > 0 for t in total) or not any(total):
-            raise ArrangementError("the sum of the equations contradicts nothing")
-
-
-def inscribed_zonotope(arrangement: Planes) -> InscribedZonotope:
-    """Find lengths for which the dual of a rank 3 arrangement in R^3 is inscribed, or refute them.
-
-    The answer depends on the normals themselves, not only on the combinatorial type.
+def proved_conditions(certificate: Certificate) -> bool:
+    """Return whether the program accepts that weights satisfy Rivin's conditions, or that none do.
 
     Raises:
-        InputError: as for `dual_polyhedron`.
-
-    Complexity: an exact linear program with m variables.
-
-    >>> from arrangement.library.families import type_b
-    >>> inscribed_zonotope(type_b(3)).lengths is not None
-    True
+        InputError: the program is not built.
     """
-    dual = dual_polyhedron(arrangement)
-    rows = _edge_equations(dual)
-    place: dict[tuple[int, ...], int] = {}
-    for e, row in enumerate(rows):
-        opposite = tuple(-x for x in row)
-        if any(row) and opposite not in place:
-            place.setdefault(row, e)
-    m = len(arrangement)
-    at_least_one = [[*(int(i == j) for j in range(m)), -1] for i in range(m)]
-    answer = feasible_point(m, at_least_one, [[*row, 0] for row in place])
-    if not isinstance(answer, Infeasible):
-        return InscribedZonotope(arrangement, answer, None)
-    multipliers = [Fraction(0)] * len(rows)
-    for e, x in zip(place.values(), answer.equality_multipliers, strict=True):
-        multipliers[e] = x
-    return InscribedZonotope(arrangement, None, tuple(multipliers))
+    document = conditions_document(certificate)
+    return ask_proved("-", text=json.dumps(document)) == ("accepted", document["certificate"])
 
 
-def _edge_equations(dual: DualPolyhedron) -> tuple[tuple[int, ...], ...]:
-    """Return for each edge the signs and products ``s_j (n_j . n)`` for the planes j not along it.
+def conditions_document(certificate: Certificate) -> dict[str, Any]:
+    """Return a certificate as the program reads it; an independent set as multipliers."""
+    if isinstance(certificate, IndependentSetCertificate):
+        certificate = _of_vertices(certificate)
+    graph, nothing = certificate.graph, Fraction(0)
+    if isinstance(certificate, WeightCertificate):
+        weights = map(to_text, certificate.weights)
+        return {
+            "schema_version": 1,
+            "certificate": "weights",
+            "vertices": graph.vertex_count,
+            "edges": [[*e, weight] for e, weight in zip(graph.edges, weights, strict=True)],
+        }
+    bounds = certificate.lower_multipliers, certificate.upper_multipliers
+    return {
+        "schema_version": 1,
+        "certificate": "no weights",
+        "vertices": list(map(to_text, certificate.vertex_multipliers)),
+        "edges": [[*e, *(to_text(given.get(e, nothing)) for given in bounds)] for e in graph.edges],
+        "cutsets": [[sorted(side), to_text(factor)] for side, factor in certificate.cuts],
+    }
 
-    With lengths ``l_j`` the ends of the edge are at equal distance exactly if the row times the
-    lengths is zero.
-    """
-    planes = [plane[:3] for plane in dual.arrangement.integer_planes]
-    products = [[dot(a, b) for b in planes] for a in planes]
-    firsts = dual.arrangement.firsts
-    labels = dual.arrangement.class_of
-    return tuple(
-        tuple(
-            0 if labels[j] == label else s * products[firsts[label]][j]
-            for j, s in enumerate(dual.signs[u].tolist())
-        )
-        for (u, _), label in zip(dual.edges.tolist(), dual.edge_classes.tolist(), strict=True)
-    )
+
+def _of_vertices(certificate: IndependentSetCertificate) -> FarkasCertificate:
+    """Return multipliers 1/2 in the set and -1/2 outside, and 1 for each edge outside."""
+    graph, chosen = certificate.graph, certificate.vertices
+    half = Fraction(1, 2)
+    outside = {edge: Fraction(1) for edge in graph.edges if chosen.isdisjoint(edge)}
+    factors = tuple(half if v in chosen else -half for v in range(graph.vertex_count))
+    return FarkasCertificate(graph, factors, outside, {}, ())

@@ -50,11 +50,12 @@ class DualDistances:
         self.index = {edge: e for e, edge in enumerate(graph.edges)}
         _, embedding = nx.check_planarity(graph.to_networkx())
         face_of: dict[Edge, int] = {}
-        seen: set[Edge] = set()
+        faces = 0
         for half_edge in embedding.edges:
-            if half_edge not in seen:
-                face = embedding.traverse_face(*half_edge, mark_half_edges=seen)
-                face_of.update(dict.fromkeys(cycle_edges(face), len(face_of)))
+            if half_edge not in face_of:
+                face = embedding.traverse_face(*half_edge)
+                face_of.update(dict.fromkeys(cycle_edges(face), faces))
+                faces += 1
         self.sides = [(face_of[u, v], face_of[v, u]) for u, v in graph.edges]
         self.across: dict[int, list[tuple[int, int]]] = {}
         for e, (left, right) in enumerate(self.sides):
@@ -64,6 +65,7 @@ class DualDistances:
     def light_cuts(self, weights: Sequence[float], bound: float) -> Iterator[Side]:
         """Yield cutsets of condition 3 that weigh less than the bound (weights >= 0)."""
         lengths = [max(float(w), 0.0) for w in weights]
+        self.least = self._distances(lengths)
         for e, (u, v) in enumerate(self.graph.edges):
             for at_u in self._others(u, v):
                 for at_v in self._others(v, u):
@@ -71,12 +73,25 @@ class DualDistances:
                     if path:
                         yield self._side(u, {e, *path})
 
+    def _distances(self, lengths: Sequence[float]) -> list[list[float]]:
+        """Return the least weight of ways between two faces, with all edges open."""
+        from scipy.sparse import csr_array
+        from scipy.sparse.csgraph import dijkstra
+
+        left, right = np.array(self.sides).T
+        shape = (len(self.across), len(self.across))
+        # Without a length there would be no edge.
+        table = csr_array((np.maximum(lengths, _TOLERANCE / 1000), (left, right)), shape=shape)
+        found: list[list[float]] = dijkstra(table, directed=False).tolist()
+        return found
+
     def _others(self, u: int, v: int) -> list[int]:
         return [self.index[min(u, x), max(u, x)] for x in self.graph.neighbours[u] if x != v]
 
     def _path(self, e: int, closed: set[int], lengths: list[float], bound: float) -> list[int]:
         """Return the edges crossed by a shortest way round edge e, if shorter than the bound."""
         start, goal = self.sides[e]
+        least = self.least[goal]
         queue: list[tuple[float, int, int, int]] = [(0.0, start, -1, -1)]
         reached: dict[int, tuple[int, int]] = {}
         while queue:
@@ -89,7 +104,7 @@ class DualDistances:
             for edge, beyond in self.across[face]:
                 if edge not in closed and beyond not in reached:
                     total = distance + lengths[edge]
-                    if total < bound:
+                    if total + least[beyond] < bound:
                         heapq.heappush(queue, (total, beyond, edge, face))
         return []
 

@@ -24,12 +24,12 @@ import numpy as np
 from arrangement.enumeration import great_circles
 from arrangement.enumeration.affine_space.lines import Lines, trace_lines
 from arrangement.enumeration.affine_space.predicates import Indices, PlaneTable, minors
-from arrangement.enumeration.packing import Words, distinct_rows, grouped, pack, unit_words, unpack
 from arrangement.enumeration.reduction import from_dimension, in_dimension, joined
 from arrangement.enumeration.sequence import Level, Rows, Signs, no_faces, primitive_rows
 from arrangement.numbers.coefficients import Integers
 from arrangement.numbers.exact import dot, largest
 from arrangement.numbers.linear.rank import cut, unit_vectors
+from arrangement.numbers.packing import Words, distinct_rows, grouped, pack, unit_words, unpack
 from arrangement.planes.planes import Planes
 
 
@@ -190,7 +190,7 @@ def space_levels(planes: Planes) -> tuple[Level, ...]:
         def signs(rows: Rows) -> Signs:
             positive, zero = sides(np.arange(count)[rows])
             found = 2 * unpack(positive, len(table)).view(np.int8) - 1
-            found[unpack(zero, len(table)).view(bool)] = 0
+            found[unpack(zero, len(table))] = 0
             return found[:, columns] * orientation
 
         return Level(count, signs, lambda rows: inside(np.arange(count)[rows]))

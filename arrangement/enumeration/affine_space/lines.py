@@ -13,10 +13,10 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from arrangement.console.progress import watched
-from arrangement.enumeration.packing import Bits, Words, pack, unit_words
 from arrangement.errors import ArrangementError
 from arrangement.numbers.exact import quotient
 from arrangement.numbers.float_filter import Floats, Signs
+from arrangement.numbers.packing import Bits, Words, pack, unit_words
 
 from .predicates import Indices, PlaneTable
 
@@ -128,8 +128,7 @@ def _ascents(table: PlaneTable, i: Indices, j: Indices, triple: Signs, order: In
     """Return ``sign (t_l - t_k)`` for neighbours k, l in an order; 0 where one does not cross."""
     turned = np.take_along_axis(triple, order, axis=1)
     product = turned[:, :-1] * turned[:, 1:]
-    found: Signs = product * table.quadruples(i, j, order[:, :-1], order[:, 1:], product != 0)
-    return found
+    return product * table.quadruples(i, j, order[:, :-1], order[:, 1:], product != 0)
 
 
 def _exact_order(table: PlaneTable, i: int, j: int, crossing: Indices) -> list[int]:

@@ -109,8 +109,7 @@ class PlaneTable:
         values = _value_on_line(self.minors[i, j], self.floats[k], axis, -1)
         sizes = _value_on_line(self.sizes[i, j], np.abs(self.floats[k]), axis, 1)
         least = self._least[i] * self._least[j] * self._least[k]
-        found: Signs = self._signs(values, sizes, exact, least) * self.turn[i, j]
-        return found
+        return self._signs(values, sizes, exact, least) * self.turn[i, j]
 
     def quadruples(self, i: Indices, j: Indices, k: Indices, l: Indices, use: Any) -> Signs:  # noqa: E741
         """Return the signs of ``D4(i, j, k, l)`` where `use` is set, else 0.
@@ -153,8 +152,7 @@ class PlaneTable:
 
     def _exact_component(self, at: tuple[Indices, ...]) -> Integers:
         i, j, component = at
-        found: Integers = self.exact_minors(i, j)[np.arange(len(i)), component]
-        return found
+        return self.exact_minors(i, j)[np.arange(len(i)), component]
 
     def _signs(
         self,

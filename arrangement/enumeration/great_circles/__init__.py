@@ -2,7 +2,7 @@
 
 from .arrangement import (
     SphereArrangement as SphereArrangement,
+    list_faces as list_faces,
     sphere_arrangement as sphere_arrangement,
 )
 from .incidence import Incidence as Incidence
-from .listing import list_faces as list_faces

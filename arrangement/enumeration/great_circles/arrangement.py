@@ -11,17 +11,21 @@ from functools import cached_property
 from typing import TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from arrangement.console.number_form import Shown
+from arrangement.enumeration.reduction import cone, from_dimension, in_dimension, upper_half
+from arrangement.enumeration.sequence import Level, Rows
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, primitive, unoriented
+from arrangement.numbers.packing import chunks
 from arrangement.planes.planes import Planes
 
 from .crossings import Crossings, sort_crossings
 from .incidence import Incidence, Indices
 from .predicates import Integers, integer_array
-from .signs import PackedSigns, SignPacker
-from .tracing import CHUNK, build_incidence, chunks
+from .signs import PackedSigns, SignPacker, unpack
+from .tracing import CHUNK, build_incidence
 from .validation import check_geometry, check_topology
 
 SignVector: TypeAlias = tuple[int, ...]
@@ -230,3 +234,78 @@ def _rays(normals: Integers, incidence: Incidence) -> Integers:
 
 def _sum(vectors: Iterable[IntegerVector]) -> IntegerVector:
     return primitive([sum(column) for column in zip(*vectors, strict=True)])
+
+
+def list_faces(planes: Planes) -> tuple[Level, ...]:
+    """Return the faces of dimension 0, 1, ..., d.
+
+    Affine planes are the part w > 0 of their cone, which has one dimension and one rank more.
+    """
+    if not planes.is_central:
+        return tuple(upper_half(level) for level in list_faces(cone(planes))[1:])
+    reduced, columns = in_dimension(planes, 3)
+    return from_dimension(_levels(sphere_arrangement(reduced)), planes, columns)
+
+
+def _levels(sphere: SphereArrangement) -> tuple[Level, ...]:
+    """Return the faces of dimension 0, 1, 2, 3.
+
+    A pencil has one line, not two rays: both its vertices have the same sign vector.
+    """
+    planes, incidence = len(sphere.arrangement), sphere.incidence
+    rays = 1 if sphere.rank == 2 else incidence.vertex_count
+
+    def unpacked(packed: tuple[PackedSigns, PackedSigns], rows: Rows) -> NDArray[np.int8]:
+        return unpack(packed[0][rows], packed[1][rows], planes)
+
+    def region_signs(rows: Rows) -> NDArray[np.int8]:
+        positive = sphere.packed_region_signs[rows]
+        return unpack(positive, ~positive, planes)
+
+    def origin(rows: Rows) -> Integers:
+        return _homogeneous(np.zeros((1, 3), np.int64)[rows])
+
+    return (
+        Level(int(sphere.rank == 3), lambda rows: np.zeros((1, planes), np.int8)[rows], origin),
+        Level(
+            rays,
+            lambda rows: unpacked(sphere.packed_vertex_signs, rows)[:rays],
+            lambda rows: _homogeneous(sphere.rays[:rays][rows]),
+        ),
+        Level(
+            incidence.arc_count,
+            lambda rows: unpacked(sphere.packed_arc_signs, rows),
+            lambda rows: _homogeneous(_arc_points(sphere, rows)),
+        ),
+        Level(
+            incidence.region_count,
+            region_signs,
+            lambda rows: _homogeneous(_region_points(sphere, rows)),
+        ),
+    )
+
+
+def _homogeneous(points: Integers) -> Integers:
+    return np.hstack([points, np.ones((len(points), 1), points.dtype)])
+
+
+def _arc_points(sphere: SphereArrangement, rows: Rows) -> Integers:
+    """Return vectors inside the cones of arcs: an arc is shorter than half a circle in rank 3."""
+    if sphere.rank < 3:
+        arcs = np.arange(sphere.arc_count)[rows].tolist()
+        return np.array([sphere.arc_witness(arc) for arc in arcs], object).reshape(-1, 3)
+    origin = sphere.incidence.origin
+    return sphere.rays[origin[0::2][rows]] + sphere.rays[origin[1::2][rows]]
+
+
+def _region_points(sphere: SphereArrangement, rows: Rows) -> Integers:
+    """Return vectors inside the cones of regions: sums of three corners that follow each other."""
+    if sphere.rank < 3:
+        regions = np.arange(sphere.region_count)[rows].tolist()
+        return np.array([sphere.region_witness(r) for r in regions], object).reshape(-1, 3)
+    origin, following = sphere.incidence.origin, sphere.incidence.next
+    first: Indices = sphere.incidence.leader[rows]
+    second = following[first]
+    third = following[second]
+    corners: Integers = sphere.rays[origin[first]] + sphere.rays[origin[second]]
+    return corners + sphere.rays[origin[third]]

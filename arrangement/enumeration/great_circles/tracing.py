@@ -10,6 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.numbers.packing import chunks
+
 from .crossings import BLOCK, Crossings
 from .incidence import Incidence, Indices
 from .predicates import along_rows
@@ -119,8 +121,7 @@ def _merged(combine: np.ufunc, entries: NDArray[Any], starts: NDArray[np.bool_])
     """Return entries combined over the runs that begin at starts."""
     if starts.all():
         return entries
-    merged: NDArray[Any] = combine.reduceat(entries, np.flatnonzero(starts), dtype=np.int32)
-    return merged
+    return combine.reduceat(entries, np.flatnonzero(starts), dtype=np.int32)
 
 
 @dataclass(frozen=True, slots=True)
@@ -271,9 +272,3 @@ def _origin(offsets: Indices, slot_line: Indices, lines: int) -> Indices:
 def _blocks(circles: int) -> Iterator[slice]:
     """Yield slices of circles with about `BLOCK` crossings."""
     return chunks(circles, max(1, BLOCK // circles))
-
-
-def chunks(total: int, size: int) -> Iterator[slice]:
-    """Yield consecutive slices: temporary arrays stay small, whatever the input."""
-    for start in range(0, total, size):
-        yield slice(start, min(start + size, total))

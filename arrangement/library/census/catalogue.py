@@ -7,7 +7,6 @@ from bisect import bisect
 from collections.abc import Sequence
 from functools import lru_cache
 from importlib.resources import files
-from itertools import combinations
 from typing import Any, overload
 
 import numpy as np
@@ -17,8 +16,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.counts.oriented_matroid import chirotope
 from arrangement.errors import InputError
 from arrangement.library.families import perles
-from arrangement.numbers.exact import shown, sign
-from arrangement.numbers.linear.rank import triple_product
+from arrangement.numbers.exact import shown
 
 from .chirotopes import Integers, Signs, canonical, chirotope_of, regions
 from .final_polynomials import OrderedProducts
@@ -73,11 +71,7 @@ def chirotopes(planes: int, chosen: slice | NDArray[np.intp] = slice(None)) -> S
 
 def exact_chirotope(arrangement: Arrangement) -> Signs:
     """Return the chirotope of distinct planes of rank 3, of any size and field."""
-    if arrangement.dimension > 3:
-        return np.array([*chirotope(arrangement).values()], dtype=np.int8)
-    rows = [plane[:-1] for plane in arrangement.integer_planes]
-    signs = [sign(triple_product(*three)) for three in combinations(rows, 3)]
-    return np.array(signs, dtype=np.int8)
+    return np.array([*chirotope(arrangement).values()], dtype=np.int8)
 
 
 class Types(Sequence[Arrangement]):

@@ -103,8 +103,7 @@ def t_vectors(signs: Signs, n: int) -> NDArray[np.int64]:
 
 def regions(signs: Signs, n: int) -> NDArray[np.int64]:
     """Return how many regions each arrangement of pseudolines has, by Euler's formula: (N,)."""
-    counts: NDArray[np.int64] = 2 + 2 * t_vectors(signs, n)[:, 2:] @ np.arange(1, n)
-    return counts
+    return 2 + 2 * t_vectors(signs, n)[:, 2:] @ np.arange(1, n)
 
 
 Integers: TypeAlias = NDArray[np.int64]

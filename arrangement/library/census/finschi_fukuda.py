@@ -11,7 +11,6 @@ Source: [FinschiFukuda2002]; the order, L. Finschi, Homepage of Oriented Matroid
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import lru_cache
 from importlib.resources import files
 from itertools import combinations
@@ -20,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.console.progress import watched
+from arrangement.numbers.packing import chunks
 
 from .catalogue import MOST_PLANES, PUBLISHED, chirotopes, without_coordinates
 from .chirotopes import Integers, Signs, alternating, pairs
@@ -50,7 +50,7 @@ def numbers(planes: int) -> NDArray[np.int32]:
     """
     parts = [
         representatives(chirotopes(planes, part), planes)
-        for part in watched(list(_parts(PUBLISHED[planes])), "parts of the types")
+        for part in watched(list(chunks(PUBLISHED[planes], _TOGETHER)), "parts of the types")
     ]
     if planes == MOST_PLANES:
         signs = np.array([signs for signs, _ in without_coordinates()])
@@ -59,10 +59,6 @@ def numbers(planes: int) -> NDArray[np.int32]:
     found = np.empty(len(order), dtype=np.int32)
     found[order] = np.arange(1, len(order) + 1)
     return found[: PUBLISHED[planes]]
-
-
-def _parts(total: int) -> Iterator[slice]:
-    return (slice(low, min(low + _TOGETHER, total)) for low in range(0, total, _TOGETHER))
 
 
 def texts(words: Integers) -> list[str]:

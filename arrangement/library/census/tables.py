@@ -13,6 +13,7 @@ from arrangement.console.progress import watched
 from arrangement.library.census.catalogue import (
     MOST_PLANES,
     PUBLISHED,
+    census,
     chirotopes,
     normals,
     place_keys,
@@ -25,6 +26,8 @@ from arrangement.library.census.final_polynomials import (
     proved_no_coordinates,
     proves_no_coordinates,
 )
+from arrangement.numbers.packing import chunks
+from arrangement.planes.proved import proved_f_vectors
 
 #: Types that are worked on together.
 _TOGETHER = 5000
@@ -53,7 +56,7 @@ class Table:
 def table(planes: int) -> Table:
     """Count the types of so many planes, 3 to 9; those of nine take half a minute."""
     rows = normals(planes)
-    parts = watched(_parts(len(rows)), "parts of the types")
+    parts = watched(list(chunks(len(rows), _TOGETHER)), "parts of the types")
     points = np.concatenate([t_vectors(chirotopes(planes, part), planes) for part in parts])
     lines = np.arange(planes + 1)
     regions = 2 + 2 * (points * (lines - 1))[:, 2:].sum(1)
@@ -67,6 +70,38 @@ def table(planes: int) -> Table:
         by_points=dict(sorted(t_vector.items(), reverse=True)),
         digest=sha256(rows.astype(np.int8).tobytes()).hexdigest(),
     )
+
+
+def counted_alike(planes: int, chosen: Sequence[int] | None = None) -> tuple[int, int]:
+    """Count rays, facets and regions of types by the program that is proved in Coq, and compare.
+
+    What it is compared with are the numbers that follow from the signs of triples of planes.
+
+    Args:
+        planes: of the types, 3 to 9.
+        chosen: their places in the list; if omitted, all.
+
+    Returns:
+        How many types were counted, those with irrational coordinates left out, and for how many
+        all three numbers are the same.
+
+    Raises:
+        InputError: the program is not built.
+
+    """
+    listed, rows = census(planes), normals(planes)
+    places = np.arange(len(rows)) if chosen is None else np.array(chosen, dtype=np.intp)
+    places = places[rows[places].any((1, 2))]
+    lines, alike = np.arange(planes + 1), 0
+    parts = [places[part] for part in chunks(len(places), _TOGETHER)]
+    for part in watched(parts, f"parts of {_TOGETHER:,} types"):
+        points = t_vectors(chirotopes(planes, part), planes)
+        facets = 2 * points @ lines
+        rays = 2 * points.sum(1)
+        expected = np.stack([np.ones_like(rays), rays, facets, 2 - rays + facets], axis=1)
+        counted = proved_f_vectors(listed[k] for k in part.tolist())
+        alike += int((np.array(counted) == expected).all(1).sum())
+    return len(places), alike
 
 
 @dataclass(frozen=True)
@@ -136,13 +171,9 @@ def _without_coordinates(proved: bool) -> set[tuple[int, ...]]:
 
 def _in_order() -> bool:
     last: tuple[int, ...] = ()
-    for part in watched(_parts(PUBLISHED[MOST_PLANES]), "parts of the list"):
+    for part in watched(list(chunks(PUBLISHED[MOST_PLANES], _TOGETHER)), "parts of the list"):
         for row in map(tuple, place_keys(chirotopes(MOST_PLANES, part)).tolist()):
             if row <= last:
                 return False
             last = row
     return True
-
-
-def _parts(total: int) -> list[slice]:
-    return [slice(low, min(low + _TOGETHER, total)) for low in range(0, total, _TOGETHER)]

@@ -16,20 +16,13 @@ from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, shown
 from arrangement.numbers.linear.rank import determinant
 
-
-def _demicube(n: int) -> Iterator[IntegerVector]:
-    return (x for x in product((0, 1), repeat=n) if sum(x) % 2 == 0)
-
-
-def _cross_polytope(n: int) -> Iterator[IntegerVector]:
-    return (tuple(s * int(i == j) for j in range(n)) for i in range(n) for s in (1, -1))
-
-
 #: Name of a polytope -> its vertices in R^n.
 _VERTICES: Mapping[str, Callable[[int], Iterator[IntegerVector]]] = {
     "cube": lambda n: product((0, 1), repeat=n),
-    "demicube": _demicube,
-    "cross-polytope": _cross_polytope,
+    "demicube": lambda n: (x for x in product((0, 1), repeat=n) if sum(x) % 2 == 0),
+    "cross-polytope": lambda n: (
+        tuple(s * int(i == j) for j in range(n)) for i in range(n) for s in (1, -1)
+    ),
     "permutohedron": lambda n: permutations(range(1, n + 1)),
 }
 

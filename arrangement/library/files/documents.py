@@ -17,10 +17,8 @@ Packages above this one add further kinds of document that stand for an arrangem
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from importlib.resources import files
 from typing import Any
 
 from arrangement.arrangement import Arrangement
@@ -36,18 +34,6 @@ from arrangement.library.files.json_files import (
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, rational_vector
 from arrangement.numbers.number_field import NumberField
-
-
-def arrangement_schema() -> dict[str, Any]:
-    """Return the schema.
-
-    >>> arrangement_schema()["title"]
-    'Arrangement'
-    """
-    text = files(__package__).joinpath("arrangement.schema.json").read_text(encoding="utf-8")
-    schema: dict[str, Any] = json.loads(text)
-    return schema
-
 
 #: Of a document of the kind "planes"; the first two are needed.
 KEYS = ("schema_version", "planes", "offsets", "dimension", "description", "field")

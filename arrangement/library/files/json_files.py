@@ -23,7 +23,7 @@ from arrangement.console.plugins import added, named
 from arrangement.console.writing import reason
 from arrangement.errors import InputError
 from arrangement.numbers import budget
-from arrangement.numbers.exact import MAX_TEXT_LENGTH, integer, shown
+from arrangement.numbers.exact import integer, shown
 
 if TYPE_CHECKING:
     from importlib.resources.abc import Traversable
@@ -205,10 +205,8 @@ def _without_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def _parse_integer(text: str) -> int:
-    if len(text) > MAX_TEXT_LENGTH:
-        raise InputError(
-            f"an integer has {len(text)} digits; at most {MAX_TEXT_LENGTH} are read as one number"
-        )
+    if len(text) > budget.MOST["characters of a number"]:
+        budget.keep(len(text), "characters of a number")
     return integer(text)
 
 

@@ -54,8 +54,7 @@ class FloatProgram:
         """Return (k,), at least 0: their sum of the rows is ``constant - x_n``."""
         found = np.zeros(len(self._rows))
         found[self._basis] = self._weights
-        result: Floats = found / self._sizes
-        return result
+        return found / self._sizes
 
     def solve(self) -> bool:
         """Go to the greatest last variable; return whether that ended well."""

@@ -16,14 +16,9 @@ Interval: TypeAlias = tuple[Fraction | None, Fraction | None]
 LINE: Interval = (None, None)
 
 
-def end_text(end: Fraction | None) -> str | None:
-    """Return the JSON form of an end: a text, or None for no end."""
-    return None if end is None else to_text(end)
-
-
 def texts(interval: Interval) -> list[str | None]:
-    """Return the JSON form of an interval."""
-    return [end_text(end) for end in interval]
+    """Return the JSON form of an interval: texts, None for no end."""
+    return [None if end is None else to_text(end) for end in interval]
 
 
 def where_positive(rows: Iterable[tuple[Fraction | int, Fraction | int]]) -> Interval | None:
@@ -56,9 +51,10 @@ def union(intervals: Iterable[Interval]) -> tuple[Interval, ...]:
     ((Fraction(0, 1), None),)
     """
     merged: list[Interval] = []
-    for low, high in sorted(intervals, key=_low_key):
-        if merged and _reaches(merged[-1][1], low):
-            merged[-1] = (merged[-1][0], _higher(merged[-1][1], high))
+    for low, high in sorted(intervals, key=lambda part: (part[0] is not None, part[0] or 0)):
+        start, end = merged[-1] if merged else (low, high)
+        if merged and (end is None or low is None or low <= end):
+            merged[-1] = start, None if end is None or high is None else max(end, high)
         else:
             merged.append((low, high))
     return tuple(merged)
@@ -102,15 +98,3 @@ def remainder(whole: Interval, removed: Sequence[Interval]) -> tuple[Interval, .
 def is_long(interval: Interval) -> bool:
     """Return whether an interval is more than one point."""
     return None in interval or interval[0] != interval[1]
-
-
-def _low_key(interval: Interval) -> tuple[bool, Fraction]:
-    return (interval[0] is not None, interval[0] or Fraction(0))
-
-
-def _reaches(high: Fraction | None, low: Fraction | None) -> bool:
-    return high is None or low is None or low <= high
-
-
-def _higher(one: Fraction | None, other: Fraction | None) -> Fraction | None:
-    return None if one is None or other is None else max(one, other)

@@ -24,7 +24,7 @@ from arrangement.numbers.exact import (
     to_text,
 )
 from arrangement.numbers.linear.cones import Generators, both_ways
-from arrangement.numbers.linear.rank import cross, determinant, rank
+from arrangement.numbers.linear.rank import cross, determinant, rank, triple_product
 
 from .intervals import LINE, Interval, where_positive
 
@@ -119,7 +119,10 @@ class Polyhedron:
         points, found = self.homogeneous[0], []
         for row, facet in zip(self.inequalities, self.facets, strict=True):
             cycle = self.cycle(facet)
-            inward = determinant([(*row[:3], 0), *(points[j] for j in cycle[:3])]) > 0
+            (*p, u), (*q, v), (*r, w) = (points[j] for j in cycle[:3])
+            one = [u * y - v * x for x, y in zip(p, q, strict=True)]
+            two = [u * y - w * x for x, y in zip(p, r, strict=True)]
+            inward = triple_product(row[:3], one, two) > 0
             found.append(cycle[::-1] if inward else cycle)
         return tuple(found)
 

@@ -20,8 +20,7 @@ from fractions import Fraction
 from typing import Any, TypeAlias
 
 from arrangement.errors import ArrangementError
-from arrangement.numbers.exact import IntegerVector, RationalVector, primitive
-from arrangement.numbers.long_integers import fast_integers
+from arrangement.numbers.exact import IntegerVector, RationalVector, fast_integers, primitive
 
 Row: TypeAlias = Sequence[Fraction | int]
 

@@ -41,10 +41,11 @@ def surely_outside(shapes: Sequence[Polyhedron]) -> Booleans:
         outside[:, part] = _any_of(means[part] @ rows.T < _NEGATIVE, firsts).T
     ends = [*firsts, len(rows)]
     for i in range(len(shapes)):
-        for j in np.flatnonzero(~outside[i]).tolist():
-            if i != j:
-                own = points[starts[j] : starts[j] + counts[j]]
-                outside[i, j] = bool((own @ rows[ends[i] : ends[i + 1]].T < _NEGATIVE).any())
+        left = np.flatnonzero(~outside[i])
+        own = points[np.repeat(~outside[i], counts)]
+        beyond = (own @ rows[ends[i] : ends[i + 1]].T < _NEGATIVE).any(axis=1)
+        outside[i, left] = np.logical_or.reduceat(beyond, np.cumsum(counts[left]) - counts[left])
+        outside[i, i] = False
     return outside
 
 
@@ -95,8 +96,7 @@ def _conditions(shapes: Sequence[Polyhedron]) -> tuple[Floats, list[int]]:
 
 def _any_of(flags: Booleans, starts: Sequence[int]) -> Booleans:
     """Return whether any column of each group has its flag set."""
-    found: Booleans = np.logical_or.reduceat(flags, starts, axis=1)
-    return found
+    return np.logical_or.reduceat(flags, starts, axis=1)
 
 
 def _stacked(groups: Sequence[Sequence[IntegerVector]]) -> tuple[Floats, list[int]]:

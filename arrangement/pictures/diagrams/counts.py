@@ -13,7 +13,6 @@ from arrangement.arrangement import Arrangement
 from arrangement.counts import f_vector, fukuda_bound
 from arrangement.drawing.colours import BLACK
 from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import write_scene
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.layout import laid_out
 from arrangement.drawing.scene.scene import Scene
@@ -203,4 +202,6 @@ def _families(panel: _CountsPanel) -> None:
 def write_counts(path: str | os.PathLike[str], **options: Any) -> None:
     """Write the picture of `draw_counts` into a file, in the format of its suffix."""
     draw: Callable[..., Scene] = draw_counts.scene
+    from arrangement.drawing.path_artist import write_scene
+
     write_scene(path, lambda: laid_out(draw(**options)))

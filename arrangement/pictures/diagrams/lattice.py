@@ -182,25 +182,23 @@ Covers: TypeAlias = Sequence[Sequence[Sequence[int]]]
 
 #: More edges than this between two layers are not counted for crossings.
 _COUNTED = 2500
+#: So often layers are sorted by the means of their neighbours, up and down in turn; the order with
+#: the fewest crossings is kept (K. Sugiyama, S. Tagawa, M. Toda, IEEE Trans. SMC 11 (1981)).
+_SWEEPS = 16
 
 
-def layered_orders(
-    sizes: Sequence[int], covers: Covers, fixed: int = 0, sweeps: int = 16
-) -> list[list[int]]:
+def layered_orders(sizes: Sequence[int], covers: Covers, fixed: int = 0) -> list[list[int]]:
     """Return an order of the nodes of every layer.
 
     Args:
         sizes: the number of nodes of each layer.
         covers: for each layer and each node, its neighbours in the next layer.
         fixed: so many layers, the first ones, keep their order.
-        sweeps: how often layers are sorted by the means of their neighbours, up and down in turn;
-            the order with the fewest crossings is kept (K. Sugiyama, S. Tagawa, M. Toda, IEEE
-            Trans. SMC 11 (1981)).
     """
     below = [_reversed(covers[k], sizes[k + 1]) for k in range(len(sizes) - 1)]
     orders = [list(range(size)) for size in sizes]
     best, fewest = orders, _crossings(orders, covers)
-    for sweep in range(sweeps):
+    for sweep in range(_SWEEPS):
         orders = [list(order) for order in orders]
         if sweep % 2:
             for k in range(len(sizes) - 2, fixed - 1, -1):

@@ -18,7 +18,7 @@ from arrangement.drawing.solids.flat_polygons import between, clipped
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, quotient, sign
 from arrangement.numbers.linear.rank import cycle_edges
 from arrangement.numbers.number_field import rational_near
-from arrangement.pictures.sphere.globe import Globe
+from arrangement.pictures.sphere.globe import Globe, region_signs, sign_vectors
 from arrangement.pictures.sphere.projections import Drawn, stereographic
 
 #: The direction from which the cone is seen: the plane of the lines is at height 1 above it.
@@ -42,12 +42,20 @@ class LinesChart:
             the line at infinity.
     """
 
-    def __init__(self, lines: Arrangement) -> None:
+    def __init__(self, lines: Arrangement, window: Sequence[RationalVector] = ()) -> None:
+        """Take lines, and opposite corners of the window, if not all vertices are to be in it."""
         self.lines = lines
         vertices = list(_vertices(lines))
         feet = (((a * c, b * c), a * a + b * b) for a, b, c in lines.integer_planes)
         nearest = [tuple(rational_near(quotient(x, square)) for x in p) for p, square in feet]
         middle, half = _window(vertices or nearest)
+        if window:
+            columns = [sorted(column) for column in zip(*window, strict=True)]
+            middle, half = (tuple((b + s * a) / 2 for a, b in columns) for s in (1, -1))
+            vertices = [
+                p for p in vertices
+                if all(abs(x - c) <= h for x, c, h in zip(p, middle, half, strict=True))
+            ]  # fmt: skip
         unit = _unit(vertices, middle, half)
         self.half = [x / unit for x in half]
         self.globe = Globe(_cone(lines, middle, unit), ABOVE)
@@ -56,20 +64,19 @@ class LinesChart:
     @cached_property
     def regions(self) -> dict[int, tuple[int, ...]]:
         """The sign vectors of the regions, by their numbers on the sphere."""
-        found = map(self.sphere.region_signs, range(self.sphere.region_count))
+        found = region_signs(self.sphere)
         return {r: signs[:-1] for r, signs in enumerate(found) if signs[-1] > 0}
 
     @cached_property
     def edges(self) -> dict[int, tuple[int, ...]]:
         """The sign vectors of the edges, by their numbers on the sphere."""
-        circles = self.incidence.arc_circle.tolist()
-        found = {a: self.sphere.arc_signs(a) for a, c in enumerate(circles) if c != self.globe.limb}
-        return {a: signs[:-1] for a, signs in found.items() if signs[-1] > 0}
+        found = sign_vectors(self.sphere, self.sphere.packed_arc_signs)
+        return {a: signs[:-1] for a, signs in enumerate(found) if signs[-1] > 0}
 
     @cached_property
     def vertices(self) -> dict[int, tuple[int, ...]]:
         """The sign vectors of the vertices, by their numbers on the sphere."""
-        found = map(self.sphere.vertex_signs, range(self.sphere.vertex_count))
+        found = sign_vectors(self.sphere, self.sphere.packed_vertex_signs)
         return {v: signs[:-1] for v, signs in enumerate(found) if signs[-1] > 0}
 
     @cached_property
@@ -155,7 +162,7 @@ class LinesChart:
 
 
 def _places(points: Iterable[IntegerVector]) -> Floats:
-    return np.array([[x / w, y / w] for x, y, w in points])
+    return np.array([[x / w, y / w] for x, y, w in points]).reshape(-1, 2)
 
 
 def _cone(lines: Arrangement, middle: RationalVector, unit: Fraction) -> Arrangement:

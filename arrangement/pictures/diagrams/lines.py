@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable
+from operator import ne
 from typing import Any
 
 import numpy as np
@@ -13,12 +15,13 @@ from arrangement.drawing.colours import (
     BLUE,
     PALETTE,
     VERMILION,
+    Choice,
     Colouring,
     DrawnRegion,
-    Painter,
     colouring,
 )
 from arrangement.drawing.figure import picture
+from arrangement.drawing.registry import Corner, Labels
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import (
     SIZES,
@@ -29,10 +32,10 @@ from arrangement.drawing.scene.labels import (
     sign_text,
     write_beside,
 )
-from arrangement.drawing.scene.scene import FONT, POINTS, Scene
-from arrangement.drawing.scene.shapes import arrow
+from arrangement.drawing.scene.scene import FONT, POINTS, Scene, arrow
 from arrangement.errors import InputError, refusal
-from arrangement.numbers.exact import shown
+from arrangement.numbers.exact import rational_vector, shown
+from arrangement.pictures.parts.coordinates import in_coordinates
 from arrangement.pictures.parts.essential import shown_as
 from arrangement.pictures.parts.names import RegionLabels, dot, explain_regions, plane_names, swatch
 from arrangement.pictures.sphere.disc import alone, label_regions
@@ -53,10 +56,12 @@ def draw_lines(
     *,
     projective: bool = False,
     faces: str = "regions",
-    labels: str | None = None,
-    colour: str | Painter = "bounded",
+    labels: Labels | None = None,
+    colour: Choice = "bounded",
     sides: bool = False,
     width: float = 88.0,
+    coordinates: str | None = None,
+    window: Iterable[Corner] = (),
 ) -> Scene:
     """Draw lines of the plane in a window with all their vertices, or in the projective plane.
 
@@ -79,6 +84,9 @@ def draw_lines(
             else numbers, with the table for up to 24 regions.
         colour: "bounded" (bounded regions are tinted), or as for `draw_sphere`.
         sides: at each line, an arrow to its positive side.
+        coordinates: "symmetric" or "given"; if omitted, the lines of a root system of rank 2, all
+            roots with the same offsets, have its angles. This changes no sign vector.
+        window: two opposite corners of what is shown, exact; coordinates are those given then.
 
     Raises:
         InputError: rank 3 or more, too many lines, unknown faces, labels or colouring.
@@ -90,9 +98,15 @@ def draw_lines(
         raise InputError("numbers are for regions only; with all faces, labels are signs or none")
     kind = "signs" if everything and labels is None else labels
     names = RegionLabels(arrangement, kind if len(arrangement) else "none")
-    sheet = (_DiscSheet if projective else _WindowSheet)(
-        LinesChart(arrangement), width, names, colour
-    )
+    corners = [rational_vector(corner, "window") for corner in window]
+    if corners:
+        if coordinates not in (None, "given") or projective:
+            raise InputError("a window is one of given coordinates, without the line at infinity")
+        if [*map(len, corners)] != [2, 2] or not all(map(ne, *corners)):
+            raise InputError("the window has two opposite corners, such as -1,-1 2,3")
+        coordinates = "given"
+    chart = LinesChart(in_coordinates(coordinates, arrangement)[0], corners)
+    sheet = (_DiscSheet if projective else _WindowSheet)(chart, width, names, colour)
     if sides:
         sheet.mark_sides()
     if everything and names.kind == "signs":
@@ -120,7 +134,7 @@ class _Sheet:
     notes: tuple[str, ...] = ()
 
     def __init__(
-        self, chart: LinesChart, width: float, names: RegionLabels, colour: str | Painter
+        self, chart: LinesChart, width: float, names: RegionLabels, colour: Choice
     ) -> None:
         self.chart, self.names, self.missing = chart, names, Counter()
         self.regions = [DrawnRegion(s, chart.sides[s]) for s in chart.regions.values()]
@@ -167,16 +181,15 @@ class _Sheet:
 
     def label_faces(self) -> None:
         """Mark the vertices, and write sign vectors beside them and on the edges."""
-        for e in self.chart.edges:
+        for e in self.edges:
             self.missing["edges"] += not self._label_edge(e)
         off = keep_off([*self.edges.values(), *self.arms])
-        for v, signs in self.chart.vertices.items():
-            self.scene.circle(
-                self.vertices[v], 1.7, fc=VERMILION, ec="none", zorder=4, gid=f"vertex-{v + 1}"
-            )
+        for v, spot in self.vertices.items():
+            style = {"fc": VERMILION, "ec": "none", "zorder": 4, "gid": f"vertex-{v + 1}"}
+            self.scene.circle(spot, 1.7, **style)
             look: dict[str, Any] = {"off": off, "distance": 3.0, "color": VERMILION}
             self.missing["vertices"] += not write_beside(
-                self.scene, self.vertices[v], [sign_text(signs)], SIZES, **look
+                self.scene, spot, [sign_text(self.chart.vertices[v])], SIZES, **look
             )
 
     def _label_edge(self, edge: int) -> bool:
@@ -199,6 +212,8 @@ class _Sheet:
         """Draw an arrow across each line, near an end, to its positive side."""
         whole = self.chart.globe.whole.arrangement
         for members, points in zip(whole.distinct, self.lines, strict=True):
+            if not len(points):
+                continue
             share = min(0.3, 9 / float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum()))
             start, way = _along(points, share), _along(points, 1.1 * share) - _along(points, share)
             way /= np.linalg.norm(way)
@@ -236,17 +251,27 @@ class _WindowSheet(_Sheet):
         def at(points: Floats) -> Floats:
             return self.centre + scale * points
 
+        outside = 0
         for r, signs in chart.regions.items():
             region, outline = DrawnRegion(signs, chart.sides[signs]), at(chart.outline(r))
+            if len(outline) < 3:
+                outside += 1
+                continue
             self.scene.polygon(
                 outline, fc=self.paint(region), ec="none", gid=self.names.element("region", signs)
             )
             self.outlines.append((region, outline))
-        self.edges = {e: at(chart.edge(e)) for e in chart.edges}
-        self.vertices = {v: at(chart.vertex(v)) for v in chart.vertices}
+        if outside:
+            self.scene.legend.captions.append(f"{counted(outside, 'region')} outside the window")
+        ends_of = {e: at(chart.edge(e)) for e in chart.edges}
+        self.edges = {e: ends for e, ends in ends_of.items() if len(ends) == 2}
+        places = {v: chart.vertex(v) for v in chart.vertices}
+        self.vertices = {v: at(p) for v, p in places.items() if (np.abs(p) <= (x, y)).all()}
         for label, name in enumerate(names):
             ends = at(chart.line(label))
-            self.lines.append(ends)
+            self.lines.append(ends if len(ends) == 2 else np.empty((0, 2)))
+            if len(ends) < 2:
+                continue
             self.scene.line(
                 ends, gid=f"line-{chart.lines.firsts[label] + 1}", capstyle="butt", **_LINE
             )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,12 +12,13 @@ from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import (
     BLUE,
     VERMILION,
+    Choice,
     Painter,
     letter_colour,
     plane_colour,
 )
 from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import Vector
+from arrangement.drawing.registry import Labels, Vector
 from arrangement.drawing.scene.items import Box, Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, ring, tried, write_along, write_beside
 from arrangement.drawing.scene.scene import Scene
@@ -42,9 +44,10 @@ def draw_dual(
     arrangement: Arrangement,
     *,
     direction: Vector | None = None,
-    colour: str | Painter | None = None,
+    azimuth: float = 0.0,
+    colour: Choice | None = None,
     antipodes: str | None = None,
-    labels: str | None = None,
+    labels: Labels | None = None,
     width: float = 180.0,
     hull: bool = False,
     coordinates: str | None = None,
@@ -69,7 +72,7 @@ def draw_dual(
         arrangement: central, in R^3, of rank 1 to 3; rank 3 for the hull.
         direction: the exact direction towards the viewer; if omitted, one from above in which no
             circle is edge-on and no vertex hides its opposite.
-        colour, antipodes, labels: as for `draw_sphere`.
+        azimuth, colour, antipodes, labels: as for `draw_sphere`.
         width: of the figure, in millimetres; below 120 the panels stand one above the other.
         hull: draw the hull of representatives.
         coordinates: as for `draw_sphere`; for the hull "given" if omitted.
@@ -85,6 +88,8 @@ def draw_dual(
     globe = Globe(arrangement, direction)
     if direction is None and not hull:
         globe = Globe(arrangement, _oblique_direction(globe))
+    if azimuth:
+        globe = Globe(arrangement, globe.direction, azimuth)
     colours = globe.colouring(colour, antipodes)
     if hull:
         from arrangement.duals.inscribed.hull import representative_hull
@@ -129,9 +134,8 @@ def draw_dual(
 def _oblique_direction(globe: Globe) -> IntegerVector:
     """Return a direction clear of the limb as usual, and of the vertices of the dual."""
     whole = globe.whole
-    lines = [*whole.circle_normals, *(whole.ray(v) for v in range(whole.vertex_count))]
     if not whole.circle_count:
-        return clear_direction(lines)
+        return clear_direction(*globe.lines())
     corners = unit(dual_solid(whole.arrangement, (0, 0, 1), np.eye(3)).corners)
 
     def apart(seen: Sequence[IntegerVector]) -> Floats:
@@ -139,7 +143,7 @@ def _oblique_direction(globe: Globe) -> IntegerVector:
         found: Floats = np.sqrt(np.maximum(0, 1 - near**2))
         return found
 
-    return clear_direction(lines, apart)
+    return clear_direction(*globe.lines(), apart)
 
 
 def _sphere(disc: Disc, paint: Painter, points: Floats | None, within: Box) -> None:
@@ -153,20 +157,16 @@ def _sphere(disc: Disc, paint: Painter, points: Floats | None, within: Box) -> N
     disc.draw(paint, avoid=dots, within=within)
 
 
+@dataclass
 class _SolidPanel:
     """The second panel."""
 
-    def __init__(
-        self,
-        scene: Scene,
-        globe: Globe,
-        solid: SeenSolid,
-        fills: Sequence[str],
-        names: RegionLabels,
-        hull: bool,
-    ) -> None:
-        self.scene, self.globe, self.solid, self.hull = scene, globe, solid, hull
-        self.fills, self.names = fills, names
+    scene: Scene
+    globe: Globe
+    solid: SeenSolid
+    fills: Sequence[str]
+    names: RegionLabels
+    hull: bool
 
     def draw(self, centre: tuple[float, float], radius: float, half: float) -> None:
         """Draw into the square around `centre` with sides of twice `half`."""
@@ -255,7 +255,9 @@ class _SolidPanel:
         solid, far = self.solid, np.round(np.linalg.norm(self.places - centre, axis=1), 4)
         off = self._off(small)
         order = sorted(range(len(far)), key=lambda v: (solid.vertex_hidden[v], -far[v]))
-        for v in order[: tried(len(far))] if self.names.kind != "none" else ():
+        seen = solid.vertex_hidden.count(False)
+        missing = []
+        for v in order[: max(seen, tried(len(far)))] if self.names.kind != "none" else ():
             hidden = solid.vertex_hidden[v]
             if self.inside and not hidden:
                 self.scene.write(self.places[v], self._text(v), SIZES[1], zorder=7)
@@ -265,7 +267,14 @@ class _SolidPanel:
             texts, distance = self.names.forms(solid.signs[v]), small * (0.7 if hidden else 1) + 1.0
             look: dict[str, Any] = {"color": "0.45" if hidden else "black", "away": away, **room}
             place = self.places[v]
-            write_beside(self.scene, place, texts, SIZES[:2], off=off, distance=distance, **look)
+            if not write_beside(
+                self.scene, place, texts, SIZES, off=off, distance=distance, **look
+            ):
+                missing += texts[:1] * (not hidden)
+        if missing:
+            some = ", ".join(sorted(missing, key=lambda text: (len(text), text)))
+            text = f"no room in front of the dual for the names of vertices {some}"
+            self.scene.legend.captions.append(text)
 
 
 _HULL_STYLES: dict[int, dict[str, Any]] = {

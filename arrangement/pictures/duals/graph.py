@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -13,23 +14,23 @@ import numpy.typing as npt
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import (
     CHECKERS,
-    Colouring,
+    Choice,
     DrawnRegion,
-    Painter,
     colouring,
     letter_colour,
     plane_colour,
 )
 from arrangement.drawing.figure import picture
+from arrangement.drawing.registry import Labels
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, tried, write_along, write_beside
-from arrangement.drawing.scene.scene import Scene, area
+from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.duals.zonotope import dual_polygon, dual_segment
 from arrangement.numbers import budget
 from arrangement.numbers.linear.rank import cycle_edges
-from arrangement.pictures.parts.coordinates import symmetry
+from arrangement.pictures.parts.coordinates import orbits, symmetry
 from arrangement.pictures.parts.essential import shown_as
 from arrangement.pictures.parts.names import RegionLabels, dot, explain_regions, plane_names
 
@@ -58,9 +59,9 @@ class PlanarGraph:
 def draw_graph(
     arrangement: Arrangement,
     *,
-    colour: str | Painter | None = None,
+    colour: Choice | None = None,
     antipodes: str | None = None,
-    labels: str | None = None,
+    labels: Labels | None = None,
     width: float = 88.0,
 ) -> Scene:
     """Draw the graph of the dual (regions, and which of them share a facet) without crossings.
@@ -85,8 +86,10 @@ def draw_graph(
     degrees = np.bincount(np.array([edge[:2] for edge in graph.edges]).ravel()).tolist()
     regions = [DrawnRegion(s, d) for s, d in zip(graph.signs, degrees, strict=True)]
     pairs = [(u, v) for u, v, _ in graph.edges]
-    colours = colouring(colour, antipodes, regions, pairs, arrangement.firsts)
-    fills = CHECKERS if colours.name == "parity" else ("white", "white")
+    found = partial(orbits, arrangement, graph.signs) if arrangement.dimension == 3 else None
+    colours = colouring(colour, antipodes, regions, pairs, arrangement.firsts, found)
+    parity = colours.name == "parity"
+    fills = [colours.shown(fill) if parity else "white" for fill in CHECKERS]
     even = "even number of minus signs"
     if len(arrangement.distinct) < len(arrangement):
         even += ", coincident planes counted once"
@@ -95,7 +98,7 @@ def draw_graph(
     for (shape, text), fill in zip(shapes, fills, strict=False):
         scene.legend.key(dot(shape, fc=fill, lw=0.7), text)
     if colours.name == "parity":
-        colours = Colouring(colours.paint, None)
+        colours = replace(colours, name=None)
     if arrangement.rank == 3:
         crossed = sorted({c for u, v, c in graph.edges if u in graph.outer and v in graph.outer})
         planes = plane_names(sorted(k for c in crossed for k in arrangement.distinct[c]))
@@ -253,16 +256,19 @@ def tutte_places(
     inside = [cycle for cycle in faces if set(cycle) != set(outer)]
     pairs, beside = _edges(inside)
     weights = np.ones(len(pairs))
+    corners = np.concatenate([np.array(cycle) for cycle in inside])
+    following = np.concatenate([np.roll(cycle, -1) for cycle in inside])
+    starts = np.cumsum([0, *map(len, inside[:-1])])
     for step in range(rounds + 1):
         places[inner] = _means(places, pairs, weights, inner)
         if step < rounds:
             steps = places[pairs[:, 0]] - places[pairs[:, 1]]
             lengths = _even(np.hypot(steps[:, 0], steps[:, 1]))
-            areas = _even(np.array([area(places[list(cycle)]) for cycle in inside]))
+            (x, y), (right, up) = places[corners].T, places[following].T
+            areas = _even(np.abs(np.add.reduceat(x * up - y * right, starts)) / 2)
             mean = np.sqrt(areas[beside[:, 0]] * areas[beside[:, 1]])
             weights = np.asarray(np.clip(weights * mean**0.15 * lengths**0.05, _LEAST, _MOST))
-    rounded: Floats = np.round(places, 9) + 0.0
-    return rounded
+    return np.round(places, 9) + 0.0
 
 
 def _edges(faces: Sequence[Sequence[int]]) -> tuple[Indices, Indices]:

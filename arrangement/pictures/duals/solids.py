@@ -97,10 +97,11 @@ def unit_lengths(arrangement: Planes) -> tuple[Fraction, ...]:
     million = 10**6
     sizes = [len(arrangement.distinct[label]) for label in arrangement.class_of]
     squares = [rational_near(dot(plane[:-1], plane[:-1])) for plane in arrangement.integer_planes]
-    return tuple(
-        Fraction(million, size * isqrt(int(square * million**2)))
-        for size, square in zip(sizes, squares, strict=True)
-    )
+    roots = [n * isqrt(int(x * million**2)) for n, x in zip(sizes, squares, strict=True)]
+    if max(roots, default=0) < 10**18:
+        return tuple(Fraction(million, root) for root in roots)
+    common = max(roots) * million  # many long denominators would have a huge one in common
+    return tuple(Fraction(million * common // root, common) for root in roots)
 
 
 def _polyhedron(dual: DualPolyhedron, direction: IntegerVector, axes: Floats) -> SeenSolid:
@@ -108,7 +109,8 @@ def _polyhedron(dual: DualPolyhedron, direction: IntegerVector, axes: Floats) ->
     edges = edges_of(dual)
     pairs = [(u, v) for u, v, _ in edges]
     edge_hidden, vertex_hidden = _hidden(pairs, dual.faces, towards, len(dual.signs))
-    points = np.array([[float(x) for x in vertex] for vertex in dual.vertices])
+    unit = dual.generators.denominator
+    points = np.array([[float(x / unit) for x in vertex] for vertex in dual.integer_vertices])
     normals = unit_vectors(dual.face_normals) @ axes.T
     visible = tuple(
         (cycle, normal)
@@ -163,7 +165,7 @@ def _hidden(
 
 
 def dual_model(
-    arrangement: Arrangement, suffix: str, *, size: float = 60.0, coordinates: str = "given"
+    arrangement: Arrangement, suffix: str, *, size: float = 60.0, coordinates: str | None = None
 ) -> bytes:
     """Return the dual polyhedron as a file; see `DualPolyhedron.export`.
 
@@ -173,8 +175,8 @@ def dual_model(
         arrangement: central, of rank 3; in another space than R^3 its essentialisation.
         suffix: ``.stl``, ``.glb`` or ``.obj``.
         size: the largest side of the bounding box, in millimetres.
-        coordinates: "given"; or "symmetric" or "even" as for `draw_dual`, with generators of
-            length 1.
+        coordinates: as for `draw_dual`, with generators of length 1; with "given" those of the
+            file, of its lengths.
     """
     arrangement, _ = in_coordinates(coordinates, brought(arrangement, "dual"))
     lengths = None if coordinates == "given" else unit_lengths(arrangement)

@@ -17,14 +17,10 @@ from arrangement.drawing.pages.html_page import Template
 from arrangement.errors import InputError
 from arrangement.library.census import census
 from arrangement.library.files.table import read_arrangement
-from arrangement.numbers.exact import rational, shown
+from arrangement.numbers import budget
+from arrangement.numbers.exact import rational, shown, to_text
 
 from .page import LINEAR, RATIONAL, lab, read_exercises
-
-#: Planes beyond which dragging stutters.
-MAX_PLANES = 20
-#: Longest numbers that the page reads.
-MAX_DIGITS = 1000
 
 
 def as_shown(arrangement: Arrangement) -> Arrangement:
@@ -52,11 +48,10 @@ def as_shown(arrangement: Arrangement) -> Arrangement:
         least, dimension = essentialization(arrangement), 2 if flat else 3
         rows = [(*n, *[0] * (dimension - least.dimension)) for n in least.normals]
         shown_planes = Arrangement(rows, least.offsets, dimension=dimension)
-    if len(shown_planes) > MAX_PLANES:
-        raise InputError(f"{len(shown_planes)} planes; the lab takes at most {MAX_PLANES}")
+    budget.keep(len(shown_planes), "planes in the lab")
     numbers = (abs(x) for plane in shown_planes.integer_planes for x in plane)
-    if max(numbers, default=0) >= 10**MAX_DIGITS:
-        raise InputError(f"a number has more digits than {MAX_DIGITS}, which the lab takes at most")
+    longest = to_text(max(numbers, default=0))
+    budget.keep(len(longest), "digits of a number on a page")
     return shown_planes
 
 
@@ -87,7 +82,7 @@ COUNTS = (
     "type",
 )
 #: Planes that may have to stay, by number.
-FIXED = tuple(str(k) for k in range(1, MAX_PLANES + 1))
+FIXED = tuple(str(k) for k in range(1, budget.MOST["planes in the lab"] + 1))
 
 
 def line_exercises(path: str | Path | None = None) -> list[dict[str, Any]]:
@@ -127,7 +122,7 @@ def _is_list_of_planes(one: Any) -> bool:
     return (
         isinstance(one, list)
         and len(set(map(str, one))) == len(one) >= 3
-        and all(type(k) is int and 1 <= k <= MAX_PLANES for k in one)
+        and all(type(k) is int and 1 <= k <= budget.most("planes in the lab") for k in one)
     )
 
 
@@ -170,7 +165,7 @@ def lab_page(
     """Return one HTML page, complete in itself: lines and great circles to drag, counted exactly.
 
     Args:
-        arrangement: at first; central of rank at most 3, or lines of R^2, up to `MAX_PLANES`. In
+        arrangement: at first; central of rank at most 3, or lines of R^2, up to 20 planes. In
             other spaces the essentialisation is meant. If omitted, five lines.
         title: a heading.
         exercises: a JSON file with exercises; if omitted, those that come with the lab.
@@ -182,7 +177,7 @@ def lab_page(
     data: dict[str, Any] = {
         "title": "The arrangement lab" if title is None else title,
         "summary": "Drag lines and great circles; every number is exact.",
-        "most": MAX_PLANES,
+        "most": budget.most("planes in the lab"),
         "arrangement": first.to_dict(),
         "examples": [
             {"name": name, "arrangement": read_arrangement(source).to_dict()}

@@ -52,7 +52,7 @@ def arrangement_page(
     point. Planes can be taken away and put back.
 
     Args:
-        arrangement: central, of rank at most 3, up to 30 distinct planes.
+        arrangement: central, of rank at most 3, up to 40 distinct planes.
         title: a heading; if omitted, the number of planes.
         colour: of the regions at first: "sides" (by number of sides), "signs" (by number of minus
             signs), "parity" (two colours), "none"; if omitted, sides if they differ, else parity.
@@ -139,7 +139,7 @@ def _cells(sphere: SphereArrangement) -> dict[str, Any]:
     """Return planes, circles, arcs, crossings and regions with all that joins them."""
     arrangement, topology = sphere.arrangement, sphere.incidence
     normals = [plane[:3] for plane in arrangement.integer_planes]
-    longest = max((_longest(normal) for normal in normals), default=1)
+    longest = max((abs(x) for normal in normals for x in normal), default=1)
     planes = [
         {
             "normal": _exact(normal),
@@ -193,10 +193,6 @@ def _region(sphere: SphereArrangement, region: int) -> dict[str, Any]:
 
 def _exact(vector: IntegerVector) -> list[str]:
     return [to_text(x) for x in vector]
-
-
-def _longest(vector: IntegerVector) -> int:
-    return max(map(abs, vector))
 
 
 def _unit(vector: IntegerVector) -> list[float]:

@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
@@ -28,18 +29,24 @@ from arrangement.drawing.registry import AxisNames, Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.sight import unit, unit_vectors
 from arrangement.errors import InputError, refusal
+from arrangement.library.families.classical import positive_roots
+from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, dot, primitive, shown
-from arrangement.numbers.linear.rank import cross, rank, triple_product
+from arrangement.numbers.linear.rank import cross, triple_product
 from arrangement.numbers.real_entries import real_vector
 from arrangement.planes.planes import Planes
 
+from .essential import inverse_root, rounded_map
+
 CHOICES = ("given", "symmetric", "even")
-#: Distinct planes beyond which no group is looked for.
-MOST_PLANES = 60
+#: More than the roundings of a determinant of three unit vectors.
+_SURE = 1e-12
 #: Mean squares of unit normals below this, in some direction, make slivers.
 NARROW = 0.08
 _EVEN_ROUNDS, _ROUNDS = 12, 3000
 _PULL = 0.1
+#: Root systems by rank; others have the same roots up to order.
+_TYPES = {2: ("A2", "B2", "C2", "G2"), 3: ("A3", "B3", "C3")}
 #: The fewest maps of a group that is shown.
 _LEAST = 3
 #: Angles that differ by less are taken for equal.
@@ -78,8 +85,9 @@ def in_coordinates(
         coordinates: "given"; "symmetric", in which the maps that permute the planes are rotations
             and mirrors (where they are few, the given ones); "even", with normals spread evenly.
             None: given if they have a meaning (`Planes.axes`), else symmetric, or even for narrow
-            planes that have no other symmetric ones.
-        arrangement: central planes in R^3; other ones are returned as they are.
+            planes that have no other symmetric ones. Lines of R^2 and planes off the origin have
+            symmetric ones if they are those of a root system (see `root_map`).
+        arrangement: planes in R^3 or lines in R^2; other ones are returned as they are.
         direction: of points, in given coordinates.
 
     >>> skew = Arrangement([[1, 0, 0], [1, 1, 0], [1, 1, 1]])
@@ -89,8 +97,9 @@ def in_coordinates(
     chosen = coordinates or ("given" if arrangement.axes else "symmetric")
     if chosen not in CHOICES:
         raise refusal(f"the coordinates are {shown(chosen)}", chosen, CHOICES)
-    matrix = None
-    if arrangement.dimension == 3 and arrangement.is_central and chosen != "given":
+    central = arrangement.dimension == 3 and arrangement.is_central
+    matrix = None if chosen != "symmetric" or central else root_map(arrangement)
+    if central and chosen != "given":
         normals = unit_vectors([plane[:3] for plane in arrangement.distinct_planes])
         full = arrangement.rank == 3
         matrix = even_map(normals) if full and chosen == "even" else None
@@ -104,17 +113,43 @@ def in_coordinates(
             )
     if matrix is None:
         return arrangement, direction
-    rows = _rational(matrix)
+    rows, scale = rounded_map(matrix, 1 << 10)
     moved = Arrangement(
-        [[dot(row, plane[:3]) for row in rows] for plane in arrangement.integer_planes]
+        [[dot(row, plane[:-1]) for row in rows] for plane in arrangement.integer_planes],
+        [scale * offset for offset in arrangement.offsets],
     )
-    if direction is not None:
+    if direction is not None and len(rows) == 3:
         given = real_vector(direction, "direction")
         if len(given) == 3:
             one, two, three = rows
             cofactors = (cross(two, three), cross(three, one), cross(one, two))
             direction = [dot(row, given) for row in cofactors]
     return moved, direction
+
+
+def root_map(arrangement: Planes) -> Floats | None:
+    """Return the matrix for normals after which roots have the angles of their system, or None.
+
+    The planes are those of an irreducible root system of rank 2 or 3, all roots with the same
+    offsets: Coxeter arrangements and the deformations of Shi,
+    Catalan and Linial. Normals are coefficients of simple roots. The sum of the squares of all
+    roots is the inner product of points that reflections keep.
+    """
+    size = arrangement.dimension
+    if arrangement.field is not None or size not in _TYPES:
+        return None
+    offsets: dict[IntegerVector, set[Fraction]] = {}
+    for plane in arrangement.integer_planes:
+        root = primitive(plane[:-1])
+        way = -1 if min(root) < 0 else 1
+        factor = next(Fraction(x, y) for x, y in zip(plane, root, strict=False) if y)
+        offset = plane[-1] * way / factor
+        offsets.setdefault(tuple(way * x for x in root), set()).add(offset)
+    known = any(offsets.keys() == set(positive_roots(name)) for name in _TYPES[size])
+    if not known or len(set(map(frozenset, offsets.values()))) > 1:
+        return None
+    roots = np.array(list(offsets))
+    return _normed(np.linalg.inv(np.linalg.cholesky((roots.T @ roots).astype(float))))
 
 
 def symmetric_map(arrangement: Arrangement) -> Floats | None:
@@ -134,11 +169,11 @@ def symmetry(arrangement: Planes) -> Symmetry | None:
         firsts.append(primitive(cross(firsts[0], firsts[1])))
     elif arrangement.rank < 2:
         return None
-    if len(firsts) > MOST_PLANES:
-        note(f"no symmetry is looked for beyond {MOST_PLANES} planes; given coordinates are drawn")
+    if len(firsts) > (most := budget.most("planes whose symmetry is looked for")):
+        note(f"no symmetry is looked for beyond {most} planes; given coordinates are drawn")
         return None
     normals = unit_vectors(firsts)
-    frame = _balanced(normals, _base_shares(firsts))
+    frame = _balanced(normals, _base_shares(firsts, normals))
     if frame is None:
         note("the symmetry of the planes was not found; given coordinates are drawn")
         return None
@@ -151,12 +186,50 @@ def symmetry(arrangement: Planes) -> Symmetry | None:
     return Symmetry(frame, group, _normed((axes * np.sqrt(sizes)) @ axes.T))
 
 
-def _base_shares(normals: Sequence[IntegerVector]) -> Floats:
-    """Return the share of the bases that have each normal; exact counts, their sum is 3."""
-    counts = np.zeros(len(normals))
-    for chosen in combinations(range(len(normals)), 3):
-        if triple_product(*(normals[i] for i in chosen)):
-            counts[list(chosen)] += 1
+def orbits(arrangement: Planes, regions: Sequence[tuple[int, ...]]) -> list[int]:
+    """Return for each region the number of its orbit, small orbits first.
+
+    The group is that of `symmetry`, with the map to opposite points. Its maps are used as
+    permutations of planes, which are checked to take regions to regions.
+
+    Args:
+        regions: the sign vectors of all of them.
+    """
+    import networkx as nx
+
+    signs = np.array(regions, dtype=np.int8).reshape(len(regions), -1)[:, list(arrangement.firsts)]
+    number = {row.tobytes(): k for k, row in enumerate(signs)}
+    graph: Any = nx.empty_graph(len(regions))
+    found = symmetry(arrangement)
+    images = [-signs]
+    normals = unit_vectors([plane[:3] for plane in arrangement.distinct_planes])
+    for matrix in () if found is None else found.group:
+        units = unit(normals @ found.frame.T) if found else normals
+        cosines = units @ matrix @ units.T
+        to = np.abs(cosines).argmax(axis=0)
+        image = np.zeros_like(signs)
+        image[:, to] = signs * np.sign(cosines[to, np.arange(len(to))]).astype(np.int8)
+        images.append(image)
+    for image in images:
+        taken = [number.get(row.tobytes()) for row in image]
+        if None not in taken:
+            graph.add_edges_from(enumerate(taken))
+    parts = sorted(map(sorted, nx.connected_components(graph)), key=lambda part: (len(part), part))
+    of = {region: k for k, part in enumerate(parts) for region in part}
+    return [of[region] for region in range(len(regions))]
+
+
+def _base_shares(normals: Sequence[IntegerVector], units: Floats) -> Floats:
+    """Return the share of the bases that have each normal; exact counts, their sum is 3.
+
+    Where the determinant of the unit vectors, in floats, is above all roundings, it is not 0.
+    """
+    chosen = np.array(list(combinations(range(len(normals)), 3))).reshape(-1, 3)
+    one, two, three = units[chosen].transpose(1, 0, 2)
+    bases = np.abs((np.cross(one, two) * three).sum(axis=1)) > _SURE
+    for n in np.flatnonzero(~bases).tolist():
+        bases[n] = bool(triple_product(*(normals[i] for i in chosen[n].tolist())))
+    counts = np.bincount(chosen[bases].ravel(), minlength=len(normals)).astype(float)
     shares: Floats = counts * (3 / counts.sum())
     return shares
 
@@ -171,7 +244,7 @@ def _balanced(normals: Floats, weights: Floats) -> Floats | None:
             return frame
         if np.linalg.eigvalsh(squares)[0] < _FLAT:
             return None
-        frame = _inverse_root(squares) @ frame
+        frame = inverse_root(squares) @ frame
         if np.linalg.cond(frame) > 1 / _FLAT:
             return None
         frame = _normed(frame)
@@ -214,7 +287,7 @@ def even_map(normals: Floats) -> Floats:
     for _ in range(_EVEN_ROUNDS):
         moved = unit(normals @ whole.T)
         scatter = (1 - _PULL) * 3 * moved.T @ moved / len(moved) + _PULL * np.eye(3)
-        whole = _inverse_root(scatter) @ whole
+        whole = inverse_root(scatter) @ whole
     return _normed(whole)
 
 
@@ -223,24 +296,8 @@ def is_narrow(normals: Floats) -> bool:
     return bool(np.linalg.eigvalsh(normals.T @ normals / len(normals))[0] < NARROW)
 
 
-def _rational(matrix: Floats) -> list[IntegerVector]:
-    """Return an invertible integer matrix that is nearly a multiple of a float one."""
-    scale = 1 << 10
-    rows: list[Any] = []
-    while rank(rows) < 3:
-        scale *= 8
-        rows = [tuple(round(x * scale) for x in row) for row in matrix.tolist()]
-    return rows
-
-
-def _inverse_root(squares: Floats) -> Floats:
-    sizes, axes = np.linalg.eigh(squares)
-    root: Floats = (axes / np.sqrt(sizes)) @ axes.T
-    return root
-
-
 def _normed(matrix: Floats) -> Floats:
-    normed: Floats = matrix / np.cbrt(np.linalg.det(matrix))
+    normed: Floats = matrix / np.linalg.det(matrix) ** (1 / len(matrix))
     return normed
 
 

@@ -129,10 +129,7 @@ def in_space(arrangement: Arrangement, dimension: int) -> Arrangement:
     columns = pivot_columns(normals, arrangement.dimension)
     scale, rows = 1, unit_vectors(len(columns))
     if len(columns) < arrangement.dimension and columns:
-        isometry, scale, rows = _isometry(normals, columns), _SCALE // 8, []
-        while rank(rows) < len(columns):
-            scale *= 8
-            rows = [tuple(round(x * scale) for x in row) for row in isometry.tolist()]
+        rows, scale = rounded_map(_isometry(normals, columns), _SCALE // 8)
     zeros = (0,) * (dimension - len(columns))
     chosen = ([normal[j] for j in columns] for normal in normals)
     return Arrangement(
@@ -147,6 +144,24 @@ def _isometry(normals: Sequence[IntegerVector], columns: Sequence[int]) -> Float
     largest = [max(map(abs, normal)) for normal in normals]
     scaled = [[x / most for x in n] for n, most in zip(normals, largest, strict=True)]
     span = np.linalg.svd(np.array(scaled), full_matrices=False)[2][: len(columns), columns]
-    sizes, axes = np.linalg.eigh(span.T @ span)
-    isometry: Floats = (axes / np.sqrt(np.maximum(sizes, 1e-12))) @ axes.T
-    return isometry
+    return inverse_root(span.T @ span)
+
+
+def inverse_root(squares: Floats) -> Floats:
+    """Return the inverse of the symmetric root of a matrix of sums of squares."""
+    sizes, axes = np.linalg.eigh(squares)
+    root: Floats = (axes / np.sqrt(np.maximum(sizes, 1e-12))) @ axes.T
+    return root
+
+
+def rounded_map(matrix: Floats, scale: int) -> tuple[list[IntegerVector], int]:
+    """Return an invertible integer matrix that is nearly a float one times a scale, and the scale.
+
+    Args:
+        scale: times 8, or a higher power of 8 where rounding leaves no inverse.
+    """
+    rows: list[IntegerVector] = []
+    while rank(rows) < len(matrix):
+        scale *= 8
+        rows = [tuple(round(x * scale) for x in row) for row in matrix.tolist()]
+    return rows, scale

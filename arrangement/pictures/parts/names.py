@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import GREY, Colouring, DrawnRegion
+from arrangement.drawing.registry import Labels
 from arrangement.drawing.scene.labels import sign_text
 from arrangement.drawing.scene.scene import POINTS, Legend, Scene, Symbol
-from arrangement.errors import refusal
+from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import IntegerVector, shown, to_text
 
 LABELS = ("signs", "numbers", "none")
@@ -36,13 +37,16 @@ class RegionLabels:
     def __init__(
         self,
         arrangement: Arrangement,
-        labels: str | None,
+        labels: Labels | None,
         count: int | None = None,
         most: int = MOST,
     ) -> None:
         """Take the number of regions drawn, if not all, and that up to which they have labels."""
+        self._arrangement, self._own = arrangement, None
         if labels is not None and labels not in LABELS:
-            raise refusal(f"the labels are {shown(labels)}", labels, LABELS)
+            self._own = self._read(labels)
+            some = set(self._own.values()) - {None}
+            labels = ("signs" if len(arrangement) <= SHORT else "numbers") if not some else "own"
         self.kind = labels or ("signs" if len(arrangement) <= SHORT else "numbers")
         self._too_many, self._tabled = 0, math.inf if labels else TABLED
         if labels is None and self.kind == "numbers":
@@ -50,7 +54,37 @@ class RegionLabels:
             if count > most:
                 self.kind, self._too_many = "none", count
         self.left_out = 0
-        self._arrangement = arrangement
+
+    def _read(self, labels: Labels) -> dict[tuple[int, ...], str | None]:
+        """Return the texts of some regions, None for the usual one.
+
+        Raises:
+            InputError: no such region, or an unknown word.
+        """
+        pairs: Iterable[tuple[Any, str | None]]
+        if isinstance(labels, Mapping):
+            pairs = labels.items()
+        elif isinstance(labels, str):
+            parts = [part.partition("=") for part in labels.split(",")]
+            pairs = [(key.strip(), text or None) for key, _, text in parts]
+            if not all(set(key) <= {*"+-0123456789"} for key, _ in pairs):
+                raise refusal(f"the labels are {shown(labels)}", labels, LABELS)
+        else:
+            pairs = ((key, None) for key in labels)
+        back = {number: signs for signs, number in self._numbers.items()}
+        found = {}
+        for key, text in pairs:
+            signs: Any = key
+            if isinstance(key, str) and not key.isdecimal():
+                signs = tuple({"+": 1, "-": -1}.get(sign, 0) for sign in key)
+            elif isinstance(key, (str, int)):
+                signs = back.get(int(key), ())
+            if tuple(signs) not in self._numbers:
+                raise InputError(
+                    f"there is no region {shown(key)} to label; give signs or a number"
+                )
+            found[tuple(signs)] = text
+        return found
 
     @cached_property
     def _numbers(self) -> dict[tuple[int, ...], int]:
@@ -62,7 +96,9 @@ class RegionLabels:
 
     def forms(self, signs: Sequence[int]) -> list[str]:
         """Return the name of a region, four signs also in two rows; nothing if it has none."""
-        if self.kind == "numbers":
+        if self._own is not None and (tuple(signs) not in self._own or self._own[tuple(signs)]):
+            return [text] if (text := self._own.get(tuple(signs))) else []
+        if self.kind in ("numbers", "own"):
             return [str(self._numbers[tuple(signs)])]
         if self.kind == "none" or not signs:
             return []
@@ -74,6 +110,8 @@ class RegionLabels:
         listed = [tuple(signs) for signs in drawn]
         if self.kind == "numbers" and listed:
             legend.line("regions by number; numbers of planes are italic")
+        if self._own is not None:
+            listed = [signs for signs in listed if signs in self._own]
         if self.kind == "numbers" and 0 < len(listed) <= self._tabled:
             named = sorted((self._numbers[signs], sign_text(signs)) for signs in listed)
             digits = len(str(named[-1][0]))

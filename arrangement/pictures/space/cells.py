@@ -16,12 +16,12 @@ from arrangement.drawing.colours import SKIN, DrawnRegion, Painter, painter, pal
 from arrangement.drawing.figure import picture
 from arrangement.drawing.output import millimetres
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage
-from arrangement.drawing.registry import Exact, Vector
+from arrangement.drawing.registry import Exact, Labels, Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.depth_tree import plane_tree
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes, triangles
-from arrangement.drawing.solids.sight import picture_axes, view_direction
+from arrangement.drawing.solids.sight import picture_axes, turned, view_direction
 from arrangement.duals.cells import Cell, Cells, cut_cells
 from arrangement.errors import InputError
 from arrangement.numbers import budget
@@ -38,8 +38,7 @@ from arrangement.pictures.parts.names import (
 
 from .lifted_cells import Lifted
 from .planes_sheet import PlanesSheet
-from .stage import Stage, StagedAxes, sharp, unit_points, walls_of_edges
-from .view_direction import clear_sight
+from .stage import Stage, StagedAxes, clear_sight, sharp, unit_points, walls_of_edges
 
 #: Up to so many cells have labels.
 _NAMED = 60
@@ -55,7 +54,8 @@ def draw_cells(
     radius: Exact | None = None,
     explode: float = 1.5,
     direction: Vector | None = None,
-    labels: str | None = None,
+    azimuth: float = 0.0,
+    labels: Labels | None = None,
     coordinates: str | None = None,
     width: float = 88.0,
 ) -> Scene:
@@ -73,6 +73,7 @@ def draw_cells(
         centre, radius: exact, of the body, instead of one that contains all vertices.
         explode: by how much the middles of the cells are farther apart than in place; at least 1.
         direction: exact, towards the viewer; if omitted, one in which no plane is edge-on.
+        azimuth: as for `draw_sphere`.
         labels: of cells, as for `draw_sphere`, on faces that have room; none for more than 60 cells
             if omitted.
         coordinates: of central planes, as for `draw_planes`.
@@ -85,7 +86,7 @@ def draw_cells(
     arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     cells = _cells(arrangement, body, centre, radius, explode)
     towards = clear_sight(cells) if direction is None else view_direction(direction)
-    stage = Stage(cells, towards)
+    stage = Stage(cells, turned(towards, azimuth))
     lifted = []
     for cell in cells.cells:
         shift = centroid(stage.points, cell.faces) * (explode - 1)
@@ -201,7 +202,7 @@ def cells_model(
     explode: float = 1.3,
     size: float = 60.0,
     colour: str | Painter = "planes",
-    coordinates: str = "given",
+    coordinates: str | None = None,
 ) -> bytes:
     """Return all cells of an arrangement in a ball or a cube as separate closed parts.
 
@@ -225,7 +226,7 @@ def cells_model(
         colour: in GLB. "planes" (a wall has the colour of its plane), "sides" (a cell by its
             number of walls), "signs" (by its number of minus signs), "none", or a function of a
             `DrawnRegion`.
-        coordinates: of central planes: "given", "symmetric" or "even", as for `draw_planes`.
+        coordinates: as for `draw_planes`.
 
     Raises:
         InputError: another space, too many planes, a bad option.
@@ -236,6 +237,8 @@ def cells_model(
         raise InputError(f"explode is {shown(explode)}; give a factor from 1 to 10")
     paint = None if colour == "planes" else painter(colour)
     half = millimetres(size, "size") / 2
+    if coordinates is None and not (centre is None and radius is None):
+        coordinates = "given"
     arrangement, _ = in_coordinates(coordinates, brought(arrangement, "cells"))
     cells = cut_cells(arrangement, body, centre, radius)
     points = unit_points(cells) * half

@@ -22,7 +22,7 @@ from arrangement.drawing.solids.surface import Patch
 from arrangement.duals.cells import Cell
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, primitive, reduced
-from arrangement.numbers.linear.rank import cycle_edges, plane_through
+from arrangement.numbers.linear.rank import cycle_edges, loop_around, plane_through
 
 from .stage import Stage, exact_points, sharp, walls_of_edges
 
@@ -96,7 +96,7 @@ class Lifted:
             wall = self.cell.walls[k]
             group = groups.setdefault(-1 if one_skin and wall < 0 else wall, set())
             group.update(cycle_edges(self.cell.faces[k]))
-        return [self.points[loop] for group in groups.values() if (loop := _loop(group))]
+        return [self.points[loop] for group in groups.values() if (loop := loop_around(group))]
 
     @cached_property
     def smooth(self) -> bool:
@@ -179,12 +179,9 @@ def with_lifted(
             fronts.append((item.row, halves(patches, item.row, 1)))
             patches = halves(patches, item.row, -1)
 
-    def one_cell(group: Sequence[Patch]) -> bool:
-        return len({patch.name.split()[0] for patch in group}) == 1
-
     tree = body
     for row, front in reversed(fronts):
-        nodes = depth_tree(front, one_cell)
+        nodes = depth_tree(front, lambda group: len({p.name.split()[0] for p in group}) == 1)
         drawn = [Node(n.row, [draw(n.patches)], n.front, n.back) for n in nodes]
         tree = joined(row, drawn, tree)
     return tree
@@ -221,12 +218,3 @@ def _offsets(lifted: Lifted) -> Floats:
     first = lifted.points[[face[0] for face in lifted.cell.faces]]
     offsets: Floats = (lifted.normals * first).sum(axis=1)
     return offsets
-
-
-def _loop(directed: set[tuple[int, int]]) -> list[int]:
-    """Return the boundary of faces given by their directed edges; empty if it is not one cycle."""
-    following = {a: b for a, b in directed if (b, a) not in directed}
-    loop = [min(following)]
-    while following[loop[-1]] != loop[0] and len(loop) < len(following):
-        loop.append(following[loop[-1]])
-    return loop if following[loop[-1]] == loop[0] else []

@@ -9,10 +9,10 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import chosen, plane_colour
 from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import AxisNames, Exact, Vector
+from arrangement.drawing.registry import AxisNames, Exact, Labels, Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import Scene
-from arrangement.drawing.solids.sight import light, lit, view_direction
+from arrangement.drawing.solids.sight import light, lit, turned, view_direction
 from arrangement.duals.cells import cut_cells, read_signs
 from arrangement.pictures.parts.coordinates import drawn_axes, in_coordinates
 from arrangement.pictures.parts.essential import shown_as
@@ -20,8 +20,7 @@ from arrangement.pictures.parts.names import RegionLabels
 
 from .lifted_cells import lifted_cells
 from .planes_sheet import DrawnFacet, FacetPainter, PlanesSheet
-from .stage import Stage, StagedAxes
-from .view_direction import clear_sight
+from .stage import Stage, StagedAxes, clear_sight
 
 
 @picture()
@@ -33,9 +32,10 @@ def draw_planes(
     centre: Vector | None = None,
     radius: Exact | None = None,
     direction: Vector | None = None,
+    azimuth: float = 0.0,
     lift: Iterable[str] = (),
     colour: str | FacetPainter = "planes",
-    labels: str | None = None,
+    labels: Labels | None = None,
     axes: AxisNames | None = None,
     sides: bool = False,
     width: float = 88.0,
@@ -55,6 +55,7 @@ def draw_planes(
         centre, radius: exact, of the body, instead of one that contains all vertices. For planes
             whose vertices are far apart; what is outside is left out.
         direction: exact, towards the viewer; if omitted, one in which no plane is edge-on.
+        azimuth: as for `draw_sphere`.
         lift: sign vectors of cells such as ``"+-+"``, over the input planes. These cells are
             drawn as solids, moved outward.
         colour: "planes" (each its own colour), "shade" (grey by the angle to the light), "none",
@@ -81,7 +82,7 @@ def draw_planes(
     cells = cut_cells(arrangement, body, centre, radius)
     if toward is None:
         toward = clear_sight(cells, raised)
-    stage = Stage(cells, toward)
+    stage = Stage(cells, turned(toward, azimuth))
     lifted = lifted_cells(stage, raised)
     sheet = PlanesSheet(stage, lifted, paint, width, StagedAxes(stage, shown))
     if sides:

@@ -15,8 +15,7 @@ from arrangement.console.number_form import sign_text
 from arrangement.drawing.colours import SKIN, pale
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import keep_off, spread, turn, write_beside, write_inside
-from arrangement.drawing.scene.scene import area, measure
-from arrangement.drawing.scene.shapes import arrow
+from arrangement.drawing.scene.scene import area, arrow, measure
 from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import lit, unit
 from arrangement.drawing.solids.surface import Patch

@@ -1,4 +1,4 @@
-"""The cells, facets and axes of planes inside a body, in the axes of a picture."""
+"""Planes inside a body, in the axes of a picture: cells, facets, axes, and a clear view of them."""
 
 from __future__ import annotations
 
@@ -6,18 +6,18 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
+from itertools import combinations, pairwise
 from typing import TypeAlias, TypeVar
 
 import numpy as np
 
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.depth_tree import Node, back_to_front, plane_tree
-from arrangement.drawing.solids.sight import picture_axes
+from arrangement.drawing.solids.sight import best_view, picture_axes, unit, unit_vectors, views
 from arrangement.drawing.solids.surface import rounded
 from arrangement.duals.cells import Cell, Cells
 from arrangement.errors import InputError
-from arrangement.numbers.exact import IntegerVector, dot
+from arrangement.numbers.exact import IntegerVector, dot, primitive, unoriented
 from arrangement.numbers.linear.rank import cycle_edges
 from arrangement.pictures.parts.coordinates import REACH
 from arrangement.planes.planes import Planes
@@ -85,11 +85,9 @@ class Stage:
         for plane in self.arrangement.distinct_planes:
             offset = plane[3] - dot(body.centre, plane[:3])
             scale = max(map(abs, plane[:3]))
-            normal = np.array([float(x / scale) for x in plane[:3]])
-            length = float(np.linalg.norm(normal))
-            found.append(
-                (self.axes @ normal / length, float(offset / body.radius / scale) / length)
-            )
+            length = float(np.linalg.norm([float(x / scale) for x in plane[:3]]))
+            normal = self.axes @ unit_vectors([plane[:3]])[0]
+            found.append((normal, float(offset / body.radius / scale) / length))
         return tuple(found)
 
     def body_edges(self) -> Iterator[tuple[Sides, Floats]]:
@@ -199,3 +197,66 @@ class StagedAxes:
 def sharp(wall: int, other: int, smooth: bool) -> bool:
     """Whether the edge between two walls is one of the solid, not one of a round surface."""
     return wall != other and not (smooth and wall < 0 and other < 0)
+
+
+#: Pairs of lines that are compared at most; the rest of a large arrangement hardly matters.
+_MOST_PAIRS = 400
+
+
+def clear_sight(cells: Cells, lifted: Sequence[tuple[int, ...]] = ()) -> IntegerVector:
+    """Return a direction from above that shows the planes well.
+
+    It avoids planes seen edge-on or from straight ahead. Less strictly, it avoids directions in
+    which two planes are seen at the same angle, or two of these lines fall together: intersections
+    of planes, axes, diagonals of a cube.
+    Lifted cells move sideways in the picture, a little towards the viewer. The choice is one of a
+    fixed list, so that it is exact and repeats.
+    """
+    found = views(range(-7, 8), range(-7, 8), range(1, 6), low=0.25, high=0.62)
+    return best_view(found, lambda seen: _score(unit_vectors(seen), cells, lifted))
+
+
+def _score(units: Floats, cells: Cells, lifted: Sequence[tuple[int, ...]]) -> Floats:
+    normals = [plane[:3] for plane in cells.arrangement.integer_planes]
+    score = np.ones(len(units))
+    if normals:
+        facing = np.abs(units @ unit_vectors(normals).T)
+        oblique = np.minimum(facing, 0.8 * np.sqrt(np.maximum(0.0, 1 - facing**2)))
+        score = np.minimum(score, oblique.min(axis=1))
+        pairs = list(combinations(unit_vectors(normals), 2))[:_MOST_PAIRS]
+        # From the planes of symmetry between two of the planes, and those through two lines.
+        score = np.minimum(score, 2 * _apart(units, [m for a, b in pairs for m in (a - b, a + b)]))
+    pairs = list(combinations(unit_vectors(_lines(cells, normals)), 2))[:_MOST_PAIRS]
+    score = np.minimum(score, 3 * _apart(units, [np.cross(a, b) for a, b in pairs]))
+    for way in _ways(cells, lifted):
+        towards = units @ way
+        score *= np.exp(-(((towards - 0.3) / 0.35) ** 2))
+    return score * (1 + 0.02 * units[:, 0] - 0.05 * units[:, 1])
+
+
+def _lines(cells: Cells, normals: Sequence[IntegerVector]) -> list[IntegerVector]:
+    """Return the directions of intersections of planes, the axes, and the diagonals of a cube."""
+    # Of entries short enough for machine integers.
+    small = [n for n in normals if max(map(abs, n)) < 2**30]
+    crosses = {unoriented(primitive(np.cross(a, b).tolist())) for a, b in combinations(small, 2)}
+    fixed = {(1, 0, 0), (0, 1, 0), (0, 0, 1)}
+    if cells.body.kind == "cube":
+        fixed |= {(1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)}
+    return sorted(line for line in crosses | fixed if any(line))
+
+
+def _apart(units: Floats, normals: Sequence[Floats]) -> Floats:
+    """Return how far each view is from planes; normals of length 0 do not count."""
+    rows = np.array(normals).reshape(-1, 3)
+    lengths = np.linalg.norm(rows, axis=1)
+    rows = rows[lengths > 1e-6] / lengths[lengths > 1e-6, None]
+    apart: Floats = np.abs(units @ rows.T).min(axis=1, initial=1.0)
+    return apart
+
+
+def _ways(cells: Cells, lifted: Sequence[tuple[int, ...]]) -> Floats:
+    """Return the unit directions from the centre to the lifted cells."""
+    points = unit_points(cells)
+    chosen = [cell.faces for cell in cells.cells if cell.signs in lifted]
+    middles = [points[sorted({i for face in faces for i in face})].mean(axis=0) for faces in chosen]
+    return unit(np.array([way for way in middles if np.linalg.norm(way) > 1e-9]).reshape(-1, 3))

@@ -13,6 +13,7 @@ from arrangement.drawing.colours import DrawnRegion, Painter, letter_colour
 from arrangement.drawing.scene.items import Box, Floats
 from arrangement.drawing.scene.labels import (
     SIZES,
+    Leaders,
     along,
     flattened,
     keep_off,
@@ -21,13 +22,12 @@ from arrangement.drawing.scene.labels import (
     turn,
     write_inside,
 )
-from arrangement.drawing.scene.leaders import Leaders
 from arrangement.drawing.scene.scene import Scene
 from arrangement.numbers.exact import dot
 from arrangement.pictures.parts.names import RegionLabels, plane_names, thinner
 
 from .globe import Globe
-from .projections import Drawn, Projection
+from .projections import CutChart, Drawn, Projection
 
 #: Room for the numbers of the planes between the rim and the border, at least; in points.
 RIM = 13.0
@@ -88,6 +88,8 @@ class Disc:
         outlines = []
         for piece, region in self.globe.front.items():
             outline = self.on_paper(self.drawn.outline(piece))
+            if not len(outline):
+                continue
             self.scene.curve(
                 outline, fc=paint(region), ec="none", gid=self.names.element("region", region.signs)
             )
@@ -129,6 +131,8 @@ class Disc:
             else:
                 continue
             curve = self.on_paper(drawn.arc(arc))
+            if not len(curve):
+                continue
             self.scene.curve(curve, **style)
             found.append(along(curve))
         return found
@@ -141,7 +145,10 @@ class Disc:
             text = plane_names(members, len(globe.whole.arrangement))
             if not text:
                 continue
-            ends = [0.25] if circle == globe.limb else list(self.drawn.ends(circle))
+            at_rim = circle == globe.limb and not isinstance(self.drawn, CutChart)
+            ends = [0.25] if at_rim else list(self.drawn.ends(circle))
+            if not ends:
+                continue
             if circle != globe.limb and not both_ends:
                 gap = [min((abs(turn(a - b)) for b, *_ in wanted), default=4.0) for a in ends]
                 ends = ends[:1] if gap[0] >= gap[1] - 1e-9 else ends[1:]

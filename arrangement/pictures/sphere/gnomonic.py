@@ -9,9 +9,10 @@ from itertools import combinations
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.drawing.colours import Painter
+from arrangement.console.number_form import counted
+from arrangement.drawing.colours import Choice
 from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import Vector
+from arrangement.drawing.registry import Labels, Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import ring
 from arrangement.drawing.scene.scene import Scene
@@ -24,7 +25,7 @@ from arrangement.pictures.parts.names import RegionLabels, explain_regions, plan
 
 from .disc import alone, front
 from .globe import Globe, far_direction
-from .projections import CompressedChart, Drawn, StraightChart, orthographic
+from .projections import CompressedChart, CutChart, Drawn, StraightChart, orthographic
 
 _BOTH_ENDS = 16
 
@@ -35,28 +36,29 @@ def draw_gnomonic(
     arrangement: Arrangement,
     *,
     direction: Vector | None = None,
-    colour: str | Painter | None = None,
+    colour: Choice | None = None,
     antipodes: str | None = None,
-    labels: str | None = None,
+    labels: Labels | None = None,
     width: float = 88.0,
     coordinates: str | None = None,
+    rim: bool = False,
 ) -> Scene:
     """Draw central planes in R^3 as lines of the projective plane.
 
     The sphere is projected from its centre to the plane that touches it at the given direction,
-    so that great circles become lines of this chart. The rim is the line at infinity; the two
-    ends of a line are one point, and a region that reaches the rim goes on at the opposite part
-    of it, with all signs changed.
+    so that great circles become straight lines of this chart. The picture is a disc of it with
+    most crossings; what is farther out is left out, and the legend says how much.
 
-    Lines are straight up to the rim when no two of them are parallel and no crossing is far away.
-    Otherwise the chart is to scale inside a thin dotted circle only. Outside it distances are
-    compressed: each line bends to the point of the rim in its own direction, and parallel lines
-    meet there.
+    With `rim` the rim is the line at infinity; the two ends of a line are one point, and a region
+    that reaches the rim goes on at the opposite part of it, with all signs changed. Lines are
+    straight up to the rim when no two of them are parallel and no crossing is far away. Otherwise
+    the chart is to scale inside a thin dotted circle only. Outside it distances are compressed:
+    each line bends to the point of the rim in its own direction, and parallel lines meet there.
 
     Every region of the chart and every arc is an element of its own (``region-3``, ``front-7``,
     ``limb-2``). A number names a line, at both of its ends where there are few: k for the k-th
-    plane, counted from 1. If a plane is itself at infinity, the rim is drawn thick, and the note
-    says so.
+    plane, counted from 1. If a plane is itself at infinity, the note says so, and the rim is drawn
+    thick.
 
     Args:
         arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
@@ -65,6 +67,7 @@ def draw_gnomonic(
             one in which the crossings spread evenly.
         colour, antipodes, labels: as for `draw_sphere`.
         coordinates: as for `draw_sphere`.
+        rim: show the line at infinity as a rim.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.
@@ -75,7 +78,7 @@ def draw_gnomonic(
     if direction is None:
         globe = _upright(Globe(arrangement, _central_direction(globe)))
     colours = globe.colouring(colour, antipodes)
-    disc = alone(globe, _chart(globe), names, width)
+    disc = alone(globe, _chart(globe) if rim else _cut(globe), names, width)
     dotted = []
     if isinstance(disc.drawn.projection, CompressedChart):
         inner = disc.drawn.projection.inner
@@ -83,9 +86,33 @@ def draw_gnomonic(
         disc.scene.circle(disc.centre, disc.radius * inner, fill=False, ec="black", **style)
         dotted = [ring(disc.centre, disc.radius * inner)]
     disc.draw(colours.paint, both_ends=globe.whole.circle_count <= _BOTH_ENDS, avoid=dotted)
-    explain_regions(disc.scene, colours, names, globe.front.values())
-    disc.scene.legend.line(_note(globe))
+    shown = [r for piece, r in globe.front.items() if rim or len(disc.drawn.outline(piece))]
+    explain_regions(disc.scene, colours, names, shown)
+    if isinstance(disc.drawn, CutChart):
+        disc.scene.circle(disc.centre, disc.radius, fill=False, ec="black", lw=0.6, gid="border")
+        whole = globe.whole.arrangement
+        seen = {k for c, x in enumerate(whole.distinct) if disc.drawn.ends(c) for k in x}
+        out = [k for k in range(len(whole)) if k not in seen]
+        what = [f"plane{'s' * (len(out) > 1)} {plane_names(out)}"] * bool(out)
+        what += [counted(len(globe.front) - len(shown), "region")] * (len(shown) < len(globe.front))
+        disc.scene.legend.captions += [f"farther out: {', '.join(what)}"] * bool(what)
+        disc.scene.legend.line("signs up to a common change")
+    else:
+        disc.scene.legend.line(_note(globe))
     return disc.scene
+
+
+def _cut(globe: Globe) -> CutChart:
+    """Return the chart around most crossings: all of them, where none is far away."""
+    inside = globe.points[globe.points[:, 2] > 1e-9]
+    spans = np.linalg.norm(inside[:, :2] / inside[:, 2:], axis=1)
+    gaps = [abs(c) / np.hypot(a, b) for a, b, c in globe.normals.tolist() if abs(c) < 1 - 1e-9]
+    nearest = float(min(gaps, default=0.0))
+    farthest = float(spans.max(initial=nearest))
+    typical = float(np.quantile(spans, 0.75)) if len(spans) else nearest
+    reach = max(0.5, 1.3 * farthest if farthest <= 3 * typical else 1.2 * typical)
+    chart = Drawn(globe.cut, globe.points, globe.normals, orthographic)
+    return CutChart(**vars(chart), limb=globe.limb, reach=reach)
 
 
 def _note(globe: Globe) -> str:

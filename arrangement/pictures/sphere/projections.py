@@ -16,7 +16,8 @@ from typing import TypeAlias
 import numpy as np
 
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.shapes import joined
+from arrangement.drawing.scene.labels import ring
+from arrangement.drawing.scene.scene import joined
 from arrangement.drawing.solids.sight import across
 from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.numbers.linear.rank import cross
@@ -128,7 +129,7 @@ class Drawn:
         angle = math.atan2(math.hypot(*cross(p.tolist(), q.tolist())), float(p @ q))
         return self.projection(normal, p, angle)
 
-    def ends(self, circle: int) -> tuple[float, float]:
+    def ends(self, circle: int) -> tuple[float, ...]:
         """Return the two angles at which a circle meets the limb, opposite to each other."""
         x, y, _ = self.normals[circle]
         angle = math.atan2(x, -y)
@@ -209,6 +210,94 @@ class StraightChart(Drawn):
             if v in self._at_rim
         )
         return first % (2 * math.pi), second % (2 * math.pi)
+
+
+@dataclass(frozen=True)
+class CutChart(Drawn):
+    """A chart to scale, with straight lines, cut off at a circle; infinity is left out.
+
+    Attributes:
+        limb: the circle at infinity.
+        reach: the radius of the part that is shown, in radii of the sphere.
+    """
+
+    limb: int
+    reach: float
+
+    @cached_property
+    def _far(self) -> float:
+        """A distance beyond all vertices, in units of the part that is shown."""
+        front = self.points[self.points[:, 2] > 1e-9]
+        spans = np.linalg.norm(front[:, :2] / front[:, 2:], axis=1) / self.reach
+        return 4 * max(10.0, float(spans.max(initial=0.0)))
+
+    def _line(self, circle: int) -> tuple[Floats, Floats]:
+        """Return the point of a line nearest to the middle, and its direction."""
+        a, b, c = self.normals[circle]
+        length = math.hypot(a, b)
+        return -c / length / self.reach * np.array([a, b]) / length, np.array([-b, a]) / length
+
+    def _place(self, vertex: int, circle: int) -> Floats:
+        """Return where a vertex is on a line; far away if it is at infinity."""
+        x, y, z = self.points[vertex]
+        if z > 1e-9:
+            return np.array([x / z, y / z]) / self.reach
+        foot, way = self._line(circle)
+        return foot + math.copysign(self._far, float(np.array([x, y]) @ way)) * way
+
+    def _ends(self, arc: int) -> list[Floats]:
+        """Return the ends of an arc, and points between them if it is a part of infinity."""
+        start, stop = self.sphere.incidence.origin[2 * arc : 2 * arc + 2].tolist()
+        circle = int(self.sphere.incidence.arc_circle[arc])
+        if circle != self.limb:
+            return [self._place(start, circle), self._place(stop, circle)]
+        normal = self.normals[circle]
+        begin = across(normal) if start < 0 else self.points[start]
+        sweep = 2 * math.pi
+        if start >= 0:
+            one, two = (math.atan2(*self.points[v][1::-1]) for v in (start, stop))
+            sweep = math.copysign(1.0, normal[2]) * (two - one) % (2 * math.pi)
+        return list(self._far * _points(normal, begin, sweep, math.pi / 8)[0][:, :2])
+
+    def _arc(self, arc: int) -> Floats:
+        """Return the part of an arc that is shown; nothing if there is none, or at infinity."""
+        if int(self.sphere.incidence.arc_circle[arc]) == self.limb:
+            return np.empty((0, 2))
+        start, stop = self._ends(arc)
+        foot, way = self._line(int(self.sphere.incidence.arc_circle[arc]))
+        half = math.sqrt(max(0.0, 1 - float(foot @ foot)))
+        low, high = sorted(max(-half, min(half, float((p - foot) @ way))) for p in (start, stop))
+        if high - low < 1e-9:
+            return np.empty((0, 2))
+        ends = foot + np.array([[low], [high]]) * way
+        return joined(ends, np.tile((ends[1] - ends[0]) / 3, (2, 1)))
+
+    def outline(self, region: int) -> Floats:
+        """Return the boundary of the part of a region that is shown, or nothing."""
+        import shapely
+
+        corners: list[Floats] = []
+        for half_edge in self.sphere.incidence.boundary(region).tolist():
+            ends = self._ends(half_edge >> 1)
+            corners += ends[::-1] if half_edge & 1 else ends
+        seen = shapely.Polygon(corners).buffer(0).intersection(shapely.Polygon(ring((0, 0), 1.0)))
+        if seen.area < 1e-9:
+            return np.empty((0, 2))
+        edge = shapely.get_coordinates(seen)
+        steps = np.diff(edge, axis=0) / 3
+        handles = np.stack([edge[:-1] + steps, edge[1:] - steps, edge[1:]], axis=1)
+        return np.concatenate([edge[:1], handles.reshape(-1, 2)])
+
+    def ends(self, circle: int) -> tuple[float, ...]:
+        """Return the angles at which a line leaves what is shown, if it is in it."""
+        if circle == self.limb:
+            return ()
+        foot, way = self._line(circle)
+        half = 1 - float(foot @ foot)
+        if half <= 0:
+            return ()
+        tips = (foot + sign * math.sqrt(half) * way for sign in (1, -1))
+        return tuple(math.atan2(y, x) % (2 * math.pi) for x, y in tips)
 
 
 def _points(normal: Floats, start: Floats, angle: float, most: float) -> tuple[Floats, Floats]:

@@ -9,13 +9,12 @@ from typing import Any
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.drawing.colours import Painter
+from arrangement.drawing.colours import Choice
 from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import AxisNames, Vector
+from arrangement.drawing.registry import AxisNames, Labels, Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import keep_off, write_beside
-from arrangement.drawing.scene.scene import Scene
-from arrangement.drawing.scene.shapes import arrow
+from arrangement.drawing.scene.scene import Scene, arrow
 from arrangement.drawing.solids.sight import unit, unit_vectors
 from arrangement.pictures.parts.coordinates import (
     INK,
@@ -38,9 +37,10 @@ def draw_sphere(
     arrangement: Arrangement,
     *,
     direction: Vector | None = None,
-    colour: str | Painter | None = None,
+    azimuth: float = 0.0,
+    colour: Choice | None = None,
     antipodes: str | None = None,
-    labels: str | None = None,
+    labels: Labels | None = None,
     axes: AxisNames | None = None,
     sides: bool = False,
     width: float = 88.0,
@@ -57,14 +57,18 @@ def draw_sphere(
     Args:
         arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
         direction: exact, towards the viewer; if omitted, one in which no circle is edge-on.
+        azimuth: so many degrees the viewer then goes round to the right.
         colour: "sides" (by number of sides), "parity" (two colours, by number of minus signs),
-            "signs" (shades, by number of minus signs), "none", or a function from a `DrawnRegion`
-            to a colour; if omitted, sides if they tell neighbours apart, else parity.
+            "signs" (shades, by number of minus signs), "orbits" (of the symmetry), "none", or a
+            function from a `DrawnRegion` to a colour; if omitted, sides if they tell neighbours
+            apart, else parity. Own colours stand after the name, ``"sides:white,gold,#0072b2"``,
+            or alone.
         antipodes: "same" or "opposite" colours for opposite regions (see `colours.colouring`); if
             omitted, whatever two colours give.
         labels: of regions: "signs"; "numbers" in the order of `Arrangement.regions`, with a table
             of sign vectors below; "none". If omitted, signs of up to four planes, else numbers,
-            with the table for up to 24 regions.
+            with the table for up to 24 regions. For some regions only: these, by sign vector or
+            number, ``"+-+,3"``, or with texts, ``"+-+=A,3=B"`` or ``{"+-+": "A", 3: "B"}``.
         axes: names of the axes; True for ``x,y,z``; or "none"; if omitted, there are some
             where the coordinates have a meaning, as x, y, r of the motions of a grasp.
         sides: mark the positive side of each plane by an arrow.
@@ -78,7 +82,7 @@ def draw_sphere(
     names = RegionLabels(arrangement, labels)
     shown, coordinates = drawn_axes(arrangement, axes, coordinates)
     arrangement, direction = in_coordinates(coordinates, arrangement, direction)
-    globe = Globe(arrangement, direction)
+    globe = Globe(arrangement, direction, azimuth)
     colours = globe.colouring(colour, antipodes)
     disc = alone(globe, front(globe, orthographic), names, width, solid=True)
     arms, arrows = [], []

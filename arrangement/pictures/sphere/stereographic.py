@@ -9,9 +9,13 @@ from typing import Any
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.drawing.colours import DrawnRegion, Painter
+from arrangement.drawing.colours import (
+    Choice,
+    DrawnRegion,
+    Painter,
+)
 from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import Vector
+from arrangement.drawing.registry import Labels, Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import (
     along,
@@ -42,9 +46,9 @@ def draw_stereographic(
     arrangement: Arrangement,
     *,
     direction: Vector | None = None,
-    colour: str | Painter | None = None,
+    colour: Choice | None = None,
     antipodes: str | None = None,
-    labels: str | None = None,
+    labels: Labels | None = None,
     width: float = 88.0,
     whole: bool | None = None,
     coordinates: str | None = None,

@@ -9,8 +9,8 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from arrangement.errors import InputError
 from arrangement.library.files.json_files import Source, check_keys, check_list, read_document
+from arrangement.numbers import budget
 from arrangement.numbers.exact import to_text
 from equilibrium.model.contact import VALUES
 from equilibrium.model.grasp import Grasp, read_wrench
@@ -18,9 +18,6 @@ from equilibrium.model.grasp import Grasp, read_wrench
 from .conversion import DEFAULT_TOLERANCE, Conversion, unit_normals
 from .csv_file import read_csv
 from .incidences import converted, rounding
-
-#: Longest numbers with which long exact computations end.
-MAX_DIGITS = 1000
 
 
 def question_document(grasp: Grasp, wrench: Any, taker: str) -> dict[str, Any]:
@@ -32,10 +29,7 @@ def question_document(grasp: Grasp, wrench: Any, taker: str) -> dict[str, Any]:
     load = [to_text(x) for x in read_wrench(wrench, grasp.dimension)]
     document = {"grasp": grasp.to_dict(), "wrench": load}
     longest = max(map(len, re.findall(r"[0-9]+", json.dumps(document))))
-    if longest > MAX_DIGITS:
-        raise InputError(
-            f"a number has {longest} digits; {taker} takes at most {MAX_DIGITS}: round it"
-        )
+    budget.keep(longest, "digits of a number on a page", taker)
     return document
 
 

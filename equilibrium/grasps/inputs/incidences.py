@@ -23,9 +23,9 @@ from arrangement.numbers.exact import RationalVector, dot, from_floats
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import cross, difference
 from equilibrium.model.contact import VALUES, Contact
-from equilibrium.model.data_error import DataError
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.labels import DataError
 from equilibrium.model.outline import Outline
 from equilibrium.model.unit_normal import UnitNormal, angle_error, unit_normal
 

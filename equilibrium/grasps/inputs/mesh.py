@@ -20,10 +20,10 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.enumeration.packing import grouped
 from arrangement.numbers.exact import RationalVector, from_floats, shown, vector_text
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import cross, difference
+from arrangement.numbers.packing import grouped
 from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Mesh, coordinates
 

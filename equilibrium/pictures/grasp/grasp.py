@@ -13,8 +13,7 @@ from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Corner, Exact, Vector, Wrench
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import Labels, flattened, ring
-from arrangement.drawing.scene.scene import AROUND, Legend, Scene, fitted
-from arrangement.drawing.scene.shapes import arrow, turning_arrow
+from arrangement.drawing.scene.scene import AROUND, Legend, Scene, arrow, fitted, turning_arrow
 from equilibrium.decide.solver import Solver
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
@@ -42,6 +41,7 @@ def draw_grasp(
     outline: Iterable[Corner] | None = None,
     piece: int = 1,
     direction: Vector | None = None,
+    azimuth: float = 0.0,
     largest_turn: Exact | None = None,
     largest_force: Exact | None = None,
     width: float = 88.0,
@@ -68,6 +68,7 @@ def draw_grasp(
         piece: which of the equilibria found (see `solve`), from 1, in the plane.
         direction: exact, towards the viewer, in space; if omitted, one from above that sees forces
             from the side.
+        azimuth: so many degrees the viewer then goes round to the right, in space.
         largest_turn, largest_force: exact; only equilibria within them count, see `solve`.
 
     Raises:
@@ -78,9 +79,9 @@ def draw_grasp(
             raise GraspError("outline and piece are for grasps in the plane; leave them out")
         bounds = Range.of(largest_turn, largest_force)
         solid, note = solved_in_space(grasp, wrench, bounds)
-        return drawn_in_space(solid, direction, width, note)
-    if direction is not None:
-        raise GraspError("a direction is for grasps in space; leave it out")
+        return drawn_in_space(solid, direction, azimuth, width, note)
+    if direction is not None or azimuth:
+        raise GraspError("a direction or a turn is for grasps in space; leave it out")
     if wrench is None and piece != 1:
         raise GraspError("without a wrench nothing is solved; give one with the piece")
     verdict = None if wrench is None else Solver(grasp, largest_turn, largest_force).solve(wrench)
@@ -236,16 +237,6 @@ class GraspPicture:
             self.labels.beside(str(i), p, -n, gid=f"number-{i}")
 
 
-def _bar(layout: Layout, scale: float) -> tuple[float, str] | None:
-    """Return the length in points of the bar for a round force, and its label."""
-    if not layout.reference:
-        return None
-    force = nice_near(layout.reference)
-    share = float(force / layout.reference) / layout.longest
-    unit = f" {layout.grasp.units.force}" if layout.grasp.units else ""
-    return share * FORCE * scale, f"force {LABEL.number(force)}{unit}"
-
-
 def _describe(layout: Layout, legend: Legend, scale: float) -> None:
     """Say in words and keys what is drawn, and at what scale forces are."""
     for line, emphasis in _lines(layout):
@@ -261,8 +252,11 @@ def _describe(layout: Layout, legend: Legend, scale: float) -> None:
             f"motion (x, y, r) = {LABEL.vector(layout.found.motion)} × {LABEL.number(layout.step)}"
         )
         legend.key(symbol("shift" if layout.curve is None else "motion"), text)
-    if (found := _bar(layout, scale)) is not None:
-        legend.key(bar(found[0]), found[1])
+    if layout.reference:
+        force = nice_near(layout.reference)
+        share = float(force / layout.reference) / layout.longest
+        unit = f" {layout.grasp.units.force}" if layout.grasp.units else ""
+        legend.key(bar(share * FORCE * scale), f"force {LABEL.number(force)}{unit}")
 
 
 def _lines(layout: Layout) -> Iterator[tuple[str, bool]]:

@@ -59,7 +59,7 @@ class Layout:
         self.frame = frame_of(grasp, shape)
         self.curve = body(grasp, self.frame) if shape is None else stated_body(shape, self.frame)
         self.applied = None if verdict is None else verdict.wrench
-        self.moved = any(abs(x) > Fraction(3, 2) * self.frame.size for x in self.frame.centre)
+        self.moved = any(abs(x) > Fraction(3, 2) * self.frame.half for x in self.frame.centre)
         place = self.frame.centre if self.moved else (Fraction(0), Fraction(0))
         self.origin = self.frame.paper(place)
         if self.applied is not None:
@@ -80,15 +80,14 @@ class Layout:
             # A round factor with which no contact moves further than `MOVED` on paper.
             shifts = [abs(x) for c in grasp for x in shift_at(self.found.motion, c.point)]
             if any(shifts):
-                self.step = nice_near(Fraction(MOVED) * self.frame.size / max(shifts))
+                self.step = nice_near(Fraction(MOVED) * self.frame.half / max(shifts))
 
     def _scale_forces(self) -> None:
         """Turn all forces into arrows of one scale; exact until the largest one is known."""
         forces: list[RationalVector | None] = [None] * len(self.grasp)
         if self.found is not None:
-            for i, (c, (c_n, c_t)) in enumerate(zip(self.grasp, self.found.forces, strict=True)):
-                pairs = zip(c.normal, c.tangent, strict=True)
-                forces[i] = tuple(c_n * n + c_t * t for n, t in pairs)
+            pairs = zip(self.grasp, self.found.forces, strict=True)
+            forces = [contact.force(shares) for contact, shares in pairs]
         forces.append(None if self.applied is None else self.applied[:2])
         every = [f for f in forces if f is not None]
         preloads = [c.preload for c in self.grasp]
@@ -146,7 +145,7 @@ def displaced(layout: Layout, places: Floats) -> Floats:
     assert layout.found is not None
     assert layout.step is not None
     x, y = shift_at(layout.found.motion, layout.frame.centre)
-    shift = np.array([float(layout.step * v / layout.frame.size) for v in (x, y)])
+    shift = np.array([float(layout.step * v / layout.frame.half) for v in (x, y)])
     turn = float(layout.step * layout.found.motion[2])
     moved: Floats = places + shift + turn * np.stack([-places[:, 1], places[:, 0]], axis=1)
     return moved

@@ -16,8 +16,15 @@ from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact, Wrench
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import Labels, flattened
-from arrangement.drawing.scene.scene import POINTS, Scene, area, checked_width
-from arrangement.drawing.scene.shapes import arc, arrow, turning_arrow
+from arrangement.drawing.scene.scene import (
+    POINTS,
+    Scene,
+    arc,
+    area,
+    arrow,
+    checked_width,
+    turning_arrow,
+)
 from arrangement.numbers.exact import RationalVector
 from equilibrium.certificate.leaves import ClosedPart, works
 from equilibrium.decide.verdict import Verdict
@@ -173,7 +180,7 @@ def _example(
             drawn.labels.avoid(edge)
     if r:
         frame, centre = layout.frame, (-y / r, x / r)
-        far = max(abs(v - c) for v, c in zip(centre, frame.centre, strict=True)) / frame.size
+        far = max(abs(v - c) for v, c in zip(centre, frame.centre, strict=True)) / frame.half
         if far < 0.9 * half:
             at, reach = drawn.at(frame.paper(centre)), 0.15 * scale
             turning_arrow(

@@ -69,7 +69,7 @@ def proof_maps(grasp: Grasp, wrench: Wrench, turn: Exact | None) -> ProofMaps:
     frame = frame_of(grasp, grasp.outline)
     found = list(parts(verdict.proof))
     angle = _angle(grasp, frame, found, turn)
-    window = Window(frame.centre, MAP * frame.size)
+    window = Window(frame.centre, MAP * frame.half)
     shapes = [
         Shape(part, sense, corners)
         for part in found
@@ -97,7 +97,7 @@ def _angle(
     if plain and not any(grasp.contacts[i].preload for part in found for i in part.states):
         return None
     reach = max((c.preload / c.stiffness for c in grasp), default=Fraction(0))
-    angle = nice_near(reach / frame.size or Fraction(1))
+    angle = nice_near(reach / frame.half or Fraction(1))
     rows = (row for part in found for row, _ in _conditions(part, grasp))
     borders = {Fraction(abs(zero), abs(r)) for x, y, r, zero in rows if r and not (x or y)}
     while angle in borders:

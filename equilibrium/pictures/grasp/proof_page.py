@@ -153,7 +153,7 @@ def _grasp_data(grasp: Grasp) -> dict[str, Any]:
         "outline": None if curve is None else [_floats(p) for p in flattened(curve, 16)],
         "origin": _floats(np.clip(frame.paper((Fraction(0),) * 2), -1.5, 1.5)),
         "centre": [float(x) for x in frame.centre],
-        "size": float(frame.size),
+        "size": float(frame.half),
     }
 
 

@@ -7,6 +7,7 @@ nothing with the solver here but the form of files. Its proofs are certificates 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from importlib.resources import files
 from pathlib import Path
 from typing import Any, get_args
@@ -15,6 +16,7 @@ from arrangement.console.number_form import counted
 from arrangement.drawing.pages.html_page import Template
 from arrangement.drawing.registry import Wrench
 from arrangement.errors import InputError
+from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
 from arrangement.pictures.lab.page import LINEAR, RATIONAL, lab, read_exercises
 from equilibrium.decide.solver import solve
@@ -49,8 +51,6 @@ def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None
     return lab_page(grasp, wrench=load, title=title, first="forces")
 
 
-#: Contacts beyond which the answers of the page take more than about a second.
-MAX_CONTACTS = 8
 #: Names, built-in grasps and wrenches that the page offers.
 _EXAMPLES: tuple[tuple[str, str, tuple[int | str, ...]], ...] = (
     ("Three contacts, preload 1", "paper-three-contacts-preload-1", (0, 1, 0)),
@@ -101,7 +101,7 @@ def lab_page(
     """Return one HTML page, complete in itself: contacts and load to drag, with exact answers.
 
     Args:
-        grasp: at first, up to `MAX_CONTACTS` contacts; if omitted, three contacts with preload.
+        grasp: at first, up to eight contacts; if omitted, three contacts with preload.
         wrench: at first; if omitted, a push along (0, 1).
         title: a heading.
         exercises: a JSON file with exercises; if omitted, the twelve that come with the lab.
@@ -113,8 +113,7 @@ def lab_page(
     """
     grasp = read_grasp(_EXAMPLES[0][1]) if grasp is None else grasp
     grasp.require_plane()
-    if len(grasp) > MAX_CONTACTS:
-        raise InputError(f"{len(grasp)} contacts; the lab takes at most {MAX_CONTACTS}")
+    budget.keep(len(grasp), "contacts in the lab")
     heading = "The slip lab" if title is None else title
     applied = _EXAMPLES[0][2] if wrench is None else wrench
     question = question_document(grasp, applied, "the lab")
@@ -125,7 +124,7 @@ def lab_page(
     data: dict[str, Any] = {
         "title": heading,
         "summary": summary,
-        "most": MAX_CONTACTS,
+        "most": budget.most("contacts in the lab"),
         "first": first,
         **question,
         "examples": [
@@ -184,25 +183,20 @@ def read_start(text: str) -> tuple[Grasp, Any]:
     return Grasp(contacts), read_wrench(parts[1].split(","))
 
 
-def _yes_or_no(value: Any) -> None:
-    if type(value) is not bool:
-        raise InputError(f"{shown(value)} must be true or false")
+def _goal(words: str, holds: Callable[[Any], bool]) -> Callable[[Any], None]:
+    """Return a check of what an exercise may ask for, said in words."""
+
+    def checked(value: Any) -> None:
+        if not holds(value):
+            raise InputError(f"{shown(value)} must be {words}")
+
+    return checked
 
 
-def _true(value: Any) -> None:
-    if value is not True:
-        raise InputError(f"{shown(value)} must be true")
-
-
-def _above_zero(value: Any) -> None:
-    if type(value) is not int or value < 1:
-        raise InputError(f"{shown(value)} must be an integer above 0")
-
-
-def _states(value: Any) -> None:
-    known = (*get_args(State), "any")
-    if not isinstance(value, list) or not all(state in known for state in value):
-        raise InputError(f"{shown(value)} must be a list of {', '.join(known)}")
+_STATES = (*get_args(State), "any")
+_yes_or_no = _goal("true or false", lambda value: type(value) is bool)
+_true = _goal("true", lambda value: value is True)
+_above_zero = _goal("an integer above 0", lambda value: type(value) is int and value > 0)
 
 
 def _method(value: Any) -> None:
@@ -216,7 +210,10 @@ def _method(value: Any) -> None:
 GOALS = {
     "resisted": _yes_or_no,
     "equilibria": _above_zero,
-    "states": _states,
+    "states": _goal(
+        f"a list of {', '.join(_STATES)}",
+        lambda value: isinstance(value, list) and all(state in _STATES for state in value),
+    ),
     "gap": _true,
     "border": _true,
     "method": _method,

@@ -9,7 +9,7 @@ order. If that curve crosses itself, there is none.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
@@ -18,27 +18,30 @@ import numpy as np
 
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import flattened
-from arrangement.drawing.scene.shapes import arc
-from arrangement.numbers.exact import RationalVector
-from arrangement.numbers.linear.rank import cycle_edges
+from arrangement.drawing.scene.scene import arc
+from arrangement.numbers.exact import RationalVector, dot
+from arrangement.numbers.linear.rank import cycle_edges, difference
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Circle, Outline
 
 
 @dataclass(frozen=True)
 class Frame:
-    """Paper coordinates: exact points, moved and scaled so that the contacts fill [-1, 1].
+    """Paper coordinates: exact points, moved and scaled so that a square or cube fills [-1, 1].
 
     The subtraction and division are exact, so coordinates of any size lose nothing.
+
+    Attributes:
+        centre, half: exact middle and half side.
     """
 
     centre: RationalVector
-    size: Fraction
+    half: Fraction
 
-    def paper(self, point: Sequence[Fraction]) -> Floats:
+    def paper(self, point: Iterable[Fraction]) -> Floats:
         """Return a point on paper."""
         pairs = zip(point, self.centre, strict=True)
-        return np.array([float((x - c) / self.size) for x, c in pairs])
+        return np.array([float((x - c) / self.half) for x, c in pairs])
 
 
 def frame_of(grasp: Grasp, outline: Outline | None = None) -> Frame:
@@ -57,7 +60,7 @@ def frame_of(grasp: Grasp, outline: Outline | None = None) -> Frame:
 def stated_body(outline: Outline, frame: Frame) -> Floats:
     """Return a stated outline as cubic control points (3k + 1, 2)."""
     if isinstance(outline, Circle):
-        radius = float(outline.radius / frame.size)
+        radius = float(outline.radius / frame.half)
         return arc(frame.paper(outline.centre), radius, 0.0, 2 * math.pi)
     places = [frame.paper(corner) for corner in outline.extremes]
     return _joined([(p, p, q, q) for p, q in cycle_edges(places)])
@@ -72,7 +75,8 @@ def body(grasp: Grasp, frame: Frame) -> Floats | None:
     ]
     if not stops:
         return None
-    if _in_convex_position(list(distinct)):
+    # Whether no contact lies behind the tangent line of another (exact).
+    if all(dot(n, difference(q, p)) >= 0 for p, n in distinct for q, _ in distinct):
         return _convex(stops)
     middle = np.mean([p for p, _ in stops], axis=0)
     for centre in (middle, frame.paper((Fraction(0),) * 2)):
@@ -83,13 +87,6 @@ def body(grasp: Grasp, frame: Frame) -> Floats | None:
 
 _Stop = tuple[Floats, Floats]
 _Piece = tuple[Floats, Floats, Floats, Floats]
-
-
-def _in_convex_position(contacts: Sequence[tuple[RationalVector, RationalVector]]) -> bool:
-    """Return whether no contact lies behind the tangent line of another (exact)."""
-    return all(
-        n[0] * (q[0] - p[0]) + n[1] * (q[1] - p[1]) >= 0 for p, n in contacts for q, _ in contacts
-    )
 
 
 def _convex(stops: Sequence[_Stop]) -> Floats:

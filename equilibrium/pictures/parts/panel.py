@@ -16,9 +16,9 @@ from arrangement.drawing.scene.items import Box, Floats, Place
 from arrangement.drawing.scene.labels import Labels, covering, keep_off
 from arrangement.drawing.scene.scene import FONT, POINTS, Legend, Scene, area
 from arrangement.numbers.exact import RationalVector, rational, shown
-from equilibrium.model.data_error import AS_ROUNDED
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.labels import AS_ROUNDED
 from equilibrium.plane.states.state_system import States
 from equilibrium.wrench_sets import Region
 

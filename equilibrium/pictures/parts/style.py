@@ -12,12 +12,11 @@ import numpy as np
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALETTE, VERMILION
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.scene import POINTS, Legend, Scene, Symbol
-from arrangement.drawing.scene.shapes import arc, arrow
+from arrangement.drawing.scene.scene import POINTS, Legend, Scene, Symbol, arc, arrow
 from arrangement.numbers.exact import RationalVector
 from arrangement.pictures.parts.names import HALF, WIDTH, canvas, stroke, swatch
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.units import Units
+from equilibrium.model.labels import Units
 
 #: What pages draw grasps with.
 SKETCH_SCRIPT, SKETCH_STYLE = (

@@ -7,7 +7,6 @@ edge goes on without end, and fades there.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from statistics import median
 from typing import Any
@@ -19,21 +18,15 @@ from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primit
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
 from equilibrium.wrench_sets import Region, Segment, polygon_cycle
 
+from .body import Frame
+
 ZERO: RationalVector = (Fraction(0), Fraction(0))
 #: How far the window reaches beyond what it holds, as a share of its spread.
 ROOM = Fraction(1, 5)
 
 
-@dataclass(frozen=True)
-class Window:
-    """A square of the plane of wrenches; paper coordinates run from -1 to 1 in it.
-
-    Attributes:
-        centre, half: exact middle and half side.
-    """
-
-    centre: RationalVector
-    half: Fraction
+class Window(Frame):
+    """A square of the plane of wrenches; paper coordinates run from -1 to 1 in it."""
 
     @property
     def rows(self) -> tuple[IntegerVector, ...]:
@@ -45,11 +38,6 @@ class Window:
                 row[k] = Fraction(side)
                 found.append(primitive(row))
         return tuple(found)
-
-    def paper(self, point: Iterable[Fraction]) -> Floats:
-        """Return a point on paper."""
-        pairs = zip(point, self.centre, strict=True)
-        return np.array([float((x - c) / self.half) for x, c in pairs])
 
     def inside(self, polyhedron: Polyhedron) -> Floats | None:
         """Return the corners of the part of a polygon inside, counter-clockwise, on paper."""

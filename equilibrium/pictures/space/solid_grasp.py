@@ -218,9 +218,9 @@ class SolidGrasp:
         if self.screw.point is None or self.screw.pitch is None:
             yield Arrow("axis", -0.5 * MOVED * axis, 0.5 * MOVED * axis)
             return
-        size = float(self.frame.size)
+        size = float(self.frame.half)
         point = self.screw.point / size - np.array(
-            [float(c / self.frame.size) for c in self.frame.centre]
+            [float(c / self.frame.half) for c in self.frame.centre]
         )
         point = point - (point @ axis) * axis
         if float(np.linalg.norm(point)) > FAR:

@@ -18,6 +18,7 @@ from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import (
     best_view,
     picture_axes,
+    turned,
     unit,
     unit_vectors,
     view_direction,
@@ -56,19 +57,14 @@ def solved_in_space(
         return SolidGrasp(grasp, wrench=verdict.wrench), "; ".join(
             filter(None, (f"{verdict.verdict}{within}", verdict.doubt))
         )
-    frames = [(c.normal, *c.tangents) for c in grasp]
-    forces = [
-        [
-            sum(float(a) * float(way[k]) for a, way in zip(shares, frame, strict=True))
-            for k in range(3)
-        ]
-        for shares, frame in zip(found.forces, frames, strict=True)
-    ]
+    forces = [contact.force(shares) for contact, shares in zip(grasp, found.forces, strict=True)]
     note = "; ".join(filter(None, (SMALL if verdict.warnings else "", verdict.doubt)))
     return SolidGrasp(grasp, list(found.motion), forces, verdict.wrench), note
 
 
-def drawn_in_space(solid: SolidGrasp, direction: Vector | None, width: float, note: str) -> Scene:
+def drawn_in_space(
+    solid: SolidGrasp, direction: Vector | None, azimuth: float, width: float, note: str
+) -> Scene:
     """Return the picture; see `equilibrium.pictures.grasp.grasp.draw_grasp`.
 
     Elements: ``body-3``, ``cone-1-4``, ``force-2-17`` and so on: kind, contact, piece.
@@ -77,7 +73,7 @@ def drawn_in_space(solid: SolidGrasp, direction: Vector | None, width: float, no
         note: what is said of the answer, if anything.
     """
     towards = clear_side(solid) if direction is None else view_direction(direction)
-    return _SpatialGraspPicture(solid, towards, width, note).scene
+    return _SpatialGraspPicture(solid, turned(towards, azimuth), width, note).scene
 
 
 def clear_side(solid: SolidGrasp) -> IntegerVector:
@@ -217,7 +213,7 @@ def proof_in_space(grasp: Grasp, wrench: Wrench, width: float) -> Scene:
     towards = clear_side(SolidGrasp(grasp, wrench=verdict.wrench))
     panel = min(width / len(shown), _PANEL)
     solids = [SolidGrasp(grasp, motion, (), verdict.wrench, virtual=True) for _, motion, _ in shown]
-    panels = [drawn_in_space(solid, towards, panel, "") for solid in solids]
+    panels = [drawn_in_space(solid, towards, 0.0, panel, "") for solid in solids]
     scene = Scene(panel * len(panels), max(part.paper[1] for part in panels))
     for k, part in enumerate(panels):
         keys = part.legend.keys

@@ -69,7 +69,8 @@ def _drawn(
     ends = [float(max(b.resisted, b.refused)) for _, m in spokes for b in m.borders if b.resisted]
     # Where a direction ends undecided, all that is proved is to be seen.
     ends += [t for _, m in spokes if m.samples[-1][1] == UNDECIDED and (t := _proved(m))]
-    reach = 1.25 * min(4 * float(np.median(ends)), max(ends)) if ends else 1.0
+    proved = ends or [t for _, m in spokes if (t := _proved(m))] or [0.8]
+    reach = 1.25 * min(4 * float(np.median(proved)), max(proved))
     window = Window(ZERO, Fraction(reach))
     scene, (panel,) = row_of_panels(1, window, width, grasp, names=names)
     refuted = 0
@@ -114,6 +115,8 @@ def _stretches(known: SpatialMagnitudes) -> Iterator[tuple[float, float, bool, b
     since, start, before, tried = 0.0, 0.0, found.pop(Fraction(0)), False
     for t, verdict in [*sorted(found.items()), (Fraction(0), "")]:
         end = float(t) if verdict else math.inf
+        if not verdict and before == RESISTED and not tried:
+            break  # Beyond the largest that was tried nothing is known.
         if verdict == UNDECIDED:
             tried = True
             continue
@@ -146,3 +149,7 @@ def _explain(
     elif all(known.borders for _, known in spokes):
         legend.line("nothing is resisted in these directions, 0 aside")
     legend.line(f"{len(spokes)} directions; the shade between them is a guide, no proof")
+    tried = [known.samples[-1][0] for _, known in spokes if known.samples[-1][1] == RESISTED]
+    if tried:
+        part = "all" if len(tried) == len(spokes) else f"{len(tried)} of them"
+        legend.line(f"no end was found up to {float(max(tried)):g}, the most tried, in {part}")

@@ -90,15 +90,8 @@ def _mark(panel: Panel, index: int, entry: Entry) -> None:
     )
     for kind, parts, dashes in kinds if not entry.agrees else ():
         for k, part in enumerate(parts):
-            line = [_at(panel, entry.direction, end) for end in part]
-            scene.line(
-                line,
-                ec=VERMILION,
-                lw=1.1,
-                ls=dashes,
-                zorder=5,
-                gid=f"{panel.gid(kind, index)}-{k + 1}",
-            )
+            line, gid = [_at(panel, entry.direction, end) for end in part], panel.gid(kind, index)
+            scene.line(line, ec=VERMILION, lw=1.1, ls=dashes, zorder=5, gid=f"{gid}-{k + 1}")
 
 
 def _at(panel: Panel, direction: RationalVector, magnitude: Fraction | None) -> Floats:

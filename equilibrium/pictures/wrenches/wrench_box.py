@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import product
+from math import lcm, prod
+from operator import mul
 from statistics import median
 
 import numpy as np
@@ -16,7 +18,7 @@ from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.depth_tree import Node, depth_tree
 from arrangement.drawing.solids.sight import best_view, views
 from arrangement.drawing.solids.surface import Patch, surface
-from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, reduced
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
 from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.grasp import Grasp
@@ -155,15 +157,24 @@ def _around(pieces: tuple[Piece, ...]) -> tuple[RationalVector, RationalVector]:
 def _inside(piece: Piece, middle: RationalVector, half: RationalVector) -> Polyhedron | None:
     """Return the part of a piece in the box, in its coordinates."""
 
-    def moved(row: IntegerVector) -> IntegerVector:
-        return primitive(
-            [*(Fraction(a) * h for a, h in zip(row, half, strict=False)), dot(row, (*middle, 1))]
-        )
+    shape, unit = piece.polyhedron, lcm(*(x.denominator for x in (*middle, *half)))
+    start, sides = ([int(unit * x) for x in numbers] for numbers in (middle, half))
+    volume = prod(sides)
 
-    shape = piece.polyhedron
+    def moved(row: IntegerVector) -> IntegerVector:
+        return reduced([*map(mul, row, sides), dot(row, (*start, unit))])
+
+    def place(point: IntegerVector) -> IntegerVector:
+        *x, w = point
+        steps = zip(x, start, sides, strict=True)
+        return reduced([*((unit * p - w * m) * (volume // h) for p, m, h in steps), volume * w])
+
+    rows = sorted(map(moved, shape.inequalities))
+    points = sorted(map(place, shape.homogeneous[0])) if shape.bounded else []
+    if shape.dimension == 3 and points and all(max(map(abs, p[:3])) < p[3] for p in points):
+        return Polyhedron(tuple(rows), (), (tuple(points), ()))
     walls = [tuple(-x for x in row) for row in WALLS]
-    rows = [*map(moved, shape.inequalities), *walls]
-    return from_conditions(rows, map(moved, shape.equalities), 3)
+    return from_conditions([*rows, *walls], map(moved, shape.equalities), 3)
 
 
 def box_text(grasp: Grasp, box: WrenchBox) -> str:

@@ -13,8 +13,8 @@ from arrangement.drawing.solids.sight import picture_axes
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, number_text, primitive
-from equilibrium.model.data_error import AS_ROUNDED
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.labels import AS_ROUNDED
 from equilibrium.pictures.parts.panel import read_extent
 
 from .wrench_box import CUT, NAMES, SOLID, WALLS, WrenchBox, box_edges, box_text, wrench_box

@@ -16,7 +16,13 @@ from arrangement.drawing.registry import Exact, Vector, Wrench
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import Legend, Scene
 from arrangement.drawing.solids.depth_tree import SolidSheet
-from arrangement.drawing.solids.sight import light, picture_axes, unit_vectors, view_direction
+from arrangement.drawing.solids.sight import (
+    light,
+    picture_axes,
+    turned,
+    unit_vectors,
+    view_direction,
+)
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.numbers.exact import IntegerVector, dot
 from equilibrium.model.grasp import Grasp, read_wrench
@@ -44,6 +50,7 @@ def draw_wrench_set(
     wrench: Wrench | None = None,
     extent: Exact | None = None,
     direction: Vector | None = None,
+    azimuth: float = 0.0,
     width: float = 180.0,
 ) -> Scene:
     """Draw all resisted wrenches (f_x, f_y, tau) as a solid in a box, beside the grasp.
@@ -64,6 +71,7 @@ def draw_wrench_set(
             of the set, except single ones far out.
         direction: exact, towards the viewer, in the coordinates of the box; if omitted, from where
             much of the set is seen.
+        azimuth: so many degrees the viewer then goes round to the right.
         width: of the figure, in millimetres; below 120 the grasp is left out.
 
     Raises:
@@ -72,6 +80,7 @@ def draw_wrench_set(
     applied = None if wrench is None else read_wrench(wrench)
     box = wrench_box(grasp, read_extent(extent))
     towards = box.clear_side if direction is None else view_direction(direction)
+    towards = turned(towards, azimuth)
     if width < _BOTH:
         return _WrenchSetPicture(grasp, box, towards, applied, width).scene
     right = _WrenchSetPicture(grasp, box, towards, applied, width * 0.6).scene

@@ -144,6 +144,26 @@ class PartGuess:
             if self._solved():
                 yield (self._program.point * self._scale)[:-1]
 
+    def may_close(self, tried: Sequence[int]) -> bool:
+        """Return whether no work of integer multipliers is surely below 0 at a generator."""
+        part, floats, c = self.part, self.floats, self.floats.contacts
+        if part.rho or part.turn:
+            return True
+        numbers = np.array(tried, dtype=float)
+        along, across = c.normal @ numbers[:3], c.pull @ numbers[:3]
+        signs = part.friction_signs(along, across)
+        terms = np.concatenate(
+            [
+                floats.spring * part.region.presses * np.where(signs, along - signs * across, 0.0),
+                floats.spring[:, list(part.alpha)] * numbers[list(part.alpha.values())],
+                floats.slip[:, list(part.h)] * numbers[list(part.h.values())],
+                floats.weight[:, None] * floats.load * numbers[:3],
+            ],
+            axis=1,
+        )
+        works: Floats = terms.sum(axis=1)
+        return bool((works >= -_CLOSED * np.abs(terms).sum(axis=1)).all())
+
     def _solved(self) -> bool:
         """Solve with as many bounds as matter; return whether the work can be above 0."""
         for _ in range(_ROUNDS):

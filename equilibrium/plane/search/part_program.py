@@ -172,7 +172,7 @@ class PartProgram:
         Args:
             along, across: the works of a unit normal force and of its largest friction force.
         """
-        signs = self._friction_signs(along, across)
+        signs = self.friction_signs(along, across)
         return [Cut(j, np.where(row, signs, 0)) for j, row in enumerate(self.region.presses)]
 
     def _works(self, motion: Sequence[int]) -> tuple[Any, Any]:
@@ -180,7 +180,7 @@ class PartProgram:
         direction, region = np.array(motion, dtype=object), self.region
         return region.along.dot(direction), region.across.dot(direction)
 
-    def _friction_signs(self, along: Any, across: Any) -> npt.NDArray[np.intp]:
+    def friction_signs(self, along: Any, across: Any) -> npt.NDArray[np.intp]:
         """Return the sign of friction with the least work, of each contact that counts."""
         known = self.region.known
         sign = np.where(known == 0, np.where(across >= 0, 1, -1), known)
@@ -221,7 +221,7 @@ class PartProgram:
         guess = PartGuess(self, self.cuts)
         for numbers in guess.leaves():
             for tried in self._integers(numbers.tolist()):
-                if self._closes(tried):
+                if guess.may_close(tried) and self._closes(tried):
                     return self._written(tried)
         self.binding = guess.binding
         return self.solve(deadline) if guess.contact is None else guess.contact
@@ -292,7 +292,7 @@ class PartProgram:
             return False
         region = self.region
         along, across = self._works(numbers[:3])
-        signs = self._friction_signs(along, across)
+        signs = self.friction_signs(along, across)
         least = np.where(signs == 0, 0, along - signs * across)
         for j, g in enumerate(region.weight):
             work = np.where(region.presses[j], region.spring[j], 0).dot(least)

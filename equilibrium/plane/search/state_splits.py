@@ -65,7 +65,9 @@ class StateSplits:
         cuts, names = program.binding, ("stick", "slip+", "slip-")
         if contact in states:
             return self._children(states, cuts, contact, "slip", names)
-        if self.region.mixed[contact] or not self._slides(contact):
+        # Whether the direction of slip matters and is not known.
+        slides = not self.region.known[contact] and self.region.contacts.friction[contact]
+        if self.region.mixed[contact] or not slides:
             return self._children(states, cuts, contact, "attachment", ("attached", "detached"))
         slip = self._children({**states, contact: "attached"}, cuts, contact, "slip", names)
         if isinstance(slip, Solution):
@@ -90,7 +92,3 @@ class StateSplits:
                 return part
             parts[name] = part
         return {"contact": contact, kind: parts}
-
-    def _slides(self, i: int) -> bool:
-        """Whether the direction of slip matters and is not known."""
-        return not self.region.known[i] and bool(self.region.contacts.friction[i])

@@ -25,6 +25,8 @@ _RANGE = 2
 _TINY = 1e-12
 #: Multipliers of a range have denominators up to this where that will do.
 _SIMPLE = 2**16
+#: Up to so many contacts all are added up, needed or not.
+_FEW = 30
 _AROUND = np.array([x for x in itertools.product((-1, 0, 1), repeat=3) if any(x)], dtype=float)
 
 
@@ -77,8 +79,13 @@ class VirtualMotions:
             (regions.slip > 0, plus),
             (regions.slip < 0, minus),
         ):
-            total += np.where((pos & chosen)[:, None, :], spring, 0.0) @ kappa
-            total += np.where((mixed & chosen)[:, None, :], lifted, 0.0) @ np.minimum(kappa, 0.0)
+            for of, force, works in (
+                (pos & chosen, spring, kappa),
+                (mixed & chosen, lifted, np.minimum(kappa, 0.0)),
+            ):
+                # Deep down few contacts are mixed, and few may slip either way.
+                used = np.flatnonzero(of.any(axis=0)) if of.shape[1] > _FEW else slice(None)
+                total += (force[:, :, used] * of[:, None, used]) @ works[..., used, :]
         if regions.beyond.any():
             total -= _multiplier(total, regions.beyond[:, :, None]) * regions.beyond[:, :, None]
         far = (regions.weight == 0)[:, :, None]

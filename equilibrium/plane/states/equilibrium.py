@@ -79,9 +79,11 @@ class Equilibrium(Documented):
         sticking = (p for p, state in zip(pairs, self.states, strict=True) if state == "stick")
         z = (*d, *(tangential for _, tangential in sticking))
         given = [component for pair in pairs for component in pair]
-        return _inside(self.system, z) and given == [
-            value(row, z) for row in each_force(self.system)
-        ]
+        return (
+            all(value(row, z) == 0 for row in self.system.equalities)
+            and all(value(row, z) >= 0 for row in self.system.inequalities)
+            and given == [value(row, z) for row in each_force(self.system)]
+        )
 
     def within(self, other: Equilibrium) -> bool:
         """Return whether every solution here is also one of `other` (exact linear programs)."""
@@ -91,7 +93,7 @@ class Equilibrium(Documented):
             return False
         equalities, inequalities = _conditions(self.system, other.system)
         return all(set(_range(self.system, row)) == {0} for row in equalities) and all(
-            _never_negative(self.system, row) for row in inequalities
+            (low := _least(self.system, row)) is not None and low >= 0 for row in inequalities
         )
 
 
@@ -163,12 +165,6 @@ def _least_solution(system: StateSystem) -> RationalVector:
     return (*motion, *least_point(n, inequalities, (*equalities, *fixed), variables[3:]))
 
 
-def _inside(system: StateSystem, z: RationalVector) -> bool:
-    return all(value(row, z) == 0 for row in system.equalities) and all(
-        value(row, z) >= 0 for row in system.inequalities
-    )
-
-
 def _least(system: StateSystem, row: RationalVector) -> Fraction | None:
     """Return the least value of a row over the solutions; None if there is none."""
     least = system.program.least(row[:-1])
@@ -179,11 +175,6 @@ def _range(system: StateSystem, row: RationalVector) -> Interval:
     low = _least(system, row)
     high = _least(system, negated(row))
     return low, None if high is None else -high
-
-
-def _never_negative(system: StateSystem, row: RationalVector) -> bool:
-    low = _least(system, row)
-    return low is not None and low >= 0
 
 
 def _conditions(

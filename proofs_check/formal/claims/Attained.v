@@ -121,3 +121,92 @@ Proof.
   - now apply of_space_within.
   - apply (number_unique (regions_real_count planes) N).
 Qed.
+
+(** * Facets, rays and all sign vectors of great circles *)
+
+Lemma only_general_faces planes n : great_circles planes -> 2 <= size planes ->
+  number (face_of_codimension 0 planes) n -> size planes * size planes - size planes + 2 <= n ->
+  general 3 planes.
+Proof.
+  intros [S C] M N Le. destruct (merge C) as (B & e & Mg & G & F & Len).
+  apply (merged_number _ _ Mg F) in N. pose proof (proj1 Mg) as I.
+  assert (great_circles B) as GB.
+  { split; unfold of_space in *; rewrite Forall_forall in *; auto. }
+  pose proof (circle_faces GB N) as Up. destruct Len as [L| ->].
+  - exfalso. unfold size in *. nia.
+  - assert (Forall (fun f => look_real f = Plane) planes) as P.
+    { apply Forall_forall. intros f Hf. now apply (@general_plane 1 planes). }
+    pose proof (number_unique N (faces_real_count planes 0)) as E. unfold faces_real in E.
+    rewrite (faces_open [] (le_n _) P), app_nil_r, rho_rev in E.
+    assert (number (region planes) n) as Rn by (rewrite E; apply regions_real_count).
+    clear E. apply (only_general_regions S C). unfold size in *.
+    destruct (length planes) as [|k]; [cbn in M; lia|]. rewrite circles_3.
+    now replace (Z.of_nat (Datatypes.S k) * Z.of_nat (Datatypes.S k) - Z.of_nat (Datatypes.S k) + 2) with n by lia.
+Qed.
+
+Lemma one_facet planes n : great_circles planes -> rank planes 1 ->
+  number (face_of_codimension 1 planes) n -> n <= 1.
+Proof.
+  intros [S C] R N. destruct (merge C) as (B & e & Mg & G & F & _).
+  apply (merged_number _ _ Mg F) in N. apply (proj1 (merged_rank 1 Mg)) in R. pose proof (proj1 Mg) as I.
+  assert (great_circles B) as [SB CB].
+  { split; unfold of_space in *; rewrite Forall_forall in *; auto. }
+  pose proof (@central_faces_at_most 3 B 1 n SB CB ltac:(lia) N) as H.
+  destruct B as [|f [|g B]]; cbn in H; try lia. exfalso. destruct R as [_ U].
+  enough (2 <= 1)%nat by lia. apply (U [f; g]).
+  - intros h [<-|[<-|[]]]; cbn; auto.
+  - apply G with B; [reflexivity|cbn; lia].
+Qed.
+
+Lemma circle_rank planes : great_circles planes -> exists k, rank planes k /\ (k <= 3)%nat.
+Proof.
+  intros [S C]. destruct (@rank_exists _ look_real restrict_real (fun f => f) look_real_vanishes
+    look_real_constant look_real_plane _ planes (le_n _)) as [k R]. rewrite map_id in R.
+  exists k. split; trivial. destruct (Nat.le_gt_cases k 3) as [|L]; trivial.
+  pose proof (@origin_face planes k C R). pose proof (@deep_faces 3 planes k S C ltac:(lia)) as D.
+  destruct (Nat.eqb_spec k 3); lia.
+Qed.
+
+Lemma rank_0_faces planes n : great_circles planes -> rank planes 0 ->
+  number (face_of_codimension 1 planes) n -> n = 0.
+Proof.
+  intros [S C] [_ U] N. apply (@number_unique _ (face_of_codimension 1 planes)); trivial.
+  apply number_none. intros s [_ [(gs & I & D & L) _]].
+  pose proof (U gs) as H. rewrite L in H. enough (1 <= 0)%nat by lia. apply H; trivial.
+  intros g G. apply I in G. clear - G. revert s G. induction planes as [|f l IH]; intros [|[] s] G; cbn in *; try easy;
+  try (right; now apply IH with s). destruct G as [->|G]; [now left|right; now apply IH with s].
+Qed.
+
+Lemma only_general_facets planes n : great_circles planes -> 2 <= size planes ->
+  number (face_of_codimension 1 planes) n -> 2 * size planes * (size planes - 1) <= n -> general 3 planes.
+Proof.
+  intros G M N Le. destruct (circle_rank G) as (k & R & K).
+  destruct (Nat.le_gt_cases 2 k) as [K2|K2].
+  - pose proof (@dual_edges planes k n _ G R K2 N (faces_real_count planes 0)) as E.
+    apply (@only_general_faces planes _ G M (faces_real_count planes 0)). lia.
+  - exfalso. destruct k as [|[|k]]; [|pose proof (one_facet G R N); nia|lia].
+    pose proof (rank_0_faces G R N). nia.
+Qed.
+
+Lemma only_general_rays planes n : great_circles planes -> 2 <= size planes -> rank planes 3 ->
+  number (face_of_codimension 2 planes) n -> size planes * (size planes - 1) <= n -> general 3 planes.
+Proof.
+  intros G M R N Le.
+  pose proof (dual_faces G R N (faces_real_count planes 1) (faces_real_count planes 0)) as (_ & _ & E & _).
+  apply (@only_general_faces planes _ G M (faces_real_count planes 0)). lia.
+Qed.
+
+Lemma only_general_states planes n : great_circles planes -> 2 <= size planes ->
+  number (face planes) n -> 4 * size planes * size planes - 4 * size planes + 3 <= n -> general 3 planes.
+Proof.
+  intros G M N Le. rewrite (number_unique N (slip_states_total planes)), (four_terms G) in Le.
+  pose proof (circle_arcs G M (faces_real_count planes 1)) as F1.
+  assert (nth 3 (faces_real planes) 0 <= 1) as F3.
+  { destruct G as [S C]. apply (@deep_faces 3 planes 3 S C (le_n _)). }
+  assert (nth 2 (faces_real planes) 0 <= size planes * (size planes - 1)) as F2.
+  { destruct G as [S C]. pose proof (@central_faces_at_most 3 planes 2 _ S C ltac:(lia) (faces_real_count planes 2)) as H.
+    pose proof (choose_2 (length planes)) as Two. change (3 - 2)%nat with 1%nat in H.
+    assert (central_regions (length planes - 2) 1 <= 2) by (destruct (length planes - 2)%nat; cbn; lia).
+    pose proof (choose_nonneg (length planes) 2). unfold size in *. nia. }
+  apply (@only_general_faces planes _ G M (faces_real_count planes 0)). lia.
+Qed.

@@ -2,7 +2,7 @@
     do not. Words are defined in Planes.v; proofs stand in other files. *)
 
 Require Import Reals ZArith List Lia Permutation.
-Require Import Planes Sides Rank Recursion Counting Bounds General Sphere Dual Graph Attained.
+Require Import Planes Sides Rank Recursion Counting Bounds General Sphere Dual Graph Attained Position.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -28,6 +28,16 @@ Proof.
   destruct (length planes) as [|k]; [cbn in M; lia|]. now rewrite circles_3.
 Qed.
 
+(** General position of planes that are planes (no form is 0 everywhere): no two of them coincide,
+    no three have a common point but the origin. *)
+Theorem general_position_of_great_circles : forall planes, great_circles planes ->
+  (forall f, In f planes -> exists x, (value f x <> 0)%R) ->
+  (general 3 planes <-> different planes /\
+    forall f g h rest x, Permutation planes (f :: g :: h :: rest) ->
+      value f x = 0%R -> value g x = 0%R -> value h x = 0%R ->
+      x 0%nat = 0%R /\ x 1%nat = 0%R /\ x 2%nat = 0%R).
+Proof. exact general_great_circles. Qed.
+
 Theorem state_formula : forall planes, great_circles planes ->
   general 3 planes -> 3 <= size planes ->
   let m := size planes in
@@ -47,6 +57,23 @@ Theorem slip_states_attained : forall planes, great_circles planes ->
   general 3 planes -> 3 <= size planes ->
   number (face planes) (4 * size planes * size planes - 4 * size planes + 3).
 Proof. exact general_slip_states. Qed.
+
+Theorem slip_states_only_general : forall planes, great_circles planes -> 2 <= size planes ->
+  number (face planes) (4 * size planes * size planes - 4 * size planes + 3) ->
+  general 3 planes.
+Proof. intros planes C M N. exact (only_general_states C M N (Z.le_refl _)). Qed.
+
+(** As many facets, or as many rays, as in general position have no others. *)
+Theorem facets_only_general : forall planes, great_circles planes -> 2 <= size planes ->
+  number (face_of_codimension 1 planes) (2 * size planes * (size planes - 1)) ->
+  general 3 planes.
+Proof. intros planes C M N. exact (only_general_facets C M N (Z.le_refl _)). Qed.
+
+Theorem rays_only_general : forall planes, great_circles planes -> rank planes 3 ->
+  2 <= size planes ->
+  number (face_of_codimension 2 planes) (size planes * (size planes - 1)) ->
+  general 3 planes.
+Proof. intros planes C R M N. exact (only_general_rays C M R N (Z.le_refl _)). Qed.
 
 Theorem euler : forall planes vertices edges faces, great_circles planes -> rank planes 3 ->
   number (face_of_codimension 2 planes) vertices ->

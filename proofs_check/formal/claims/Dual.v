@@ -227,7 +227,7 @@ Lemma dual_edges planes k e f : great_circles planes -> rank planes k -> (2 <= k
   number (face_of_codimension 1 planes) e -> number (face_of_codimension 0 planes) f ->
   e <= 2 * f - 4.
 Proof.
-  intros [S C] R K E F. destruct (merge C) as (B & fill & M & G & Fill).
+  intros [S C] R K E F. destruct (merge C) as (B & fill & M & G & Fill & _).
   pose proof (proj1 M) as I.
   assert (of_space 3 B) as SB by (unfold of_space in *; rewrite Forall_forall in *; auto).
   assert (Forall central B) as CB by (rewrite Forall_forall in *; auto).

@@ -144,33 +144,36 @@ Proof.
 Qed.
 
 Lemma merge A : Forall central A -> exists B e,
-  merged A B /\ general 2 B /\ fills A B e.
+  merged A B /\ general 2 B /\ fills A B e /\ ((length B < length A)%nat \/ B = A).
 Proof.
-  induction 1 as [|h A Ch C (B & e & [I M] & G & F)].
-  - exists [], (fun s => s). split; [split; easy|]. split; [|apply fills_refl].
+  induction 1 as [|h A Ch C (B & e & [I M] & G & F & Len)].
+  - exists [], (fun s => s). split; [split; easy|]. split; [|split; [apply fills_refl|now right]].
     intros fs rest P _. apply Permutation_nil in P. destruct fs; [|easy].
     intros [|] ?; [|easy]. now exists origin.
   - destruct (look_real h) eqn:K.
-    + exists B, (fun s => Zero :: e s). split; [split|split; trivial].
+    + exists B, (fun s => Zero :: e s). split; [split|split; [trivial|split]].
       * intros f Hf. right. auto.
       * intros g [<-|Hg]; [left; now apply look_real_vanishes|auto].
       * apply fills_constant; trivial. intros x. rewrite (@look_real_vanishes _ K). now apply sgn_zero.
+      * left. destruct Len as [ | ->]; cbn; lia.
     + now destruct (@central_look h Ch).
     + assert (Forall central B) as CB.
       { rewrite Forall_forall in *. auto. }
       destruct (@onto_planes h B ltac:(now constructor)) as [(g & Bg & V)|P].
       * destruct (@vanishing_times h g K (@general_plane 1 B g G Bg) V) as (c & T).
         destruct (merged_sign B Bg T) as (phi & Phi).
-        exists B, (fun s => phi s :: e s). split; [split|split; trivial].
+        exists B, (fun s => phi s :: e s). split; [split|split; [trivial|split]].
         -- intros f Hf. right. auto.
         -- intros f [<-|Hf]; [right; now exists g, c|auto].
         -- destruct F as [Inj E]. split; [intros a b [=]; auto|].
            intros x. now rewrite signs_cons, Phi, E.
+        -- left. destruct Len as [ | ->]; cbn; lia.
       * destruct (fills_keep h F) as (e' & F' & _). exists (h :: B), e'.
-        split; [split|split; trivial; now apply general_cons].
+        split; [split|split; [now apply general_cons|split; [exact F'|]]].
         -- intros f [<-|Hf]; [now left|right; auto].
         -- intros f [<-|Hf]; [right; exists h, 1; split; [now left|split; [lra|intros; ring]]|].
            destruct (M f Hf) as [|(g & c & Bg & T)]; [now left|]. right. exists g, c. split; [now right|trivial].
+        -- destruct Len as [ | ->]; [left; cbn; lia|now right].
 Qed.
 
 Lemma merged_number A B e k n : merged A B -> fills A B e ->

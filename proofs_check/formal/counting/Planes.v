@@ -70,6 +70,15 @@ Definition real_form (f : form Z) : form R :=
 
 Definition real_planes (planes : list (form Z)) : list (form R) := map real_form planes.
 
+(** A half-line from x in direction v that stays in the face of a sign vector. A region is bounded if
+    no form changes along any half-line in it; where the forms of R^d have rank d, it has none. *)
+Definition half_line (planes : list (form R)) (s : list sign) (v : point) : Prop :=
+  exists x, forall t, 0 <= t -> signs planes (fun i => x i + t * v i) = s.
+
+Definition bounded (planes : list (form R)) (s : list sign) : Prop :=
+  region planes s /\
+  forall v, half_line planes s v -> forall f, In f planes -> linear (coefficients f) v = 0.
+
 (** * Whitney's formula for the characteristic polynomial *)
 
 (** The forms that a mask keeps; a subset of the planes is a mask as long as their list. *)

@@ -3,7 +3,8 @@
    vectors have, or of a graph
    with or without weights. With --question first: print what was read of grasp
    and wrench, of planes, of signs, or of a graph, as JSON. With --regions, --faces or
-   --polynomial first, files are arrangements: print what is counted. *)
+   --polynomial first, files are arrangements: print what is counted. With --lines before these,
+   each line of a file is a document of its own. *)
 
 module Zarith = Z
 open Checker
@@ -99,16 +100,37 @@ let work task document =
     let kind, asked, proof = Reader.document document in
     if task = Question then (0, question asked) else answer (check asked proof) kind
 
-let verdict task path =
-  match work task (Json.parse (read path)) with
+let verdict task text =
+  match work task (Json.parse text) with
   | found -> found
   | exception Json.Malformed problem -> (2, "malformed: " ^ problem)
-  | exception Sys_error problem -> (2, "malformed: " ^ problem)
   | exception Stack_overflow -> (2, "malformed: too large for the stack of this program")
 
+let say worst (code, line) =
+  print_endline line;
+  max worst code
+
+let rec of_lines task worst channel =
+  match input_line channel with
+  | text -> of_lines task (say worst (verdict task text)) channel
+  | exception End_of_file -> worst
+
+let of_file lines task worst path =
+  try
+    if not lines then say worst (verdict task (read path))
+    else if path = "-" then of_lines task worst stdin
+    else
+      let channel = open_in_bin path in
+      Fun.protect ~finally:(fun () -> close_in channel) (fun () -> of_lines task worst channel)
+  with Sys_error problem -> say worst (2, "malformed: " ^ problem)
+
 let () =
-  let task, paths =
+  let lines, arguments =
     match List.tl (Array.to_list Sys.argv) with
+    | "--lines" :: arguments -> (true, arguments)
+    | arguments -> (false, arguments) in
+  let task, paths =
+    match arguments with
     | "--question" :: paths -> (Question, paths)
     | "--regions" :: paths -> (Count (fun forms -> [ count_regions forms ]), paths)
     | "--faces" :: paths -> (Count count_faces, paths)
@@ -116,10 +138,6 @@ let () =
     | paths -> (Check, paths) in
   if paths = [] then (
     prerr_endline
-      "usage: proved-checker [--question | --regions | --faces | --polynomial] FILE...";
+      "usage: proved-checker [--lines] [--question | --regions | --faces | --polynomial] FILE...";
     exit 2);
-  let worst = List.fold_left (fun worst path ->
-    let code, line = verdict task path in
-    print_endline line;
-    max worst code) 0 paths in
-  exit worst
+  exit (List.fold_left (of_file lines task) 0 paths)

@@ -2,15 +2,9 @@
 const data = JSON.parse(document.getElementById("data").textContent);
 /** @type {(id: string) => any} */ const at = (id) => document.getElementById(id);
 
-function make(name, attributes = {}, parent = null, text = null) {
-  const element = document.createElement(name);
-  return finish(element, attributes, parent, text);
-}
-
-function draw(name, attributes = {}, parent = null, text = null) {
-  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
-  return finish(element, attributes, parent, text);
-}
+const make = (name, attributes = {}, parent = null, text = null) => finish(document.createElement(name), attributes, parent, text);
+const draw = (name, attributes = {}, parent = null, text = null) =>
+  finish(document.createElementNS("http://www.w3.org/2000/svg", name), attributes, parent, text);
 
 function finish(element, attributes, parent, text) {
   for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);

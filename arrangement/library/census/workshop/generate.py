@@ -19,7 +19,6 @@ from __future__ import annotations
 
 import itertools
 import json
-import math
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -30,10 +29,12 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.console.progress import watched
 from arrangement.console.writing import write_text_atomically
-from arrangement.enumeration.great_circles import SphereArrangement, sphere_arrangement
+from arrangement.enumeration.great_circles import sphere_arrangement
 from arrangement.errors import MissingExtraError
 from arrangement.library.census.catalogue import MOST_PLANES
 from arrangement.numbers.exact import IntegerVector, primitive
+
+from .build import box
 
 Normals: TypeAlias = tuple[IntegerVector, ...]
 
@@ -50,16 +51,13 @@ def canonical_form(arrangement: Arrangement) -> bytes:
     Raises:
         MissingExtraError: igraph is not installed.
     """
-    return _canonical(sphere_arrangement(arrangement))
-
-
-def _canonical(sphere: SphereArrangement) -> bytes:
     try:
         import igraph
     except ImportError:
         raise MissingExtraError(
             'canonical forms of graphs need igraph; install "slipstates[test]"'
         ) from None
+    sphere = sphere_arrangement(arrangement)
     region = sphere.incidence.region
     edges = np.stack([region[0::2], region[1::2]], axis=1)
     graph = igraph.Graph(n=sphere.region_count, edges=edges.tolist())
@@ -74,10 +72,11 @@ def extensions(normals: Normals) -> Iterator[IntegerVector]:
     """Yield one new normal for each way to add a distinct plane, up to the sign of the normal."""
     sphere = sphere_arrangement(Arrangement(normals))
     rays = [sphere.ray(vertex) for vertex in range(sphere.vertex_count // 2)]
-    dual = Arrangement(rays)
     present = {primitive(v) for v in normals} | {primitive([-x for x in v]) for v in normals}
     seen: set[tuple[int, ...]] = set()
-    for vector, signs in itertools.chain(_small_vectors(rays), _witnesses(dual)):
+    faces = (face for face in Arrangement(rays).faces() if any(face.witness))
+    witnesses = ((primitive(face.witness), face.signs) for face in faces)
+    for vector, signs in itertools.chain(_small_vectors(rays), witnesses):
         if signs not in seen:
             seen.update((signs, tuple(-s for s in signs)))
             if vector not in present:
@@ -86,20 +85,10 @@ def extensions(normals: Normals) -> Iterator[IntegerVector]:
 
 def _small_vectors(rays: Sequence[IntegerVector]) -> Iterator[tuple[IntegerVector, IntegerVector]]:
     """Yield small primitive vectors, smallest first, with their signs over the rays."""
-    box = [
-        v
-        for v in itertools.product(range(-_SMALL, _SMALL + 1), repeat=3)
-        if math.gcd(*v) == 1 and next(x for x in v if x) > 0
-    ]
-    box.sort(key=lambda v: (max(map(abs, v)), sum(map(abs, v)), v))
-    products = np.array(box, dtype=object) @ np.array(rays, dtype=object).T
+    vectors = box(_SMALL)
+    products = vectors.astype(object) @ np.array(rays, dtype=object).T
     signs = (products > 0).astype(int) - (products < 0).astype(int)
-    return zip(box, map(tuple, signs.tolist()), strict=True)
-
-
-def _witnesses(dual: Arrangement) -> Iterator[tuple[IntegerVector, IntegerVector]]:
-    faces = (face for face in dual.iter_faces() if any(face.witness))
-    return ((primitive(face.witness), face.signs) for face in faces)
+    return zip(map(tuple, vectors.tolist()), map(tuple, signs.tolist()), strict=True)
 
 
 def _next_types(

@@ -1,4 +1,4 @@
-"""The formats of other programs, one module each; `formats` is their door."""
+"""The formats of other programs; `formats` is their door."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from importlib.util import find_spec
 
 from arrangement.library.files.documents import Format
 
-from . import graphs, macaulay2, matrix, polymake, sage
+from . import graphs, matrix, polymake, source_texts as texts
 
 _GRAPH = "the planes themselves; it cannot be read back"
 
@@ -25,12 +25,12 @@ def formats() -> Iterator[Format]:
     """
     yield Format("polymake", (".hyar",), _names("polymake"), polymake.read, polymake.write)
     yield Format("oscar", (".mrdi",), _names("Oscar"), polymake.read_oscar, polymake.write_oscar)
-    yield Format("sage", (".sage",), sage.SAGE.search, sage.read, sage.write, loses=sage.loses)
-    yield Format(
-        "macaulay2", (".m2",), macaulay2.ARRANGEMENT.search, macaulay2.read, macaulay2.write
-    )
+    sage = texts.SAGE.search, texts.read_sage, texts.write_sage
+    yield Format("sage", (".sage",), *sage, loses=texts.loses_in_sage)
+    macaulay2 = texts.ARRANGEMENT.search, texts.read_macaulay2, texts.write_macaulay2
+    yield Format("macaulay2", (".m2",), *macaulay2)
     if all(find_spec(f"arrangement.library.{annex}") for annex in ("census", "families")):
-        from . import chirotope, christ
+        from . import chirotope
 
         yield Format(
             "chirotope",
@@ -49,7 +49,20 @@ def formats() -> Iterator[Format]:
             chirotope.write_topcom,
             loses=chirotope.loses,
         )
-        yield Format("christ", (), christ.recognises, christ.read, split=christ.split)
+        yield Format(
+            "christ",
+            (),
+            chirotope.recognises_christ,
+            chirotope.read_christ,
+            split=chirotope.split_christ,
+        )
+    yield Format(
+        "equations",
+        (".eqn",),
+        matrix.recognises_equations,
+        matrix.read_equations,
+        matrix.write_equations,
+    )
     yield Format("matrix", (".txt", ".csv"), matrix.recognises, matrix.read, matrix.write)
     yield from (
         Format(name, endings, write=write, loses=lambda _: _GRAPH)

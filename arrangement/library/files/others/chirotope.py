@@ -8,26 +8,36 @@ each element is tried; that none fits proves nothing.
 `chirotope` has the bases in reverse lexicographic order, as the database of Finschi and Fukuda
 ([FinschiFukuda2002]): one text a line. `topcom` has ``n,r:`` before them and lexicographic order,
 as TOPCOM and polymake.
+
+`christ` has Tobias Christ's files of simple arrangements of lines, and of points.
+Each entry is a chirotope as Finschi and Fukuda write it, with coordinates below. These are lines
+``a b c`` for ``ax + by + c = 0``, one each, and the line at infinity is the last element of the
+chirotope; or points ``x y x y ...`` on one line. The chirotope decides: signs of normals are
+changed to fit, and coordinates that do not fit are refused.
+Source: https://geometry.inf.ethz.ch/christt/linearr/
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from itertools import islice
+from fractions import Fraction
+from itertools import combinations, islice
 from math import comb
 
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.counts.oriented_matroid import ORDERS, chirotope_string
+from arrangement.counts.oriented_matroid import ORDERS, chirotope, chirotope_string
 from arrangement.errors import InputError
 from arrangement.library.census.catalogue import MOST_PLANES, normals
 from arrangement.library.census.chirotopes import Signs, alternating, canonical, triples
 from arrangement.library.census.identify import found_type
-from arrangement.numbers.exact import IntegerVector, primitive, shown
+from arrangement.numbers.exact import IntegerVector, primitive, rational, shown
 from arrangement.numbers.linear.programs import Infeasible, feasible_point
 from arrangement.numbers.linear.rank import determinant
+
+from .matrix import numbers
 
 #: Linear programs that are tried for more elements than the census has.
 _TRIES = 200
@@ -224,3 +234,69 @@ def loses(arrangement: Arrangement) -> str:
     """Say that coordinates are lost."""
     lost = "a chirotope holds no coordinates; read back it has others of the same type"
     return lost if arrangement.is_central else f"{lost}, and the plane at infinity as its last one"
+
+
+def split_christ(text: str) -> list[str]:
+    """Return each chirotope with the lines below it."""
+    blocks: list[list[str]] = []
+    for line in filter(str.strip, text.splitlines()):
+        if is_chirotope(line):
+            blocks.append([line.strip()])
+        elif not blocks:
+            raise InputError(f"the first line is {shown(line)}; expected a chirotope")
+        else:
+            blocks[-1].append(line)
+    return list(map("\n".join, blocks))
+
+
+def recognises_christ(text: str) -> bool:
+    """Whether a text begins with a chirotope and something else below."""
+    head = [line for line in text[:2000].splitlines()[:10] if line.strip()]
+    return len(head) > 1 and is_chirotope(head[0]) and not is_chirotope(head[1])
+
+
+def read_christ(block: str) -> Arrangement:
+    """Return lines of the plane, or the planes whose normals are points (x, y, 1)."""
+    text, *lines = block.splitlines()
+    n = size_of(text)
+    rows = [[rational(x, "a coordinate") for x in numbers(line)] for line in lines]
+    is_lines = [len(row) for row in rows] == [3] * (n - 1)
+    if is_lines:
+        vectors = [*rows, [Fraction(0), Fraction(0), Fraction(1)]]
+    elif [len(row) for row in rows] == [2 * n]:
+        vectors = [[*pair, Fraction(1)] for pair in zip(rows[0][::2], rows[0][1::2], strict=True)]
+    else:
+        raise InputError(
+            f"below the chirotope {shown(text)} of {n} elements there are {len(rows)} lines of "
+            f"numbers; expected {n - 1} lines a b c, or {n} points x y on one line"
+        )
+    sides = _sides(list(chirotope(Arrangement(vectors)).values()), signs_of(text).tolist(), n)
+    if sides is None:
+        raise InputError(f"the coordinates below {shown(text)} have another chirotope")
+    turned = [[side * x for x in row] for side, row in zip(sides, vectors, strict=True)]
+    if not is_lines:
+        return Arrangement(turned)
+    return Arrangement(
+        [[sides[-1] * x for x in row[:2]] for row in turned[:-1]],
+        [-sides[-1] * row[2] for row in turned[:-1]],
+    )
+
+
+def _sides(ours: list[int], theirs: list[int], n: int) -> list[int] | None:
+    """Return signs of the elements that carry one chirotope to another, up to a common sign."""
+    # An equation over GF(2) a basis: bits of its elements, of the common sign, of the quotient.
+    equations: dict[int, int] = {}
+    for row, mine, other in zip(combinations(range(n), 3), ours, theirs, strict=True):
+        if bool(mine) != bool(other):
+            return None
+        equation = sum(1 << k + 2 for k in row) | 2 | (mine != other) if mine else 0
+        while equation > 1 and equation.bit_length() in equations:
+            equation ^= equations[equation.bit_length()]
+        if equation == 1:
+            return None
+        equations[equation.bit_length()] = equation
+    found = 0
+    for length, equation in sorted(equations.items()):
+        if length > 1 and ((equation & found).bit_count() + equation) % 2:
+            found |= 1 << length - 1
+    return [-1 if found >> k + 2 & 1 else 1 for k in range(n)]

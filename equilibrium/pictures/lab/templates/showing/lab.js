@@ -67,8 +67,6 @@ function begin() {
 
 // For lecturers and tests: questions as documents of the command line.
 
-const texts = (row) => row.map(textOf);
-
 Object.assign(window, { lab: {
   async solve(grasp, wrench) {
     const [contacts, applied] = [readGrasp(grasp), readWrench(wrench)];

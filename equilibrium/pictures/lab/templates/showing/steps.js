@@ -58,12 +58,11 @@ const BROKEN = {
 };
 
 function judged({ n, balance, equal, atLeast }) {
-  const rows = (list) => list.map(({ row }) => row);
-  const equations = [...balance, ...rows(equal)];
+  const equations = [...balance, ...rowsOf(equal)];
   const lines = new Dictionary(n, equations, []);
   if (!lines.feasible()) return { accepted: false, words: "The equations contradict each other: nothing balances the load here.", broken: [] };
   if (!lines.single) {
-    const accepted = new Dictionary(n, equations, rows(atLeast)).feasible();
+    const accepted = new Dictionary(n, equations, rowsOf(atLeast)).feasible();
     return { accepted, words: `The equations have many solutions; ${accepted ? "some obey all conditions: an equilibrium." : "a linear program shows that none obeys all conditions."}`, broken: [] };
   }
   const z = [...lines.point(), ONE];
@@ -82,6 +81,6 @@ function slipPlanes(grasp) {
 
 // Counts of the arrangement of central planes: regions, their common facets, rays.
 function countsOf(planes) {
-  const { regions, arcs, crossings } = circlesOf(planes.map(({ row }) => row));
+  const { regions, arcs, crossings } = circlesOf(rowsOf(planes));
   return { regions: regions.length, facets: arcs.length || planes.length, rays: 2 * crossings.length };
 }

@@ -140,7 +140,9 @@ function readTree(content, contacts) {
   if (strange !== undefined) throw new Error(`a node with "${kind}" has no "${strange}"`);
   if (kind === "virtual_motion") {
     const multipliers = [...none];
-    for (const [name, pair] of Object.entries(content.multipliers ?? {})) {
+    const given = content.multipliers;
+    if (!given || typeof given !== "object" || Array.isArray(given)) throw new Error("multipliers are an object by contacts");
+    for (const [name, pair] of Object.entries(given)) {
       const place = indexOf(/^\d{1,4}$/.test(name) ? Number(name) : -1, contacts, "a contact of multipliers");
       const [alpha, h = ZERO] = numbersOf(pair, pair?.length === 1 ? 1 : 2, "multipliers");
       multipliers[place] = [alpha, h];
@@ -150,7 +152,8 @@ function readTree(content, contacts) {
   if (kind === "orthants") return { orthants: listOf(content.orthants, 8, kind).map(below) };
   if (kind === "edge") {
     const edge = listOf(content.edge, 2, kind).map((end) => indexOf(end, 4, kind));
-    const at = numbersOf(content.at ?? [1, 1], 2, "at");
+    const { at: weights = [1, 1] } = content;
+    const at = numbersOf(weights, 2, "at");
     if (edge[0] === edge[1] || at.some((x) => x.d !== 1n || x.n <= 0n)) throw new Error("an edge has two generators, \"at\" has integers above 0");
     return { edge, at: at.map((x) => x.n), children: listOf(content.children, 2, "children").map(below) };
   }

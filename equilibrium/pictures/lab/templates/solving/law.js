@@ -86,26 +86,21 @@ function systemOf(grasp, states, load, { free = 0, printed = false } = {}) {
   const starts = [];
   let n = 3 + free;
   for (const part of parts) { starts.push(n); n += part.own; }
-  const spread = (row, i) => {
+  const spread = (row, start) => {
     const wide = Array.from({ length: n + 1 }, () => ZERO);
-    row.slice(0, 3).forEach((x, j) => { wide[j] = x; });
-    row.slice(3, -1).forEach((x, j) => { wide[starts[i] + j] = x; });
+    row.slice(0, -1).forEach((x, j) => { wide[j < 3 ? j : start + j - 3] = x; });
     wide[n] = row.at(-1);
     return wide;
   };
-  const balance = load.map((row) => {
-    const wide = Array.from({ length: n + 1 }, () => ZERO);
-    row.slice(0, -1).forEach((x, j) => { wide[3 + j] = x; });
-    wide[n] = row.at(-1);
-    return wide;
-  });
-  const forces = parts.map((part, i) => [spread(part.normal, i), spread(part.tangential, i)]);
+  const balance = load.map((row) => spread([ZERO, ZERO, ZERO, ...row], 3));
+  const forces = parts.map((part, i) => [spread(part.normal, starts[i]), spread(part.tangential, starts[i])]);
   parts.forEach((part, i) => balance.forEach((row, j) => {
-    spread(part.wrench[j], i).forEach((x, c) => { if (x.n) row[c] = row[c].n ? plus(row[c], x) : x; });
+    spread(part.wrench[j], starts[i]).forEach((x, c) => { if (x.n) row[c] = row[c].n ? plus(row[c], x) : x; });
   }));
   const [equal, atLeast] = ["equal", "atLeast"].map((kind) => parts.flatMap((part, i) => part[kind]
-    .map(({ name, row }) => ({ name, contact: i, row: spread(row, i) }))));
+    .map(({ name, row }) => ({ name, contact: i, row: spread(row, starts[i]) }))));
   return { n, balance, equal, atLeast, forces };
 }
 
+const rowsOf = (list) => list.map(({ row }) => row);
 const loadOf = (wrench) => wrench.map((x) => [x]);

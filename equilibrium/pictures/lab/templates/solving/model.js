@@ -74,9 +74,11 @@ function readGrasp(document) {
       if (!Array.isArray(value) || value.length !== 2) throw new Error(`contact ${i + 1}: ${name} must be two numbers`);
       return value.map((x) => number(x, name));
     };
-    const contact = { point: pair(entry?.point, "point"), normal: pair(entry.normal, "normal"),
-      friction: number(entry.friction, "friction"), stiffness: number(entry.stiffness ?? "1", "stiffness"),
-      preload: number(entry.preload ?? "0", "preload") };
+    const strange = Object.keys(entry ?? {}).find((name) => !["point", "normal", ...FIELDS].includes(name));
+    if (strange !== undefined) throw new Error(`contact ${i + 1}: there is no "${strange}"`);
+    const { point, normal, friction, stiffness = "1", preload = "0" } = entry ?? {};
+    const contact = { point: pair(point, "point"), normal: pair(normal, "normal"),
+      friction: number(friction, "friction"), stiffness: number(stiffness, "stiffness"), preload: number(preload, "preload") };
     const problem = contactProblem(contact);
     if (problem) throw new Error(`contact ${i + 1}: ${problem}`);
     return contact;

@@ -74,10 +74,11 @@ const allOf = (grasp, wrench) => drained(equilibriaOf(grasp, wrench, [...piecesO
 // The closed linear system of a choice of states; `free` is how many unknowns the load has.
 function solutionsOf(grasp, states, wrench, { printed = false, load = loadOf(wrench), watched = [] } = {}) {
   const system = systemOf(grasp, states, load, { free: load[0].length - 1, printed });
-  const rows = (list) => list.map(({ row }) => row);
-  const wide = watched.map((k) => Array.from({ length: system.n + 1 }, (_, j) => (j === k ? ONE : ZERO)));
-  return { system, found: new Dictionary(system.n, [...system.balance, ...rows(system.equal)], rows(system.atLeast), wide) };
+  const wide = watched.map((k) => unitRow(system, k));
+  return { system, found: new Dictionary(system.n, [...system.balance, ...rowsOf(system.equal)], rowsOf(system.atLeast), wide) };
 }
+
+const unitRow = ({ n }, k) => Array.from({ length: n + 1 }, (_, j) => (j === k ? ONE : ZERO));
 
 // The contact to decide next: the one whose law floats break most.
 function mostBroken(states, places) {
@@ -135,11 +136,9 @@ function* equilibriaWith(grasp, states, wrench) {
     return { states: grasp.map((contact) => contactAt(contact, motion).state), motion, forces, ranges: null, points: [{ motion, forces }] };
   };
   if (found.single) return one(shape(found.point()));
-  const units = [0, 1, 2].map((k) => Array.from({ length: system.n + 1 }, (_, j) => (j === k ? ONE : ZERO)));
-  const watched = [...units, ...system.forces.flat()];
-  const rows = (list) => list.map(({ row }) => row);
+  const watched = [...[0, 1, 2].map((k) => unitRow(system, k)), ...system.forces.flat()];
   const within = (fixed) => {
-    const all = new Dictionary(system.n, [...system.balance, ...rows(system.equal), ...fixed], rows(system.atLeast), watched);
+    const all = new Dictionary(system.n, [...system.balance, ...rowsOf(system.equal), ...fixed], rowsOf(system.atLeast), watched);
     all.feasible();
     return all;
   };
@@ -200,9 +199,10 @@ function holds(grasp, piece, motion, forces) {
   });
 }
 
+const texts = (row) => row.map(textOf);
+
 // The certificate of a verdict, in the form that `equilibrium verify` reads.
 function certificateOf(grasp, wrench, found) {
-  const texts = (row) => row.map(textOf);
   const base = { schema_version: 3, certificate: found.stable ? "resisted" : "not resisted",
     grasp: documentOf(grasp), wrench: texts(wrench) };
   if (found.stable) {

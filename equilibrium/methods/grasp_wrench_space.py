@@ -7,6 +7,12 @@ plane a friction cone has two edges, so nothing is linearised; in space a pyrami
 cone takes its place, and the hull has six dimensions. A wrench w is resisted, in the sense
 of this method, when a multiple of the space holds ``-w``. Springs, preload and slip play no part:
 this is the set of weakly stable loads.
+
+Whether forces inside round cones balance a wrench in space is proved either way (`round_cones`). A
+pyramid inside each cone gives exact forces; a pyramid around each gives, where it has none, a
+motion d with ``w . d > 0`` along which no force of the cones does negative work: ``N . d >= 0`` and
+``(N . d)^2 >= friction^2 |T d|^2`` for each contact. Both are linear programs. Loads between the
+finest two pyramids stay undecided.
 """
 
 from __future__ import annotations
@@ -15,7 +21,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from itertools import product
+from itertools import pairwise, product
 from math import sqrt
 from typing import Any, Literal
 
@@ -30,13 +36,26 @@ from arrangement.numbers.exact import (
     to_text,
 )
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
-from arrangement.numbers.linear.programs import Infeasible, Optimal, Row, minimize
+from arrangement.numbers.linear.programs import (
+    Infeasible,
+    Optimal,
+    Row,
+    feasible_point,
+    minimize,
+)
 from arrangement.numbers.linear.rank import cross
-from equilibrium.methods.contact_laws.springs import Forces
 from equilibrium.methods.method import Accepting, Method, Outcome, cut
+from equilibrium.methods.springs import Forces
+from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.plane.contact_rows import edge_directions, friction_edges, sum_row, unit_row
+from equilibrium.plane.contact_rows import (
+    cone_edge,
+    edge_directions,
+    friction_edges,
+    sum_row,
+    unit_row,
+)
 from equilibrium.wrench_sets.plane import polygon_cycle
 
 Norm = Literal["L1", "Linf"]
@@ -44,21 +63,21 @@ Norm = Literal["L1", "Linf"]
 
 @dataclass(frozen=True)
 class WrenchSpaceVerdict(Accepting):
-    """Whether bounded forces inside the cones can balance a wrench.
+    """Whether forces inside the cones can balance a wrench.
 
     Attributes:
-        accepts: some multiple of the space holds the opposite wrench.
+        accepts: some multiple of the space holds the opposite wrench; None if that is not known.
         least_force: the least such multiple: the least sum (L1) or least maximum (Linf) of normal
-            forces; None if refused.
+            forces, where it is asked for; None if refused.
         forces: normal and tangential force at each contact that reach it; None if refused.
         separating_motion: if refused, a motion d with ``w . d = 1`` along which no force inside
             any cone does negative work.
     """
 
-    accepts: bool
-    least_force: Fraction | None
-    forces: Forces | None
-    separating_motion: RationalVector | None
+    accepts: bool | None
+    least_force: Fraction | None = None
+    forces: Forces | None = None
+    separating_motion: RationalVector | None = None
 
 
 @dataclass(frozen=True)
@@ -166,10 +185,10 @@ class GraspWrenchSpace:
                 for contact, edges, j in zip(self.grasp, directions, range(0, n, k), strict=True)
                 for parts in [answer.point[j : j + k]]
             )
-            return WrenchSpaceVerdict(True, answer.value, forces, None)
+            return WrenchSpaceVerdict(True, answer.value, forces)
         assert isinstance(answer, Infeasible)
         motion = tuple(-z for z in answer.equality_multipliers)
-        return WrenchSpaceVerdict(False, None, None, motion)
+        return WrenchSpaceVerdict(False, separating_motion=motion)
 
     def slice(
         self,
@@ -217,6 +236,58 @@ def _hull(points: Iterable[RationalVector]) -> Polyhedron:
     found = from_generators(rays, (), len(rays[0]) - 1)
     assert found is not None
     return found
+
+
+#: Edges of the pyramids, tried in this order.
+PYRAMIDS = (4, 8, 16, 32)
+
+
+def round_cones(grasp: Grasp, wrench: Iterable[Any]) -> WrenchSpaceVerdict:
+    """Decide with exact linear programs; neither yes nor no where the pyramids do not tell.
+
+    >>> from equilibrium.grasps.files import read_grasp
+    >>> fingers = read_grasp("two-opposed-fingers")
+    >>> round_cones(fingers, [0, 3, 4, 0, 0, 0]).accepts
+    True
+    >>> round_cones(fingers, [0, 0, 0, 1, 0, 0]).accepts
+    False
+    """
+    load = read_wrench(wrench, grasp.dimension)
+    for pyramid in PYRAMIDS:
+        inside = GraspWrenchSpace(grasp, pyramid=pyramid).verdict(load)
+        if inside.accepts:
+            return WrenchSpaceVerdict(True, forces=inside.forces)
+        for motion in (inside.separating_motion, _refused_around(grasp, load, pyramid)):
+            if motion is not None and separates(grasp, load, motion):
+                return WrenchSpaceVerdict(False, separating_motion=motion)
+    return WrenchSpaceVerdict(None)
+
+
+def separates(grasp: Grasp, wrench: RationalVector, motion: RationalVector) -> bool:
+    """Return whether a motion proves that no forces inside the round cones balance the wrench."""
+    return dot(wrench, motion) > 0 and all(
+        (push := dot(contact.normal_wrench, motion)) >= 0
+        and push**2
+        >= contact.friction**2 * sum(dot(t, motion) ** 2 for t in contact.tangential_wrenches)
+        for contact in grasp
+    )
+
+
+def _refused_around(grasp: Grasp, load: RationalVector, pyramid: int) -> RationalVector | None:
+    """Return the motion that refuses the load to pyramids around the cones, if they refuse it."""
+    edges = pyramid_edges(pyramid)
+    # Two tangents of the unit circle, at unit vectors u and v, meet at (u + v) / (1 + u . v).
+    corners = [
+        tuple((x + y) / (1 + dot(u, v)) for x, y in zip(u, v, strict=True))
+        for u, v in pairwise((*edges, edges[0]))
+    ]
+    columns = [cone_edge(contact, corner) for contact in grasp for corner in corners]
+    n = len(columns)
+    balance: list[Row] = [[*(c[i] for c in columns), x] for i, x in enumerate(load)]
+    found = feasible_point(n, [unit_row(j, n) for j in range(n)], balance)
+    if not isinstance(found, Infeasible):
+        return None
+    return tuple(-x for x in found.equality_multipliers)
 
 
 def _decide(grasp: Grasp, wrench: RationalVector, pyramid: int = 4) -> Outcome:

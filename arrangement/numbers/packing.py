@@ -1,7 +1,8 @@
-"""Sign vectors as bits in 64-bit words, and what is distinct among many of them."""
+"""Sign vectors as bits in 64-bit words, what is distinct among many, and work in pieces."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TypeAlias
 
 import numpy as np
@@ -15,24 +16,19 @@ _MULTIPLIER = np.uint64(0x9E3779B97F4A7C15)
 _HALF = np.uint64(32)
 
 
-def _word_count(classes: int) -> int:
-    """Return the number of words for so many bits, at least one."""
-    return max(1, -(-classes // 64))
-
-
 def pack(bits: Bits) -> Words:
     """Pack the last axis into words."""
     classes = bits.shape[-1]
-    padded = np.zeros((*bits.shape[:-1], 64 * _word_count(classes)), bool)
+    padded = np.zeros((*bits.shape[:-1], 64 * max(1, -(-classes // 64))), bool)
     padded[..., :classes] = bits
     packed = np.packbits(padded, axis=-1, bitorder="little")
     return packed.view("<u8").astype(np.uint64, copy=False)
 
 
-def unpack(words: Words, classes: int) -> NDArray[np.uint8]:
-    """Return rows of 0 and 1, one column for each class."""
+def unpack(words: Words, classes: int) -> Bits:
+    """Return rows of bits, one column for each class."""
     octets = np.ascontiguousarray(words, dtype="<u8").view(np.uint8)
-    return np.unpackbits(octets, axis=1, count=classes, bitorder="little")
+    return np.unpackbits(octets, axis=1, count=classes, bitorder="little").view(np.bool_)
 
 
 def unit_words(classes: int) -> Words:
@@ -80,3 +76,9 @@ def _changes(rows: Words, order: NDArray[np.intp]) -> Bits:
         ordered = column[order]
         new[1:] |= ordered[1:] != ordered[:-1]
     return new
+
+
+def chunks(total: int, size: int) -> Iterator[slice]:
+    """Yield consecutive slices: temporary arrays stay small, whatever the input."""
+    for start in range(0, total, size):
+        yield slice(start, min(start + size, total))

@@ -47,8 +47,7 @@ from equilibrium.plane.contact_rows import (
     unit_row,
 )
 
-from .grasp_wrench_space import GraspWrenchSpace
-from .round_cones import round_cones
+from .grasp_wrench_space import GraspWrenchSpace, round_cones
 
 
 @dataclass(frozen=True)
@@ -92,16 +91,12 @@ def weak_strong(
     load = read_wrench(wrench)
     matrix = mass_matrix(mass, inertia, centre)
     frictionless = GraspWrenchSpace(grasp.with_friction(0)).verdict(load)
-    weak = frictionless.accepts or GraspWrenchSpace(grasp).verdict(load).accepts
-    moving = None
-    if weak and not frictionless.accepts:
+    held, moving = bool(frictionless), None
+    weak = held or bool(GraspWrenchSpace(grasp).verdict(load))
+    if weak and not held:
         moving = _starting_acceleration(grasp, load, matrix)
     return LoadStability(
-        weak,
-        weak and moving is None,
-        frictionless.accepts,
-        moving,
-        frictionless.separating_motion,
+        weak, weak and moving is None, held, moving, frictionless.separating_motion
     )
 
 

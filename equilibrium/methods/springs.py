@@ -248,36 +248,33 @@ def frictionless_slip(
     *,
     tangential_stiffness: Any = 1,
     rest_friction: Iterable[Any] | None = None,
-    gap: bool = True,
 ) -> FrictionlessSlipVerdict:
     """Decide by trying all 3^m choices of states, each exactly.
 
     Each contact is in one of three states ([Prattichizzo1997]). Stick: linear springs in both
     directions, the force inside the cone. Slip: the normal spring alone, no friction force at all.
-    Detached: no force. Every choice of states gives one linear system in the motion; the method
-    accepts when some choice has a legal solution.
+    Detached: no force, where the normal spring would pull. Every choice of states gives one linear
+    system in the motion; the method accepts when some choice has a legal solution.
 
     Args:
         grasp: at most 12 contacts.
         wrench: applied.
         tangential_stiffness, rest_friction: as in `linear_compliance`.
-        gap: a contact counts as detached only where its normal spring would pull. Without this a
-            contact that is pressed together may be said to carry nothing.
 
     Raises:
         OutOfReachError: too many contacts.
     """
     budget.keep(len(grasp), "contacts with a choice of three states")
     springs = springs_of(grasp, tangential_stiffness, rest_friction)
-    return _frictionless(grasp, read_wrench(wrench), springs, gap)
+    return _frictionless(grasp, read_wrench(wrench), springs)
 
 
 def _frictionless(
-    grasp: Grasp, wrench: RationalVector, springs: list[Pair], gap: bool = True
+    grasp: Grasp, wrench: RationalVector, springs: list[Pair]
 ) -> FrictionlessSlipVerdict:
     tried = 0
     for tried, states in enumerate(product(STATES, repeat=len(grasp)), 1):
-        forces, rows = _forces_in(states, springs), _legal_rows(grasp, states, springs, gap)
+        forces, rows = _forces_in(states, springs), _legal_rows(grasp, states, springs)
         motion = feasible_point(3, list(rows), balance_rows(grasp, forces, wrench))
         if not isinstance(motion, Infeasible):
             found = forces_at(forces, motion)
@@ -294,7 +291,7 @@ def _forces_in(states: tuple[State, ...], springs: list[Pair]) -> list[Pair]:
 
 
 def _legal_rows(
-    grasp: Grasp, states: tuple[State, ...], springs: list[Pair], gap: bool = True
+    grasp: Grasp, states: tuple[State, ...], springs: list[Pair]
 ) -> Iterator[RationalVector]:
     """Yield the conditions that make the forces of the states legal."""
     for contact, state, pair in zip(grasp, states, springs, strict=True):
@@ -302,7 +299,7 @@ def _legal_rows(
             yield from force_rows(contact, pair)
         elif state == "slip":
             yield pair[0]
-        elif gap:
+        else:
             yield negated(pair[0])
 
 

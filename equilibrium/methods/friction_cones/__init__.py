@@ -1,1 +1,0 @@
-"""Methods that ask whether forces exist in the cones of friction."""

@@ -1,0 +1,343 @@
+"""Scenes for physics engines: a grasp under a growing load, and the exact loads at which it slips.
+
+The law of a grasp (`equilibrium.model.contact`) as bodies: the object carries a flat pad at each
+contact; a finger is a small ball that touches the pad, slides along the normal alone, and is pushed
+by a spring with the stiffness and the preload of the contact. Nothing has weight.
+
+Stiffnesses multiplied by one number divide all motions by it and leave forces and verdicts as they
+are. So a scene is stiffer than its grasp: the object moves by about `MOTION` of its size, and
+small motions, on which the law rests, are what an engine sees. Masses and damping follow from
+`FREQUENCY`; where the object rests they do not matter.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from functools import cached_property
+from itertools import chain, count, pairwise
+from typing import TYPE_CHECKING, Any, TypeAlias
+from xml.etree import ElementTree as ET
+
+import numpy as np
+
+from arrangement.console.number_form import Shown
+from arrangement.numbers.exact import to_text
+from equilibrium.decide.solver import Solver
+from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs.random import random_grasp, random_wrench
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.outline import Circle, Mesh, Polygon
+from equilibrium.wrench_sets.line import resisted_magnitudes
+from equilibrium.wrench_sets.spatial import Border, spatial_magnitudes
+
+if TYPE_CHECKING:
+    from equilibrium.decide.verdict import Verdict
+
+#: How far the object moves under its usual forces, as a share of its size.
+MOTION = 1e-3
+#: Of the object on its springs, in radians a second.
+FREQUENCY = 10.0
+#: Verdicts are proved at each end of what is resisted, and this share of it below and above.
+BESIDE = Fraction(1, 64)
+#: The radius of a finger, half the width and half the thickness of a pad, as shares of the size.
+_BALL, _PAD, _THICK = 0.05, 0.1, 0.02
+#: Of the bracket of an end in space, as a share of it.
+_WIDTH = Fraction(1, 1000)
+#: No number of a scene is larger, and none of its lengths smaller than one over it.
+_LARGEST = 10**9
+
+_Vector: TypeAlias = np.ndarray[Any, np.dtype[np.float64]]
+
+
+class EngineScene(Shown):
+    """A grasp and directions of loads, as bodies in floats.
+
+    Args:
+        grasp: in the plane or in space, with at least one contact.
+        directions: of loads, wrenches about the origin, not zero; the axes if omitted.
+
+    Attributes:
+        size: the largest distance of a contact from their mean, the centre of mass; 1 if that is 0.
+        stiffening: how many times stiffer the scene is than the grasp.
+        mass, damping: of the object; of its turns times the square of the size. Damping is force
+            per velocity, to the world.
+
+    Raises:
+        GraspError: no contact, a zero direction, or numbers that no engine takes.
+
+    >>> scene = EngineScene(read_grasp("paper-three-contacts-preload-1"), [[0, 1, 0]])
+    >>> scene.document()["loads"][0]["resisted"]
+    [['0', '1']]
+    """
+
+    shown_fields = ("grasp", "directions")
+
+    def __init__(self, grasp: Grasp, directions: Iterable[Iterable[Any]] | None = None) -> None:
+        many = 3 if grasp.dimension == 2 else 6
+        axes = [[int(i == k) for i in range(many)] for k in range(many)]
+        given = axes if directions is None else directions
+        self.grasp = grasp
+        self.directions = tuple(read_wrench(x, grasp.dimension) for x in given)
+        if not all(map(any, self.directions)):
+            raise GraspError("a direction is zero; give one that is not")
+        if not len(grasp):
+            raise GraspError("a grasp without contacts holds nothing; give one with contacts")
+        numbers = chain.from_iterable(
+            (*c.point, c.friction, c.stiffness, 1 / c.stiffness, c.preload) for c in grasp
+        )
+        if max(map(abs, chain(numbers, *self.directions))) > _LARGEST:
+            raise GraspError(
+                "a number of the scene is larger than 10^9, or a stiffness smaller than 10^-9, "
+                "which engines do not take; choose other units"
+            )
+        points = np.array([_in_space(c.point) for c in grasp])
+        self.centre: _Vector = points.mean(axis=0)
+        self.size = float(np.linalg.norm(points - self.centre, axis=1).max()) or 1.0
+        half = grasp.dimension
+        first = [*map(float, self.directions[0])]
+        load = math.hypot(*first[:half]) or math.hypot(*first[half:]) / self.size
+        self.force = float(max(c.preload for c in grasp)) or load
+        stiffness = [float(c.stiffness) for c in grasp]
+        self.stiffening = self.force / (MOTION * self.size * min(stiffness))
+        self.mass = self.stiffening * max(stiffness) / FREQUENCY**2
+        self.damping = self.mass * FREQUENCY
+
+    @cached_property
+    def fingers(self) -> list[dict[str, Any]]:
+        """Of each contact: where its ball is, along which normal it slides, spring and friction."""
+        most = float(max(c.stiffness for c in self.grasp))
+        return [
+            {
+                "centre": list(_in_space(c.point) - self.size * _BALL * _in_space(c.normal)),
+                "radius": self.size * _BALL,
+                "axis": list(_in_space(c.normal)),
+                "stiffness": self.stiffening * float(c.stiffness),
+                "preload": float(c.preload),
+                "friction": float(c.friction),
+                "mass": self.mass * float(c.stiffness) / most,
+                "damping": self.damping * float(c.stiffness) / most,
+            }
+            for c in self.grasp
+        ]
+
+    @cached_property
+    def pads(self) -> list[dict[str, Any]]:
+        """Of each contact: a flat box on the object, which the finger touches."""
+        halves = [self.size * x for x in (_PAD, _PAD, _THICK)]
+        return [
+            {
+                "centre": list(_in_space(c.point) + self.size * _THICK * _in_space(c.normal)),
+                "halves": halves,
+                "axis": list(_in_space(c.normal)),
+            }
+            for c in self.grasp
+        ]
+
+    def loads(self) -> Iterator[tuple[dict[str, Any], list[tuple[Fraction, Verdict]]]]:
+        """Yield of each direction what is resisted, and verdicts at and beside each end.
+
+        In space an end is known by two neighbouring magnitudes, one resisted and one not; the
+        latter stands for the point outside.
+        """
+        solver = Solver(self.grasp)
+        for direction in self.directions:
+            if self.grasp.dimension == 2:
+                found = resisted_magnitudes(solver, direction)
+                known = {"resisted": found.to_dict()["intervals"]}
+                ends = {end for interval in found.intervals for end in interval if end}
+                asked = {end * (1 + way * BESIDE) for end in ends for way in (-1, 0, 1)}
+            else:
+                borders = spatial_magnitudes(self.grasp, direction, width=_WIDTH).borders
+                known = {"borders": [border.to_dict() for border in borders]}
+                asked = {x for b in borders for x in (b.resisted, b.refused)}
+                asked |= {b.resisted * (1 + BESIDE * _inwards(b)) for b in borders}
+            tried = sorted(asked) or [Fraction(1)]
+            yield known, [(t, solver.solve([t * x for x in direction])) for t in tried]
+
+    def document(self) -> dict[str, Any]:
+        """Return the scene for any engine: bodies, loads, exact slip loads with their proofs."""
+        return {
+            "schema_version": 1,
+            "law": __doc__.split("\n\n")[1].replace("\n", " "),
+            "object": {
+                "centre": list(self.centre),
+                "mass": self.mass,
+                "inertia": self.mass * self.size**2,
+                "damping": [self.damping, self.damping * self.size**2],
+                "pads": self.pads,
+            },
+            "fingers": self.fingers,
+            "stiffening": self.stiffening,
+            "grasp": self.grasp.to_dict(),
+            "loads": [
+                {
+                    "direction": list(map(to_text, direction)),
+                    **known,
+                    "verdicts": [
+                        {
+                            "magnitude": to_text(t),
+                            "verdict": x.verdict,
+                            "certificate": x.certificate and x.certificate.to_dict(),
+                        }
+                        for t, x in verdicts
+                    ],
+                }
+                for direction, (known, verdicts) in zip(self.directions, self.loads(), strict=True)
+            ],
+        }
+
+    def mjcf(self) -> str:
+        """Return the scene in MJCF, the format of MuJoCo.
+
+        The controls of the actuators "load 1", ... are the magnitudes of the loads. The object has
+        slides and a hinge, in space a ball, so that it can be damped.
+        """
+        root = ET.Element("mujoco", model="grasp")
+        add = ET.SubElement
+        add(root, "option", gravity="0 0 0", timestep="0.001", integrator="implicitfast")
+        world = add(root, "worldbody")
+        body = add(world, "body", name="object")
+        flat, inertia = self.grasp.dimension == 2, self.mass * self.size**2
+        turning = self.damping * self.size**2
+        if flat:
+            for name, axis in (("x", "1 0 0"), ("y", "0 1 0")):
+                slide = {"name": name, "type": "slide", "axis": axis}
+                add(body, "joint", slide, damping=_text(self.damping))
+            hinge = {"name": "turn", "type": "hinge", "axis": "0 0 1"}
+            add(body, "joint", hinge, damping=_text(turning))
+        else:
+            for kind, axes, damping in (("slide", "xyz", self.damping), ("ball", "r", turning)):
+                for name in axes:
+                    along = {"axis": _text(*(name == x for x in "xyz"))} if kind == "slide" else {}
+                    joint = {"name": name, "type": kind, "damping": _text(damping)}
+                    add(body, "joint", joint, **along)
+        moments = {"mass": _text(self.mass), "diaginertia": _text(*[inertia] * 3)}
+        add(body, "inertial", moments, pos=_text(*self.centre))
+        add(body, "site", name="load", size=_text(self.size / 50))
+        self._add_outline(root, body)
+        pairs = ET.Element("contact")
+        for i, (pad, finger) in enumerate(zip(self.pads, self.fingers, strict=True), 1):
+            name, axis = f"finger {i}", _text(*finger["axis"])
+            box = {"name": f"pad {i}", "type": "box", "rgba": "0.6 0.6 0.6 1", "zaxis": axis}
+            add(body, "geom", box, size=_text(*pad["halves"]), pos=_text(*pad["centre"]))
+            own = add(world, "body", name=name, pos=_text(*finger["centre"]))
+            spring = {
+                "stiffness": _text(finger["stiffness"]),
+                "springref": _text(finger["preload"] / finger["stiffness"]),
+                "damping": _text(finger["damping"]),
+            }
+            add(own, "joint", spring, name=name, type="slide", axis=axis)
+            ball = {"size": _text(finger["radius"]), "mass": _text(finger["mass"])}
+            add(own, "geom", ball, name=name, type="sphere", rgba="0.2 0.4 0.8 1")
+            rubs = {"condim": "1"}
+            if finger["friction"]:
+                rubs = {"condim": "3", "friction": _text(*[finger["friction"]] * 2, 0, 0, 0)}
+            add(pairs, "pair", rubs, geom1=name, geom2=f"pad {i}")
+        root.append(pairs)
+        actuators = add(root, "actuator")
+        for i, direction in enumerate(self.directions, 1):
+            gear = (*direction[:2], 0, 0, 0, direction[2]) if flat else direction
+            load = {"name": f"load {i}", "site": "load", "gear": _text(*gear)}
+            add(actuators, "general", load)
+        ET.indent(root)
+        return ET.tostring(root, encoding="unicode") + "\n"
+
+    def _add_outline(self, root: ET.Element, body: ET.Element) -> None:
+        """Add the shape of the object, which is only seen: fingers touch the pads."""
+        add, shape, thin = ET.SubElement, self.grasp.outline, self.size / 50
+        seen = {"contype": "0", "conaffinity": "0", "mass": "0", "rgba": "0.8 0.7 0.5 0.4"}
+        if isinstance(shape, Polygon):
+            for a, b in pairwise([*shape.corners, shape.corners[0]]):
+                edge = {"type": "capsule", "size": _text(thin)}
+                add(body, "geom", seen | edge, fromto=_text(*_in_space(a), *_in_space(b)))
+        elif isinstance(shape, Circle):
+            disc = {"type": "cylinder", "size": _text(shape.radius, thin)}
+            add(body, "geom", seen | disc, pos=_text(*_in_space(shape.centre)))
+        elif isinstance(shape, Mesh):
+            fans = [(face[0], a, b) for face in shape.faces for a, b in pairwise(face[1:])]
+            surface = {"vertex": _text(*chain(*shape.vertices)), "face": _text(*chain(*fans))}
+            # Of a surface without volume MuJoCo wants to be told that it is one.
+            add(add(root, "asset"), "mesh", surface, name="object", inertia="shell")
+            add(body, "geom", seen, type="mesh", mesh="object")
+
+
+def _inwards(border: Border) -> int:
+    return -1 if border.resisted < border.refused else 1
+
+
+def _in_space(values: Iterable[Any]) -> _Vector:
+    """Return a point or a normal in space; the plane is z = 0."""
+    found = [*map(float, values)]
+    return np.array([*found, *[0.0] * (3 - len(found))])
+
+
+def _text(*numbers: Any) -> str:
+    return " ".join(f"{float(x):.12g}" for x in numbers)
+
+
+def document_text(document: dict[str, Any]) -> str:
+    """Return a scene as a file: compact, since its proofs are for programs."""
+    return json.dumps(document, separators=(",", ":")) + "\n"
+
+
+#: Built-in grasps of `benchmark` with preload, in the plane and in space.
+_PLANAR = (
+    "paper-three-contacts-preload-1",
+    "paper-four-contacts-preload-1",
+    "offset-three-contacts",
+    "all-contacts-stick",
+    "coincident-contacts",
+    "several-equilibria",
+    "interrupted-push",
+    "interrupted-resistance",
+)
+_SPATIAL = (
+    "paper-three-contacts-in-space",
+    "paper-four-contacts-in-space",
+    "three-fingers-on-a-ball",
+    "two-opposed-fingers",
+    "peg-in-a-hole",
+    "box-held-by-four",
+)
+#: Of the scenes in the plane, and how many of these are taken into space.
+_FLAT, _LIFTED = 40, 2
+
+
+def benchmark() -> Iterator[tuple[str, EngineScene]]:
+    """Yield sixty scenes and their names: forty in the plane, twenty in space, three loads each.
+
+    The loads are a force along the last axis, a torque about it, and a random wrench. In the plane
+    built-in grasps are followed by random ones with preload, of three to eight contacts, which
+    resist a hundredth of each load; in space built-in grasps have three friction coefficients, and
+    two random grasps of three contacts are planar.
+    """
+    flat = [(name, read_grasp(name)) for name in _PLANAR]
+    lifted: list[tuple[str, Grasp]] = []
+    for seed in count():
+        if len(flat) == _FLAT:
+            break
+        grasp = random_grasp(3 + seed % 6, seed, preload=True)
+        if _resists_little(grasp, _loads(2, len(flat))):
+            flat.append((f"random-{len(grasp)}-{seed}", grasp))
+            if len(grasp) == 3 and len(lifted) < _LIFTED:
+                lifted.append((flat[-1][0], grasp.in_space()))
+    solid = [(name, read_grasp(name)) for name in _SPATIAL]
+    rubbed = [(f"{n}-{mu}", g.with_friction(mu)) for n, g in solid for mu in ("0.25", "0.75")]
+    for kind, named in (("plane", flat), ("space", [*solid, *rubbed, *lifted])):
+        for k, (name, grasp) in enumerate(named):
+            yield f"{kind}-{name}", EngineScene(grasp, _loads(grasp.dimension, k))
+
+
+def _loads(dimension: int, seed: int) -> list[Sequence[Any]]:
+    length = 3 * dimension - 3
+    axes = [[int(i == place) for i in range(length)] for place in (dimension - 1, length - 1)]
+    return [*axes, random_wrench(seed, dimension=dimension)]
+
+
+def _resists_little(grasp: Grasp, loads: Iterable[Iterable[Any]]) -> bool:
+    solver = Solver(grasp)
+    return all(solver.solve([Fraction(x) / 100 for x in load]).stable for load in loads)

@@ -1,0 +1,107 @@
+"""What is wished of the time of each kind of work, beside what it takes: ``run.py --only targets``.
+
+Medians of processor time, commands from their start; where two numbers are wished the second is for
+the largest.
+"""
+
+import json
+import statistics
+from collections.abc import Iterable
+from fractions import Fraction
+from random import Random
+
+from graspjob import BORDER, VERDICTS
+from grasps import run, shown
+from peers import ours
+from pictures import seconds
+
+from equilibrium import Contact, Grasp
+from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs import random_grasp
+
+REFUTED = VERDICTS[False]
+#: Contacts, the wished median and largest time; the same of grasps in space.
+NEAR_BORDER = ((20, 0.025, 0.25), (50, 0.05, 0.6), (100, 0.08, 0.6), (1000, 0.3, 2.0))
+IN_SPACE = ((8, 0.5, 20), (12, 2.0, 8))
+DOWN, IN_THREE = ["--wrench", "0", "-1", "0"], ["--direction", "0", "0", "-1", "0", "0", "0"]
+#: Jobs of `job.py`, their numbers, seconds wished.
+JOBS = (
+    ("loads_in_the_plane", 1000, 2.0),
+    ("loads_in_space", 1000, 10.0),
+    ("loads_as_arrays", 10_000, 5.0),
+    ("inscribed_types", 50, 50 * 0.03),
+)
+DIGITS = 300
+
+
+def target_table() -> None:
+    print("\nTimes that are wished, and those it takes: median (largest)", flush=True)
+    for m, *wished in NEAR_BORDER:
+        seeds = [BORDER + seed for seed in range(12 if m < 1000 else 8) if seed % 4 >= 2]
+        _line(f"near the border, {m} contacts", _refuted(run("ours", m, seeds, 600)), *wished)
+    for m, wished, count in IN_SPACE:
+        listed = run("ours", m, range(count), 1800, "spacejob.py")
+        _line(f"not resisted in space, {m} contacts", _refuted(listed), wished)
+    for program, text, given, wished in _commands():
+        _line(text, [seconds(program, options, document) for options, document in given], wished)
+    for name, number, wished in JOBS:
+        _line(f"{number} {name.replace('_', ' ')}", [ours(name, number).first], wished)
+    _line("resonance 9, foretold", [ours("foretold", 9).count], 5000)
+
+
+def _refuted(listed: list[dict[str, object]]) -> list[float]:
+    return [float(str(one["seconds"])) for one in listed if one["verdict"] == REFUTED]
+
+
+def _line(text: str, times: Iterable[float], *wished: float) -> None:
+    found = sorted(times)
+    if not found:
+        print(f"  {text:<44} none", flush=True)
+        return
+    goal = " ".join(map(shown, wished))
+    late = statistics.median(found) > wished[0] or found[-1] > wished[-1] > wished[0]
+    print(
+        f"  {text:<44} {shown(statistics.median(found)):>9} ({shown(found[-1]):>8})  wished {goal}"
+        f"{'  missed' if late else ''}",
+        flush=True,
+    )
+
+
+def _commands() -> Iterable[tuple[str, str, list[tuple[list[str], str]], float]]:
+    """Yield a program, what it does, its options with documents, and the seconds wished."""
+    three = _text(read_grasp("paper-three-contacts-preload-1"))
+    yield "equilibrium", "solve", [(["solve", *DOWN], three)] * 3, 0.25
+    fingers = _text(read_grasp("three-fingers-on-a-ball"))
+    yield "equilibrium", "limit in space, three fingers", [(["limit", *IN_THREE], fingers)] * 3, 0.4
+    long = [_text(long_grasp(4, seed)) for seed in range(1, 4)]
+    for name in ("margin", "compare"):
+        given = [([name, *DOWN, "--limit", "4"], document) for document in long]
+        yield "equilibrium", f"{name}, 4 contacts, {DIGITS} digits", given, 1.0
+
+
+def _text(grasp: Grasp) -> str:
+    return json.dumps(grasp.to_dict())
+
+
+def long_grasp(contacts: int, seed: int) -> Grasp:
+    """Return a random grasp whose numbers are decimals of so many digits."""
+    source = Random(f"long {seed}")
+
+    def near(value: Fraction, digits: int = DIGITS) -> Fraction:
+        size = 10**digits
+        return Fraction(round(value * size) + source.randrange(size // 1000), size)
+
+    def turned(x: Fraction, y: Fraction) -> tuple[Fraction, Fraction]:
+        t = near(y / (1 + x) if x != -1 else Fraction(100), DIGITS // 2)
+        return (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
+
+    return Grasp(
+        Contact(
+            tuple(map(near, contact.point)),
+            turned(*contact.normal),
+            near(contact.friction),
+            near(contact.stiffness),
+            contact.preload and near(contact.preload),
+        )
+        for contact in random_grasp(contacts, seed)
+    )

@@ -1,0 +1,149 @@
+"""Scenes for physics engines: bodies that stand for the law, proofs, files, MuJoCo."""
+
+import json
+import math
+from fractions import Fraction
+from itertools import islice
+from xml.etree import ElementTree as ET
+
+import numpy as np
+import pytest
+
+from equilibrium import Contact, Grasp, Polygon, Solver, read_grasp
+from equilibrium.certificate.checker import check
+from equilibrium.cli import main
+from equilibrium.scenes import EngineScene, benchmark, document_text
+
+PAPER = read_grasp("paper-three-contacts-preload-1")
+BALL = read_grasp("three-fingers-on-a-ball")
+UP = {2: [0, 1, 0], 3: [0, 0, 1, 0, 0, 0]}
+
+
+@pytest.mark.parametrize("grasp", [PAPER, BALL])
+def test_each_verdict_has_its_proof(grasp):
+    (load,) = EngineScene(grasp, [UP[grasp.dimension]]).document()["loads"]
+    answers = []
+    for entry in load["verdicts"]:
+        wrench = [Fraction(entry["magnitude"]) * x for x in UP[grasp.dimension]]
+        assert check(entry["certificate"], (grasp, wrench)).kind == entry["verdict"]
+        answers.append(entry["verdict"])
+    assert answers == sorted(answers, reverse=True)
+    assert set(answers) == {"resisted", "not resisted"}
+
+
+def test_ends_in_the_plane_are_exact_and_in_space_between_two_proofs():
+    (flat,) = EngineScene(PAPER, [[0, 1, 0]]).document()["loads"]
+    assert flat["resisted"] == [["0", "1"]]
+    assert [x["magnitude"] for x in flat["verdicts"]] == ["63/64", "1", "65/64"]
+    (spatial,) = EngineScene(BALL, [UP[3]]).document()["loads"]
+    (border,) = spatial["borders"]
+    low, high = Fraction(border["resisted"]), Fraction(border["not_resisted"])
+    assert low <= Fraction(4, 3) <= high <= low * (1 + Fraction(1, 500))
+
+
+def test_stiffer_springs_leave_every_verdict():
+    scene = EngineScene(PAPER, [[0, 1, 0]])
+    times = Fraction(scene.stiffening)
+    stiff = Grasp(
+        Contact(c.point, c.normal, c.friction, c.stiffness * times, c.preload) for c in PAPER
+    )
+    for t in ("63/64", 1, "65/64", 3):
+        load = [0, Fraction(t), 0]
+        soft, hard = Solver(PAPER).solve(load), Solver(stiff).solve(load)
+        assert soft.stable == hard.stable == (Fraction(t) <= 1)
+
+
+@pytest.mark.parametrize("name", ["all-contacts-stick", "peg-in-a-hole", "unchecked-cell"])
+def test_fingers_touch_pads_at_the_contacts_and_push_with_the_preload(name):
+    grasp = read_grasp(name)
+    root = ET.fromstring(EngineScene(grasp).mjcf())
+    numbers = lambda element, key: np.array([float(x) for x in element.get(key).split()])  # noqa: E731
+    pads = root.findall(".//body[@name='object']/geom")
+    fingers = [b for b in root.findall("worldbody/body") if b.get("name") != "object"]
+    assert len(pads) == len(fingers) == len(root.findall("contact/pair")) == len(grasp)
+    for contact, pad, finger in zip(grasp, pads, fingers, strict=True):
+        point, normal = (
+            np.pad([float(x) for x in v], (0, 3 - len(v))) for v in (contact.point, contact.normal)
+        )
+        ball, spring = finger.find("geom"), finger.find("joint")
+        assert np.allclose(numbers(finger, "pos") + float(ball.get("size")) * normal, point)
+        face = numbers(pad, "pos") - numbers(pad, "size")[2] * numbers(pad, "zaxis")
+        assert np.allclose(face, point)
+        assert np.allclose(numbers(pad, "zaxis"), normal)
+        assert np.allclose(numbers(spring, "axis"), normal)
+        pushes = float(spring.get("stiffness")) * float(spring.get("springref"))
+        assert math.isclose(pushes, contact.preload, abs_tol=1e-12)
+    gears = [numbers(x, "gear") for x in root.findall("actuator/general")]
+    assert len(gears) == (3 if grasp.dimension == 2 else 6)
+
+
+def test_a_contact_without_friction_has_no_tangent_and_an_outline_is_seen_alone():
+    corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]]
+    grasp = Grasp([Contact([-1, 0], [1, 0], 0)], outline=Polygon(corners))
+    root = ET.fromstring(EngineScene(grasp).mjcf())
+    assert root.find("contact/pair").get("condim") == "1"
+    seen = root.findall(".//geom[@type='capsule']")
+    assert len(seen) == 4
+    assert {x.get("contype") + x.get("conaffinity") for x in seen} == {"00"}
+
+
+@pytest.mark.parametrize(
+    ("grasp", "directions", "words"),
+    [
+        (Grasp(), None, "without contacts"),
+        (PAPER, [[0, 0, 0]], "zero"),
+        (PAPER, [[10**10, 0, 0]], "10^9"),
+        (Grasp([Contact([10**400, 0], [1, 0], 1)]), None, "10^9"),
+        (Grasp([Contact([0, 0], [1, 0], 1, Fraction(1, 10**12))]), None, "10^-9"),
+    ],
+)
+def test_what_engines_do_not_take_is_refused(grasp, directions, words):
+    with pytest.raises(ValueError, match=words.replace("^", r"\^")):
+        EngineScene(grasp, directions)
+
+
+def test_the_command_writes_scenes(tmp_path, capsys):
+    path = tmp_path / "scene.json"
+    assert main(["export", "paper-three-contacts-preload-1", "-o", str(path)]) == 0
+    document = json.loads(path.read_text())
+    assert document == json.loads(document_text(EngineScene(PAPER).document()))
+    assert Grasp.from_dict(document["grasp"]) == PAPER
+    for words in (["ladder", "-o", "x.stl"], ["-o", "x.xml"], ["ladder", "--benchmark", "x"]):
+        assert main(["export", *words]) == 2
+        assert capsys.readouterr().err.startswith("error: ")
+
+
+def test_the_benchmark_has_sixty_scenes_that_rest():
+    scenes = dict(benchmark())
+    assert len(scenes) == 60
+    assert sum(scene.grasp.dimension == 2 for scene in scenes.values()) == 40
+    sizes = {len(scene.grasp) for name, scene in scenes.items() if name.startswith("plane-random")}
+    assert sizes == set(range(3, 9))
+    for scene in scenes.values():
+        zero = [0] * len(scene.directions[0])
+        assert len(scene.directions) == 3
+        assert Solver(scene.grasp).solve(zero).stable
+
+
+@pytest.mark.campaign
+def test_mujoco_reads_scenes_and_slips_near_the_exact_load():
+    import mujoco  # the extra simulators, which make campaign installs
+
+    for _, scene in islice(benchmark(), 0, None, 7):
+        model = mujoco.MjModel.from_xml_string(scene.mjcf())
+        assert model.npair == len(scene.grasp)
+        assert model.nu == 3
+    text = (
+        EngineScene(PAPER, [[0, 1, 0]])
+        .mjcf()
+        .replace("<option", '<option impratio="100" cone="elliptic"')
+    )
+    model = mujoco.MjModel.from_xml_string(text)
+    moved = {}
+    for t in (0.9, 1.1):
+        data = mujoco.MjData(model)
+        for part in range(4000):
+            data.ctrl[0] = t * min(1, part / 2000)
+            mujoco.mj_step(model, data)
+        moved[t] = data.qvel[1] * EngineScene(PAPER).damping / t
+    assert abs(moved[0.9]) < 0.01 < 0.05 < moved[1.1]
