@@ -49,7 +49,8 @@ apidoc_modules = [
     }
     for package in ("arrangement", "equilibrium", "proofs_check")
 ]
-autodoc_default_options = {"ignore-module-all": True}
+# matplotlib gives each kind of figure a method `set`, in markup of its own.
+autodoc_default_options = {"ignore-module-all": True, "exclude-members": "set"}
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 napoleon_use_ivar = True
@@ -86,7 +87,9 @@ def make_figures(app):
     source = Path(app.srcdir)
     folder = source / "_generated"
     folder.mkdir(exist_ok=True)
-    shared = [*source.glob("figures/_*.py"), *source.parent.glob("*/draw/**/*.py")]
+    shared = [*source.glob("figures/_*.py")]
+    for room in ("drawing", "pictures"):
+        shared += source.parent.glob(f"*/{room}/**/*.py")
     newest = max((path.stat().st_mtime for path in shared), default=0.0)
     due = []
     for script in sorted(source.glob("figures/[!_]*.py")):

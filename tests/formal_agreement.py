@@ -157,6 +157,11 @@ def forms() -> Iterator[bytes]:
     changes.append({"certificate": "unstable"})
     yield from (json.dumps({**plain, **change}).encode() for change in changes)
 
+    resting = {key: plain[key] for key in ("schema_version", "grasp")}
+    resting |= {"certificate": "resisted", "wrench": ["0"] * 3, "motion": ["0"] * 3}
+    for number in range(3):
+        yield json.dumps({**resting, "forces": [["0", "0"]] * number}).encode()
+
     text, tree = json.dumps(plain), json.dumps(leaf)
     yield text.replace('"tree"', '"\\u0074ree"').encode()
     yield text.replace('"tree"', '"tree":0,"tree"').encode()

@@ -18,8 +18,8 @@ import numpy.typing as npt
 PROGRAMS = ("pdflatex", "pdftoppm")
 PACKAGES = "texlive-latex-base texlive-latex-recommended texlive-pictures poppler-utils"
 MISSING = f"pdflatex or pdftoppm is missing (Debian: apt-get install {PACKAGES})"
-#: Pixels to the inch.
-RESOLUTION = 144
+#: Pixels to the inch: a prime number, so that hardly a line lies just between two pixels.
+RESOLUTION = 127
 
 Pixels = npt.NDArray[np.float32]
 

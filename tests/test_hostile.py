@@ -468,7 +468,10 @@ CASES = [
         ),
         (f"solve {THREE} {UP} --robust degrees=1 degrees=2", "give each once"),
         ("lab -o lab.html --exercises none.json", "cannot read"),
-        (f"draw {THREE} -o a.bmp", "known are .gif, .glb, .html, .mp4, .obj, .pdf, .png, .stl, .svg"),
+        (
+            f"draw {THREE} -o a.bmp",
+            "known are .gif, .glb, .html, .mp4, .obj, .pdf, .png, .stl, .svg",
+        ),
         (f"draw {THREE} -o none/a.svg", "none"),
         ("draw wedge --view resist -o a.svg", "known are"),
         ("draw wedge --tolerance 1 -o a.svg", "tolerance"),
