@@ -54,6 +54,7 @@ def run(text: str) -> list[str]:
 LONG = (
     "own-claim", "checking", "cluster", "mesh", "gallery", "commands", "figure", "families",
     "formats", "census", "03-arrangements-and-sign-vectors", "10-paper-and-truth",
+    "11-model-and-methods",
 )  # fmt: skip
 
 
@@ -270,11 +271,11 @@ def test_numbers_on_pages_are_those_of_the_code():
         ("index", f"{number[len(planes)]} planes through the origin"),
         ("howto/lab", f"in place of the {number[len(slip_exercises())]}"),
         ("howto/arrangement-lab", f"{number[len(line_exercises())]} exercises check themselves"),
-        ("lessons/10-paper-and-truth", f"All {len(known)} known simplicial arrangements of rank 3 "
+        ("lessons/11-model-and-methods", f"All {len(known)} known simplicial arrangements of rank 3 "
          f"with up to {max(map(len, known))} planes are built, {irrational} of them irrational"),
         ("howto/fields", f"{irrational} of the {len(known)} known simplicial"),
         ("howto/formats", f"the {len(known) - irrational} simplicial arrangements with integer"),
-        ("lessons/10-paper-and-truth", f"{number[methods]} methods and five wrenches"),
+        ("lessons/11-model-and-methods", f"{number[methods]} methods and five wrenches"),
         ("gallery", f"{number[methods]} methods and five wrenches"),
     ):  # fmt: skip
         words = " ".join((DOCS / f"{page}.rst").read_text(encoding="utf-8").split())

@@ -173,7 +173,7 @@ def _origins(result: Record) -> list[str]:
     """Return which pages of the sources have lesson and proof; the page is read far from them."""
     entries = []
     if result.get("section") and not result.get("file"):
-        entries.append(f"Lesson: docs/lessons/10-paper-and-truth.rst, {result['id']}")
+        entries.append(f"Lessons 10 and 11 (docs/lessons): {result['id']}")
     if result.get("proof"):
         section, words = result["proof"]
         entries.append(f"Proof: docs/proofs.rst, {section}: {words}")

@@ -103,19 +103,21 @@ def test_every_row_reads_as_printed(id):
     assert evaluate(registry()[id]).as_expected
 
 
-LESSON = Path(__file__).parents[2] / "docs" / "lessons" / "10-paper-and-truth.rst"
+LESSONS = [
+    (Path(__file__).parents[2] / "docs" / "lessons" / f"{name}.rst").read_text(encoding="utf-8")
+    for name in ("10-paper-and-truth", "11-model-and-methods")
+]
 _ENTRY = re.compile(r"^\*\*([a-z0-9-]+)\*\* \(\*(.+?)\*\)\n {3}\S", re.MULTILINE)
 
 
-def test_the_lesson_has_every_claim_once_with_its_verdict():
-    found = _ENTRY.findall(LESSON.read_text(encoding="utf-8"))
+def test_the_lessons_have_every_claim_once_with_its_verdict():
+    found = [entry for text in LESSONS for entry in _ENTRY.findall(text)]
     assert len(found) == len(dict(found))
     assert dict(found) == {claim.id: claim.expected.value for claim in registry()}
 
 
 def test_the_table_of_the_lesson_counts_the_verdicts_by_section():
-    text = LESSON.read_text(encoding="utf-8")
-    table = text.partition(".. list-table:: The verdicts")[2].partition("\n\nSo most")[0]
+    table = LESSONS[0].partition(".. list-table:: The verdicts")[2].partition("\n\nSo most")[0]
     table = table.replace("\\", "")  # before a number that would begin a list
     rows = [row.split("\n     - ") for row in table.strip().split("   * - ")[1:]]
     head, *found = [[cell.strip() for cell in row] for row in rows]
