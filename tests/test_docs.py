@@ -271,8 +271,9 @@ def test_numbers_on_pages_are_those_of_the_code():
         ("index", f"{number[len(planes)]} planes through the origin"),
         ("howto/lab", f"in place of the {number[len(slip_exercises())]}"),
         ("howto/arrangement-lab", f"{number[len(line_exercises())]} exercises check themselves"),
-        ("lessons/11-model-and-methods", f"All {len(known)} known simplicial arrangements of rank 3 "
-         f"with up to {max(map(len, known))} planes are built, {irrational} of them irrational"),
+        ("lessons/11-model-and-methods", f"All {len(known)} known simplicial arrangements of "
+         f"rank 3 with up to {max(map(len, known))} planes are built, {irrational} of them "
+         "irrational"),
         ("howto/fields", f"{irrational} of the {len(known)} known simplicial"),
         ("howto/formats", f"the {len(known) - irrational} simplicial arrangements with integer"),
         ("lessons/11-model-and-methods", f"{number[methods]} methods and five wrenches"),
