@@ -1,6 +1,6 @@
 """Brute force for arrangements: sign vectors, counts and ranks, by ways that no engine takes.
 
-* `sign_vectors`: tried one by one, by Fourier-Motzkin elimination; any dimension, few planes.
+* `sign_vectors`: tried one by one, by the elimination of the claims' second route; few planes.
 * `by_subsets`, `points_by_hand`: the characteristic polynomial by subset sums, and its values by
   points over a finite field.
 """
@@ -14,8 +14,8 @@ from sympy import QQ
 from sympy.polys.matrices import DomainMatrix
 
 from arrangement import Arrangement
+from proofs_check.routes.oracle import project
 
-Row = tuple[Fraction, ...]
 T = sympy.Symbol("t")
 
 
@@ -35,53 +35,19 @@ def _extensions(arrangement: Arrangement, prefix: tuple[int, ...]) -> Iterator[t
 
 
 def realisable(arrangement: Arrangement, signs: Sequence[int]) -> bool:
-    """Decide whether some point has these signs for the first planes."""
-    equal, positive = [], []
-    for sign, normal, offset in zip(signs, arrangement.normals, arrangement.offsets, strict=False):
-        if sign == 0:
-            equal.append((*normal, -offset))
-        else:
-            positive.append(tuple(sign * x for x in (*normal, -offset)))
-    return satisfiable(equal, positive, arrangement.dimension)
+    """Decide whether some point has these signs for the first planes.
 
-
-def satisfiable(equal: list[Row], positive: list[Row], unknowns: int) -> bool:
-    """Decide ``a . x + b = 0`` for rows of `equal` and ``a . x + b > 0`` for rows of `positive`."""
-    equal, positive = shadow(equal, positive, unknowns)
-    return all(row[-1] == 0 for row in equal) and all(row[-1] > 0 for row in positive)
-
-
-def shadow(equal: list[Row], positive: list[Row], unknowns: int) -> tuple[list[Row], list[Row]]:
-    """Return what conditions on the first unknowns leave for the others (Fourier and Motzkin).
-
-    It makes no difference whether the inequalities are strict.
+    It has coordinates ``x / h``; what is above 0 there is at least 1 for large multiples of both.
     """
-    for j in range(unknowns):
-        pivot = next((row for row in equal if row[j]), None)
-        if pivot is not None:
-            equal = [_without(row, pivot, j) for row in equal if row is not pivot]
-            positive = [_without(row, pivot, j) for row in positive]
-            continue
-        lower = [row for row in positive if row[j] > 0]
-        upper = [row for row in positive if row[j] < 0]
-        rest = [row for row in positive if row[j] == 0]
-        pairs = (
-            tuple(a / low[j] - b / high[j] for a, b in zip(low, high, strict=True))
-            for low in lower
-            for high in upper
-        )
-        positive = list({_scaled(row) for row in (*rest, *pairs)})
-    return equal, positive
-
-
-def _without(row: Row, pivot: Row, j: int) -> Row:
-    factor = row[j] / pivot[j]
-    return tuple(a - factor * b for a, b in zip(row, pivot, strict=True))
-
-
-def _scaled(row: Row) -> Row:
-    size = max(map(abs, row))
-    return tuple(x / size for x in row) if size else row
+    equal = []
+    positive = [(*[0] * arrangement.dimension, 1, -1)]
+    for sign, normal, offset in zip(signs, arrangement.normals, arrangement.offsets, strict=False):
+        row = (*normal, -offset)
+        if sign == 0:
+            equal.append((*row, 0))
+        else:
+            positive.append((*(sign * x for x in row), -1))
+    return project(equal, positive, keep=-1) is not None
 
 
 def rank(rows: Sequence[Sequence[Fraction]]) -> int:

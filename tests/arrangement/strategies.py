@@ -1,6 +1,5 @@
 """Random arrangements for property tests: small entries, so that degenerate ones are common."""
 
-from fractions import Fraction
 from typing import Any
 
 from hypothesis import strategies as st
@@ -9,7 +8,6 @@ from arrangement import Arrangement
 
 SMALL = st.integers(-2, 2)
 RATIONALS = st.fractions(-3, 3, max_denominator=4)
-NONZERO_RATIONALS = RATIONALS.filter(bool)
 
 
 @st.composite
@@ -29,25 +27,6 @@ def arrangements(
         central = draw(st.booleans())
     offsets = None if central else draw(st.lists(SMALL, min_size=m, max_size=m))
     return Arrangement(normals, offsets, dimension=d)
-
-
-@st.composite
-def invertible_matrices(draw: st.DrawFn, d: int) -> list[list[Fraction]]:
-    """Draw an invertible rational matrix: lower times upper triangular, diagonals not zero."""
-
-    def triangle(lower: bool) -> list[list[Fraction]]:
-        rows = []
-        for i in range(d):
-            row = [Fraction(0)] * d
-            for j in range(d):
-                if i == j:
-                    row[j] = draw(NONZERO_RATIONALS)
-                elif (j < i) == lower:
-                    row[j] = draw(RATIONALS)
-            rows.append(row)
-        return rows
-
-    return product(triangle(True), triangle(False))
 
 
 def product(left: list[list[Any]], right: list[list[Any]]) -> list[list[Any]]:

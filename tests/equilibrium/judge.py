@@ -11,6 +11,7 @@ from itertools import product
 from typing import Any
 
 from equilibrium import Grasp
+from proofs_check.routes.oracle import Touch, dot
 
 from . import oracle
 
@@ -70,9 +71,9 @@ def leaf_holds(
 ) -> bool:
     given = leaf["multipliers"] if isinstance(leaf, Mapping) else {}
     virtual = [Fraction(x) for x in (leaf["virtual_motion"] if isinstance(leaf, Mapping) else leaf)]
-    works = [[_dot(virtual, wrench) * g[0] for g in region]]
-    for i, contact in enumerate(grasp):
-        work = _contact_work(contact, virtual, region, states.get(i, ""), given.get(str(i)))
+    works = [[dot(virtual, wrench) * g[0] for g in region]]
+    for i, touch in enumerate(oracle.asked(grasp, wrench).touches):
+        work = _contact_work(touch, virtual, region, states.get(i, ""), given.get(str(i)))
         if work is None:
             return False
         works.append(work)
@@ -81,15 +82,14 @@ def leaf_holds(
 
 
 def _contact_work(
-    contact: Any, virtual: Vector, region: list[Vector], state: str, given: Any
+    touch: Touch, virtual: Vector, region: list[Vector], state: str, given: Any
 ) -> Vector | None:
     """Return the least work of a contact as the leaf bounds it, or None for a false bound."""
-    spring, slip = zip(*(_spring_and_slip(contact, g) for g in region), strict=True)
+    spring, slip = zip(*(spring_and_slip(touch, g) for g in region), strict=True)
     directions = {"slip+": (1,), "slip-": (-1,)}.get(state, (1, -1))
     if state in ("", "attached"):
         directions = (1,) if min(slip) > 0 else (-1,) if max(slip) < 0 else (1, -1)
-    along_normal, along_tangent = _work(contact, virtual)
-    kappa = min(along_normal - sign * contact.friction * along_tangent for sign in directions)
+    kappa = min(_work(touch, virtual, sign) for sign in directions)
     if given is not None:
         alpha, h = ([Fraction(x) for x in given] + [Fraction(0)])[:2]
         fits = {
@@ -110,21 +110,11 @@ def _contact_work(
     return [min(kappa, Fraction(0)) * max(e, Fraction(0)) for e in spring]
 
 
-def _spring_and_slip(contact: Any, g: Sequence[Fraction]) -> tuple[Fraction, Fraction]:
+def spring_and_slip(touch: Touch, g: Sequence[Fraction]) -> tuple[Fraction, Fraction]:
     """Return the spring force (below 0 when detached) and the slip of a motion (d_0, d)."""
-    (px, py), (nx, ny) = contact.point, contact.normal
-    scale, x, y, r = g
-    vx, vy = x - r * py, y + r * px
-    force = contact.preload * scale - contact.stiffness * (vx * nx + vy * ny)
-    return force, vy * nx - vx * ny
-
-
-def _work(contact: Any, virtual: Vector) -> tuple[Fraction, Fraction]:
-    """Return the work of a unit force along the normal and along the tangent."""
-    (px, py), (nx, ny) = contact.point, contact.normal
-    x, y, r = virtual
-    vx, vy = x - r * py, y + r * px
-    return vx * nx + vy * ny, vy * nx - vx * ny
+    scale, *motion = g
+    spring = touch.preload * scale - touch.stiffness * dot(touch.normal, motion)
+    return spring, dot(touch.tangential, motion)
 
 
 def work_at_motion(
@@ -134,14 +124,14 @@ def work_at_motion(
 
     Above 0 means that no forces which the law allows at this motion balance the load.
     """
-    total = _dot(virtual, wrench)
-    for contact in grasp:
-        spring, slip = _spring_and_slip(contact, [Fraction(1), *motion])
-        force, (along_normal, along_tangent) = max(spring, Fraction(0)), _work(contact, virtual)
+    total = dot(virtual, wrench)
+    for touch in oracle.asked(grasp, wrench).touches:
+        spring, slip = spring_and_slip(touch, [Fraction(1), *motion])
         signs = (1,) if slip > 0 else (-1,) if slip < 0 else (1, -1)
-        total += force * min(along_normal - s * contact.friction * along_tangent for s in signs)
+        total += max(spring, Fraction(0)) * min(_work(touch, virtual, s) for s in signs)
     return total
 
 
-def _dot(left: Sequence[Fraction], right: Sequence[Fraction]) -> Fraction:
-    return sum((a * b for a, b in zip(left, right, strict=True)), Fraction(0))
+def _work(touch: Touch, virtual: Vector, sign: int) -> Fraction:
+    """Return the work of a unit normal force with its friction, slipping to a side."""
+    return dot(touch.normal, virtual) - sign * touch.friction * dot(touch.tangential, virtual)
