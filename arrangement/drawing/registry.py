@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from arrangement.console.plugins import named
 from arrangement.console.progress import watched
 from arrangement.console.writing import write_bytes_atomically, write_text_atomically
-from arrangement.errors import InputError, refusal
+from arrangement.errors import InputError, MissingExtraError, refusal
 from arrangement.numbers.exact import shown
 
 from .output import (
@@ -247,6 +247,19 @@ class Drawings:
     def svg(self, subject: Any, view: str, **options: Any) -> str | None:
         """Return a picture as SVG text; None without matplotlib, or when `write` would refuse."""
         return svg_text(_within_floats()(lambda: self.draw(subject, view, **options)))
+
+    def tikz(self, subject: Any, view: str, **options: Any) -> str | None:
+        """Return a picture as TikZ for a document; None as `svg`."""
+        from .path_artist import finished
+        from .tikz.tikz import tikz
+
+        try:
+            self._check_options("view", view, options)
+            with own_settings(), _within_floats():
+                made = self._scene(subject, view, None, options)
+                return tikz(finished(made, LEGENDS[0], THEMES[0]), fragment=True)
+        except (InputError, MissingExtraError):
+            return None
 
     def _check_options(self, kind: str, name: str, options: Iterable[str]) -> None:
         """Refuse a name that is unknown, and options that it lacks or needs."""

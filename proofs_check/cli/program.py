@@ -61,7 +61,7 @@ def _parser() -> terminal.Parser:
     _add_report(report, "-o", "--output", remark="(default: Markdown on stdout)")
     report.add_argument(
         "--format",
-        choices=("html", "json", "md", "tex", "txt"),
+        choices=("html", "json", "md", "pdf", "tex", "txt"),
         help="(default: what the ending of the output says)",
     )
     _add_seed(report)
@@ -106,7 +106,7 @@ def _add_run(parser: argparse.ArgumentParser) -> None:
         "ids", nargs="*", metavar="ID", help="claims to check (default: all), FILE.py or FILE.py:ID"
     )
     _add_seed(parser)
-    _add_report(parser, "--report", remark="to write as well")
+    _add_report(parser, "-o", "--report", remark="to write as well")
     terminal.add_jobs_option(parser)
     parser.add_argument("--large", action="store_true", help="the claims that take minutes, too")
     parser.add_argument(
@@ -128,7 +128,7 @@ def _add_try(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--when", metavar="STATEMENT", help="a hypothesis")
     _add_seed(parser)
-    _add_report(parser, "--report", remark="to write as well")
+    _add_report(parser, "-o", "--report", remark="to write as well")
     _add_numbers(parser)
     _add_save(parser)
 
@@ -208,7 +208,7 @@ def _add_seed(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_report(parser: argparse.ArgumentParser, *names: str, remark: str) -> None:
-    endings = "FILE.json, FILE.md, FILE.html, FILE.tex or FILE.txt"
+    endings = "FILE.json, FILE.md, FILE.html, FILE.tex, FILE.pdf or FILE.txt"
     parser.add_argument(*names, metavar="FILE", help=f"{endings} {remark}")
 
 

@@ -138,7 +138,7 @@ def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
         results.append(found)
     record = report.json_record(results, asked.seed, **_about(asked))
     if make:
-        write_text_atomically(arguments.report, make(record))
+        forms.write(arguments.report, make(record))
     if arguments.json:
         terminal.print_json(record)
     elif not asked.from_files:

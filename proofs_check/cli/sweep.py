@@ -8,7 +8,6 @@ from typing import Any
 
 from arrangement.console import terminal
 from arrangement.console.progress import Bar, duration, shown
-from arrangement.console.writing import write_text_atomically
 from arrangement.errors import InputError
 from arrangement.library.files.json_files import read_document
 from proofs_check.errors import SweepError
@@ -94,15 +93,17 @@ def run_report(arguments: argparse.Namespace) -> int:
     """Make a report of a file of claims, of the store of a sweep, or of the record of a run."""
     ending = Path(arguments.output).suffix if arguments.output else ".md"
     make = forms.form(f".{arguments.format}" if arguments.format else ending)
+    if arguments.format == "pdf" and not arguments.output:
+        raise InputError("a report as PDF needs a file: -o FILE.pdf")
     own = arguments.source.endswith(".py")
     record = file_record(arguments.source, arguments) if own else _read(arguments.source)
-    text = _made(make, record, arguments.source)
+    made = _made(make, record, arguments.source)
     if arguments.output:
-        write_text_atomically(arguments.output, text)
+        forms.write(arguments.output, made)
     if arguments.json:
         terminal.print_json(record)
     elif not arguments.output:
-        print(text, end="")
+        print(made, end="")
     return terminal.YES if record["as_expected"] is True else terminal.NO
 
 
@@ -119,9 +120,9 @@ def _read(source: str) -> dict[str, Any]:
     return read_document(source, ("results",), kind="bytes of a record")
 
 
-def _made(make: Any, record: dict[str, Any], source: str) -> str:
+def _made(make: Any, record: dict[str, Any], source: str) -> str | bytes:
     try:
-        text: str = make(record)
+        text: str | bytes = make(record)
         _ = record["as_expected"]
     except InputError:
         raise

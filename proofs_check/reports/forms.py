@@ -1,7 +1,7 @@
-"""Markdown and a LaTeX table, each made from the JSON record of a run and only that.
+"""The forms of a report, by the endings of files, each made from the JSON record of a run alone.
 
 A record may come from a file that someone else wrote: every text in it is escaped for the form
-that it goes into. `page` makes the HTML page.
+that it goes into. Markdown is made here, the HTML page in `page`, LaTeX and PDF in `document`.
 """
 
 from __future__ import annotations
@@ -10,10 +10,13 @@ import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
+from arrangement.console.writing import write_bytes_atomically, write_text_atomically
 from arrangement.errors import InputError
 
-from .formula import mathml
+from .document import latex, pdf, require_pdflatex
 from .page import html_page
+from .report import digest
+from .tex_words import is_formula
 from .text import badge_text, overview, remark, value_text, verdict
 
 Record = Mapping[str, Any]
@@ -25,7 +28,7 @@ def markdown(record: Record) -> str:
     lines = [f"# {title}", "", *_markdown_table(*_overview(record))]
     for result in record["results"]:
         lines += ["", f"## {_markdown_text(result['id'])}", ""]
-        if _is_formula(formula := result.get("formula") or ""):
+        if is_formula(formula := result.get("formula") or ""):
             lines += [f"${formula}$", ""]
         for name, text in _facts(result):
             lines.append(f"- {name}: {_markdown_text(text)}")
@@ -33,14 +36,6 @@ def markdown(record: Record) -> str:
             lines += ["", *_markdown_table(columns, rows)]
         lines += _markdown_instance(result)
     return "\n".join([*lines, "", *map(_markdown_text, _footer(record)), ""])
-
-
-def _is_formula(text: str) -> bool:
-    """Whether a text is a formula that can do nothing but print."""
-    try:
-        return bool(text and mathml(text))
-    except InputError:
-        return False
 
 
 def _markdown_instance(result: Record) -> list[str]:
@@ -58,48 +53,6 @@ def _markdown_text(text: str) -> str:
     """Return text for one line of Markdown: no line breaks, no column ends, no raw HTML."""
     escaped = " ".join(text.split()).replace("\\", "\\\\").replace("|", "\\|")
     return escaped.replace("<", "&lt;").replace("*", "\\*").replace("_", "\\_").replace("`", "\\`")
-
-
-_LATEX = (
-    {c: f"\\{c}" for c in "{}$&#%_"}
-    | {
-        c: rf"\text{name}{{}}"
-        for c, name in {
-            "\\": "backslash",
-            "^": "asciicircum",
-            "~": "asciitilde",
-            "<": "less",
-            ">": "greater",
-            "|": "bar",
-        }.items()
-    }
-    | {"≈": r"\ensuremath{\approx}"}
-)
-
-
-def latex(record: Record) -> str:
-    r"""Return the verdict table, then each claim with its formula, for ``\input`` in a document."""
-    columns, rows = _overview(record)
-    lines = [
-        r"% needs \usepackage{amsmath, longtable}",
-        r"\providecommand{\lt}{<}\providecommand{\gt}{>}",
-        r"\begin{longtable}{p{0.2\linewidth}p{0.16\linewidth}p{0.14\linewidth}p{0.38\linewidth}}",
-        r"\hline",
-        " & ".join(columns) + r" \\ \hline\endhead",
-    ]
-    lines += [" & ".join(map(_latex_text, row)) + r" \\" for row in rows]
-    lines += [r"\hline", r"\end{longtable}"]
-    for result in record["results"]:
-        lines += ["", rf"\subsection*{{{_latex_text(result['id'])}}}"]
-        if _is_formula(formula := result.get("formula") or ""):
-            lines.append(rf"\[ {formula} \]")
-        for name, text in _facts(result):
-            lines.append(rf"\noindent\emph{{{name}:}} {_latex_text(text)}\par")
-    return "\n".join([*lines, "", *map(_latex_text, _footer(record)), ""])
-
-
-def _latex_text(text: str) -> str:
-    return "".join(_LATEX.get(c, c) for c in " ".join(text.split()))
 
 
 def _overview(record: Record) -> tuple[list[str], list[list[str]]]:
@@ -151,25 +104,38 @@ def _footer(record: Record) -> list[str]:
     again = [
         f"{name} {record[name.lower()]}" for name in ("Date", "Command") if record.get(name.lower())
     ]
-    return [f"Seed {record['seed']}; {good}.", "", *lines, *again]
+    found = f"SHA-256 of statements, cases and values {digest(record)}"
+    return [f"Seed {record['seed']}; {good}.", "", *lines, *again, found]
 
 
-FORMS: dict[str, Callable[[Record], str]] = {
+FORMS: dict[str, Callable[[Record], str | bytes]] = {
     ".json": lambda record: json.dumps(record, indent=1) + "\n",
     ".md": markdown,
     ".html": html_page,
     ".htm": html_page,
     ".tex": latex,
+    ".pdf": pdf,
     ".txt": lambda record: overview(record) + "\n",
 }
 
 
-def form(ending: str) -> Callable[[Record], str]:
+def form(ending: str) -> Callable[[Record], str | bytes]:
     """Return what makes the form that the ending of a file name says.
 
     Raises:
         InputError: no form has this ending.
+        MissingExtraError: it is PDF, and there is no pdflatex.
     """
-    if ending.lower() in FORMS:
-        return FORMS[ending.lower()]
-    raise InputError(f"a report ends with {', '.join(FORMS)}; got {ending!r}")
+    if ending.lower() not in FORMS:
+        raise InputError(f"a report ends with {', '.join(FORMS)}; got {ending!r}")
+    if ending.lower() == ".pdf":
+        require_pdflatex()
+    return FORMS[ending.lower()]
+
+
+def write(path: str, content: str | bytes) -> None:
+    """Write a report to a file, whole or not at all."""
+    if isinstance(content, bytes):
+        write_bytes_atomically(path, content)
+    else:
+        write_text_atomically(path, content)

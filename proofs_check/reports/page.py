@@ -13,7 +13,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
-from typing import Any
+from typing import Any, TypeAlias
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
@@ -21,6 +21,7 @@ from markupsafe import Markup
 from arrangement.console.number_form import counted
 from arrangement.drawing.output import require_matplotlib
 from arrangement.drawing.pages.html_page import BASE_STYLE, Template, framed
+from arrangement.drawing.registry import Drawings
 from arrangement.errors import InputError, MissingExtraError
 from arrangement.library.files.table import read_arrangement
 from arrangement.pictures.views import DRAWINGS as OF_PLANES
@@ -28,6 +29,7 @@ from equilibrium.decide.solver import solve
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.views import DRAWINGS as OF_GRASPS
 from proofs_check.reports.formula import mathml
+from proofs_check.reports.report import digest
 from proofs_check.reports.text import remark, value_text, verdict
 
 Record = Mapping[str, Any]
@@ -109,14 +111,14 @@ def _kind(result: Record) -> VerdictStyle:
 
 
 def _facts(record: Record) -> list[tuple[str, str]]:
-    """Return versions, commit, date and seed."""
+    """Return versions, commit, date, seed and digest."""
     facts = [("date", record["date"])] if record.get("date") else []
     facts.append(("seed", str(record["seed"])))
     for entry in record["environments"]:
         facts.append(("commit", entry["commit"] or "unknown"))
         versions = ", ".join(f"{name} {number}" for name, number in entry["versions"].items())
         facts.append(("with", f"Python {entry['python']}, {versions}"))
-    return facts
+    return [*facts, ("SHA-256", digest(record))]
 
 
 def _formula(text: str) -> Markup:
@@ -136,9 +138,8 @@ def _figures(result: Record) -> list[tuple[Markup, str, bool]]:
     """Return pictures, captions, and whether they are broad."""
     found = []
     for svg, caption in pictures(result) if not _hint(result) else ():
-        words = caption or f"Counterexample: {result['counterexample']['label']}"
         width = float(svg.partition('width="')[2].partition("pt")[0])
-        found.append((Markup(svg), words, width > BROAD))
+        found.append((Markup(svg), caption, width > BROAD))
     return found
 
 
@@ -193,36 +194,42 @@ def available() -> bool:
     return True
 
 
-def pictures(result: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """Yield the pictures of a result as SVG for a page, and their captions.
+Drawn: TypeAlias = tuple[Drawings, Any, str, dict[str, Any], str]
+
+
+def drawn(result: Record) -> Iterator[Drawn]:
+    """Yield what the pictures of a result are: drawings, subject, view, its options, caption.
 
     Without views it is the counterexample: central planes with their dual; a grasp with its
     equilibrium, or with the proof that there is none.
     """
     counterexample = (result.get("counterexample") or {}).get("instance")
-    views = result.get("views") or [{"name": "", "caption": "", "options": {}, "instance": None}]
-    for k, view in enumerate(views):
-        instance = view["instance"] or counterexample
-        svg = _svg(instance, view["name"], view["options"]) if instance else None
+    for view in result.get("views") or [{"name": "", "caption": "", "options": {}}]:
+        instance, name = view.get("instance") or counterexample or {}, view["name"]
+        found: tuple[Drawings, Any, str, dict[str, Any]] | None = None
+        if instance.get("planes"):
+            known = {key: instance[key] for key in ("planes", "offsets") if key in instance}
+            planes = read_arrangement({"schema_version": 1, **known})
+            if name or (planes.dimension == 3 and planes.is_central):
+                found = (OF_PLANES, planes, name or "dual", view["options"])
+        elif instance.get("contacts"):
+            grasp = Grasp.from_dict({k: v for k, v in instance.items() if k != "wrench"})
+            options = view["options"]
+            if not name and "wrench" in instance:
+                options = {"wrench": instance["wrench"]}
+                name = "grasp" if solve(grasp, options["wrench"]).stable else "proof"
+            found = (OF_GRASPS, grasp, name or "grasp", options)
+        if found:
+            label = (result.get("counterexample") or {}).get("label", "")
+            yield (*found, view["caption"] or f"Counterexample: {label}")
+
+
+def pictures(result: Record) -> Iterator[tuple[str, str]]:
+    """Yield the pictures of a result as SVG for a page, and their captions."""
+    for k, (drawings, subject, name, options, caption) in enumerate(drawn(result)):
+        svg = drawings.svg(subject, name, **options)
         if svg is not None:
-            yield _for_page(svg, f"{result['id']}-{k}"), view["caption"]
-
-
-def _svg(instance: Mapping[str, Any], name: str, options: Mapping[str, Any]) -> str | None:
-    if instance.get("planes"):
-        known = {key: instance[key] for key in ("planes", "offsets") if key in instance}
-        planes = read_arrangement({"schema_version": 1, **known})
-        if not name and (planes.dimension != 3 or not planes.is_central):
-            return None
-        return OF_PLANES.svg(planes, name or "dual", **options)
-    if instance.get("contacts"):
-        grasp = Grasp.from_dict({k: v for k, v in instance.items() if k != "wrench"})
-        if not name and "wrench" in instance:
-            wrench = instance["wrench"]
-            name = "grasp" if solve(grasp, wrench).stable else "proof"
-            options = {"wrench": wrench}
-        return OF_GRASPS.svg(grasp, name or "grasp", **options)
-    return None
+            yield _for_page(svg, f"{result['id']}-{k}"), caption
 
 
 def _for_page(svg: str, name: str) -> str:

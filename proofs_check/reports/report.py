@@ -16,6 +16,7 @@ from dataclasses import asdict
 from datetime import UTC, datetime
 from fractions import Fraction
 from functools import lru_cache
+from hashlib import sha256
 from importlib.metadata import PackageNotFoundError, version
 from importlib.resources import files
 from pathlib import Path
@@ -303,6 +304,19 @@ def plain(value: Any) -> Any:
     if isinstance(value, Mapping):
         return {str(key): plain(item) for key, item in value.items()}
     raise ClaimError(f"a route gave a {type(value).__name__}, which has no form in a report")
+
+
+def digest(record: Mapping[str, Any]) -> str:
+    """Return the SHA-256 of what a record found: the same command gives it again.
+
+    It is over statements, cases, values and verdicts; times, dates, versions and the paths of files
+    are left out.
+    """
+    found = [
+        {k: v for k, v in result.items() if k not in ("file", "milliseconds")}
+        for result in record["results"]
+    ]
+    return sha256(json.dumps(found, sort_keys=True).encode()).hexdigest()
 
 
 def json_record(

@@ -26,7 +26,9 @@ from proofs_check.reports import forms as pages, report
 from proofs_check.reports.formula import mathml
 from proofs_check.reports.page import pictures, python_lines
 from proofs_check.reports.report import commit
+from proofs_check.reports.tex_words import code, prose, words
 from proofs_check.reports.text import value_text
+from tests.latex import compiled
 
 ROOT = Path(__file__).parents[2]
 IDS = ("different-slip-states", "step-1-square-bound")
@@ -133,7 +135,7 @@ def test_a_report_made_later_from_the_file_is_the_same(tmp_path, record, ending)
     assert main(["report", str(source), "--output", str(later)]) == 0
     text = later.read_text(encoding="utf-8")
     assert text == pages.form(ending)(record)
-    plain = text.replace("\\_", "_")
+    plain = text.replace("\\brk ", "").replace("{-}", "-")
     for id in IDS:
         assert id in plain
     assert "holds under a hypothesis" in plain
@@ -298,17 +300,88 @@ def test_texts_of_a_record_do_not_break_a_markdown_table(text):
     assert "<b>" not in pages.markdown(hostile(text)).split("```")[0]
 
 
-@pytest.mark.parametrize("text", ["a & b", r"\input{x}", "50% of $x_1^2$ #1 ~ {", "x\ny"])
+HOSTILE = (
+    "a & b", r"\input{x} \end{document}", "50% of $x_1^2$ #1 ~ {", "x\ny", r"$\write18{x}$ $\foo$",
+    "^^5cinput{x} x^2^3 a_{b", "\x00\x7f \u6f22\u00e9\u2264\u2212 ?`!`", "x" * 200, "1" * 200,
+    "(1,0,0)" * 60, "m^2 + " * 60 + "1", r"\frac{" + "m" * 90 + "}{2}", "-".join("abcdefghij" * 9),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("text", HOSTILE)
 def test_texts_of_a_record_do_not_become_latex(text):
-    body = pages.latex(hostile(text)).split(r"\endhead")[1].split(r"\hline")[0].strip()
-    assert body.endswith(r"\\")
-    cells = re.split(r"(?<!\\)&", body.removesuffix(r"\\"))
-    assert len(cells) == 4
-    known = (
-        r"\\(textbackslash|textasciicircum|textasciitilde|text(less|greater|bar))\{\}|\\[{}$&#%_]"
-    )
-    assert not re.search(r"[\\{}$&#%_^~]", re.sub(known, "", "".join(cells)))
-    assert "\n" not in body
+    for made in (words(text), code(text), prose(text)):
+        bare = re.sub(r"\\[{}$&#%_]", "", made)
+        outside = re.sub(r"\$[^$]*\$", "", bare)
+        known = r"\\(brk|texttt|ensuremath|le) ?|\\text\w+\{\}|\\'\{e\}|\{\\char\d+\}|\{-\}"
+        assert not re.search(r"[\\$&#%_^~]", re.sub(known, "", outside))
+        assert outside.count("{") == outside.count("}")
+        commands = {*re.findall(r"\\[a-zA-Z]+", "".join(re.findall(r"\$[^$]*\$", bare)))}
+        assert commands <= {"\\" + name for name in ("allowbreak", "cdot", "frac", "mathbb", "le")}
+
+
+def test_prose_sets_what_is_mathematics_and_nothing_else():
+    for text, expected in (
+        ("|chi(-1)| of C(n, d-k) in R^d", r"$|\chi (-1)|$ of $\binom{n}{d-k}$ in $\mathbb{R}^{d}$"),
+        ("sum_{i<=k} w_i is at most 4^m", r"$\sum _{i\le k}\,w_{i}$ is at most $4^{m}$"),
+        ("a table of 3-connected graphs", "a table of 3{-}connected graphs"),
+        ("rank 3, Eqs. 1 to 4", "rank 3, Eqs. 1 to 4"),
+        ("A grasp; I hold p_vector", "A grasp; I hold p\\_vector"),
+        (r"so $\binom{n}{2}$ is", r"so $\binom{n}{2}$ is"),
+    ):
+        assert prose(text) == expected
+
+
+def test_the_digest_of_a_report_is_that_of_what_was_found(record):
+    changed = copy.deepcopy(record)
+    changed["date"], changed["results"][0]["milliseconds"] = "later", 10**6
+    assert report.digest(changed) == report.digest(record)
+    changed["results"][0]["records"][0]["values"][0] = "another"
+    assert report.digest(changed) != report.digest(record)
+    for make in (pages.markdown, pages.html_page):
+        assert report.digest(record) in make(record)
+    assert report.digest(record) in pages.latex(record).replace("\\brk ", "")
+
+
+def test_a_report_compiles_with_nothing_over_its_margin(latex, tmp_path, record):
+    changed = copy.deepcopy(record)
+    for text in HOSTILE:
+        changed["results"] += hostile(text)["results"]
+    source = tmp_path / "report.tex"
+    source.write_text(pages.latex(changed), encoding="utf-8")
+    for _ in range(3):  # tables find their widths
+        with contextlib.suppress(AssertionError):
+            compiled(source)
+    compiled(source)
+
+
+def test_a_report_as_pdf_is_the_same_each_time_and_shows_the_counterexample(
+    latex, tmp_path, record
+):
+    source, target = tmp_path / "r.json", tmp_path / "r.pdf"
+    source.write_text(json.dumps(record), encoding="utf-8")
+    assert main(["report", str(source), "-o", str(target)]) == 0
+    first = target.read_bytes()
+    assert first.startswith(b"%PDF")
+    assert first == pages.pdf(record)
+    assert "tikzpicture" in pages.latex(record)
+    command = ["pdftotext", str(target), "-"]
+    shown = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    for text in ("Counterexample", "step-1-square-bound", report.digest(record)[:16]):
+        assert text in shown
+
+
+def test_a_pdf_without_latex_or_without_a_file_is_one_error(tmp_path, monkeypatch, capsys, record):
+    source = tmp_path / "r.json"
+    source.write_text(json.dumps(record), encoding="utf-8")
+    monkeypatch.setattr(shutil, "which", lambda name: None)
+    for command in (["run", "euler"], ["report", str(source)]):
+        assert main([*command, "-o", str(tmp_path / "r.pdf")]) == 2
+        assert "needs pdflatex" in capsys.readouterr().err
+    monkeypatch.undo()
+    monkeypatch.setattr(shutil, "which", lambda name: name)
+    assert main(["report", str(source), "--format", "pdf"]) == 2
+    assert "-o FILE.pdf" in capsys.readouterr().err
+    assert [path.name for path in tmp_path.iterdir()] == ["r.json"]
 
 
 def test_an_unexpected_verdict_is_seen_in_every_form(tmp_path, record, capsys):

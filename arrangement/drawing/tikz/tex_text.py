@@ -13,7 +13,8 @@ _COMMANDS = (
     "\u2260ne \u25cfbullet \u25cbcirc \u2205emptyset \u03a3Sigma \u0394Delta \u03a6Phi \u03c3sigma "
     "\u03c4tau \u03c5upsilon \u03c6varphi \u03c7chi \u03c8psi \u03c9omega"
 )
-_MATHS = {
+#: Signs as mathematics.
+SIGNS = {
     **{sign: sign for sign in "+=<>/"},
     "\u2212": "-",
     "\u00b0": r"^\circ ",
@@ -53,7 +54,7 @@ _TOKEN = re.compile(
     r"|(?P<power>\d+\^\d+|[\d.]+e[+-]?\d+)"
     r"|(?P<signs>[+\u22120\u25cf\u25cb](?:\u200a[+\u22120\u25cf\u25cb])+)"
     r"|(?P<number>\d+(?:\.\d+)?)"
-    rf"|(?P<maths>[{re.escape(''.join(_MATHS))}]|[{''.join(_RAISED)}]+|[{''.join(_LOWERED)}]+)"
+    rf"|(?P<maths>[{re.escape(''.join(SIGNS))}]|[{''.join(_RAISED)}]+|[{''.join(_LOWERED)}]+)"
     r"|(?P<variable>(?<![\w(])[cfmnrtwxyz](?![A-Za-z0-9_)]))"
     r"|(?P<soft>[\s,()\u200a]|(?<!\w)[a-z](?!\w))"
     r"|(?P<word>[A-Za-z\u00c0-\u024f]+)"
@@ -114,7 +115,7 @@ def _maths(tokens: list[tuple[str, str]]) -> str:
     found = ""
     for k, (kind, text) in enumerate(tokens):
         if kind == "norm":
-            found += f"L_{_MATHS.get(text[1:], text[1:]).strip()}"
+            found += f"L_{SIGNS.get(text[1:], text[1:]).strip()}"
         elif kind == "power":
             base, mark, power = text.partition("^") if "^" in text else text.partition("e")
             found += (f"{base}\\cdot 10" if mark == "e" else base) + f"^{{{int(power)}}}"
@@ -133,7 +134,7 @@ def _maths(tokens: list[tuple[str, str]]) -> str:
         elif text == "," and k + 1 < len(tokens) and not tokens[k + 1][1].isspace():
             found += "{,}"
         else:
-            found += _MATHS.get(text, text)
+            found += SIGNS.get(text, text)
     return found.strip()
 
 
