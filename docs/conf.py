@@ -26,13 +26,14 @@ extensions = [
     "sphinx-mathjax-offline",
     "sphinx_copybutton",
     "sphinxarg.ext",
+    "handouts",
 ]
 exclude_patterns = ["_build", "_generated"]
 default_role = "code"
 highlight_language = "python"
 nitpicky = False
-# The parsers of the commands.
-sys.path.insert(0, str(Path(__file__).parent / "figures"))
+# What is made of the lessons, and the parsers of the commands.
+sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parent / "figures")]
 # The bibliography is a list to cite from; a docstring may use a word that several classes have as
 # the name of an attribute.
 suppress_warnings = ["ref.citation", "ref.python"]
@@ -61,6 +62,8 @@ copybutton_prompt_is_regexp = True
 copybutton_line_continuation_character = "\\"
 
 html_theme = "furo"
+html_static_path = ["static"]
+html_css_files = ["print.css"]
 html_title = f"slipstates {release}"
 html_copy_source = False
 html_show_sphinx = False
@@ -113,35 +116,6 @@ def make_figures(app):
         shutil.copy(page, pages)
 
 
-_OPEN = '<details class="answer"><summary>Answer {}</summary>'
-_PRINTED = """addEventListener("beforeprint", () => {
-  for (const answer of document.querySelectorAll("details.answer")) answer.open = true;
-});"""
-
-
-def fold_answers(app, tree, name):
-    """Fold each answer to an exercise on the HTML pages: what starts with its number in bold."""
-    if app.builder.format != "html":
-        return
-    from docutils import nodes  # here, since tests read this file where Sphinx is not installed
-
-    for section in tree.findall(nodes.section):
-        if section.next_node(nodes.title).astext() != "Answers":
-            continue
-        parts, is_open = [], False
-        for part in section.children:
-            if part.children and isinstance(number := part.children[0], nodes.strong):
-                close = "</details>" if is_open else ""
-                start = close + _OPEN.format(number.astext().rstrip("."))
-                parts.append(nodes.raw("", start, format="html"))
-                part.remove(number)
-                is_open = True
-            parts.append(part)
-        if is_open:
-            parts.append(nodes.raw("", "</details>", format="html"))
-        section[:] = parts
-
-
 def fold_reference(app, name, template, context, tree):
     """Unfold the reference in the sidebar on its own pages alone.
 
@@ -152,8 +126,6 @@ def fold_reference(app, name, template, context, tree):
 
 
 def setup(app):
-    app.add_js_file(None, body=_PRINTED)
     app.connect("html-page-context", fold_reference, priority=100)  # before the theme asks for it
-    app.connect("doctree-resolved", fold_answers)
     app.connect("builder-inited", make_figures)
     app.connect("autodoc-process-docstring", escape_mathematics, priority=400)
