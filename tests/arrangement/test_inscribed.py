@@ -492,10 +492,6 @@ def test_hulls_without_the_origin_inside_are_refused():
         sphere_hull([*half, half[0]])
 
 
-#: A(13, 2) of Gruenbaum's catalogue, in coordinates with the symmetries of the cube.
-B3_AND_DIAGONALS = Arrangement([*type_b(3).normals, (1, 1, 1), (1, 1, -1), (1, -1, 1), (1, -1, -1)])
-
-
 @given(st.integers(4, 8), st.floats(0, 1), st.integers(0, 10**6))
 def test_polyhedral_graphs_are_the_planar_ones_of_connectivity_three(vertices, share, seed):
     edges = round(vertices + share * (2 * vertices - 6))

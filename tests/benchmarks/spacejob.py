@@ -39,7 +39,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from equilibrium import Grasp
 from equilibrium.decide.solver import solve
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
-from tests.equilibrium import exotic
+from tests.equilibrium import awkward, exotic
 
 Wrench = tuple[Fraction, ...]
 Found = dict[str, Any]
@@ -57,14 +57,12 @@ def instance(contacts: int | str, seed: int) -> tuple[Grasp, Wrench]:
     grasp = random_grasp(contacts, plain, dimension=3)
     if seed < NEAR:
         return grasp, random_wrench(plain, dimension=3, bound=1)
-    source, total = Random(f"near {contacts} {plain}"), [Fraction(0)] * 6
+    source, total = Random(f"near {contacts} {plain}"), (Fraction(0),) * 6
     for contact in grasp:
         normal = Fraction(source.randint(0, 32), 16)
         limit = int(32 * contact.friction * normal)
-        forces = normal, *(Fraction(source.randint(-limit, limit), 45) for _ in range(2))
-        rows = contact.normal_wrench, *contact.tangential_wrenches
-        for force, row in zip(forces, rows, strict=True):
-            total = [x - force * y for x, y in zip(total, row, strict=True)]
+        friction = (Fraction(source.randint(-limit, limit), 45) for _ in range(2))
+        total = awkward.less(total, contact, normal, *friction)
     size = Fraction(source.randint(64, 128), 64)
     return grasp, tuple(Fraction(round(64 * size * x), 64) for x in total)
 

@@ -55,13 +55,19 @@ def _free(source: Random, _: Grasp) -> Wrench:
 
 def _opposed(source: Random, grasp: Grasp) -> Wrench:
     """Return the negative of a sum of forces in the friction cones of some contacts."""
-    total = [Fraction(0)] * 3
+    total: Wrench = (Fraction(0),) * 3
     for contact in grasp:
         push = Fraction(source.randint(0, 2))
-        rub = push * contact.friction * Fraction(source.randint(-2, 2), 2)
-        wrenches = zip(contact.normal_wrench, contact.tangential_wrench, strict=True)
-        total = [w - push * n - rub * t for w, (n, t) in zip(total, wrenches, strict=True)]
-    return tuple(total)
+        total = less(total, contact, push, push * contact.friction * source.randint(-2, 2) / 2)
+    return total
+
+
+def less(wrench: Wrench, contact: Contact, *forces: Fraction) -> Wrench:
+    """Return a wrench less that of forces at a contact, along its normal and tangents."""
+    rows = contact.normal_wrench, *contact.tangential_wrenches
+    for force, row in zip(forces, rows, strict=True):
+        wrench = tuple(w - force * x for w, x in zip(wrench, row, strict=True))
+    return wrench
 
 
 def _near_border(source: Random, grasp: Grasp, beyond: Fraction) -> Wrench | None:

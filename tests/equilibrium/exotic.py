@@ -102,12 +102,8 @@ def _near(source: Random, grasp: Grasp) -> Vector:
 
 def _with_forces(total: Vector, contact: Contact, push: Fraction, share: list[Fraction]) -> Vector:
     # A huge friction is not made use of.
-    forces = push, *(x * push * min(contact.friction, Fraction(1)) for x in share)
-    for force, row in zip(
-        forces, (contact.normal_wrench, *contact.tangential_wrenches), strict=True
-    ):
-        total = tuple(w - force * x for w, x in zip(total, row, strict=True))
-    return total
+    friction = (x * push * min(contact.friction, Fraction(1)) for x in share)
+    return awkward.less(total, contact, push, *friction)
 
 
 def _values(source: Random) -> dict[str, Fraction]:

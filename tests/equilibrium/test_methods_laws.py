@@ -14,7 +14,9 @@ from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace, _hull
 from equilibrium.methods.springs import frictionless_slip, linear_compliance
 from equilibrium.methods.weak_strong import mass_matrix, weak_strong
 from equilibrium.plane.contact_rows import friction_edges
+from proofs_check.routes.oracle import Systems, project
 
+from .oracle import asked
 from .strategies import loads as wrenches, small, wide_grasps as grasps
 
 points = st.lists(st.tuples(small, small, small), min_size=1, max_size=14)
@@ -149,35 +151,12 @@ class TestOrderOfTheMethods:
 
 
 def cones_by_brute_force(grasp, wrench):
-    """Try all 2^m sets of attached contacts with scipy, in floats."""
-    m = len(grasp)
-    for attached in product((True, False), repeat=m):
-        balance = np.zeros((3, 3 + m))
-        rest = -np.array([float(x) for x in wrench])
-        upper, bounds = [], []
-        for i, (c, touches) in enumerate(zip(grasp, attached, strict=True)):
-            n = np.array(c.normal_wrench, dtype=float)
-            t = np.array(c.tangential_wrench, dtype=float)
-            k, q, mu = float(c.stiffness), float(c.preload), float(c.friction)
-            row = np.concatenate([k * n, np.zeros(m)])
-            upper.append(row if touches else -row)
-            bounds.append(q if touches else -q)
-            if touches:
-                balance[:, :3] -= k * np.outer(n, n)
-                balance[:, 3 + i] = t
-                rest -= q * n
-                for side in (1, -1):
-                    edge = mu * row
-                    edge[3 + i] = side
-                    upper.append(edge)
-                    bounds.append(mu * q)
-            else:
-                pin = np.zeros(3 + m)
-                pin[3 + i] = 1
-                upper += [pin, -pin]
-                bounds += [0, 0]
-        free = [(None, None)] * (3 + m)
-        if linprog(np.zeros(3 + m), upper, bounds, balance, rest, bounds=free).status == 0:
+    """Try all 2^m sets of attached contacts; what slips may have any friction inside its cone."""
+    systems, m = Systems(asked(grasp, wrench)), len(grasp)
+    for states in product(("detached", "stick"), repeat=m):
+        equal, least = systems.rows(states)
+        apart = [row for row, state in zip(equal, states, strict=False) if state == "detached"]
+        if project([*apart, *equal[m:]], least, keep=-1) is not None:
             return True
     return False
 

@@ -807,14 +807,12 @@ def resisted_by_all_states(grasp, wrench, edges):
 
 def loaded(source, grasp):
     """Return a load that forces of about the right size balance, off by a little or by a lot."""
-    wrench = [Fraction(source.randint(-8, 8), source.choice((8, 200))) for _ in range(6)]
+    wrench = tuple(Fraction(source.randint(-8, 8), source.choice((8, 200))) for _ in range(6))
     for contact in grasp:
         normal = Fraction(source.randint(0, 32), 16)
         limit = int(32 * contact.friction * normal)
         friction = [Fraction(source.randint(-limit, limit), 45) for _ in range(2)]
-        rows = (contact.normal_wrench, *contact.tangential_wrenches)
-        for force, row in zip((normal, *friction), rows, strict=True):
-            wrench = [w - force * x for w, x in zip(wrench, row, strict=True)]
+        wrench = awkward.less(wrench, contact, normal, *friction)
     return tuple(Fraction(round(64 * w), 64) if len(grasp) > 2 else w for w in wrench)
 
 
@@ -825,10 +823,8 @@ def balanced(source, grasp):
         size = contact.preload or Fraction(source.randint(0, 4), 2)
         normal = size * Fraction(source.randint(8, 20), 16)
         share = [Fraction(source.randint(-9, 9), 11) for _ in range(2)]
-        forces = normal, *(x * contact.friction * normal for x in share)
-        rows = contact.normal_wrench, *contact.tangential_wrenches
-        for force, row in zip(forces, rows, strict=True):
-            wrench = tuple(w - force * x for w, x in zip(wrench, row, strict=True))
+        friction = (x * contact.friction * normal for x in share)
+        wrench = awkward.less(wrench, contact, normal, *friction)
     return wrench
 
 
