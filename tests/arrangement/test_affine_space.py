@@ -122,25 +122,15 @@ def random_planes(source: Random, count: int, central: int, bound: int) -> Arran
 
 @pytest.mark.parametrize(
     ("count", "central", "bound"),
-    [(30, 15, 2**70), (30, 15, 9), (20, 0, 3), (24, 24, 4), (40, 20, 2), (70, 60, 50)],
+    [(18, 9, 6), (18, 9, 2**18), (18, 9, 2**19), (18, 9, 2**80), (20, 0, 3), (40, 20, 2)],
 )
-def test_many_planes_have_the_number_of_faces_of_zaslavsky(count, central, bound):
+def test_many_faces_have_points_and_the_number_of_zaslavsky(count, central, bound):
+    """Up to 48 B^3 < 2^63 sums stay in int64; beyond, they are Python integers."""
     planes = random_planes(Random(count * bound), count, central, bound)
     made = space_faces(planes)
+    assert_points(planes, made)
     assert made.f_vector == f_vector(planes)
     assert made.f_vector == tuple(len(made.of_dimension(k).signs) for k in range(4))
-    first = [members[0] for members in planes.distinct]
-    facets = made.of_dimension(2).signs[:, first]
-    assert ((facets == 0).sum(axis=1) == 1).all()
-    assert (made.of_dimension(3).signs != 0).all()
-
-
-@pytest.mark.parametrize("bound", [6, 2**18, 2**19, 2**80])
-def test_every_point_of_many_faces_lies_in_its_face(bound):
-    """Up to 48 B^3 < 2^63 sums stay in int64; beyond, they are Python integers."""
-    planes = random_planes(Random(bound), 18, 9, bound)
-    made = space_faces(planes)
-    assert_points(planes, made)
     largest = max(abs(x) for plane in planes.integer_planes for x in plane)
     assert (made.points.dtype == np.int64) == (48 * largest**3 < 2**63)
 

@@ -157,15 +157,6 @@ def test_frictionless_slip_tries_all_states():
         frictionless_slip(Grasp([Contact((0, 0), (1, 0), 1)] * 13), (0, 0, 0))
 
 
-@pytest.mark.parametrize("friction", [HALF, 1])
-def test_cones_alone_need_friction_above_one(friction):
-    # A turn loads two opposite contacts with c each, whose normal forces have the torque -2 c
-    # and whose friction has at most 2 mu c: nothing is left against (0, w, 0).
-    verdict = cones(FOUR.with_friction(friction), (0, 2, 0))
-    # All sign choices of two pairs of parallel planes.
-    assert (verdict.accepts, verdict.tried) == (False, 4)
-
-
 class TestWeakStrong:
     def test_without_springs_every_load_is_balanced(self):
         for wrench in ((0, 2, 0), (0, -200, 0), (5, 3, -1)):

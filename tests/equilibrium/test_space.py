@@ -365,32 +365,6 @@ def mixed(share, one, other):
     return tuple(share * x + (1 - share) * y for x, y in zip(one, other, strict=True))
 
 
-def in_space(wrench):
-    x, y, torque = wrench
-    return x, y, 0, 0, 0, torque
-
-
-def embedded(seeds):
-    """Compare planar verdicts with those of the embedded grasps; return how many are decided."""
-    decided = 0
-    for seed in seeds:
-        grasp, wrench = random_grasp(2 + seed % 3, seed), random_wrench(seed, bound=1)
-        planar = Solver(grasp).solve(wrench).stable
-        found = solve(grasp.in_space(), in_space(wrench))
-        if found.decided:
-            decided += 1
-            assert found.stable == planar
-            assert found.verify()
-    return decided
-
-
-@pytest.mark.parametrize(
-    "seeds", [range(10), pytest.param(range(1000, 1060), marks=pytest.mark.campaign)]
-)
-def test_planar_grasps_answer_as_in_the_plane(seeds):
-    assert embedded(seeds) == len(seeds)
-
-
 def decided(kind, seeds):
     """Return how many questions of a kind have a proof that the checker accepts."""
     found = [solve(*exotic.question(kind, seed)) for seed in seeds]
