@@ -14,6 +14,7 @@ import sympy
 
 from arrangement import Arrangement, InputError, counts, families
 from arrangement.library.families.simplicial import printed_vectors
+from arrangement.library.published import published_counts
 
 T = sympy.Symbol("t")
 
@@ -61,6 +62,16 @@ POLYNOMIALS: dict[str, tuple[Callable[[int], Arrangement], Callable[[int], Any],
 def test_characteristic_polynomials(name, n):
     family, chi, _ = POLYNOMIALS[name]
     assert counts.characteristic_polynomial(family(n)) == sympy.Poly(chi(n), T, domain=sympy.ZZ)
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize(
+    "entry",
+    [entry for entry in published_counts() if entry.regions < 10**9],
+    ids=lambda entry: entry.label,
+)
+def test_region_counts_in_print(entry):
+    assert counts.region_count(entry.planes()) == entry.regions
 
 
 EXPONENTS = {"A4": (1, 2, 3, 4), "B3": (1, 3, 5), "C4": (1, 3, 5, 7), "D5": (1, 3, 4, 5, 7)}
