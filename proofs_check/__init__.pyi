@@ -5,6 +5,7 @@ from .errors import (
     OwnClaimError as OwnClaimError,
     UnknownClaimError as UnknownClaimError,
 )
+from .instances.families import family as family
 from .own_claims.claim_file import load as load
 from .own_claims.user_claim import claim as claim
 from .statements.evidence import (

@@ -278,16 +278,14 @@ def _own_claims(asked: _Request) -> Iterator[Claim]:
         raise OwnClaimError("ids and files are both given; run the claims of files on their own")
     if samples is not None and samples < 0:
         raise OwnClaimError(f"--samples is {samples}; it must be at least 0")
-    if census is not None and census not in (0, *range(3, 9)):
-        raise OwnClaimError(f"--census is {census}; give 3 to 8 planes, or 0")
     listed = [asked.own] if asked.own else (c for name in names for c in claim_file.named(name))
     for claim in listed:
         changed = claim
         if samples is not None and claim.domain:
             changed = replace(claim, samples=samples)
-        if census is not None and claim.domain and claim.domain.unit == "planes":
+        if census is not None and claim.domain:
             others = [source for source in claim.sources if source.kind is not Kind.EXHAUSTIVE]
-            types = user_claim.census_sources(census)
+            types = user_claim.type_sources(claim.domain, census)
             changed = replace(changed, sources=(*types, *others))
         yield changed
 

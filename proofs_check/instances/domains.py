@@ -12,7 +12,9 @@ from random import Random
 from typing import Any
 
 from arrangement.arrangement import Arrangement
+from arrangement.errors import refusal
 from arrangement.library import families
+from arrangement.numbers.exact import shown
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
 from proofs_check.errors import UnknownDomainError
@@ -21,6 +23,7 @@ from proofs_check.statements.statement import Case, Domain
 
 from .arrangements import random_arrangement
 from .grasps import grasp_of
+from .pseudolines import PSEUDOLINES, Pseudolines
 
 #: Rational unit normals: along the axes, and of the triangles 3-4-5 and 5-12-13.
 _UNITS = tuple(
@@ -34,11 +37,16 @@ def domain(name: str) -> Domain:
     """Return a domain by name.
 
     Raises:
-        UnknownDomainError: no domain has this name; the message lists them all.
+        UnknownDomainError: no domain has this name; the message lists those of the documentation.
     """
     if name in DOMAINS:
         return DOMAINS[name]
-    raise UnknownDomainError(f"no domain is called {name!r}; there are {', '.join(DOMAINS)}")
+    known = [entry for entry in DOMAINS if entry != "question"]
+    mistake = f"no domain is called {shown(name)}"
+    listed = str(refusal(mistake, name, [*known, "dual"], "there are"))
+    raise UnknownDomainError(
+        f"{listed}, and families such as catalan(n=2..8), which arrangement make --help lists"
+    )
 
 
 def count(subject: Any) -> int:
@@ -48,6 +56,8 @@ def count(subject: Any) -> int:
 
 def size(subject: Any) -> tuple[Any, ...]:
     """Return a key that sorts instances: fewer planes first, then smaller numbers."""
+    if isinstance(subject, Pseudolines):
+        return (len(subject), subject.signs.count(0), subject.signs)
     if isinstance(subject, Arrangement):
         rows = subject.integer_planes
         entries = [abs(x) for row in rows for x in row]
@@ -190,5 +200,6 @@ _LISTED = (
         _random_question,
         lambda x: isinstance(x, Question),
     ),
+    PSEUDOLINES,
 )
 DOMAINS: Mapping[str, Domain] = {entry.name: entry for entry in _LISTED}

@@ -11,16 +11,18 @@ from __future__ import annotations
 import ast
 import math
 import operator
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
+from typing import Any, TypeAlias
 
 from arrangement import counts
 from arrangement.arrangement import Arrangement
 from arrangement.errors import refusal
 from arrangement.numbers.exact import shown
 from proofs_check.errors import OwnClaimError
+from proofs_check.instances.families import Family, is_family, read_family
+from proofs_check.instances.pseudolines import Pseudolines
 from proofs_check.statements.statement import Claim
 
 from .claim_file import compared
@@ -29,16 +31,21 @@ from .user_claim import claim
 _LONGEST = 500  # characters of a text
 _BITS = 4096  # of a number on the way
 _COMPUTED = (int, Fraction)
+Planes: TypeAlias = Arrangement | Pseudolines
 
 #: What a text can name, and how it is computed; besides there is ``chi(t)``.
-QUANTITIES: Mapping[str, Callable[[Arrangement], Any]] = {
+QUANTITIES: Mapping[str, Callable[[Any], Any]] = {
     "m": lambda planes: len(planes.distinct),
     "rank": lambda planes: planes.rank,
-    "regions": lambda planes: len(planes.regions()),
-    "bounded_regions": lambda planes: len(planes.bounded_regions()),
+    "regions": lambda planes: sum(map(abs, _whitney(planes))),
+    "bounded_regions": lambda planes: (
+        abs(sum(_whitney(planes))) * (planes.rank == planes.dimension)
+    ),
     "f_vector": lambda planes: planes.f_vector,
     "p_vector": lambda planes: planes.p_vector,
-    "t_vector": counts.t_vector,
+    "t_vector": lambda planes: (
+        planes.t_vector if isinstance(planes, Pseudolines) else counts.t_vector(planes)
+    ),
     "central": lambda planes: planes.is_central,
     "simple": lambda planes: planes.is_simple,
     "simplicial": lambda planes: planes.is_simplicial,
@@ -68,7 +75,8 @@ def one_line_claim(text: str, *, of: str = "distinct", when: str | None = None) 
 
     Args:
         text: the statement (see the head of this module).
-        of: a domain of planes.
+        of: a domain of planes or pseudolines, or a family such as ``catalan(n=2..8)``, whose
+            integer parameters are names in the text.
         when: a hypothesis in the same language.
 
     Raises:
@@ -79,23 +87,58 @@ def one_line_claim(text: str, *, of: str = "distinct", when: str | None = None) 
             f"of is {of}; a claim in one line is about planes: name a domain of planes, or write "
             "a file of claims (proofs-check new)"
         )
-    statement, hypothesis = _read(text), _read(when) if when else None
+    chosen = members(of)
+    names = chosen.integers if chosen else ()
+    statement, hypothesis = read(text, names), read(when, names) if when else None
 
-    def holds(planes: Arrangement) -> Any:
-        return _Computed(text, planes).verdict(statement)
+    def holds(planes: Planes, **parameters: int) -> Any:
+        return _Computed(planes, parameters).verdict(statement)
 
-    def applies(planes: Arrangement) -> bool:
-        return hypothesis is None or bool(_Computed(when or "", planes).value(hypothesis))
+    def applies(planes: Planes, **parameters: int) -> bool:
+        return hypothesis is None or bool(_Computed(planes, parameters).value(hypothesis))
 
     make = claim(
-        text, of=of, id="try", locator="one line", when=applies, hypotheses=[when] if when else []
+        text,
+        of=chosen or of,
+        id="try",
+        locator="one line",
+        when=applies,
+        hypotheses=[when] if when else [],
     )
     quantity = "whether the statement is true"
     return replace(make(holds), quantity=quantity)
 
 
-def _read(text: str) -> ast.expr:
-    """Return the syntax tree of a text, every node of which is in the language."""
+def members(of: str) -> Family | None:
+    """Return the family that a text names; None if it is a domain."""
+    return read_family(of) if is_family(of) else None
+
+
+def computed(node: ast.expr, planes: Planes, parameters: Mapping[str, Any]) -> Any:
+    """Return the value of a text on one arrangement.
+
+    Raises:
+        OwnClaimError: it has none.
+    """
+    return _Computed(planes, parameters).value(node)
+
+
+def _whitney(planes: Planes) -> tuple[int, ...]:
+    if isinstance(planes, Pseudolines):
+        return planes.whitney_numbers
+    return counts.first_whitney_numbers(planes)
+
+
+def read(text: str, names: Collection[str] = ()) -> ast.expr:
+    """Return the syntax tree of a text, every node of which is in the language.
+
+    Args:
+        text: see the head of this module.
+        names: of integers that it may have besides.
+
+    Raises:
+        OwnClaimError: it has something else.
+    """
     if len(text) > _LONGEST:
         raise OwnClaimError(f"the claim has {len(text)} characters; at most {_LONGEST} are read")
     try:
@@ -104,45 +147,46 @@ def _read(text: str) -> ast.expr:
         raise OwnClaimError(
             f'{shown(text)} cannot be read; write a comparison such as "p_vector.get(3, 0) >= m"'
         ) from None
-    _check(tree, text)
+    _check(tree, text, {*QUANTITIES, *names})
     return tree
 
 
-def _check(node: ast.expr, text: str) -> None:
+def _check(node: ast.expr, text: str, names: Collection[str]) -> None:
     """Refuse what is not in the language, with the part of the text that is not."""
     match node:
         case ast.Name(id=name):
-            if name not in QUANTITIES:
+            if name not in names:
                 mistake = f"{shown(name)} is no quantity"
-                raise OwnClaimError(str(refusal(mistake, name, [*QUANTITIES, "chi(t)"])))
+                listed = [*QUANTITIES, "chi(t)", *sorted({*names} - {*QUANTITIES})]
+                raise OwnClaimError(str(refusal(mistake, name, listed)))
         case ast.Constant(value=int(number)) if (
             not isinstance(number, bool) and abs(number).bit_length() <= _BITS
         ):
             pass
         case ast.BinOp(left=left, op=op, right=right) if type(op) in _ARITHMETIC:
-            _check_all([left, right], text)
+            _check_all([left, right], text, names)
         case ast.UnaryOp(op=ast.USub() | ast.Not(), operand=inner):
-            _check(inner, text)
+            _check(inner, text, names)
         case ast.BoolOp(values=parts) | ast.Tuple(elts=parts) | ast.List(elts=parts):
-            _check_all(parts, text)
+            _check_all(parts, text, names)
         case ast.Compare(left=left, ops=ops, comparators=others) if all(
             isinstance(op, _COMPARISONS) for op in ops
         ):
-            _check_all([left, *others], text)
+            _check_all([left, *others], text, names)
         case ast.Subscript(value=value, slice=index) if not isinstance(index, ast.Slice):
-            _check_all([value, index], text)
+            _check_all([value, index], text, names)
         case ast.Call(
             func=ast.Attribute(value=value, attr="get"), args=[_, _] as given, keywords=[]
         ):
-            _check_all([value, *given], text)
+            _check_all([value, *given], text, names)
         case ast.Call(
             func=ast.Attribute(value=value, attr="values" | "keys"), args=[], keywords=[]
         ):
-            _check(value, text)
+            _check(value, text, names)
         case ast.Call(func=ast.Name(id=name), args=[_, *_] as given) if (
             not node.keywords and name in (*_FUNCTIONS, "chi")
         ):
-            _check_all(given, text)
+            _check_all(given, text, names)
         case _:
             part = shown(ast.get_source_segment(text.strip(), node) or text)
             raise OwnClaimError(
@@ -152,16 +196,16 @@ def _check(node: ast.expr, text: str) -> None:
             )
 
 
-def _check_all(nodes: list[ast.expr], text: str) -> None:
+def _check_all(nodes: list[ast.expr], text: str, names: Collection[str]) -> None:
     for node in nodes:
-        _check(node, text)
+        _check(node, text, names)
 
 
 class _Computed:
     """The values of the parts of a text, on one arrangement."""
 
-    def __init__(self, text: str, planes: Arrangement) -> None:
-        self.text, self.planes = text, planes
+    def __init__(self, planes: Planes, parameters: Mapping[str, Any]) -> None:
+        self.planes, self.parameters = planes, parameters
 
     def verdict(self, node: ast.expr) -> Any:
         """Return True, or what is false: a comparison with its values."""
@@ -201,6 +245,8 @@ class _Computed:
     def _value(self, node: ast.expr) -> Any:
         match node:
             case ast.Name(id=name):
+                if name in self.parameters:
+                    return self.parameters[name]
                 return QUANTITIES[name](self.planes)
             case ast.Constant(value=value):
                 return value
@@ -234,9 +280,10 @@ class _Computed:
             return _FUNCTIONS[function.id](*given)
         (point,) = map(_number, given)
         whole: int | Fraction = 0
-        for coefficient in counts.characteristic_polynomial(self.planes).all_coeffs():
-            whole = whole * point + int(coefficient)
-        return whole
+        for coefficient in _whitney(self.planes):
+            whole = whole * point + coefficient
+        # Below the rank all coefficients are zero.
+        return whole * point ** (self.planes.dimension + 1 - len(_whitney(self.planes)))
 
 
 def _number(value: Any) -> int | Fraction:

@@ -23,6 +23,7 @@ from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
 from proofs_check.instances.arrangements import smallest_arrangements
 from proofs_check.instances.domains import contact_numbers, count, size
+from proofs_check.instances.pseudolines import Pseudolines
 from proofs_check.statements.statement import Case
 
 MOST_TRIES = 4000
@@ -35,12 +36,12 @@ def shrink(subject: Any, fails: Callable[[Any], bool], tries: int = MOST_TRIES) 
     """Return a smaller instance that still fails, and how many instances were tried.
 
     Args:
-        subject: an `Arrangement` or a `Grasp` that fails.
+        subject: an `Arrangement`, `Pseudolines` or a `Grasp` that fails.
         fails: whether an instance belongs to the domain and fails.
         tries: at most so many calls of `fails`.
     """
     tried = 0
-    steps = _arrangement_steps if isinstance(subject, Arrangement) else _grasp_steps
+    steps = next(made for kind, made in _STEPS.items() if isinstance(subject, kind))
     progress = True
     while progress:
         progress = False
@@ -68,7 +69,10 @@ def smallest_case(cases: list[Case], fails: Callable[[Any], bool]) -> tuple[Case
             subject, more = shrink(candidate, fails)
             searched += more
             break
-    return Case(f"m = {count(subject)}, from {start.label}", subject, subject.to_dict()), searched
+    unit = "n" if isinstance(subject, Pseudolines) else "m"
+    return Case(
+        f"{unit} = {count(subject)}, from {start.label}", subject, subject.to_dict()
+    ), searched
 
 
 def smaller_instances(planes: int, most: int = 7) -> Iterator[Arrangement]:
@@ -141,6 +145,18 @@ def _smaller_contacts(contact: Contact) -> list[Contact]:
     found = {replace(contact, **change) for change in changes}
     here = _contact_weight(contact)
     return sorted((c for c in found if _contact_weight(c) < here), key=_contact_weight)
+
+
+def _pseudoline_steps(lines: Pseudolines) -> Iterator[Pseudolines]:
+    """Yield what is left without each pseudoline."""
+    return filter(None, map(lines.without, range(len(lines))))
+
+
+_STEPS: dict[type, Callable[[Any], Iterator[Any]]] = {
+    Arrangement: _arrangement_steps,
+    Pseudolines: _pseudoline_steps,
+    Grasp: _grasp_steps,
+}
 
 
 def _nearer(value: Fraction) -> tuple[Fraction, ...]:

@@ -18,16 +18,20 @@ with ``python FILE.py``. Nothing else that this package reads is ever executed.
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from numbers import Integral
 from typing import Any
 
 from arrangement.arrangement import Arrangement
+from arrangement.console.number_form import counted
 from arrangement.duals.zonohedron import dual_polyhedron
 from proofs_check.errors import OwnClaimError
 from proofs_check.instances.arrangements import census_cases
 from proofs_check.instances.domains import domain, known_families
+from proofs_check.instances.families import Family, Member, is_family, read_family
+from proofs_check.instances.pseudolines import type_sources as pseudoline_sources
 from proofs_check.reports.formula import mathml
 from proofs_check.statements.statement import (
     Case,
@@ -46,7 +50,7 @@ from .shrink import smallest_case
 def claim(
     statement: str,
     *,
-    of: str | Iterable[Any] = "distinct",
+    of: str | Family | Iterable[Any] = "distinct",
     routes: Iterable[Callable[[Any], Any]] = (),
     id: str | None = None,
     planes: Sequence[int] | None = None,
@@ -64,15 +68,18 @@ def claim(
     Args:
         statement: in words.
         of: a domain of `instances.domains` ("distinct", "simple", "central", "affine", ...,
-            "grasp"), or "dual" for the dual polyhedra of different planes of rank 3; or a list of
-            instances of any kind, or a mapping from labels to instances, which are then all.
+            "grasp"), or "dual" for the dual polyhedra of different planes of rank 3; or a `family`
+            or its text, such as "catalan(n=2..8)"; or a list of instances of any kind, or a mapping
+            from labels to instances. The members of a family, or the instances, are then all.
         routes: functions that get an instance and return one value by different ways; they must
-            agree, and the decorated function gets the instance and the value.
+            agree, and the decorated function gets the instance and the value. Of a family each of
+            the functions may take its parameters too, by their names.
         id: name of the claim; if omitted, the name of the function.
         planes: smallest and largest number of planes or contacts of random instances; if omitted,
             from the domain's least (at least 3) to 8 planes, or 1 to 4 contacts.
         samples: number of random instances.
-        census: run over every combinatorial type of up to so many planes (at most 8; 0 for none).
+        census: run over every combinatorial type of up to so many planes (at most 8; of
+            pseudolines 9; 0 for none).
         families: run over the named families.
         when: a hypothesis; instances on which it is false are passed over.
         hypotheses: the same in words, for the report.
@@ -83,11 +90,15 @@ def claim(
     Raises:
         OwnClaimError: an argument out of range.
     """
-    _check(statement, samples, census, expected)
+    if isinstance(of, str) and is_family(of):
+        of = read_family(of)
+    _check(statement, samples, expected)
     if formula:
         mathml(formula)
-    as_dual, listed = of == "dual", None if isinstance(of, str) else _cases(of)
+    as_dual = of == "dual"
+    listed = None if isinstance(of, str) else _listed(of)
     chosen = domain("distinct" if as_dual else of) if isinstance(of, str) else None
+    types = () if chosen is None else type_sources(chosen, census)
     limits = _limits(chosen, planes) if chosen else (0, 0)
 
     def given(subject: Any) -> Any:
@@ -98,12 +109,10 @@ def claim(
         name = id_of(function, id)
         sources: tuple[Source, ...] = ()
         if listed is not None:
-            sources = (
-                Source(Kind.EXHAUSTIVE, f"the {len(listed)} given instances", lambda _: listed),
-            )
-        elif chosen and chosen.unit == "planes":
+            sources = (listed,)
+        elif chosen:
             named = (Source(Kind.SAMPLED, "named families", lambda _: known_families(chosen)),)
-            sources = census_sources(census) + (named if families else ())
+            sources = types + (named if families and chosen.unit == "planes" else ())
         return Claim(
             id=name,
             locator=locator,
@@ -111,7 +120,8 @@ def claim(
             sources=sources,
             expected=Verdict(expected),
             hypotheses=tuple(hypotheses),
-            applies=partial(_applies, name, chosen, given, when),
+            applies=partial(_applies, name, given, when),
+            within=partial(_within, chosen) if chosen else None,
             domain=chosen,
             sizes=limits,
             samples=samples if chosen else 0,
@@ -123,13 +133,11 @@ def claim(
     return decorate
 
 
-def _check(statement: str, samples: int, census: int, expected: str) -> None:
+def _check(statement: str, samples: int, expected: str) -> None:
     if not isinstance(statement, str) or not statement.strip():
         raise OwnClaimError('a claim needs a statement in words: @claim("...")')
     if type(samples) is not int or samples < 0:
         raise OwnClaimError(f"samples is {samples!r}; give an integer, at least 0")
-    if type(census) is not int or census not in (0, 3, 4, 5, 6, 7, 8):
-        raise OwnClaimError(f"census is {census!r}; give 3 to 8 planes, or 0 for no census")
     if expected not in (Verdict.HOLDS.value, Verdict.REFUTED.value):
         raise OwnClaimError(f'expected is {expected!r}; give "holds" or "refuted"')
 
@@ -137,14 +145,15 @@ def _check(statement: str, samples: int, census: int, expected: str) -> None:
 Given = Callable[[Any], Any]
 
 
-def _applies(
-    name: str, chosen: Domain | None, given: Given, when: Given | None, subject: Any
-) -> bool:
-    """Whether an instance is of the domain and satisfies the hypothesis."""
-    if chosen and (len(subject) < chosen.least or not chosen.contains(subject)):
-        return False
+def _within(chosen: Domain, subject: Any) -> bool:
+    """Whether an instance is of the domain."""
+    return len(subject) >= chosen.least and chosen.contains(subject)
+
+
+def _applies(name: str, given: Given, when: Given | None, subject: Any) -> bool:
+    """Whether an instance satisfies the hypothesis."""
     try:
-        return when is None or bool(when(given(subject)))
+        return when is None or bool(_with_parameters(when, given(subject)))
     except Exception as error:
         text = f"{type(error).__name__}: {error}"
         raise OwnClaimError(f"the hypothesis `when` of {name} raised {text}") from error
@@ -186,6 +195,15 @@ def _checks(
     }
 
 
+def _listed(instances: Family | Iterable[Any]) -> Source:
+    """Return the members of a family, or listed instances, as the only source of a claim."""
+    if isinstance(instances, Family):
+        over = f"{instances}, {counted(len(instances), 'member')}"
+        return Source(Kind.EXHAUSTIVE, over, lambda _: instances.cases())
+    listed = _cases(instances)
+    return Source(Kind.EXHAUSTIVE, f"the {len(listed)} given instances", lambda _: listed)
+
+
 def _cases(instances: Iterable[Any]) -> list[Case]:
     """Return listed instances as cases, with labels and, where there is one, their file form."""
     pairs = (
@@ -210,10 +228,20 @@ def _told(way: Callable[[Any], Any]) -> str:
 def _called(function: Callable[..., Any], *arguments: Any) -> Any:
     """Call a function of a file; its errors note the line in the file."""
     try:
-        return function(*arguments)
+        return _with_parameters(function, *arguments)
     except Exception as error:
         error.add_note(line_of(error, getattr(function, "__code__", _called.__code__).co_filename))
         raise
+
+
+def _with_parameters(function: Callable[..., Any], subject: Any, *more: Any) -> Any:
+    """Call a function with an instance; of a family, with those parameters that it names."""
+    if not isinstance(subject, Member):
+        return function(subject, *more)
+    named = inspect.signature(function).parameters
+    every = any(parameter.kind is parameter.VAR_KEYWORD for parameter in named.values())
+    chosen = {key: value for key, value in subject.parameters.items() if every or key in named}
+    return function(subject.planes, *more, **chosen)
 
 
 def _value(way: Callable[[Any], Any], subject: Any) -> Any:
@@ -222,12 +250,22 @@ def _value(way: Callable[[Any], Any], subject: Any) -> Any:
     return int(value) if isinstance(value, Integral) and not isinstance(value, bool) else value
 
 
-def census_sources(most: int) -> tuple[Source, ...]:
-    """Return the source with all types of 3 to so many planes; none for 0."""
+def type_sources(chosen: Domain, most: int) -> tuple[Source, ...]:
+    """Return the sources with all types of 3 to so many planes or pseudolines; none for 0.
+
+    Raises:
+        OwnClaimError: the census has no such number.
+    """
+    largest = chosen.most or 8
+    if type(most) is not int or most not in (0, *range(3, largest + 1)):
+        unit = chosen.unit if chosen.most else "planes"
+        raise OwnClaimError(f"census is {most!r}; give 3 to {largest} {unit}, or 0 for no census")
+    if not most or chosen.unit == "contacts":
+        return ()
+    if chosen.unit == "pseudolines":
+        return pseudoline_sources(most)
     over = f"one arrangement of every combinatorial type of 3 to {most} planes"
-    return (
-        (Source(Kind.EXHAUSTIVE, over, lambda _: census_cases(range(3, most + 1))),) if most else ()
-    )
+    return (Source(Kind.EXHAUSTIVE, over, lambda _: census_cases(range(3, most + 1))),)
 
 
 def _answer(name: str, function: Callable[..., Any], *arguments: Any) -> bool | str:
@@ -255,13 +293,10 @@ def _reason(answer: bool | str) -> str:
 
 def _limits(chosen: Domain, planes: Sequence[int] | None) -> tuple[int, int]:
     if planes is None:
-        return (max(3, chosen.least), 8) if chosen.unit == "planes" else (1, 4)
+        return (1, 4) if chosen.unit == "contacts" else (max(3, chosen.least), chosen.most or 8)
     if len(planes) != 2 or not all(type(m) is int for m in planes):
         raise OwnClaimError(f"planes is {planes!r}; give a smallest and a largest number")
     low, high = planes
-    if not chosen.least <= low <= high:
-        raise OwnClaimError(
-            f"planes is ({low}, {high}); {chosen.text} need at least {chosen.least}, and the "
-            "smaller number stands first"
-        )
+    if mistake := chosen.mistake(low, high):
+        raise OwnClaimError(f"planes is ({low}, {high}); {mistake}")
     return (low, high)

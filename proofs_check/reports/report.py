@@ -162,12 +162,14 @@ def badges(claim: Claim, evidence: Evidence | None = None) -> list[dict[str, Any
 
 
 def _part_text(part: Part, seed: int) -> str:
-    beyond = f" ({part.passed_over} more outside the hypotheses)" if part.passed_over else ""
+    outside = {"outside the domain": part.foreign, "outside the hypotheses": part.passed_over}
+    beyond = ", ".join(f"{n} more {where}" for where, n in outside.items() if n)
+    beyond = f" ({beyond})" if beyond else ""
     cases = f"{counted(part.checked, 'case')}{beyond}"
     if part.kind is Kind.PROVED:
         return f"proof for any m (docs, Proofs); {cases}: {part.over}"
     if part.kind is Kind.EXHAUSTIVE:
-        return f"{'the one case' if part.checked == 1 else f'all {cases}'}: {part.over}"
+        return f"{f'the one case{beyond}' if part.checked == 1 else f'all {cases}'}: {part.over}"
     return f"{counted(part.checked, 'sample')}{beyond}: {part.over}, seed {seed}"
 
 
@@ -190,7 +192,7 @@ def _counterexample_text(claim: Claim, evidence: Evidence, record: Record) -> st
     if evidence.searched:
         tried = f"try {evidence.searched} of a search from the smallest"
         return f"{condition}smallest counterexample: {shown} ({tried})"
-    remark = f": {record.note}" if record.note and claim.file else ""
+    remark = f": {record.note}" if record.note and len(record.values) == 1 else ""
     return f"{condition}counterexample among these cases: {shown}{remark}"
 
 
@@ -202,6 +204,8 @@ def instance_text(document: Mapping[str, Any] | None) -> str:
         rows = " ".join(_row(row) for row in document["planes"])
         offsets = document.get("offsets")
         return f"planes {rows}" + (f" offsets {_row(offsets)}" if offsets else "")
+    if "pseudolines" in document:
+        return f"{document['pseudolines']} pseudolines {value_text(document['chirotope'])}"
     if "contacts" in document:
         contacts = ", ".join(_contact_text(contact) for contact in document["contacts"])
         wrench = document.get("wrench")
@@ -272,8 +276,9 @@ def _table(parts: tuple[Part, ...]) -> dict[str, Any]:
     """Return the numbers of each source, where there are several."""
     if len(parts) < 2:
         return {}
-    columns = ["kind", "over", "checked", "failures", "outside the hypotheses"]
-    rows = [[p.kind.value, p.over, p.checked, p.failures, p.passed_over] for p in parts]
+    outside = ("outside the domain", "outside the hypotheses")
+    columns = ["kind", "over", "checked", "failures", *outside]
+    rows = [[p.kind.value, p.over, p.checked, p.failures, p.foreign, p.passed_over] for p in parts]
     return {"table": {"columns": columns, "rows": rows}}
 
 

@@ -71,8 +71,8 @@ class Part(Shown):
     """What was checked from one source.
 
     Attributes:
-        checked, failures, passed_over: numbers of instances; the statement does not speak of those
-            that were passed over.
+        checked, failures, passed_over, foreign: numbers of instances; those passed over are outside
+            the hypotheses, foreign ones outside the domain.
     """
 
     kind: Kind
@@ -80,6 +80,7 @@ class Part(Shown):
     checked: int
     failures: int = 0
     passed_over: int = 0
+    foreign: int = 0
 
 
 @dataclass(frozen=True, repr=False)
@@ -206,18 +207,19 @@ def evaluate(claim: Claim, seed: int = 0, progress: Callable[[int], None] | None
     failing: list[tuple[Case, Record]] = []
     seen = 0
     for source in claim.all_sources(seed):
-        first, passed_over, failures = len(records), 0, len(failing)
+        first, passed_over, foreign, failures = len(records), 0, 0, len(failing)
         for case in source.cases(generator):
             seen += 1
             if progress:
                 progress(seen)
             if not claim.includes(case.subject):
-                passed_over += 1
+                outside = not claim.has_within(case.subject)
+                foreign, passed_over = foreign + outside, passed_over + (not outside)
                 continue
             records.append(check(claim, case))
             if not records[-1].holds:
                 failing.append((case, records[-1]))
-        counted = (len(records) - first, len(failing) - failures, passed_over)
+        counted = (len(records) - first, len(failing) - failures, passed_over, foreign)
         parts.append(Part(source.kind, source.over, *counted))
     searched, smallest = _smallest_failure(claim, failing)
     evidence = Evidence(seed, tuple(parts), tuple(records), searched, smallest)

@@ -82,6 +82,7 @@ class Domain(Shown):
         least: the smallest number of them that is drawn.
         draw: a random instance with a given number of planes or contacts.
         contains: whether an instance belongs to it.
+        most: the largest number of them that is drawn, if there is one.
     """
 
     name: str
@@ -90,6 +91,14 @@ class Domain(Shown):
     least: int
     draw: Callable[[Random, int], Any]
     contains: Callable[[Any], bool]
+    most: int | None = None
+
+    def mistake(self, low: int, high: int) -> str:
+        """Return why there are no instances of so many planes or contacts; "" if there are."""
+        if self.least <= low <= high <= (self.most or high):
+            return ""
+        upto = f" and at most {self.most}" if self.most else ""
+        return f"{self.text} need at least {self.least}{upto}, and the smaller number stands first"
 
 
 @dataclass(frozen=True, repr=False)
@@ -158,6 +167,7 @@ class Claim(Shown):
         expected: the verdict of the registry; it decides the exit code and nothing else.
         hypothesis: the condition that saves the statement, if there is one.
         applies: whether the statement speaks of a subject; where it is false, nothing is checked.
+        within: whether a subject belongs to the domain; likewise, and it is counted apart.
         domain: of random instances, for sweeps and for samples; None if there are none.
         sizes: smallest and largest number of planes or contacts of the samples.
         samples: the number of random instances that are checked beside the sources.
@@ -189,6 +199,7 @@ class Claim(Shown):
     hypotheses: tuple[str, ...] = ()
     hypothesis: Hypothesis | None = None
     applies: Callable[[Any], bool] | None = None
+    within: Callable[[Any], bool] | None = None
     domain: Domain | None = None
     sizes: tuple[int, int] = (0, 0)
     samples: int = 0
@@ -213,7 +224,11 @@ class Claim(Shown):
 
     def includes(self, subject: Any) -> bool:
         """Whether the statement speaks of a subject."""
-        return self.applies is None or self.applies(subject)
+        return self.has_within(subject) and (self.applies is None or self.applies(subject))
+
+    def has_within(self, subject: Any) -> bool:
+        """Whether a subject belongs to the domain."""
+        return self.within is None or self.within(subject)
 
     def cases(self, generator: Random) -> Iterator[Case]:
         """Yield the cases of all sources."""

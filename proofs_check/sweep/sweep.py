@@ -147,11 +147,8 @@ def plan_sweep(
     chosen = target(source)
     domain = domain_of(chosen)
     low, high = planes
-    if not domain.least <= low <= high:
-        raise SweepError(
-            f"planes is {low}..{high}; {domain.text} need at least {domain.least}, "
-            "and the smaller number stands first"
-        )
+    if mistake := domain.mistake(low, high):
+        raise SweepError(f"planes is {low}..{high}; {mistake}")
     if samples is None:
         if domain.unit != "planes" or low < 3 or high > MOST_PLANES:
             raise SweepError(
