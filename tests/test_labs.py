@@ -206,6 +206,18 @@ def test_what_is_no_number_is_marked_and_changes_nothing(lab, opened):
     assert '"-1/1000"' in exact or '["-1", "1000", "-1000"]' in exact
 
 
+def test_a_decimal_comma_is_read_as_a_point(lab, opened):
+    found = []
+    for text in ("-0,75", "-0.75"):
+        opened.put(lab.field, text, "input")
+        assert opened.count('[aria-invalid="true"]') == 0
+        found.append(lab.state(opened))
+        opened.put(lab.field, "1", "input")
+    assert found[0] == found[1] != lab.state(opened)
+    opened.put(lab.field, "1,2,3", "input")
+    assert opened.count('[aria-invalid="true"]') == 1
+
+
 def test_numbers_out_of_range_are_refused(lab, opened):
     for (*before, last), why in lab.refused:
         for field, text in before:

@@ -137,6 +137,24 @@ def test_it_names_every_type_of_up_to_six_planes(opened):
     assert [answer["type"] for answer in answers] == [name for _, name in listed]
 
 
+def test_simplicial_planes_have_their_number_in_the_catalogue(opened):
+    rng = random.Random(3)
+    entries = [entry for entry in families.simplicial_entries() if 6 < entry[0] <= 20]
+    known = [entry for entry in entries if families.simplicial(*entry).field is None]
+    rational = families.simplicial_entries(rational=True)
+    assert known == [entry for entry in rational if entry in entries]
+    listed = [transformed(families.simplicial(*entry), rng) for entry in known]
+    names = [answer["type"] for answer in counted(opened, listed)]
+    assert names == [f"A({m},{k})" for m, k in known]
+    others = [read_arrangement("reflection-b3"), read_arrangement("nine-generic-planes")]
+    assert [answer["type"] for answer in counted(opened, others)] == ["A(9,1)", None]
+
+
+def test_the_mirrors_of_the_cube_are_called_by_their_name(browser, tmp_path):
+    browser.show(lab_page(read_arrangement("reflection-b3")), tmp_path)
+    assert fact(browser, "type") == "A(9,1), mirrors of the cube B₃"
+
+
 def shown(browser: Browser) -> Arrangement:
     """Return the arrangement of the address."""
     version, dimension, rows = browser.run("return location.hash.slice(1)").split("|")

@@ -273,12 +273,33 @@ def test_a_cell_of_motions_is_shown_on_the_grasp(opened):
     assert "Click" in opened.text("motion-words")
 
 
+def test_directions_may_have_decimal_commas(opened):
+    opened.run("document.querySelector('#tabs [data-contact]').click()")
+    for text in ("3/5, 4/5", "0.6, 0.8", "0,6; 0,8", "0,6 0,8", "(3, 4)"):
+        opened.put("c-n", "1, 0", "input")
+        opened.put("c-n", text, "input")
+        assert opened.count('[aria-invalid="true"]') == 0, text
+        grasp, _ = question(opened)
+        assert list(map(str, grasp.contacts[0].normal)) == ["3/5", "4/5"], text
+    for text in ("0,6, 0,8", "3; 4; 5"):
+        opened.put("c-n", text, "input")
+        assert opened.count('[aria-invalid="true"]') == 1, text
+
+
+FILLS = "return [...document.querySelectorAll(arguments[0])].map((one) => one.style.fill)"
+
+
 def test_the_algorithms_can_be_stepped(opened):
     time.sleep(0.5)
     opened.put("algorithm", "planes")
-    for expected in ("2", "4", "8"):
+    for expected, edges in (("2", 1), ("4", 4), ("8", 12)):
         assert opened.run("return document.querySelector('#told b').textContent") == expected
+        assert opened.count("#dual .vertex") == int(expected)
+        assert opened.count("#dual .edge") == edges
         opened.run("document.getElementById('step').click()")
+    fills = set(opened.run(FILLS, "#dual .vertex"))
+    assert len(fills) == 8
+    assert fills == set(opened.run(FILLS, "#discs .cell"))
     opened.put("algorithm", "states")
     grasp, wrench = question(opened)
     accepted = []

@@ -18,7 +18,7 @@ from arrangement.drawing.solids.surface import Patch, rounded
 
 from .html_page import BASE_SCRIPT, BASE_STYLE, one_page, own
 
-SCRIPTS = (BASE_SCRIPT, *map(own, ("ball.js", "turning.js", "solid.js")))
+SCRIPTS = (BASE_SCRIPT, *map(own, ("dual.js", "ball.js", "turning.js", "solid.js")))
 
 
 @dataclass(frozen=True)

@@ -74,9 +74,19 @@ def printed_vectors(planes: int, number: int) -> tuple[dict[int, int], dict[int,
     return t, r
 
 
-def simplicial_entries() -> tuple[tuple[int, int], ...]:
-    """Return the entries (planes, number) that `simplicial` knows, by number of planes."""
-    return tuple(_document())
+def simplicial_entries(*, rational: bool = False) -> tuple[tuple[int, int], ...]:
+    """Return the entries (planes, number) that `simplicial` knows, by number of planes.
+
+    Args:
+        rational: only those whose planes have rational entries here.
+    """
+    return tuple(key for key in _document() if not rational or _is_rational(*key))
+
+
+def _is_rational(planes: int, number: int) -> bool:
+    """Return whether an entry needs no field; `regular` needs that of cos(2 pi / n)."""
+    entry = _entry(planes, number)
+    return "field" not in entry if "normals" in entry else planes // 2 in (3, 4, 6)
 
 
 def _entry(planes: int, number: int) -> dict[str, Any]:

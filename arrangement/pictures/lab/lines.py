@@ -7,6 +7,7 @@ form of its own.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,7 @@ from arrangement.counts import essentialization
 from arrangement.drawing.pages.html_page import Template
 from arrangement.errors import InputError
 from arrangement.library.census import census
+from arrangement.library.families import simplicial, simplicial_entries
 from arrangement.library.files.table import read_arrangement
 from arrangement.numbers import budget
 from arrangement.numbers.exact import rational, shown, to_text
@@ -126,10 +128,19 @@ def _is_list_of_planes(one: Any) -> bool:
     )
 
 
+def _named(most: int) -> Iterator[tuple[str, Arrangement]]:
+    """Yield a member of each type that has a name: all up to six planes, then simplicial ones."""
+    for m in range(3, NAMED_PLANES + 1):
+        yield from ((f"{m}.{k}", one) for k, one in enumerate(census(m), 1))
+    for m, k in simplicial_entries(rational=True):
+        if NAMED_PLANES < m <= most:
+            yield f"A({m},{k})", simplicial(m, k)
+
+
 _GOALS = {"counts": _check_counts, "meet": _check_meet, "closes": _check_closes}
 
 
-#: Planes up to which types have names.
+#: Planes up to which all types have names.
 NAMED_PLANES = 6
 #: Five lines of a pentagram, all but regular.
 _FIRST = ((0, 1, -1), (-19, 6, -20), (-3, -4, -5), (3, -4, -5), (19, 6, -20))
@@ -151,7 +162,7 @@ _MOVES = ("moves", "drags", "planes", "goals", "page")
 SCRIPTS: tuple[Template, ...] = (
     RATIONAL,
     LINEAR,
-    ("arrangement.drawing.pages", "ball.js"),
+    *(("arrangement.drawing.pages", f"{name}.js") for name in ("dual", "ball")),
     *((_OWN, f"{name}.js") for name in (*_COUNTS, *_DRAWS, *_MOVES)),
 )
 
@@ -174,19 +185,17 @@ def lab_page(
         InputError: too many planes or digits, another space, or no exercises in the file.
     """
     first = Arrangement(_FIRST) if arrangement is None else as_shown(arrangement)
+    most = budget.most("planes in the lab")
     data: dict[str, Any] = {
         "title": "The arrangement lab" if title is None else title,
         "summary": "Drag lines and great circles; every number is exact.",
-        "most": budget.most("planes in the lab"),
+        "most": most,
         "arrangement": first.to_dict(),
         "examples": [
             {"name": name, "arrangement": read_arrangement(source).to_dict()}
             for name, source in _EXAMPLES
         ],
-        "census": {
-            str(m): [one.to_dict()["planes"] for one in census(m)]
-            for m in range(3, NAMED_PLANES + 1)
-        },
+        "named": [[len(one), name, one.to_dict()["planes"]] for name, one in _named(most)],
         "exercises": line_exercises(exercises),
     }
     styles: list[Template] = [(_OWN, "page.css")]

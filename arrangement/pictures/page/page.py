@@ -29,6 +29,7 @@ _OWN = "arrangement.pictures.page"
 SCRIPTS: tuple[Template, ...] = (
     BASE_SCRIPT,
     (_OWN, "model.js"),
+    own("dual.js"),
     own("ball.js"),
     *((_OWN, f"{name}.js") for name in ("globe", "arrangement")),
     own("turning.js"),

@@ -85,6 +85,7 @@ _VIEWS = ("grasp_view", "motion_view", "map_view", "answer", "steps")
 _SHOWS = ("state", *_VIEWS, "fields", "controls", "judge", "lab")
 SCRIPTS: tuple[Template, ...] = (
     SKETCH_SCRIPT,
+    ("arrangement.drawing.pages", "dual.js"),
     ("arrangement.pictures.lab", "circles.js"),
     *((_OWN, f"{name}.js") for name in ("plane", *_SHOWS)),
 )

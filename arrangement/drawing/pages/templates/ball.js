@@ -1,10 +1,5 @@
 // A ball seen from far away: what of curves and areas on it lies on the half that is seen.
 const RADIUS = 100;
-const cross = (a, b) => [
-  a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0],
-];
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const unit = (a) => { const n = Math.hypot(...a); return a.map((x) => x / n); };
 const turned = (axes, p) => axes.map((axis) => dot(axis, p));
 const fixed = (x) => (Math.round(x * 10) / 10).toString();
 const spot = (p) => `${fixed(RADIUS * p[0])},${fixed(-RADIUS * p[1])}`;
@@ -55,35 +50,6 @@ function paintBallOf(view, regions, circles) {
     draw("path", { class: "stroke", d: near }, group);
   }
   draw("circle", { class: "limb", r: RADIUS }, view);
-}
-
-const pairOf = (a, b) => (a < b ? `${a} ${b}` : `${b} ${a}`);
-
-// The dual, from the back to the front. A face lists its vertices counterclockwise from outside; `place`
-// gives the place of a vertex. A flat one has no far side. Returns which vertices are in front.
-function paintDualOf(view, place, { faces, edges, vertices }, flat, size = 3.4) {
-  view.replaceChildren();
-  const near = faces.filter(({ ids }) => area(ids.map(place)) > 1e-9);
-  const all = flat || !near.length || faces.length <= 2;
-  const corners = new Set(near.flatMap(({ ids }) => ids));
-  const sides = new Set(near.flatMap(({ ids }) => ids.map((id, k) => pairOf(id, ids[(k + 1) % ids.length]))));
-  const ahead = { edge: ({ left, right }) => all || sides.has(pairOf(left, right)), vertex: ({ id }) => all || corners.has(id) };
-  const layer = (front) => {
-    for (const edge of edges.filter((one) => ahead.edge(one) === front)) {
-      const { left, right, tint, ...attributes } = edge;
-      draw("path", { class: `edge${front ? "" : " back"}`, d: `M${spot(place(left))}L${spot(place(right))}`, ...attributes }, view).style.setProperty("--tint", tint);
-    }
-    for (const vertex of vertices.filter((one) => ahead.vertex(one) === front)) {
-      const { id, fill, style = "", ...attributes } = vertex;
-      const [cx, cy] = spot(place(id)).split(",");
-      const circle = draw("circle", { class: `vertex ${style}${front ? "" : " back"}`, cx, cy, r: front ? size : 0.7 * size, ...attributes }, view);
-      if (fill) circle.style.fill = fill;
-    }
-  };
-  layer(false);
-  for (const { ids, ...attributes } of near) draw("path", { class: "face", d: `M${ids.map((id) => spot(place(id))).join("L")}Z`, ...attributes }, view);
-  layer(true);
-  return (id) => ahead.vertex({ id });
 }
 
 // Where the way from a visible point to a hidden one leaves the visible half.
@@ -141,14 +107,6 @@ function clipped(curve, side) {
   }
   const entry = onLimb(curve[(first + n - 1) % n], curve[first]);
   return `${text}${alongLimb(left, entry, side)}Z`;
-}
-
-// Twice the area of a polygon on paper, positive when it goes counterclockwise.
-function area(corners) {
-  return corners.reduce((sum, p, i) => {
-    const q = corners[(i + 1) % corners.length];
-    return sum + p[0] * q[1] - p[1] * q[0];
-  }, 0);
 }
 
 function alongLimb(from, to, side) {

@@ -24,6 +24,10 @@ function readNumber(text) {
   return ratio(n, BigInt(below) * 10n ** BigInt(Math.max(0, -shift)));
 }
 
+// A number that was typed: a comma before digits is a decimal point.
+/** @type {(text: string) => Rational | null} */
+const readTyped = (text) => readNumber(text.replace(/,(?=\d)/, "."));
+
 const NUMBER_RULE = "a number such as 3/4, 0.75 or -1e-3";
 const ZERO = ratio(0n);
 const ONE = ratio(1n);

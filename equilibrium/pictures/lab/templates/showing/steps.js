@@ -24,6 +24,7 @@ function tellPlanes(box, step, all) {
   make("p", {}, box, `Plane ${step.count} of ${all}: T · d = 0 of contact${contacts.length > 1 ? "s" : ""} ${contacts.map((i) => i + 1).join(", ")}`
     + `${contacts.length > 1 ? ", which coincide" : ""}.`);
   const now = countsOf(step.planes.slice(0, step.count));
+  paintDual(box, step);
   const row = make("div", { class: "big-number" }, box);
   for (const [value, name] of [[now.regions, "regions = vertices of the dual"], [now.facets, "facets = edges"], [now.rays, "rays = faces"]]) {
     const one = make("div", {}, row);
@@ -32,6 +33,26 @@ function tellPlanes(box, step, all) {
   }
   const euler = now.regions - now.facets + now.rays;
   make("p", { class: "hint" }, box, `${now.regions} − ${now.facets} + ${now.rays} = ${euler}: ${euler === 2 ? "Euler's formula, the dual is a polyhedron." : "fewer than three independent planes, so no polyhedron yet."}`);
+}
+
+// The dual of the first planes, seen from a fixed side: a vertex has the colour of its region, and
+// the edges of the newest plane are bold.
+const DUAL_AXES = [[0.83, -0.56, 0], [0.22, 0.33, 0.92], [-0.51, -0.76, 0.4]].map(unit);
+
+function paintDual(box, { count: number, planes }) {
+  const contacts = planes.slice(0, number).map((plane) => state.grasp[plane.contacts[0]]);
+  const normals = contacts.map((contact) => integers(wrenchesOf(contact).T).row);
+  const circles = circlesOf(normals);
+  const rayOf = (corner, p) => unit(floats(corner === p ? circles.crossings[p].ray : opposite(circles.crossings[p].ray)));
+  const { places, faces } = zonotopeOf(circles, normals.map((n) => unit(floats(n))), circles.regions, rayOf);
+  const view = draw("svg", { id: "dual", class: "view", viewBox: "-80 -80 160 160", role: "img", "aria-label": "The dual polyhedron of these planes." }, box);
+  const edges = circles.arcs.length ? circles.arcs : [{ circle: 0, left: 0, right: 1 }];
+  const axes = DUAL_AXES.map((axis) => (x) => dot(axis, x));
+  paintDualOf(view, (id) => axes.map((along) => along(places.get(id))), {
+    faces: faces.map(({ ids }) => ({ ids })),
+    edges: edges.map(({ circle, left, right }) => ({ left, right, tint: circle === number - 1 ? "var(--accent)" : "var(--ink)" })),
+    vertices: circles.regions.map(({ id, key }) => ({ id, fill: colourOf([...key].map((s) => (s === "+" ? "slip+" : "slip-"))) })),
+  }, false, 4.5);
 }
 
 // One choice of states: its system, its solution, and why it is refused.

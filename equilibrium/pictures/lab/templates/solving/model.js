@@ -141,10 +141,15 @@ function turned(normal, way) {
   return nearestDirection(...[Math.cos, Math.sin].map((f) => f(Math.atan2(near(normal[1]), near(normal[0])) + way * 0.05)));
 }
 
-// Numbers apart by commas or spaces; null if they are not as many.
+// Numbers apart by commas or spaces, or by semicolons or spaces with decimal commas; null if they
+// are not as many.
 function readTuple(text, length) {
-  const parts = text.replace(/[()]/g, "").split(/[,\s]+/).filter(Boolean).map(readNumber);
-  return parts.length !== length || parts.includes(null) ? null : parts;
+  const bare = text.replace(/[()]/g, "");
+  for (const [apart, read] of [[/[,\s]+/, readNumber], [/[;\s]+/, readTyped]]) {
+    const parts = bare.split(apart).filter(Boolean).map(read);
+    if (parts.length === length && !parts.includes(null)) return parts;
+  }
+  return null;
 }
 
 const readMotion = (text) => readTuple(text, 3);

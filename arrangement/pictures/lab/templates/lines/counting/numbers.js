@@ -6,7 +6,7 @@ function describe() {
   const chi = zaslavsky(counts);
   const common = commonName(counts, type);
   const typeText = type ? `${type}${flat ? ", with the line at infinity" : common ? `, ${common}` : ""}`
-    : common || (arrangement.circles.rank < 3 ? "of rank below 3" : "more than 6 planes: not named");
+    : common || (arrangement.circles.rank < 3 ? "of rank below 3" : "more than 6 planes, not simplicial: not named");
   facts(at("counts"), [
     [flat ? "lines" : "planes", `${counts.planes}${repeated}`],
     ["f-vector", tuple(counts.f_vector)],

@@ -1,11 +1,14 @@
-// The name of the combinatorial type, from the census of up to 6 planes: "6.3" is the third type of
-// 6 planes there. Forms are compared, so the census gives names only.
+// The name of the combinatorial type. Up to 6 planes it is from the census: "6.3" is the third type
+// of 6 planes there. Beyond, simplicial planes have one from the catalogue, such as "A(9,1)". Forms
+// are compared, so these lists give names only.
 const named = {};
 
 function typeOf({ circles }) {
   const number = circles.normals.length;
-  if (circles.rank < 3 || !data.census[number]) return null;
-  named[number] ??= new Map(data.census[number].map((rows, k) => [canonicalMap(circlesOf(rows.map((row) => row.map(BigInt)))), `${number}.${k + 1}`]));
+  const known = data.named.filter(([planes]) => planes === number);
+  const listed = number <= 6 || circles.regions.every(({ darts }) => darts.length === 3);
+  if (circles.rank < 3 || !known.length || !listed) return null;
+  named[number] ??= new Map(known.map(([, name, rows]) => [canonicalMap(circlesOf(rows.map((row) => row.map(BigInt)))), name]));
   return named[number].get(canonicalMap(circles)) ?? null;
 }
 
@@ -16,5 +19,6 @@ function commonName({ dimension, distinct_planes: m, rank, t_vector: t, simple, 
   if (m === 3) return "coordinate planes";
   if (t[m - 1] === 1 && t[2] === m - 1) return "near-pencil";
   if (type === "6.3") return "braid arrangement A₃";
+  if (type === "A(9,1)") return "mirrors of the cube B₃";
   return simplicial ? "simplicial" : simple ? "in general position" : "";
 }

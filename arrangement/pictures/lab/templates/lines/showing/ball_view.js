@@ -47,29 +47,13 @@ function dualOf(arrangement) {
   if (circles.dual?.shape === state.shape) return circles.dual;
   const { arcs, regions, points } = facesOf(arrangement);
   const sides = circles.normals.map((n, i) => (i === infinity ? [0, 0, 0] : infinity === null ? ballNormal(n) : unit([...floats(n).slice(0, 2), 0])));
-  const places = new Map(regions.map(({ id, key }) => [id, [0, 1, 2].map((k) => sides.reduce((sum, v, i) => sum + (key[i] === "+" ? v[k] : -v[k]), 0))]));
-  const reach = Math.max(1, ...[...places.values()].map((p) => Math.hypot(...p)));
-  for (const [id, p] of places) places.set(id, p.map((x) => x / reach));
-  const number = circles.crossings.length;
-  const faces = [...circles.crossings.keys(), ...circles.crossings.keys()].map((p, k) => {
-    const corner = k < number ? p : p + number;
-    const ids = regions.filter(({ corners }) => corners?.includes(corner)).map(({ id }) => id);
-    if (infinity !== null && !circles.crossings[p].signs[infinity]) return { p, ids: [] };
-    return { p, ids: around(ids.map((id) => [id, places.get(id)]), infinity === null ? rayOf(circles, corner) : [0, 0, 1]) };
-  }).filter(({ ids }) => ids.length > 2);
+  const { places, faces } = zonotopeOf(circles, sides, regions, (corner, p) => {
+    if (infinity === null) return rayOf(circles, corner);
+    return circles.crossings[p].signs[infinity] ? [0, 0, 1] : null;
+  });
   const edges = arcs.length || circles.normals.length !== 1 || infinity !== null ? arcs : [{ circle: 0, left: 0, right: 1 }];
   circles.dual = { shape: state.shape, regions, places, faces, edges, points };
   return circles.dual;
-}
-
-// The corners of a face in their order about its normal.
-function around(corners, normal) {
-  if (!corners.length) return [];
-  const middle = [0, 1, 2].map((k) => corners.reduce((sum, [, p]) => sum + p[k], 0) / corners.length);
-  const u = unit(corners[0][1].map((x, k) => x - middle[k]));
-  const v = cross(normal, u);
-  const angle = (p) => Math.atan2(dot(v, p), dot(u, p));
-  return corners.map(([id, p]) => [id, angle(p.map((x, k) => x - middle[k]))]).sort((a, b) => a[1] - b[1]).map(([id]) => id);
 }
 
 function paintDual() {
