@@ -124,14 +124,17 @@ def work_at_motion(
 
     Above 0 means that no forces which the law allows at this motion balance the load.
     """
-    total = dot(virtual, wrench)
-    for touch in oracle.asked(grasp, wrench).touches:
-        spring, slip = spring_and_slip(touch, [Fraction(1), *motion])
-        signs = (1,) if slip > 0 else (-1,) if slip < 0 else (1, -1)
-        total += max(spring, Fraction(0)) * min(_work(touch, virtual, s) for s in signs)
-    return total
+    touches = oracle.asked(grasp, wrench).touches
+    return dot(virtual, wrench) + sum(least_work(touch, virtual, motion) for touch in touches)
 
 
-def _work(touch: Touch, virtual: Vector, sign: int) -> Fraction:
+def least_work(touch: Touch, virtual: Sequence[Fraction], motion: Sequence[Fraction]) -> Fraction:
+    """Return the least work of one contact."""
+    spring, slip = spring_and_slip(touch, [Fraction(1), *motion])
+    signs = (1,) if slip > 0 else (-1,) if slip < 0 else (1, -1)
+    return max(spring, Fraction(0)) * min(_work(touch, virtual, sign) for sign in signs)
+
+
+def _work(touch: Touch, virtual: Sequence[Fraction], sign: int) -> Fraction:
     """Return the work of a unit normal force with its friction, slipping to a side."""
     return dot(touch.normal, virtual) - sign * touch.friction * dot(touch.tangential, virtual)

@@ -13,14 +13,17 @@ from arrangement.drawing.scene.items import Label, Path
 from arrangement.drawing.scene.layout import laid_out
 from arrangement.drawing.scene.scene import area
 from arrangement.numbers.exact import dot
-from equilibrium import Contact, Grasp, GraspError, Solver, Verdict, check, read_grasp, solve
+from equilibrium import Grasp, GraspError, Solver, Verdict, check, read_grasp, solve
 from equilibrium.certificate.document import refuted_certificate
 from equilibrium.certificate.leaves import ClosedPart, parts, works
 from equilibrium.cli.program import main
 from equilibrium.cli.verdict_words import verdict_lines
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.pictures import draw_proof
+from proofs_check.routes.oracle import Touch
 
+from .judge import least_work, spring_and_slip
+from .oracle import asked
 from .trees import TooLarge, refutation
 
 THREE = read_grasp("paper-three-contacts")
@@ -37,18 +40,12 @@ def refuted(seed: int) -> Verdict:
             return verdict
 
 
-def state(contact: Contact, motion: Sequence[Fraction]) -> tuple[Fraction, str]:
-    """The normal force at a motion, and the side to which the contact slips."""
-    force = contact.preload - contact.stiffness * dot(contact.normal_wrench, motion)
-    slip = dot(contact.tangential_wrench, motion)
-    return max(force, Fraction(0)), "slip+" if slip > 0 else "slip-" if slip < 0 else "stick"
-
-
-def meets(part: ClosedPart, grasp: Grasp, motion: Sequence[Fraction]) -> bool:
+def meets(part: ClosedPart, touches: Sequence[Touch], motion: Sequence[Fraction]) -> bool:
     """Whether the states decided in a part are those at a motion off all borders."""
     for i, wanted in part.states.items():
-        force, way = state(grasp.contacts[i], motion)
-        if (wanted == "detached") != (force == 0) or wanted not in ("detached", "attached", way):
+        force, slip = spring_and_slip(touches[i], [Fraction(1), *motion])
+        way = "slip+" if slip > 0 else "slip-" if slip < 0 else "stick"
+        if (wanted == "detached") != (force <= 0) or wanted not in ("detached", "attached", way):
             return False
     return True
 
@@ -63,7 +60,7 @@ def test_whatever_friction_does_the_contacts_work_at_least_as_said(seed, slow):
             document = refuted_certificate(grasp, wrench, refutation(grasp, wrench, seed)).to_dict()
         except TooLarge:
             return
-    found = list(parts(document))
+    found, touches = list(parts(document)), asked(grasp, wrench).touches
     assert len(found) == check(document).leaves
     for part in found:
         done = works(grasp, wrench, [part])
@@ -72,22 +69,14 @@ def test_whatever_friction_does_the_contacts_work_at_least_as_said(seed, slow):
             weights = [source.randint(0, 5) for _ in part.region]
             zero, *point = (dot(weights, column) for column in zip(*part.region, strict=True))
             motion = [Fraction(x, zero) for x in point] if zero else []
-            if not motion or not meets(part, grasp, motion):
+            if not motion or not meets(part, touches, motion):
                 continue
-            total = Fraction(0)
-            for contact, factor in zip(grasp, done.factors, strict=True):
-                force, way = state(contact, motion)
-                stick = Fraction(source.randint(-9, 9), 9)
-                share = {"slip+": Fraction(-1), "slip-": Fraction(1), "stick": stick}[way]
-                along, across = (
-                    dot(row, part.leaf.motion)
-                    for row in (contact.normal_wrench, contact.tangential_wrench)
-                )
-                work = force * (along + share * contact.friction * across)
-                assert work >= (force * factor if factor is not None else force)
+            works_here = [least_work(touch, part.leaf.motion, motion) for touch in touches]
+            for touch, factor, work in zip(touches, done.factors, works_here, strict=True):
+                force = max(spring_and_slip(touch, [Fraction(1), *motion])[0], Fraction(0))
+                assert work >= force * (factor or 0)
                 assert factor is not None or force == 0
-                total += work
-            assert total >= done.least
+            assert sum(works_here) >= done.least
 
 
 def regions(verdict: Verdict, sense: int) -> list[Path]:
