@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import copy
 import inspect
 import json
 import re
@@ -39,7 +38,6 @@ from .mutations import mutants
 REFUTED = (1, 29, 41, 80, 81, 104, 112, 117, 133, 136, 168, 169, 180, 188, 193)
 RESISTED = (0, 4, 5, 8, 9, 17, 21, 25)
 TREES = range(3)
-STEPS = ("1/7", "-1/7", "1000000", "-1000000")
 
 
 def refuted(seed: int, tree: int) -> dict[str, Any]:
@@ -99,27 +97,6 @@ def nodes(value: Any, path: tuple = ("tree",)) -> Iterator[tuple[tuple, Any]]:
             below = value.get(key, ())
             for name in below if isinstance(below, dict) else range(len(below)):
                 yield from nodes(below[name], (*path, key, name))
-
-
-def numbers(value: Any, path: tuple = ()) -> Iterator[tuple]:
-    """Yield the paths of all numbers that are texts."""
-    if isinstance(value, (dict, list)):
-        for key in value if isinstance(value, dict) else range(len(value)):
-            yield from numbers(value[key], (*path, key))
-    elif isinstance(value, str) and value not in ("resisted", "not resisted"):
-        yield path
-
-
-def at(document: Any, path: tuple) -> Any:
-    for key in path:
-        document = document[key]
-    return document
-
-
-def changed(document: dict[str, Any], path: tuple, value: Any) -> dict[str, Any]:
-    copied = copy.deepcopy(document)
-    at(copied, path[:-1])[path[-1]] = copy.deepcopy(value)
-    return copied
 
 
 LEAF = ["0", "0", "0"]
@@ -611,78 +588,13 @@ def _may_be(touch: Touch, motion: list[Fraction], state: str) -> bool:
 
 
 @pytest.mark.campaign
-def test_every_number_changed(documents):
-    found, source = Counter(), Random("steps")
-    for document in documents[::3]:
-        listed = list(numbers(document))
-        for path in source.sample(listed, min(40, len(listed))):
-            step = source.choice(STEPS)
-            value = str(Fraction(at(document, path)) + Fraction(step))
-            found[agree(changed(document, path, value), (path, step))] += 1
-    assert min(found[kind] for kind in ("accepted", "refused", "malformed")) > 40
-
-
-@pytest.mark.campaign
 def test_changes_of_every_kind(documents):
+    """Numbers, indices and names; nodes moved, dropped, exchanged and given twice."""
     found = Counter()
     for seed, document in enumerate(documents):
-        for path, change, mutant in mutants(document, 30, seed):
+        for path, change, mutant in mutants(document, 120, seed):
             found[agree(mutant, (path, change))] += 1
-    assert min(found[kind] for kind in ("accepted", "refused", "malformed")) > 50
-
-
-@pytest.mark.campaign
-def test_nodes_moved_dropped_exchanged_and_given_twice(documents):
-    found, source = Counter(), Random("nodes")
-    for document in documents[: len(REFUTED) * len(TREES)]:
-        places = list(nodes(document["tree"]))
-        for _ in range(12):
-            (to, old), (_, other) = source.choice(places), source.choice(places)
-            if other != old:
-                found["moved", agree(changed(document, to, other), to)] += 1
-            if len(to) > 2:
-                parent = at(document, to[:-1])
-                fewer = list(parent) if isinstance(parent, list) else dict(parent)
-                del fewer[to[-1]]
-                assert agree(changed(document, to[:-1], fewer)) == "malformed"
-                if isinstance(parent, list):
-                    twice = [*parent, parent[to[-1]]]
-                    assert agree(changed(document, to[:-1], twice)) == "malformed"
-                    back = parent[::-1]
-                    found["exchanged", agree(changed(document, to[:-1], back))] += 1
-                else:
-                    names = list(parent)
-                    turned = dict(zip(names, [*parent.values()][::-1], strict=True))
-                    found["exchanged", agree(changed(document, to[:-1], turned))] += 1
-    assert found["moved", "accepted"] > 10
-    assert found["moved", "refused"] > 50
-    assert found["moved", "malformed"] > 10
-    assert found["exchanged", "refused"] > 50
-
-
-@pytest.mark.campaign
-def test_splits_on_other_contacts_and_indices(documents):
-    found, source = Counter(), Random("splits")
-    for document in documents[: len(REFUTED) * len(TREES) : 2]:
-        contacts = len(document["grasp"]["contacts"])
-        listed = list(nodes(document["tree"]))
-        for path, node in source.sample(listed, min(10, len(listed))):
-            if "contact" in node:
-                for contact in range(-1, contacts + 1):
-                    result = agree(changed(document, (*path, "contact"), contact), path)
-                    assert result == "malformed" or 0 <= contact < contacts
-                    found[result] += 1
-            if "edge" in node:
-                for edge in ([0, 0], [0, 4], [-1, 2], node["edge"][::-1], [0, 1], [2, 3], [3, 1]):
-                    result = agree(changed(document, (*path, "edge"), edge), path)
-                    assert result == "malformed" or (set(edge) <= {*range(4)} and edge != [0, 0])
-                    found[result] += 1
-            if "multipliers" in node:
-                given = list(node["multipliers"].values()) or [["1"]]
-                for key in ("0", "1", str(contacts - 1)):
-                    moved = {key: given[-1]}
-                    found[agree(changed(document, (*path, "multipliers"), moved), path)] += 1
-    assert min(found[kind] for kind in ("accepted", "refused", "malformed")) > 30
+    assert min(found[kind] for kind in ("accepted", "refused", "malformed")) > 200
 
 
 def test_no_tree_for_a_resisted_question_is_accepted(documents):
