@@ -590,23 +590,6 @@ class TestChecker:
         with pytest.raises(InputError, match=words):
             check({**self.tree, "tree": node})
 
-    @pytest.mark.parametrize(
-        "directions",
-        [
-            [[1, 0], [0, 1], [-1, 0]],
-            [[1, 0], [-1, -1], [0, 1]],
-            [[1, 0], [0, 1]],
-            [[1, 0], [0, 1], [-1, -1], [1, 0], [0, 1], [-1, -1]],
-            [[1, 0], [0, 0], [-1, -1]],
-        ],
-    )
-    def test_sectors_that_do_not_go_round_once_are_refused(self, directions):
-        leaf = ["0"] * 6
-        slip = {"contact": 0, "directions": directions, "children": [leaf] * (len(directions) + 1)}
-        node = {"contact": 0, "attachment": {"detached": leaf, "attached": slip}}
-        with pytest.raises(InputError, match="directions go round once"):
-            check({**self.tree, "tree": node})
-
     def test_an_enclosure_holds_and_its_variations_do_not(self):
         assert check(self.box)
         given = self.box["enclosure"]
