@@ -43,7 +43,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.numbers import budget
-from arrangement.numbers.exact import largest, unoriented, work_factor
+from arrangement.numbers.exact import all_reduced, fast_integers, largest, one_way, work_factor
 
 from .configuration import Configuration
 from .modular import ModularVectors
@@ -199,7 +199,9 @@ def _matrix(config: Configuration) -> Integers | ModularVectors:
     if size == math.inf:
         return ModularVectors(rows, config.rank)
     bound = 2 * size**2 if config.rank <= 3 else 6 * size**3
-    return np.array(rows, dtype=np.int64 if bound <= _INT64_MAX else object)
+    if bound <= _INT64_MAX:
+        return np.array(rows, dtype=np.int64)
+    return np.array(fast_integers(rows), dtype=object)
 
 
 def _covers(vectors: ModularVectors, bases: Integers, inside: Integers) -> Groups:
@@ -265,7 +267,7 @@ def _canonical(parts: list[Integers]) -> list[Integers]:
     """Return sortable keys, equal exactly for proportional coordinates."""
     if parts[0].dtype == object:
         names: dict[tuple[int, ...], int] = {}
-        lines = map(unoriented, zip(*parts, strict=True))
+        lines = map(one_way, all_reduced(list(zip(*parts, strict=True))))
         return [np.array([names.setdefault(key, len(names)) for key in lines], dtype=np.int64)]
     divisor = np.gcd.reduce(parts)
     sign = np.zeros(len(divisor), dtype=np.int64)

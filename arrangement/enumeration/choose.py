@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from contextlib import suppress
 from copy import copy
 from dataclasses import dataclass
 from math import comb
@@ -118,16 +117,18 @@ def _ask(planes: Planes, engine: Engine, count: Callable[[Planes], Sequence[int]
         seconds = work * engine.seconds * factor
         return {"faces": faces, "seconds": seconds, "bytes": work * engine.bytes}
 
-    exact = None
+    exact, instead = None, "count them (arrangement count, counts.f_vector)"
     if budget.excess(**takes()) > 1 and count is not None:
-        with suppress(OutOfReachError):  # then the bound has to do
+        try:
             exact = tuple(count(planes))
             faces = min(sum(exact), 10**300)
+        except OutOfReachError:  # then the bound has to do
+            instead = "leave out planes: to count them takes too long as well"
     try:
         many = "" if exact is not None else "up to "
         budget.ask(
             f"a list of the {many}{budget.about(faces)} faces of {planes!r}",
-            "count them (arrangement count, counts.f_vector)",
+            instead,
             **takes(),
         )
     except OutOfReachError as error:

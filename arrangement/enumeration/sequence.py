@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from arrangement.console.number_form import Shown
 from arrangement.errors import InputError
+from arrangement.numbers import budget
 from arrangement.numbers.coefficients import Coefficients, Integers, primitive
 from arrangement.numbers.exact import (
     RationalVector,
@@ -146,6 +147,8 @@ class FaceSequence(Shown, Sequence[Face]):
         chosen = range(len(self))[index]
         if isinstance(chosen, int):
             return next(self._faces_at(np.array([chosen])))
+        signs = len(chosen) * len(self._planes)
+        budget.ask(f"a tuple of faces with {signs:,} signs", "go through them", bytes=24 * signs)
         return tuple(self._faces_at(np.array(chosen, np.intp)))
 
     def __iter__(self) -> Iterator[Face]:

@@ -20,13 +20,13 @@ from arrangement.numbers.exact import (
     all_reduced,
     dot,
     fraction,
-    largest,
     one_way,
     plain_rows,
     primitive,
     rational_vector,
     shown,
     sign,
+    without_denominators,
 )
 from arrangement.numbers.linear.rank import rank
 from arrangement.numbers.number_field import NumberField, field_of, written
@@ -97,17 +97,17 @@ class Planes:
             )
         bits = [
             x.numerator.bit_length()
-            for row in (() if whole and largest(rows) < 2**1000 else rows)
+            for row in (() if whole else rows)
             for x in row
             if isinstance(x, (int, Fraction)) and x.numerator.bit_length() > 1000
         ]
         budget.ask(
-            f"the divisors of {len(bits)} numbers of up to {max(bits, default=0)} bits",
+            f"planes of {len(bits)} numbers of up to {max(bits, default=0)} bits",
             "round them",
             seconds=sum(n * n for n in bits) * 1e-11,
         )
         joined = [(*row, b) for row, b in zip(rows, constants, strict=True)]
-        planes = tuple(all_reduced(joined) if whole else map(primitive, joined))
+        planes = tuple(all_reduced(joined if whole else list(map(without_denominators, joined))))
         self.__dict__.update(dimension=d, axes=tuple(axes), _integer_planes=planes)
 
     @classmethod

@@ -58,12 +58,13 @@ def negated(row: tuple[_Number, ...]) -> tuple[_Number, ...]:
 
 def sum_row(left: RationalVector, right: RationalVector, factor: Fraction | int) -> RationalVector:
     """Return ``left + factor right``."""
-    return tuple(a + factor * b for a, b in zip(left, right, strict=True))
+    # Most entries are 0, and fractions are slow.
+    return tuple(a + factor * b if b else a for a, b in zip(left, right, strict=True))
 
 
 def cone_rows(friction: Fraction, normal: RationalVector, tangential: RationalVector) -> Pair:
     """Return ``friction c_n - c_t`` and ``friction c_n + c_t``, at least 0 inside the cone."""
-    limit = tuple(friction * x for x in normal)
+    limit = tuple(friction * x if x else x for x in normal)
     return sum_row(limit, tangential, -1), sum_row(limit, tangential, 1)
 
 

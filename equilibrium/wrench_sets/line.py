@@ -98,15 +98,11 @@ def resisted_magnitudes(
     solver = prepare(grasp)
     screen = solver.screen
     possible = screen.codes[screen.possible(start, along)].tolist()
-    found = (
-        interval_between(
-            *(
-                state_system(solver.grasp, states_of_code(row), w, within=solver.within)
-                for w in (start, sum_row(start, along, 1))
-            )
-        )
+    systems = (
+        state_system(solver.grasp, states_of_code(row), start, within=solver.within)
         for row in watched(possible, "states")
     )
+    found = (interval_between(system, system.with_more(along)) for system in systems)
     parts = [part for part in found if part is not None]
     # The screen speaks of t > 0 only.
     if not any(low == 0 for low, _ in parts) and solver.solve(start).stable:

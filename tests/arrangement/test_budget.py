@@ -6,6 +6,7 @@ import os
 import resource
 import sys
 from collections.abc import Sequence
+from fractions import Fraction
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -289,3 +290,29 @@ def test_flats_of_a_high_rank_are_refused_before_any_is_made():
     rows = [[(i * i + j) % 7 - 3 + 9 * (i == j) for j in range(40)] for i in range(42)]
     with pytest.raises(OutOfReachError, match="flats of planes of rank 40"):
         counts.intersection_lattice(Arrangement(rows))
+
+
+def test_a_tuple_of_faces_asks_for_all_their_signs():
+    faces = families.generic(6, 3).faces()
+    with budget.limit(1e-5), pytest.raises(OutOfReachError, match="600 signs"):
+        faces[:100]
+    assert len(faces[:100]) == 100
+
+
+def test_what_cannot_be_counted_is_not_to_be_counted_instead():
+    planes = Arrangement([[1, k % 7919, k * k % 7907, k**3 % 7901] for k in range(20_000)])
+    with pytest.raises(OutOfReachError, match="leave out planes: to count them") as refused:
+        planes.faces()
+    assert refused.value.f_vector is None
+
+
+def test_very_long_entries_are_divided_and_counted_as_short_ones_are():
+    """From 8,000 bits on FLINT finds their divisors."""
+    short = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0], [1, 1, 1], [2, 1, 3]]
+    long = 10**2500
+    scaled = Arrangement([[x * long * (k + 1) for x in row] for k, row in enumerate(short)])
+    assert scaled == Arrangement(short)
+    offsets = [long + k**3 for k in range(6)]
+    counted = counts.f_vector(Arrangement([[x * long for x in row] for row in short], offsets))
+    exact = Arrangement(short, [Fraction(b, long) for b in offsets])
+    assert counted == exact.f_vector

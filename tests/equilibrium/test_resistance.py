@@ -4,6 +4,7 @@ import json
 import re
 from collections.abc import Iterator
 from fractions import Fraction
+from itertools import product
 from random import Random
 from typing import Any
 
@@ -17,6 +18,7 @@ from equilibrium.plane.search.continuation import find_equilibrium
 from equilibrium.plane.search.motion_regions import HALF_SPACE, MotionRegions
 from equilibrium.plane.search.state_equilibrium import Guess, Solution, exact_equilibrium
 from equilibrium.plane.search.state_splits import StateSplits
+from equilibrium.plane.search.units import SearchUnits
 from equilibrium.wrench_sets.line import resisted_magnitudes
 
 from . import oracle
@@ -242,3 +244,27 @@ def test_huge_beside_tiny_numbers_are_decided_soon(seed):
     grasp, wrench = huge_and_tiny(seed)
     found = solve(grasp, wrench, time_limit=20)
     assert found.verify()
+
+
+def in_one_point(wrench):
+    """Return twelve contacts in one point, every other one with a huge preload, and a load."""
+    normals = [(1, 0), (0, 1), (-1, 0), (0, -1)]
+    for size, x, y in ((5, 3, 4), (13, 5, 12)):
+        turned = product((y, -y), (x, -x))
+        normals += [(Fraction(b, size), Fraction(a, size)) for a, b in turned]
+    contacts = [
+        Contact((0, 0), normal, Fraction(1, 2), 1, 10**70 * (k % 2))
+        for k, normal in enumerate(normals)
+    ]
+    grasp, load = Grasp(contacts), tuple(map(Fraction, wrench))
+    units = SearchUnits.of(grasp, load)
+    return IntegerContacts(units.grasp(grasp)), units.wrench(load)
+
+
+def test_contacts_that_press_bear_what_floats_leave_open():
+    """Those without preload press nothing at rest, though sharp contacts do at first."""
+    assert find_equilibrium(*in_one_point((1, 2, 0))).motion == (0, 0, 0)
+
+
+def test_a_load_that_is_tiny_beside_the_preloads_is_refuted_at_once():
+    assert MotionRegions(*in_one_point((1, 2, 3))).half_space() == ["0", "0", "1"]

@@ -171,7 +171,8 @@ class MotionRegions:
         """
         v, c = self.virtual, self.contacts
         load, least, _, _ = v.works
-        for row in np.flatnonzero((load > _TINY) & (least.min(axis=0, initial=1.0) > -_TINY)):
+        works = load > _TINY * np.abs(load).max()
+        for row in np.flatnonzero(works & (least.min(axis=0, initial=1.0) > -_TINY)):
             motion = np.array(v.integers(v.candidates[row]), dtype=object)
             across = np.abs(c.tangent.dot(motion) * c.friction)
             work = sum(int(x) * w for x, w in zip(motion, self.wrench, strict=True))

@@ -23,6 +23,8 @@ from equilibrium.plane.contacts import IntegerContacts, product
 _SHARES = 2**14
 #: Rounded motions are multiples of one over this.
 _COARSE = 16
+#: The least weight of a contact that bears nothing.
+_LIGHT = 1e-6
 
 
 @dataclass(frozen=True)
@@ -34,12 +36,14 @@ class Guess:
         sticking: those among them that do not slip.
         shares: of its friction limit, over `_SHARES`, for each contact; exact when it slips.
         motion: over `_COARSE`, rounded.
+        weights: which of those that stick bear most, from `_LIGHT` to 1.
     """
 
     touching: tuple[bool, ...]
     sticking: tuple[bool, ...]
     shares: tuple[int, ...]
     motion: tuple[int, ...] = field(compare=False)
+    weights: tuple[float, ...] | float = field(default=1.0, compare=False)
 
     @classmethod
     def read(
@@ -54,6 +58,7 @@ class Guess:
             tuple(sticking.tolist()),
             tuple(int(x) for x in np.nan_to_num(shares).tolist()),
             tuple(round(x * _COARSE) for x in np.nan_to_num(motion).tolist()),
+            tuple(np.clip(np.nan_to_num(force / force.max(initial=0)), _LIGHT, 1).tolist()),
         )
 
 
@@ -99,6 +104,7 @@ def _pillars(contacts: IntegerContacts, guess: Guess) -> list[int]:
     sticking = np.flatnonzero(guess.sticking)
     tangents = contacts.floats.tangent[sticking]
     spare = 1.0 - np.abs(np.array(guess.shares)[sticking]) / (_SHARES + 1)
+    spare *= np.broadcast_to(guess.weights, len(contacts))[sticking]
     left = tangents * (spare * contacts.floats.friction[sticking])[:, None]
     chosen: list[int] = []
     while len(chosen) < 3 and len(sticking):
