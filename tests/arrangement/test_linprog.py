@@ -1,6 +1,7 @@
 """Exact linear programs: every answer proves itself, and elimination agrees."""
 
 from fractions import Fraction
+from random import Random
 from typing import Any
 
 import numpy as np
@@ -8,6 +9,8 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement.errors import ArrangementError
+from arrangement.numbers.linear import programs
+from arrangement.numbers.linear.float_dictionary import FloatDictionary
 from arrangement.numbers.linear.float_program import FloatProgram
 from arrangement.numbers.linear.programs import (
     Infeasible,
@@ -90,6 +93,60 @@ def by_elimination(problem: Problem) -> Any:
 @given(problems())
 def test_every_answer_proves_itself(problem):
     check(problem, minimize(*problem))
+
+
+def answered(problem: Problem, short: float) -> Optimal | Infeasible | Unbounded:
+    """Return the answer where programs of less work than so much are left to exact pivots."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(programs, "_SHORT", short)
+        return minimize(*problem)
+
+
+POWERS = st.lists(st.integers(-400, 400).map(lambda k: Fraction(10) ** k), min_size=9, max_size=9)
+
+
+@given(problems(), POWERS, POWERS)
+def test_guesses_of_programs_in_odd_units_are_proved(problem, units, factors):
+    objective, inequalities, equalities = problem
+    scaled = (
+        [c * u for c, u in zip(objective, units, strict=False)],
+        *(
+            [
+                tuple(f * x * u for x, u in zip(row, (*units[: len(row) - 1], 1), strict=True))
+                for row, f in zip(rows, factors, strict=False)
+            ]
+            for rows in (inequalities, equalities)
+        ),
+    )
+    answer, expected = answered(scaled, -1), answered(problem, np.inf)
+    check(scaled, answer)
+    assert type(answer) is type(expected)
+    assert getattr(answer, "value", None) == getattr(expected, "value", None)
+
+
+@given(problems(), st.none() | st.integers(-1, 9), st.none() | st.integers(-1, 9))
+def test_wrong_guesses_change_no_answer(problem, start, end):
+    wrong = (
+        x if x is None else min(x, len(problem[1]) + len(problem[2]) - 1) for x in (start, end)
+    )
+    with pytest.MonkeyPatch.context() as patch:
+        for name, guess in zip(("start", "minimize"), wrong, strict=True):
+            patch.setattr(FloatDictionary, name, lambda *_, guess=guess: guess)
+        answer = answered(problem, -1)
+    expected = answered(problem, np.inf)
+    check(problem, answer)
+    assert type(answer) is type(expected)
+    assert getattr(answer, "value", None) == getattr(expected, "value", None)
+
+
+def test_long_programs_need_no_pivots(monkeypatch):
+    """Twelve random rows of five variables with 200 digits: the guess is right each time."""
+    source, size = Random(1), 10**200
+    rows = [[Fraction(source.randint(-size, size), size) for _ in range(6)] for _ in range(12)]
+    problem = ([Fraction(1)] * 5, [(*row[:-1], abs(row[-1])) for row in rows], [])
+    expected = answered(problem, np.inf)
+    monkeypatch.delattr(programs, "Dictionary")
+    assert minimize(*problem) == expected
 
 
 @settings(max_examples=100)

@@ -195,7 +195,7 @@ class PartGuess:
         motion = (weights @ floats.generators[at])[1:]
         normal, rub = (given * (signs != 0)).sum(axis=0), -(given * signs).sum(axis=0) * c.friction
         for (i, sign), exact, push in zip(part.limits, part.bounds, pushes, strict=False):
-            force = push * abs(exact[part.alpha[i]]) / max(map(abs, exact))
+            force = push * (abs(exact[part.alpha[i]]) / max(map(abs, exact)))
             normal[i] += force
             rub[i] -= sign * force * c.friction[i]
         slip = c.tangent @ motion
