@@ -40,7 +40,7 @@ def _parser() -> terminal.Parser:
 
     def add(name: str, function: _Command, help: str, *, file: str | None = "") -> terminal.Parser:
         """Add a command; it takes a FILE, and need not where `file` is "?"."""
-        added: terminal.Parser = commands.add_parser(name, help=help)
+        added: terminal.Parser = terminal.add_command(commands, name, help)
         if file is not None:
             added.add_argument("file", metavar="FILE", nargs=file or None, help=_FILE)
         terminal.add_common_options(added)
@@ -54,7 +54,7 @@ def _parser() -> terminal.Parser:
     polynomial = add(
         "polynomial",
         _polynomial,
-        "characteristic polynomial and numbers of regions, without listing any",
+        "compute the characteristic polynomial and numbers of regions, listing none",
     )
     polynomial.add_argument(
         "--time-limit",
@@ -81,9 +81,15 @@ def _parser() -> terminal.Parser:
     )
     terminal.add_number_options(faces)
 
-    add("identify", _identify, "which combinatorial type it has, of those of at most nine planes")
+    add(
+        "identify",
+        _identify,
+        "say which combinatorial type it has, of those of at most nine planes",
+    )
 
-    types = commands.add_parser("census", help="the list of all types of up to nine planes")
+    types = terminal.add_command(
+        commands, "census", "count or check all types of up to nine planes"
+    )
     types.later = lambda: _later("library.commands").add_census(types)
 
     text = "count faces of generic planes against the published bounds"
@@ -112,7 +118,7 @@ def _parser() -> terminal.Parser:
         draw, _later("pictures.views").DRAWINGS
     )
 
-    text = "a page in which lines and great circles are dragged, counted at once"
+    text = "make a page in which lines and great circles are dragged, counted at once"
     page = add("lab", _lab, text, file="?")
     page.add_argument("-o", "--output", metavar="PATH", required=True, help="the page (.html)")
     page.add_argument("--title", metavar="TEXT", help="a heading")

@@ -254,6 +254,23 @@ def test_every_command_has_an_example():
             assert f"\n   $ {parser.prog} {command}" in page
 
 
+def test_every_command_says_what_it_does_and_what_its_exit_codes_mean():
+    for parser in (arrangement_cli._parser(), equilibrium_cli._parser(), claims_cli._parser()):
+        assert "3 undecided, 70 a fault" in " ".join(parser.format_help().split())
+        (commands,) = (a for a in parser._actions if isinstance(a.choices, dict))
+        said = {one.dest: one.help for one in commands._choices_actions}
+        for name, command in commands.choices.items():
+            text = said[name]
+            assert text[0].islower()
+            assert not text.endswith(".")
+            assert "exit" not in text
+            shown = " ".join(command.format_help().split())
+            assert f"{text[0].upper()}{text[1:]}." in shown
+            assert re.search(
+                r"Exit codes: 0 [\w ]+, (1 [\w ]+, )?2 bad input(, 3 undecided)?\.$", shown
+            )
+
+
 def test_numbers_on_pages_are_those_of_the_code():
     number = {4: "four", 10: "ten", 12: "twelve", 13: "thirteen"}
     planes = read_arrangement("cube-diagonals")

@@ -1,7 +1,7 @@
 """What the three commands share: arguments, one JSON object a line, errors, exit codes.
 
 Exit codes: 0 yes (or done), 1 no (or refuted), 2 bad input or output that cannot be written,
-70 a fault of the program (``--traceback`` shows where).
+3 undecided, 70 a fault of the program (``--traceback`` shows where).
 Answers go to stdout, everything else to stderr. With ``--json``, stdout carries nothing but JSON.
 Long loops show how far they are, on a terminal (`progress`).
 This module imports no numerical library, so that ``--help`` answers at once.
@@ -160,9 +160,29 @@ class _Version(argparse.Action):
 
 def command_parser(prog: str, description: str) -> Parser:
     """Return the parser of one program, with ``--version`` and no subcommand yet."""
-    parser = Parser(prog=prog, description=description)
+    every = ("yes or done", "no or refuted", "undecided", "a fault of the program")
+    more = " `COMMAND --help` says what they mean there."
+    parser = Parser(prog=prog, description=description, epilog=_exit_codes(every) + more)
     parser.add_argument("--version", action=_Version)
     return parser
+
+
+def add_command(commands: Any, name: str, text: str, *answers: str) -> Any:
+    """Add a subcommand; its help says what it does, and what its exit codes mean.
+
+    Args:
+        text: what it does: a verb first, in lower case, no full stop.
+        answers: what the codes 0, 1 and 3 mean, as far as it has them; if omitted, 0 is "done".
+    """
+    whole = f"{text[0].upper()}{text[1:]}."
+    codes = _exit_codes(answers or ("done",))
+    return commands.add_parser(name, help=text, description=whole, epilog=codes)
+
+
+def _exit_codes(answers: Sequence[str]) -> str:
+    """Return the line on exit codes: what 0, 1, 3 and 70 mean, and 2."""
+    codes = {**dict(zip((YES, NO, UNDECIDED, 70), answers, strict=False)), _BAD_INPUT: "bad input"}
+    return f"Exit codes: {', '.join(f'{code} {codes[code]}' for code in sorted(codes))}."
 
 
 def add_common_options(parser: argparse.ArgumentParser) -> None:

@@ -112,7 +112,13 @@ def add_census(parser: argparse.ArgumentParser) -> None:
     """Add ``show`` and ``check``."""
     commands = parser.add_subparsers(required=True, metavar="WHAT")
 
-    show = commands.add_parser("show", help="how many types have so many regions, or such points")
+    show = terminal.add_command(
+        commands,
+        "show",
+        "say how many types have so many regions, or such points",
+        "done",
+        "the proved program counts otherwise",
+    )
     show.add_argument("planes", type=terminal.integer_argument, metavar="M", help="3 to 9")
     show.add_argument(
         "--proved",
@@ -121,7 +127,9 @@ def add_census(parser: argparse.ArgumentParser) -> None:
     )
     show.set_defaults(command=_show)
 
-    check = commands.add_parser("check", help="check the list of nine planes without coordinates")
+    check = terminal.add_command(
+        commands, "check", "check the list of nine planes without coordinates", "right", "wrong"
+    )
     check.add_argument(
         "--sample",
         type=terminal.count_argument,

@@ -32,7 +32,7 @@ def add_command(
     name: str,
     function: _Command,
     text: str,
-    *,
+    *answers: str,
     grasp: bool = True,
     optional: bool = False,
     preload: bool = True,
@@ -41,9 +41,10 @@ def add_command(
     """Add a subcommand; most take a grasp, and a preload in place of its own, and print numbers.
 
     Args:
+        answers: what the exit codes mean, as for `terminal.add_command`.
         optional: whether the grasp may be left out.
     """
-    parser: argparse.ArgumentParser = commands.add_parser(name, help=text)
+    parser: argparse.ArgumentParser = terminal.add_command(commands, name, text, *answers)
     if grasp:
         add_grasp(parser, "grasp", "?" if optional else None, preload)
     terminal.add_common_options(parser)

@@ -22,11 +22,11 @@ from equilibrium.model.errors import GraspError
 
 def add_commands(commands: Any) -> None:
     """Add draw, lab and export."""
-    text = "a picture of a grasp, of what it resists, or of the methods side by side"
+    text = "draw a grasp, what it resists, or the methods side by side"
     draw: Any = add_command(commands, "draw", _draw, text, numbers=False)
     draw.later = lambda: _add_options(draw)
 
-    text = "a page in which contacts and load are dragged, with exact answers"
+    text = "make a page in which contacts and load are dragged, with exact answers"
     lab = add_command(commands, "lab", _lab, text, optional=True, numbers=False)
     lab.add_argument("-o", "--output", metavar="PATH", required=True, help="the page (.html)")
     text = "at first: applied force (f_x, f_y) and torque tau"
@@ -36,7 +36,7 @@ def add_commands(commands: Any) -> None:
         "--exercises", metavar="FILE", help="JSON with own exercises, in place of the twelve"
     )
 
-    text = "a scene for physics engines, with the exact loads at which the grasp slips"
+    text = "write a scene for physics engines, with the exact loads at which the grasp slips"
     export = add_command(commands, "export", _export, text, optional=True, numbers=False)
     text = "the only direction of loads (default: along each axis)"
     add_applied(export, "--direction", text, required=False)

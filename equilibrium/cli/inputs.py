@@ -31,14 +31,16 @@ if TYPE_CHECKING:
 
 def add_commands(commands: Any) -> None:
     """Add make csv, make floats, make polygon, make circle, make mesh and make random."""
-    make = commands.add_parser("make", help="a grasp file from a CSV file, a polygon, a mesh ...")
+    make = terminal.add_command(
+        commands, "make", "make a grasp file from a CSV file, a polygon, a mesh and more"
+    )
     kinds = make.add_subparsers(required=True, metavar="KIND")
 
-    text = "one contact a line; columns x, y, normal_x, ..."
+    text = "read one contact a line; columns x, y, normal_x, ..."
     lines = _add(kinds, "csv", text, "read_csv")
     lines.add_argument("file", metavar="FILE.csv")
 
-    text = "measured or simulated data in floats, snapped"
+    text = "snap measured or simulated data in floats"
     floats = _add(kinds, "floats", text, "read_float_data", options=("tolerance",))
     floats.add_argument("file", metavar="DATA", help="a JSON or .csv file, or - for stdin (JSON)")
     text = "largest change of a coordinate or value"
@@ -48,11 +50,11 @@ def add_commands(commands: Any) -> None:
             "--outline", nargs="+", metavar="X,Y", help="corners of the object, for pictures"
         )
 
-    text = "places on the boundary of a polygon (JSON)"
+    text = "put contacts on the boundary of a polygon (JSON)"
     polygon = _add(kinds, "polygon", text, "read_polygon")
     polygon.add_argument("file", metavar="FILE.json", help="a path, or - for stdin")
 
-    text = "contacts on a circle, normals to its centre"
+    text = "put contacts on a circle, normals to its centre"
     options = ("radius", "preload")
     circle = _add(kinds, "circle", text, "on_circle", ("angles", "friction"), options)
     circle.add_argument("--angles", nargs="+", type=float, metavar="DEGREES", required=True)
@@ -86,7 +88,7 @@ def add_commands(commands: Any) -> None:
     mesh.add_argument("--friction", metavar="Q", type=number, required=True)
     add_number(mesh, "--preload", 0, "of every contact")
 
-    text = "contacts around an object, the same for each seed"
+    text = "put contacts around an object at random, the same for each seed"
     randoms = add_command(kinds, "random", _random, text, grasp=False, numbers=False)
     randoms.add_argument("--contacts", type=terminal.count_argument, required=True, metavar="M")
     add_count(randoms, "--seed", 0, "of the random numbers", "SEED")

@@ -38,19 +38,21 @@ _WORDS = {True: "yes", False: "no", None: "-"}
 
 def add_commands(commands: Any) -> None:
     """Add compare, wrench-space, survey and modes."""
-    text = "the verdicts of all methods (exit 0 if the complete model accepts, 1 no, 3 undecided)"
-    comparison = add_command(commands, "compare", _compare, text)
+    answers = ("the complete model accepts", "it refuses", "undecided")
+    text = "list the verdicts of all methods"
+    comparison = add_command(commands, "compare", _compare, text, *answers)
     add_applied(comparison)
     add_cone(comparison)
 
-    text = "Grasp Wrench Space: quality, slice, facets (exit 1: no force closure)"
-    space = add_command(commands, "wrench-space", _wrench_space, text)
+    text = "measure the Grasp Wrench Space: quality, slice, facets"
+    closed = ("force closure", "no force closure")
+    space = add_command(commands, "wrench-space", _wrench_space, text, *closed)
     space.add_argument("--norm", choices=("L1", "Linf"), default="L1", help="default: L1")
     add_cone(space)
     add_number(space, "--length", 1, "that torques are divided by, in units of the grasp", "Q")
     add_number(space, "--torque", 0, "applied torque of the slice", "TAU")
 
-    text = "how often the methods disagree with the complete model on random grasps"
+    text = "count how often the methods disagree with the complete model on random grasps"
     survey = add_command(commands, "survey", _survey, text, grasp=False)
     survey.set_defaults(long=True)
     add_count(survey, "--number", 60, "of questions")
@@ -65,11 +67,11 @@ def add_commands(commands: Any) -> None:
     text = "tries of each size to find a smallest example of each disagreement"
     add_count(survey, "--examples", 0, text, "TRIES")
 
-    text = "contact modes: what rigid contacts can do, from kinematics alone"
+    text = "list contact modes: what rigid contacts can do, from kinematics alone"
     modes = add_command(commands, "modes", _modes, text, preload=False)
     modes.add_argument("--count", action="store_true", help="say how many there are, list none")
     modes.add_argument(
-        "--time-limit", metavar="SECONDS", type=seconds, help="give up then (exit 2)"
+        "--time-limit", metavar="SECONDS", type=seconds, help="give up then: exit code 2"
     )
 
 

@@ -62,7 +62,10 @@ def _parser() -> terminal.Parser:
         commands,
         "solve",
         _solve,
-        "decide whether a grasp resists a wrench (exit 0 yes, 1 no, 3 undecided)",
+        "decide whether a grasp resists a wrench",
+        "resisted",
+        "not resisted",
+        "undecided",
     )
     add_applied(solve)
     solve.add_argument(
@@ -71,7 +74,10 @@ def _parser() -> terminal.Parser:
         help="write the certificate here; with --robust the proof for all, if it holds",
     )
     solve.add_argument(
-        "--time-limit", metavar="SECONDS", type=seconds, help="give up then (exit 2; in space 3)"
+        "--time-limit",
+        metavar="SECONDS",
+        type=seconds,
+        help="give up then: exit code 2, in space 3",
     )
     add_cone(solve)
     add_range(solve)
@@ -81,7 +87,8 @@ def _parser() -> terminal.Parser:
         type=_bound,
         metavar="NAME=Q",
         help="also: does the verdict hold for all grasps within degrees=2 (of normals), length=Q "
-        "(of points), friction=5%%, stiffness=Q, preload=Q? (exit 0 proved, 1 no, 3 undecided)",
+        "(of points), friction=5%%, stiffness=Q, preload=Q? The exit code tells this: 0 proved, "
+        "1 no, 3 undecided",
     )
     solve.add_argument(
         "--shorten", action="store_true", help="look longer for a smaller proof of a no"
@@ -102,7 +109,9 @@ def _parser() -> terminal.Parser:
         commands,
         "verify",
         _verify,
-        "check a certificate without the solver (exit 0 valid, 1 not)",
+        "check a certificate without the solver",
+        "valid",
+        "not valid",
         grasp=False,
         numbers=False,
     )

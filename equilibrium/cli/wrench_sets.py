@@ -39,37 +39,39 @@ _BORDERS, _NEAR, _SECONDS = 2, Fraction(1, 1000), 5.0
 
 def add_commands(commands: Any) -> None:
     """Add limit, region, polyhedra, margin, map, figure and gaps."""
-    text = "magnitudes resisted along a direction (exit 1 if none)"
-    limit = add_command(commands, "limit", _limit, text)
+    some = ("some are resisted", "none is resisted")
+    text = "find the magnitudes resisted along a direction"
+    limit = add_command(commands, "limit", _limit, text, *some, "undecided")
     add_applied(limit, "--direction", "which way; not zero")
     add_wrench(limit, "--base", "a wrench that acts in any case (default: none)", _ZERO)
     add_range(limit)
 
-    text = "resisted wrenches of a plane (exit 1 if none)"
-    region = add_command(commands, "region", _region, text)
+    text = "find the resisted wrenches of a plane"
+    region = add_command(commands, "region", _region, text, *some)
     _add_plane(region)
     add_range(region)
 
-    text = "all resisted wrenches as half-spaces (exit 1 if none)"
-    add_range(add_command(commands, "polyhedra", _polyhedra, text))
+    text = "list all resisted wrenches as half-spaces"
+    add_range(add_command(commands, "polyhedra", _polyhedra, text, *some))
 
-    text = "how far a wrench may be scaled, and what would resist it (exit 1 if it is not resisted)"
-    margin = add_command(commands, "margin", _margin, text)
+    text = "say how far a wrench may be scaled, and what would resist it"
+    answers = ("resisted", "not resisted", "undecided")
+    margin = add_command(commands, "margin", _margin, text, *answers)
     add_applied(margin)
     add_range(margin)
     add_number(margin, "--width", Fraction(1, 2**20), "length of the friction bracket")
 
-    text = "binary search in N directions (exit 1 if it errs)"
-    mapped = add_command(commands, "map", _map, text)
+    text = "search for the largest force in N directions, as the paper does"
+    mapped = add_command(commands, "map", _map, text, "the search is right", "it errs")
     add_count(mapped, "--directions", 72, "how many")
     add_number(mapped, "--tolerance", Fraction(1, 1000), "of the search")
     add_number(mapped, "--largest", 1000, "largest magnitude tried")
 
-    text = "wrench-space slice, no preload and preload 1, as data"
+    text = "compute the wrench-space slice, no preload and preload 1, as data"
     _add_plane(add_command(commands, "figure", _figure, text, preload=False))
 
-    text = "seeded search for grasps that a binary search misjudges"
-    gaps = add_command(commands, "gaps", _gaps, text, grasp=False)
+    text = "look for random grasps that a binary search misjudges"
+    gaps = add_command(commands, "gaps", _gaps, text, "some found", "none found", grasp=False)
     gaps.set_defaults(long=True)
     text = "of each grasp (default: 3)"
     gaps.add_argument("--contacts", type=terminal.count_argument, default=3, metavar="M", help=text)

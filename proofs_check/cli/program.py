@@ -24,28 +24,36 @@ def _parser() -> terminal.Parser:
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    def command(name: str, function: str, help: str) -> argparse.ArgumentParser:
-        added: argparse.ArgumentParser = commands.add_parser(name, help=help)
+    def command(name: str, function: str, help: str, *answers: str) -> argparse.ArgumentParser:
+        added: argparse.ArgumentParser = terminal.add_command(commands, name, help, *answers)
         added.set_defaults(command=_later(function), long=True)  # it tells how far it is
         terminal.add_common_options(added)
         if name in ("run", "try", "sweep", "report"):
             terminal.add_number_options(added)
         return added
 
+    expected = ("every verdict is the expected one", "some verdict differs")
     listed = command("list", "run.list_claims", "list the claims")
     listed.add_argument("file", nargs="?", metavar="FILE.py", help="(default: those of the paper)")
     show = command("show", "run.show_claim", "say what one claim states and how it is checked")
     show.add_argument("id", metavar="ID", help="a claim of the paper, or FILE.py:ID")
-    _add_run(command("run", "run.run_claims", "check claims and print the verdicts"))
-    _add_try(command("try", "run.try_claim", "check a claim in one line (exit 1 if it is refuted)"))
+    _add_run(command("run", "run.run_claims", "check claims and print the verdicts", *expected))
+    _add_try(command("try", "run.try_claim", "check a claim in one line", "not refuted", "refuted"))
     _add_sweep(
         command(
             "sweep",
             "sweep.run_sweep",
             "check one claim on very many instances; can be interrupted",
+            *expected,
         )
     )
-    status = command("status", "sweep.run_status", "say how far a sweep is, also while it runs")
+    status = command(
+        "status",
+        "sweep.run_status",
+        "say how far a sweep is, also while it runs",
+        "complete",
+        "not yet",
+    )
     status.add_argument("store", metavar="STORE")
     merge = command(
         "merge", "sweep.run_merge", "put the chunks of several stores of one sweep into one"
@@ -53,7 +61,10 @@ def _parser() -> terminal.Parser:
     merge.add_argument("store", metavar="STORE", help="where to; made when missing")
     merge.add_argument("parts", nargs="+", metavar="PART", help="stores to read")
     report = command(
-        "report", "sweep.run_report", "make a report of your claims, of a store or of a JSON record"
+        "report",
+        "sweep.run_report",
+        "make a report of your claims, of a store or of a JSON record",
+        *expected,
     )
     report.add_argument(
         "source", metavar="SOURCE", help="FILE.py, a store of a sweep, or FILE.json of run"
@@ -67,7 +78,7 @@ def _parser() -> terminal.Parser:
     _add_seed(report)
     _add_own(report)
     grade = command(
-        "grade", "grade.run_grade", "grade answers to exercises (exit 1 if one is wrong)"
+        "grade", "grade.run_grade", "grade answers to exercises", "all are right", "one is wrong"
     )
     grade.add_argument("exercises", metavar="FILE.py", help="the exercises; it is run as a program")
     grade.add_argument(
@@ -80,7 +91,9 @@ def _parser() -> terminal.Parser:
     table = command(
         "table",
         "grade.run_table",
-        "compare numbers in print with what is computed (exit 1 if some differ)",
+        "compare numbers in print with what is computed",
+        "none differs",
+        "some differ",
     )
     table.add_argument(
         "table", metavar="FILE.csv", help="columns arrangement, quantity, printed; - for stdin"
