@@ -125,7 +125,16 @@ def fold_reference(app, name, template, context, tree):
         context["toctree"] = lambda **options: whole(**{**options, "collapse": True})
 
 
+def drop_bundles(app, error):
+    """Remove the bundles of MathJax that no page loads: more than half of its files."""
+    folder, loaded = Path(app.outdir) / "_static" / "mathjax", Path(app.config.mathjax_path).name
+    for bundle in folder.glob("*.js") if (folder / loaded).exists() else ():
+        if bundle.name != loaded:
+            bundle.unlink()
+
+
 def setup(app):
     app.connect("html-page-context", fold_reference, priority=100)  # before the theme asks for it
     app.connect("builder-inited", make_figures)
+    app.connect("build-finished", drop_bundles)
     app.connect("autodoc-process-docstring", escape_mathematics, priority=400)

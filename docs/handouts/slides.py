@@ -39,7 +39,8 @@ def sentences(paragraph):
 
 def ends(node):
     """Return whether a node ends a sentence, which else goes on in a formula or in code."""
-    if not isinstance(node, (nodes.paragraph, nodes.raw)):
+    pictures = (one for one in node.children if isinstance(one, nodes.raw) and "formula" not in one)
+    if not isinstance(node, (nodes.paragraph, nodes.raw)) or any(pictures):
         return True
     return bool(re.search(r"[.?!∎]\W*$", node.get("formula") or node.astext()))
 
