@@ -9,10 +9,6 @@ measure: an object at rest leaves nothing to it.
 An object *creeps* when this share is the same for a small and a large load. It *slips* at a load
 whose share is larger by `Rule.share` than that of a quarter of the load. The slip load is found by
 bisection. A load that is exactly resisted without end is tried at `NEVER` times the usual force.
-
-A new engine is one function: it takes a scene, which load, its magnitude, whether the preloads grow
-with it, and settings, and returns velocities of the object near the end, (x, y, turn) or
-(x, y, z, three turns).
 """
 
 from __future__ import annotations
@@ -20,8 +16,7 @@ from __future__ import annotations
 import csv
 import statistics
 import time
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator
 from fractions import Fraction
 from importlib.metadata import PackageNotFoundError, version
 from itertools import islice
@@ -29,31 +24,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from engines import Rule, Setting, settings
 
 from arrangement.console.progress import watched
 from equilibrium.scenes import FREQUENCY, EngineScene, benchmark
 
 #: Bisections of twice the exact slip load, and the largest load tried where there is none.
 STEPS, NEVER = 8, 16
-#: The load grows in so many steps.
-PARTS = 50
-
-
-@dataclass(frozen=True)
-class Rule:
-    """When a load slips.
-
-    Attributes:
-        share: damping carries this much more of it than of a quarter of it.
-        ramp: seconds over which a load grows; it is held for twice as long, and the last quarter of
-            that is looked at.
-        damping: of the object, times that of the scene.
-    """
-
-    share: float = 1 / 100
-    ramp: float = 20 / FREQUENCY
-    damping: float = 1
-
 
 #: The first is the one measured with; the others show how much it matters.
 RULES = {
@@ -64,127 +41,6 @@ RULES = {
     "twice the damping": Rule(damping=2),
     "half the damping": Rule(damping=1 / 2),
 }
-
-
-@dataclass(frozen=True)
-class Setting:
-    """An engine with its settings."""
-
-    engine: str
-    name: str
-    run: Callable[..., np.ndarray]
-    options: dict[str, Any]
-
-
-def mujoco_run(
-    scene: EngineScene, load: int, t: float, together: bool, rule: Rule, **options: Any
-) -> np.ndarray:
-    """Run a scene in MuJoCo: cone, impratio, noslip iterations, time step."""
-    import mujoco
-
-    model = mujoco.MjModel.from_xml_string(scene.mjcf())
-    option = model.opt
-    option.cone = getattr(mujoco.mjtCone, f"mjCONE_{options['cone'].upper()}")
-    option.impratio = options.get("impratio", 1)
-    option.noslip_iterations = options.get("noslip", 0)
-    option.timestep = options.get("step", 2e-3)
-    data = mujoco.MjData(model)
-    moves = 3 if scene.grasp.dimension == 2 else 6
-    places = 3 if moves == 3 else 7
-    springs, steps = model.qpos_spring[places:].copy(), round(rule.ramp / option.timestep)
-    model.dof_damping[:moves] *= rule.damping
-    if not together:
-        mujoco.mj_step(model, data, nstep=steps)
-    for part in range(1, PARTS + 1):
-        data.ctrl[load] = t * part / PARTS
-        if together:
-            model.qpos_spring[places:] = springs * part / PARTS
-        mujoco.mj_step(model, data, nstep=steps // PARTS)
-    mujoco.mj_step(model, data, nstep=steps * 3 // 2)
-    before = data.qpos.copy()
-    mujoco.mj_step(model, data, nstep=steps // 2)
-    moved = np.zeros(moves)
-    mujoco.mj_differentiatePos(model, whole := np.zeros(model.nv), 1, before, data.qpos)
-    moved[:] = whole[:moves]
-    return moved / (steps // 2 * option.timestep)
-
-
-def pymunk_run(
-    scene: EngineScene, load: int, t: float, together: bool, rule: Rule, **options: Any
-) -> np.ndarray:
-    """Run a scene in the plane in pymunk: iterations, time step."""
-    import pymunk
-
-    space = pymunk.Space()
-    space.iterations = options["iterations"]
-    space.collision_slop = scene.size * 1e-6
-    body = pymunk.Body(scene.mass, scene.mass * scene.size**2)
-    centre = scene.centre[:2]
-    body.position, origin = tuple(centre), tuple(-centre)
-    space.add(body)
-    fingers = []
-    for i, (pad, given) in enumerate(zip(scene.pads, scene.fingers, strict=True)):
-        alone = pymunk.ShapeFilter(categories=1 << i, mask=1 << i)
-        normal, middle = np.array(given["axis"][:2]), np.array(pad["centre"][:2]) - centre
-        along = np.array([-normal[1], normal[0]]) * pad["halves"][0]
-        across = normal * pad["halves"][2]
-        corners = [middle + s * along + r * across for s, r in ((1, 1), (1, -1), (-1, -1), (-1, 1))]
-        flat = pymunk.Poly(body, [tuple(x) for x in corners])
-        flat.friction, flat.filter = 1.0, alone
-        finger = pymunk.Body(given["mass"], float("inf"))
-        start = np.array(given["centre"][:2])
-        finger.position = tuple(start)
-        ball = pymunk.Circle(finger, given["radius"])
-        ball.friction, ball.filter = given["friction"], alone
-        ends = [tuple(start + s * normal * scene.size) for s in (-1, 1)]
-        groove = pymunk.GrooveJoint(space.static_body, finger, *ends, (0, 0))
-        space.add(flat, finger, ball, groove)
-        fingers.append((finger, given, normal, start))
-    wrench, damping = [t * float(x) for x in scene.directions[load]], rule.damping * scene.damping
-    step, steps = options["step"], round(rule.ramp / options["step"])
-
-    def advance(number: int, share: float, pressed: float) -> None:
-        for _ in range(number):
-            for finger, given, normal, start in fingers:
-                out = float(np.dot(finger.position - start, normal))
-                force = given["preload"] * pressed - given["stiffness"] * out
-                force -= given["damping"] * float(np.dot(finger.velocity, normal))
-                finger.force = tuple(force * normal)
-            x, y = body.velocity_at_local_point(origin)
-            push = np.array(wrench[:2]) * share - damping * np.array([x, y])
-            # Forces act at the origin; pymunk takes them at the centre of mass.
-            body.force = tuple(push)
-            turn = wrench[2] * share - damping * scene.size**2 * body.angular_velocity
-            lever = np.array(body.local_to_world(origin)) - body.position
-            body.torque = turn + float(lever[0] * push[1] - lever[1] * push[0])
-            space.step(step)
-
-    if not together:
-        advance(steps, 0, 1)
-    for part in range(1, PARTS + 1):
-        advance(steps // PARTS, part / PARTS, part / PARTS if together else 1)
-    advance(steps * 3 // 2, 1, 1)
-    place = lambda: np.array([*body.local_to_world(origin), body.angle])  # noqa: E731
-    before = place()
-    advance(steps // 2, 1, 1)
-    return (place() - before) / (steps // 2 * step)
-
-
-def settings() -> Iterator[Setting]:
-    """Yield what is measured; an engine that is not installed is left out, and said."""
-    for cone in ("elliptic", "pyramidal"):
-        for options in (
-            {"impratio": 1},
-            {"impratio": 10},
-            {"impratio": 100},
-            {"impratio": 10, "noslip": 10},
-            {"impratio": 10, "step": 5e-4},
-        ):
-            words = ", ".join(f"{key} {value:g}" for key, value in options.items())
-            yield Setting("mujoco", f"{cone}, {words}", mujoco_run, {"cone": cone, **options})
-    for iterations in (10, 50):
-        options = {"iterations": iterations, "step": 2e-3}
-        yield Setting("pymunk", f"{iterations} iterations", pymunk_run, options)
 
 
 def carried(
@@ -237,13 +93,13 @@ def measure(every: int = 1) -> Iterator[dict[str, Any]]:
     Args:
         every: only each such scene.
     """
-    for name, scene in islice(benchmark(), 0, None, every):
+    for k, (name, scene) in enumerate(islice(benchmark(), 0, None, every)):
         for load, (known, _) in enumerate(scene.loads()):
             end = exact_end(known)
             if end is not None and end < 1e-6 * scene.force:
                 continue  # No load at all is resisted, so there is none to compare with.
             for setting in settings():
-                if setting.engine == "pymunk" and scene.grasp.dimension == 3:
+                if k % setting.sample or scene.grasp.dimension not in setting.dimensions:
                     continue
                 for together in (True, False):
                     how, began = (setting, together, RULES["as measured"]), time.process_time()
