@@ -40,6 +40,14 @@ The first sentence stands on the slide. The second is only said.
 
    A picture of <one> dot.
 
+.. |dot| image:: dot.svg
+   :width: 48%
+   :alt: the dot again
+
+|dot| |dot|
+
+What comes after two pictures stands apart from them.
+
 In the lab
 ----------
 
@@ -116,7 +124,7 @@ def test_handouts_need_no_other_file_and_keep_formulas_and_pictures(build):
         assert re.findall(r'(?:src|link [^>]*href)="(?!data:|\.\./pages/)', text) == []
         assert "<math " in text
         assert "\\Big" not in text
-    (picture,) = re.findall(
+    picture, *_ = re.findall(
         r"data:image/svg\+xml;base64,([^\"]+)", (made / "one-slides.html").read_text()
     )
     assert base64.b64decode(picture).startswith(b"<svg")
@@ -132,6 +140,14 @@ def test_slides_have_first_sentences_whole_proofs_the_lab_and_no_answers(build):
     assert '<iframe src="../pages/gallery-lab.html#1%7C3"' in shown
     assert "And twice that?" in shown
     assert "Two, of course." not in text
+
+
+def test_pictures_beside_each_other_are_a_block_of_their_own(build):
+    text = (build(LESSON) / "one-slides.html").read_text(encoding="utf-8")
+    (block,) = (one for one in text.split('<div class="block">') if "the dot again" in one)
+    assert block.count("<img") == 2
+    assert "stands apart" not in block
+    assert "stands apart" in text
 
 
 def test_the_page_of_the_lesson_links_them_and_folds_the_answers(build):

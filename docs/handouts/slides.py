@@ -37,10 +37,14 @@ def sentences(paragraph):
     return [one for one in found if "".join(node.astext() for node in one).strip()]
 
 
+def is_picture(node):
+    """Return whether a node is a picture, which is raw here."""
+    return isinstance(node, nodes.raw) and "formula" not in node
+
+
 def ends(node):
     """Return whether a node ends a sentence, which else goes on in a formula or in code."""
-    pictures = (one for one in node.children if isinstance(one, nodes.raw) and "formula" not in one)
-    if not isinstance(node, (nodes.paragraph, nodes.raw)) or any(pictures):
+    if not isinstance(node, (nodes.paragraph, nodes.raw)) or any(map(is_picture, node.children)):
         return True
     return bool(re.search(r"[.?!∎]\W*$", node.get("formula") or node.astext()))
 
@@ -75,7 +79,7 @@ def parts(section, is_first):
         if isinstance(node, nodes.paragraph):
             start = node.children[0]
             proof |= isinstance(start, nodes.emphasis) and start.astext().startswith("Proof")
-            whole = is_first or proof or isinstance(start, nodes.strong)
+            whole = is_first or proof or isinstance(start, nodes.strong) or is_picture(start)
             proof &= "∎" not in node.astext()
             yield (node, None) if whole else (shortened(node), node)
         elif isinstance(node, _CODE):
