@@ -28,43 +28,36 @@ def test_whole_packages_are_right():
     assert wrong_files(ARCHIVE, WHEEL, set()) == []
 
 
-@pytest.mark.parametrize(
-    "path",
-    [
-        "docs/_build/html/index.html",
-        "docs/_generated/first-page.svg",
-        "docs/reference/arrangement/arrangement.rst",
-        "report/verdicts.html",
-        "arrangement/__pycache__/planes.cpython-311.pyc",
-        "tests/.hypothesis/examples/x",
-        ".venv/bin/python",
-        "sweep.sqlite",
-    ],
+RUBBISH = (
+    "docs/_build/html/index.html",
+    "docs/_generated/first-page.svg",
+    "docs/reference/arrangement/arrangement.rst",
+    "report/verdicts.html",
+    "arrangement/__pycache__/planes.cpython-311.pyc",
+    "tests/.hypothesis/examples/x",
+    ".venv/bin/python",
+    "sweep.sqlite",
 )
-def test_rubbish_in_the_source_archive_is_found(path):
-    assert f"rubbish in the source archive: {path}" in wrong_files(ARCHIVE | {path}, WHEEL, TRACKED)
+#: What is in the archive and the wheel, and what is said. What makes shipped data is no rubbish.
+WRONG = [
+    *((ARCHIVE | {path}, WHEEL, f"rubbish in the source archive: {path}") for path in RUBBISH),
+    *(
+        (ARCHIVE - {path}, WHEEL, f"not in the source archive: {path}")
+        for path in ("Makefile", "docs/index.rst", "equilibrium/grasps/instances/contacts/a.json")
+    ),
+    *((ARCHIVE, WHEEL - {x}, f"in the source archive, not in the wheel: {x}") for x in WHEEL),
+    *(
+        (ARCHIVE, WHEEL | {path}, f"in the wheel, not in the source archive: {path}")
+        for path in ("tests/test_a.py", WORKSHOP)
+    ),
+]
 
 
-@pytest.mark.parametrize(
-    "path", ["Makefile", "docs/index.rst", "equilibrium/grasps/instances/contacts/a.json"]
-)
-def test_a_file_that_the_source_archive_lacks_is_found(path):
-    assert f"not in the source archive: {path}" in wrong_files(ARCHIVE - {path}, WHEEL, TRACKED)
-
-
-@pytest.mark.parametrize("path", sorted(WHEEL))
-def test_a_file_that_the_wheel_lacks_is_found(path):
-    assert wrong_files(ARCHIVE, WHEEL - {path}, TRACKED) == [
-        f"in the source archive, not in the wheel: {path}"
-    ]
-
-
-@pytest.mark.parametrize("path", ["tests/test_a.py", WORKSHOP])
-def test_a_file_that_only_the_wheel_has_is_found(path):
-    """What makes shipped data stays in the source archive."""
-    assert wrong_files(ARCHIVE, WHEEL | {path}, TRACKED) == [
-        f"in the wheel, not in the source archive: {path}"
-    ]
+@pytest.mark.parametrize(("archive", "wheel", "said"), sorted(WRONG, key=lambda row: row[2]))
+def test_a_wrong_file_is_found(archive, wheel, said):
+    found = wrong_files(archive, wheel, TRACKED)
+    assert said in found
+    assert {line.rpartition(": ")[2] for line in found} == {said.rpartition(": ")[2]}
 
 
 def test_every_command_of_the_programs_is_tried():
