@@ -91,6 +91,7 @@ COMMANDS = (
     Command("proofs-check run euler --report euler.html", 0, "as expected", "euler.html"),
     Command("proofs-check run table-three-contacts --json", 0, '"verdict"'),
     Command('proofs-check try "m >= 3" --samples 2 --census 3', 0, "holds"),
+    Command("proofs-check fit regions --of generic(m=2..6)", 0, "m**2 - m + 2"),
     Command("proofs-check new mine", 0, writes="mine.py"),
     Command("proofs-check grade lecture.py answers.json", 0, "1 of 1"),
     Command("proofs-check sweep euler --planes 3..4 --samples 9 --store s.sqlite", 0, "euler"),

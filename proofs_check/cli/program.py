@@ -28,7 +28,7 @@ def _parser() -> terminal.Parser:
         added: argparse.ArgumentParser = terminal.add_command(commands, name, help, *answers)
         added.set_defaults(command=_later(function), long=True)  # it tells how far it is
         terminal.add_common_options(added)
-        if name in ("run", "try", "sweep", "report"):
+        if name in ("run", "try", "fit", "sweep", "report"):
             terminal.add_number_options(added)
         return added
 
@@ -39,6 +39,17 @@ def _parser() -> terminal.Parser:
     show.add_argument("id", metavar="ID", help="a claim of the paper, or FILE.py:ID")
     _add_run(command("run", "run.run_claims", "check claims and print the verdicts", *expected))
     _add_try(command("try", "run.try_claim", "check a claim in one line", "not refuted", "refuted"))
+    fitted = command(
+        "fit",
+        "fit.run_fit",
+        "say what polynomial a count of a family fits",
+        "one fits",
+        "none fits",
+    )
+    fitted.add_argument(
+        "quantity", metavar="QUANTITY", help="such as regions or f_vector[1]; or FILE.py:ID"
+    )
+    fitted.add_argument("--of", metavar="FAMILY", help="such as 'generic(m=2..9)'")
     _add_sweep(
         command(
             "sweep",
@@ -137,7 +148,10 @@ def _add_try(parser: argparse.ArgumentParser) -> None:
         help='such as "p_vector.get(3, 0) >= m"; with regions, f_vector, t_vector, chi(t), ...',
     )
     parser.add_argument(
-        "--of", default="distinct", metavar="DOMAIN", help="which planes (default: distinct)"
+        "--of",
+        default="distinct",
+        metavar="DOMAIN",
+        help="which planes; or a family, as 'catalan(n=2..6)'",
     )
     parser.add_argument("--when", metavar="STATEMENT", help="a hypothesis")
     _add_seed(parser)

@@ -55,7 +55,7 @@ def list_claims(arguments: argparse.Namespace) -> int:
         terminal.print_json({"claims": [report.claim_record(claim) for claim in known]})
     else:
         rows = [(claim.id, claim.locator, claim.statement) for claim in known]
-        print("\n".join(text.table(rows, _width())))
+        print("\n".join(text.table(rows, width())))
     return terminal.YES
 
 
@@ -72,7 +72,7 @@ def show_claim(arguments: argparse.Namespace) -> int:
     if arguments.json:
         terminal.print_json(report.claim_record(claim))
     else:
-        print(_described(claim, _width()))
+        print(_described(claim, width()))
     return terminal.YES
 
 
@@ -131,9 +131,9 @@ def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
             continue
         saved = _save(found, arguments.save) if asked.from_files else ""
         if not arguments.json:
-            entry = text.entry(found, widths, _width())
+            entry = text.entry(found, widths, width())
             if asked.from_files:
-                entry = "\n" * bool(results) + text.details(found, _width(), saved=saved)
+                entry = "\n" * bool(results) + text.details(found, width(), saved=saved)
             print(entry, flush=True)
         results.append(found)
     record = report.json_record(results, asked.seed, **_about(asked))
@@ -309,6 +309,6 @@ def _save(found: dict[str, Any], folder: str) -> str:
     return str(target)
 
 
-def _width() -> int:
+def width() -> int:
     """Return the width to write for: of the terminal, at least 60 characters, at most 160."""
     return min(max(shutil.get_terminal_size((110, 24)).columns, 60), 160)

@@ -54,7 +54,7 @@ class Family:
         return prod(map(len, self.parameters.values()))
 
     def __str__(self) -> str:
-        return self._label({key: _span(values) for key, values in self.parameters.items()})
+        return self._label({key: span(values) for key, values in self.parameters.items()})
 
     @cached_property
     def variable(self) -> str | None:
@@ -174,9 +174,10 @@ def _own(name: str, key: str) -> str:
     return "type" if key == "n" and "n" not in usable and "type" in usable else key
 
 
-def _span(values: Sequence[Any]) -> str:
-    if len(values) > 1 and all(type(x) is int for x in values):
+def span(values: Sequence[Any], comma: str = ",") -> str:
+    """Return values as a text reads them: 2..8 for three or more successive integers."""
+    if len(values) > 2 and all(type(x) is int for x in values):
         low, high = values[0], values[-1]
         if list(values) == list(range(low, high + 1)):
             return f"{low}..{high}"
-    return ",".join(map(str, values))
+    return comma.join(map(str, values))
