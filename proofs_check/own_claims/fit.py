@@ -52,7 +52,7 @@ class Fit:
 
 
 @dataclass(frozen=True)
-class Values:
+class FamilyValues:
     """The values of a quantity for the values of the parameter `name` of a family."""
 
     quantity: str
@@ -61,7 +61,7 @@ class Values:
     found: Mapping[int, Number]
 
 
-def values_of_text(text: str, of: str) -> Values:
+def values_of_text(text: str, of: str) -> FamilyValues:
     """Return the values of a quantity in the language of one line on the members of a family.
 
     Raises:
@@ -76,7 +76,7 @@ def values_of_text(text: str, of: str) -> Values:
     return _values(text, str(family), values)
 
 
-def values_of_claim(claim: Claim) -> Values:
+def values_of_claim(claim: Claim) -> FamilyValues:
     """Return the values, on which all routes agree, of a claim about members of a family.
 
     Raises:
@@ -99,7 +99,9 @@ def values_of_claim(claim: Claim) -> Values:
 _ONE = "needs one parameter that varies over integers, such as generic(m=2..9)"
 
 
-def _values(quantity: str, over: str, given: Iterable[tuple[Mapping[str, Any], Any]]) -> Values:
+def _values(
+    quantity: str, over: str, given: Iterable[tuple[Mapping[str, Any], Any]]
+) -> FamilyValues:
     found: dict[int, Number] = {}
     pairs = list(given)
     keys = pairs[0][0] if pairs else ()
@@ -114,7 +116,7 @@ def _values(quantity: str, over: str, given: Iterable[tuple[Mapping[str, Any], A
                 "number; name a count, such as regions or f_vector[1]"
             )
         found[parameters[name]] = value
-    return Values(quantity, over, name, dict(sorted(found.items())))
+    return FamilyValues(quantity, over, name, dict(sorted(found.items())))
 
 
 def fit(found: Mapping[int, Number], name: str = "n") -> Fit | None:

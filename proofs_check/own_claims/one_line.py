@@ -26,6 +26,7 @@ from proofs_check.instances.pseudolines import Pseudolines
 from proofs_check.statements.statement import Claim
 
 from .claim_file import compared
+from .formula_of import formula_of
 from .user_claim import claim
 
 _LONGEST = 500  # characters of a text
@@ -100,6 +101,7 @@ def one_line_claim(text: str, *, of: str = "distinct", when: str | None = None) 
     make = claim(
         text,
         of=chosen or of,
+        formula=formula_of(statement),
         id="try",
         locator="one line",
         when=applies,

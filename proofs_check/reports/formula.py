@@ -17,7 +17,20 @@ NAMES = frozenset(
     (
         *("le", "ge", "lt", "gt", "ne", "in", "times", "cdot", "sum", "prod", "max", "min", "log"),
         *("ldots", "cdots", "to", "Rightarrow", "iff", "neg", "exists", "forall", "chi", "mu"),
-        *("sigma", "tau", "pi", "infty", "ell", "frac", "binom", "sqrt", "quad", "qquad"),
+        *(
+            "sigma",
+            "tau",
+            "pi",
+            "infty",
+            "ell",
+            "frac",
+            "binom",
+            "sqrt",
+            "quad",
+            "qquad",
+            "lfloor",
+            "rfloor",
+        ),
     )
 )
 _TOKEN = re.compile(

@@ -80,7 +80,7 @@ _LETTERS = "chi|mu|tau|sigma|pi|lambda|log|max|min|sum"
 _TOKEN = re.compile(
     r"(?P<given>\$[^$]+\$)"
     r"|(?P<space>\s+)"
-    r"|(?P<op><=|>=|!=|\+-|->|\.\.\.|[-+*/=<>^_])"
+    r"|(?P<op><=|>=|!=|==|\*\*|\+-|->|\.\.\.|[-+*/=<>^_])"
     r"|(?P<bar>\|)"
     r"|(?P<open>[(\[{])"
     r"|(?P<close>[)\]}])"
@@ -112,7 +112,8 @@ def prose(text: str) -> Tex:
     Of $\mathbb{R}^{3}$: $m^{2}-m+2$ regions (3{-}\brk connected) for $m\ge 3$.
     """
     plain = " ".join(text.split())
-    tokens = [(str(found.lastgroup), found.group()) for found in _TOKEN.finditer(plain)]
+    raw = [(str(found.lastgroup), found.group()) for found in _TOKEN.finditer(plain)]
+    tokens = [(kind, {"==": "=", "**": "^"}.get(text, text)) for kind, text in raw]
     made, waiting, k = "", "", 0
     while k < len(tokens):
         stop = _reach(tokens, k) if waiting[-1:] not in set("'_^") else k
@@ -123,7 +124,7 @@ def prose(text: str) -> Tex:
             made += _between(waiting) + tokens[k][1]
             waiting, k = "", k + 1
         else:
-            waiting += tokens[k][1]
+            waiting += raw[k][1]
             k += 1
     return Tex(made + _between(waiting))
 

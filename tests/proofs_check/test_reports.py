@@ -325,6 +325,7 @@ def test_prose_sets_what_is_mathematics_and_nothing_else():
         ("sum_{i<=k} w_i is at most 4^m", r"$\sum _{i\le k}\,w_{i}$ is at most $4^{m}$"),
         ("a table of 3-connected graphs", "a table of 3{-}connected graphs"),
         ("rank 3, Eqs. 1 to 4", "rank 3, Eqs. 1 to 4"),
+        ("m**2 == 4", "$m^{2}=4$"),
         ("A grasp; I hold p_vector", "A grasp; I hold p\\_vector"),
         (r"so $\binom{n}{2}$ is", r"so $\binom{n}{2}$ is"),
     ):

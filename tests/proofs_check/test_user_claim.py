@@ -15,6 +15,8 @@ from equilibrium.grasps.files import read_grasp
 from proofs_check import Verdict, claim, evaluate
 from proofs_check.cli.program import main
 from proofs_check.instances.domains import DOMAINS, domain, known_families, size
+from proofs_check.own_claims.formula_of import formula_of
+from proofs_check.own_claims.one_line import one_line_claim, read
 from proofs_check.own_claims.shrink import shrink
 
 HEAD = "from proofs_check import claim\n"
@@ -343,3 +345,26 @@ def test_one_claim_of_a_file_can_be_named_and_one_that_fails_keeps_the_others(wr
     }.items():
         assert main(list(words)) == 2
         assert message in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("text", "formula"),
+    [
+        ("p_vector.get(3, 0) >= m", r"p_{3} \ge m"),
+        ("regions == (n + 1)**(n - 1)", r"\text{regions} = (n + 1)^{n - 1}"),
+        ("m - (n - 1) - 2 < -m * (-2)", r"m - (n - 1) - 2 \lt (-m) \cdot (-2)"),
+        ("m * (n + 1) / 2 != m // 2", r"\frac{m \cdot (n + 1)}{2} \ne \lfloor \frac{m}{2} \rfloor"),
+        ("(m**2)**3 > m**2**3", r"(m^{2})^{3} \gt m^{2^{3}}"),
+        ("abs(chi(-1)) == comb(m, 2)", r"|\chi(-1)| = \binom{m}{2}"),
+        ("(m < 3 or simple) and not m % 2 == 0", r"(m \lt 3\; \text{or} \;\text{simple})"
+         r"\; \text{and} \;\neg (m\; \text{mod} \;2 = 0)"),
+        ("max(f_vector[1], m) <= 7", r"\max(f_{1}, m) \le 7"),
+        ("sum(p_vector.values()) == regions", ""),
+        ("p_vector.get(3, 1) == 4", ""),
+        ("+".join(["m"] * 200) + ">0", ""),
+    ],
+)  # fmt: skip
+def test_a_claim_in_one_line_has_its_formula_where_there_is_one(text, formula):
+    assert formula_of(read(text, ["n"])) == formula
+    if "n" not in text:
+        assert one_line_claim(text).formula == formula
