@@ -43,6 +43,8 @@ _COMPARISONS: dict[str, Callable[[Any, Any], Any]] = {
 _LONGEST = 200
 #: Under this name a file finds `compared`; no name of a program can be the same.
 _COMPARED = "@compared"
+#: Longer names of claims break every table.
+_LONGEST_ID = 80
 _Kind = TypeVar("_Kind")
 
 
@@ -60,11 +62,13 @@ def id_of(function: Callable[..., Any], given: str | None) -> str:
     """Return the id of what a decorator makes: the one given, or the name of the function.
 
     Raises:
-        OwnClaimError: it has other signs than those of an id.
+        OwnClaimError: it has other signs than those of an id, or very many.
     """
     name = given or function.__name__.strip("_").lower().replace("_", "-")
     if not re.fullmatch("[a-z0-9]+(-[a-z0-9]+)*", name):
-        raise OwnClaimError(f"{name!r} is not an id; use lower case words with hyphens")
+        raise OwnClaimError(f"{shown(name)} is not an id; use lower case words with hyphens")
+    if len(name) > _LONGEST_ID:
+        raise OwnClaimError(f"the id {shown(name)} is longer than {_LONGEST_ID} characters")
     return name
 
 

@@ -77,8 +77,9 @@ def test_a_fault_of_the_lecturer_is_no_mistake_of_a_student():
     for wrong in ({"of": "essay"}, {"points": -1}, {"points": True}):
         with pytest.raises(OwnClaimError, match=next(iter(wrong))):
             exercise("?", **wrong)
-    with pytest.raises(OwnClaimError, match="is not an id"):
-        exercise("?", id="Q 1")(lambda given: True)
+    for name, words in (("Q 1", "is not an id"), ("q" * 81, "longer than 80 characters")):
+        with pytest.raises(OwnClaimError, match=words):
+            exercise("?", id=name)(lambda given: True)
 
 
 LECTURE = """
