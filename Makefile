@@ -133,6 +133,7 @@ docs: $(VENV)/.stamp-docs
 	@echo "docs/_build/html/index.html"
 
 docs-check: docs $(VENV)/.stamp-test
+	$(BIN)/python -m pytest -q tests/test_handouts.py
 	$(BIN)/python tests/check_site.py docs/_build/html
 
 notebooks: docs

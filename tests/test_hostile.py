@@ -537,7 +537,7 @@ CASES += [
         ("report nowhere.json", "cannot read"),
         ("try 'm > 1' --of grasp", "planes"),
         ("try 'm > 1' --of nothing", "there are central"),
-        ("report nowhere.json --output r.pdf", "a report ends with .json"),
+        ("report nowhere.json --output r.doc", "a report ends with .json"),
         ("new nowhere/mine", "nowhere"),
     )
 ]

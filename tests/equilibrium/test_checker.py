@@ -583,7 +583,8 @@ def test_no_motion_in_a_leaf_balances_the_load(documents):
 
 def _may_be(touch: Touch, motion: list[Fraction], state: str) -> bool:
     force, slip = judge.spring_and_slip(touch, [Fraction(1), *motion])
-    slips = {"stick": slip == 0, "slip+": slip >= 0, "slip-": slip <= 0}
+    # At rest friction may point either way, which is what the leaf of "stick" is for.
+    slips = {"stick": slip == 0, "slip+": slip > 0, "slip-": slip < 0}
     return force < 0 if state == "detached" else force >= 0 and slips.get(state, True)
 
 
