@@ -215,8 +215,9 @@ def f_vector(arrangement: Planes) -> tuple[int, ...]:
     `Arrangement.f_vector`, which enumerates; the two share no code.
 
     Source: T. Zaslavsky, Facing up to arrangements, Memoirs AMS 154 (1975), theorem A.
-    Complexity: see `doubly_indexed_whitney_numbers`. Beyond rank 4, planes with many symmetries are
-    counted by classes of flats: one restriction for each.
+    Complexity: see `doubly_indexed_whitney_numbers`. Beyond rank 4, planes whose largest minors are
+    all seen to be nonzero are counted by binomials, since every flat has as many planes as its
+    rank, and planes with many symmetries by classes of flats: one restriction for each.
 
     >>> from arrangement import Arrangement
     >>> f_vector(Arrangement([[1, 0, 0], [0, 1, 0], [1, 1, 1]]))

@@ -43,7 +43,7 @@ def test_one_plane_has_one_closed_arc_without_vertices():
     assert made.incidence.boundary(0).tolist() == [0]
     assert made.incidence.neighbours(0).tolist() == [1]
     assert [made.region_signs(r) for r in range(2)] == [(1, -1), (-1, 1)]
-    assert made.arc_signs(0) == (0, 0)
+    assert made.arrangement.signs_at(made.arc_witness(0)) == (0, 0)
     assert made.arc_witness(0) != (0, 0, 0)
 
 

@@ -136,14 +136,6 @@ class SphereArrangement(Shown):
         corners = self.incidence.origin[[half_edge, second, int(following[second])]].tolist()
         return _sum(self.ray(corner) for corner in corners)
 
-    def vertex_signs(self, vertex: int) -> SignVector:
-        """Return the sign vector of a vertex. O(m) exact operations."""
-        return self.arrangement.signs_at(self.ray(vertex))
-
-    def arc_signs(self, arc: int) -> SignVector:
-        """Return the sign vector of an arc. O(m) exact operations."""
-        return self.arrangement.signs_at(self.arc_witness(arc))
-
     def region_signs(self, region: int) -> SignVector:
         """Return the sign vector of a region. O(m) exact operations."""
         return self.arrangement.signs_at(self.region_witness(region))
