@@ -183,12 +183,14 @@ def test_equal_weights_inscribe_every_simplicial_arrangement(name):
 @pytest.mark.parametrize(
     "graph",
     [
-        nx.complete_graph(5),
+        *map(nx.complete_graph, (1, 2, 5)),
         nx.complete_bipartite_graph(3, 3),
         nx.cycle_graph(5),
         nx.path_graph(3),
         nx.complete_bipartite_graph(2, 5),
         nx.disjoint_union(nx.complete_graph(4), nx.complete_graph(4)),
+        # Two tetrahedra without an edge, glued at its ends.
+        nx.Graph([(2, 3), (4, 5), *product((0, 1), (2, 3, 4, 5))]),
     ],
 )
 def test_graphs_of_no_polyhedron_are_refused(graph):
@@ -197,7 +199,14 @@ def test_graphs_of_no_polyhedron_are_refused(graph):
 
 
 def test_graphs_must_be_simple():
-    for edges in ([(0, 0)], [(0, 1), (1, 0)], [(0, 7)], [(-1, 0)]):
+    for edges in (
+        [(0, 0)],
+        [(0, 1), (1, 0)],
+        [(0, 4)],
+        [(-1, 0)],
+        [(0, 1), (2, 4)],
+        [(0, 1), (2, 2)],
+    ):
         with pytest.raises(InputError):
             PolyhedralGraph.of(4, edges)
 
@@ -226,6 +235,20 @@ def test_equal_weights_with_a_light_cutset_are_refused():
     certificate = WeightCertificate(graph, (Fraction(1, 3),) * len(graph.edges))
     with pytest.raises(ArrangementError, match="cutset"):
         certificate.verify()
+
+
+def test_light_uprights_of_a_prism_are_refused_though_its_other_edges_are_heavy():
+    graph = polyhedral(nx.circular_ladder_graph(6))
+    weights = [Fraction(1, 6) if v - u == 6 else Fraction(5, 12) for u, v in graph.edges]
+    with pytest.raises(ArrangementError, match="cutset"):
+        WeightCertificate(graph, tuple(weights)).verify()
+
+
+def test_weights_are_accepted_where_a_flow_has_to_turn_back():
+    weights = {(0, 3): 5, (0, 5): 12, (0, 7): 10, (1, 2): 4, (1, 3): 10, (1, 4): 13, (2, 3): 12}
+    weights |= {(2, 6): 11, (4, 5): 11, (4, 6): 3, (5, 7): 4, (6, 7): 13}
+    graph = PolyhedralGraph.of(8, weights)
+    WeightCertificate(graph, tuple(Fraction(w, 27) for w in weights.values())).verify()
 
 
 def test_any_changed_weight_is_refused():
@@ -297,16 +320,24 @@ def test_any_changed_multiplier_is_refused():
 
 
 def test_a_negative_multiplier_is_refused_even_if_the_sum_is_right():
-    """-1 at both ends of an edge, +1 for the edge, would prove anything."""
+    """-1 at both ends of an edge, +1 for the edge, would prove anything.
+
+    So would edges that weigh more than 1/2, or the cutset around an edge that weighs less than 1.
+    """
     graph = polyhedral(nx.tetrahedral_graph())
     ones = (Fraction(1),) * 4
     minus = dict.fromkeys(graph.edges, Fraction(-2))
-    with pytest.raises(ArrangementError, match="negative"):
-        FarkasCertificate(graph, ones, minus, {}, ()).verify()
-    with pytest.raises(ArrangementError, match="contradicts nothing"):
-        FarkasCertificate(
-            graph, tuple(-y for y in ones), dict.fromkeys(graph.edges, Fraction(2)), {}, ()
-        ).verify()
+    less, plus = tuple(-y for y in ones), dict.fromkeys(graph.edges, Fraction(2))
+    edge, around = (*ones[:2], *[Fraction(0)] * 2), ((frozenset({0, 1}), Fraction(-1)),)
+    for multipliers, message in (
+        ((ones, minus, {}, ()), "negative"),
+        ((less, {}, minus, ()), "negative"),
+        ((edge, {}, {(0, 1): Fraction(2)}, around), "negative"),
+        ((less, plus, {}, ()), "contradicts nothing"),
+        (((Fraction(0),) * 4, {}, {}, ()), "contradicts nothing"),
+    ):
+        with pytest.raises(ArrangementError, match=message):
+            FarkasCertificate(graph, *multipliers).verify()
 
 
 def test_cutsets_must_be_minimal_and_no_vertex_stars():
@@ -320,6 +351,15 @@ def test_cutsets_must_be_minimal_and_no_vertex_stars():
     larger, smaller = sorted(nx.bipartite.sets(graph.to_networkx()), key=len, reverse=True)
     balance = {v: Fraction(1 if v in larger else -1) for v in larger | smaller}
     FarkasCertificate(graph, tuple(balance[v] for v in range(14)), {}, {}, ()).verify()
+    # An edge that weighs more than 0 and less than 1/2, x times both, adds x/2 to -8 + 6.
+    for times in (0, 4, 5):
+        edge = {graph.edges[0]: Fraction(times)}
+        bounded = FarkasCertificate(graph, tuple(balance[v] for v in range(14)), edge, edge, ())
+        if times <= 4:
+            bounded.verify()
+        else:
+            with pytest.raises(ArrangementError, match="the constant 1/2 contradicts nothing"):
+                bounded.verify()
     apart = frozenset(sorted(larger)[:2])
     for v in apart:
         balance[v] -= 1

@@ -115,11 +115,6 @@ class PolyhedralGraph:
                 return f"the graph is not 3-connected: see vertex {min(shared)}"
         return ""
 
-    def is_connected_part(self, part: Iterable[int]) -> bool:
-        """Whether a nonempty set of vertices spans a connected graph."""
-        spanned = self.to_networkx().subgraph(part)
-        return len(spanned) > 0 and nx.is_connected(spanned)
-
 
 @dataclass(frozen=True)
 class WeightCertificate:
@@ -170,7 +165,7 @@ class WeightCertificate:
         beyond = {first}
         for neighbour in others:
             here = frozenset((root, neighbour))
-            more = capacity[first].keys() - here if len(beyond) == 1 else beyond
+            more = capacity[first].keys() - here if len(beyond) == 1 else {first}
             for y in more:
                 self._require_flow(capacity, beyond | {y}, here, unit)
             beyond.add(neighbour)
@@ -222,7 +217,7 @@ class FarkasCertificate:
         graph.require_polyhedral()
         if len(self.vertex_multipliers) != graph.vertex_count:
             raise ArrangementError("there is not one multiplier for each vertex")
-        if not {*self.lower_multipliers, *self.upper_multipliers} <= set(graph.edges):
+        if not {*self.lower_multipliers, *self.upper_multipliers}.issubset(graph.edges):
             raise ArrangementError("a multiplier belongs to no edge")
         for side, _ in self.cuts:
             self._check_cut(side)
@@ -244,10 +239,11 @@ class FarkasCertificate:
 
     def _check_cut(self, side: frozenset[int]) -> None:
         """Both sides of a cutset have two vertices or more, and are connected."""
-        everything = set(range(self.graph.vertex_count))
-        if not side <= everything or len(side) < 2 or len(everything - side) < 2:
+        network = self.graph.to_networkx()
+        sides = side, frozenset(network) - side
+        if not side.issubset(network) or min(map(len, sides)) < 2:
             raise ArrangementError("a cutset is that of a single vertex, or none")
-        if not all(map(self.graph.is_connected_part, (side, everything - side))):
+        if not all(nx.is_connected(network.subgraph(part)) for part in sides):
             raise ArrangementError("a cutset is not minimal")
 
 
@@ -273,7 +269,7 @@ class IndependentSetCertificate:
             ArrangementError: what fails.
         """
         self.graph.require_polyhedral()
-        if not self.vertices <= set(range(self.graph.vertex_count)):
+        if not self.vertices.issubset(range(self.graph.vertex_count)):
             raise ArrangementError("the set has vertices that the graph lacks")
         for u, v in self.graph.edges:
             if u in self.vertices and v in self.vertices:
@@ -290,8 +286,6 @@ def _flow_exceeds(
 ) -> bool:
     """Whether a flow between two sets of vertices can exceed `bound` (shortest paths first)."""
     value = sum(room for u in sources for v, room in capacity[u].items() if v in sinks)
-    if value > bound:
-        return True
     residual: dict[int, dict[int, int]] = {
         u: {v: room for v, room in capacity[u].items() if v not in sinks} for u in sources
     }
