@@ -39,6 +39,8 @@ Print Assumptions euler.
 Print Assumptions dual_edge_and_face_bounds.
 Print Assumptions dual_bipartite_bounds.
 Print Assumptions dual_bipartite_bounds_attained.
+Print Assumptions dual_bipartite_bounds_only_general.
+Print Assumptions coincident_planes.
 Print Assumptions two_facets_for_each_ray.
 Print Assumptions step_1_square_bound.
 Print Assumptions step_1_time.

@@ -167,14 +167,19 @@ Proof.
   destruct (Nat.eqb_spec k 3); lia.
 Qed.
 
+Lemma through_incl planes s : incl (through planes s) planes.
+Proof.
+  intros g. revert s. induction planes as [|f l IH]; intros [|[] s] G; cbn in *; try easy;
+  try (right; now apply IH with s). destruct G as [->|G]; [now left|right; now apply IH with s].
+Qed.
+
 Lemma rank_0_faces planes n : great_circles planes -> rank planes 0 ->
   number (face_of_codimension 1 planes) n -> n = 0.
 Proof.
   intros [S C] [_ U] N. apply (@number_unique _ (face_of_codimension 1 planes)); trivial.
   apply number_none. intros s [_ [(gs & I & D & L) _]].
   pose proof (U gs) as H. rewrite L in H. enough (1 <= 0)%nat by lia. apply H; trivial.
-  intros g G. apply I in G. clear - G. revert s G. induction planes as [|f l IH]; intros [|[] s] G; cbn in *; try easy;
-  try (right; now apply IH with s). destruct G as [->|G]; [now left|right; now apply IH with s].
+  intros g G. exact (@through_incl planes s g (I g G)).
 Qed.
 
 Lemma only_general_facets planes n : great_circles planes -> 2 <= size planes ->

@@ -3,6 +3,7 @@
 
 Require Import Reals ZArith List Lia Permutation.
 Require Import Planes Sides Rank Recursion Counting Bounds General Sphere Dual Graph Attained Position.
+Require Import Crossed.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -83,13 +84,15 @@ Theorem euler : forall planes vertices edges faces, great_circles planes -> rank
 Proof. intros planes v e f [S C]. now apply sphere_euler. Qed.
 
 (** The dual graph has the regions as vertices, the facets as edges, and a face for each ray. *)
-Theorem dual_edge_and_face_bounds : forall planes rays facets regions,
-  great_circles planes -> rank planes 3 ->
+Theorem dual_edge_and_face_bounds : forall planes k rays facets regions,
+  great_circles planes -> rank planes k -> (2 <= k)%nat ->
   number (face_of_codimension 2 planes) rays ->
   number (face_of_codimension 1 planes) facets ->
   number (face_of_codimension 0 planes) regions ->
   facets <= 3 * regions - 6 /\ rays <= 2 * regions - 4.
-Proof. intros planes v e f C R V E F. pose proof (dual_faces C R V E F). lia. Qed.
+Proof.
+  intros planes k v e f C R K V E F. pose proof (dual_bounds C R K V E F). pose proof (number_nonneg V). lia.
+Qed.
 
 Theorem dual_bipartite_bounds : forall planes rays facets regions,
   great_circles planes -> rank planes 3 ->
@@ -110,6 +113,24 @@ Proof.
   - now replace (2 * (m * m - m + 2) - 4) with (2 * m * (m - 1)) by ring.
   - now replace (m * m - m + 2 - 2) with (m * (m - 1)) by ring.
 Qed.
+
+(** Of different planes (none of the forms is 0 everywhere) no others attain one of the bounds. *)
+Theorem dual_bipartite_bounds_only_general : forall planes regions, great_circles planes ->
+  (forall f, In f planes -> exists x, (value f x <> 0)%R) -> different planes ->
+  number (face_of_codimension 0 planes) regions ->
+  number (face_of_codimension 1 planes) (2 * regions - 4) \/
+    rank planes 3 /\ number (face_of_codimension 2 planes) (regions - 2) ->
+  general 3 planes.
+Proof.
+  intros planes f C P D F [E|[R V]]; [exact (only_general_dual C P D E F (Z.le_refl _))|].
+  pose proof (@euler planes _ _ f C R V (count_number 1 planes) F).
+  apply (only_general_dual C P D (count_number 1 planes) F). lia.
+Qed.
+
+(** A plane that coincides with another one changes no number of faces. *)
+Theorem coincident_planes : forall planes f g k n, In f planes -> same_plane f g ->
+  (number (face_of_codimension k (g :: planes)) n <-> number (face_of_codimension k planes) n).
+Proof. exact coincident_faces. Qed.
 
 Theorem two_facets_for_each_ray : forall planes rays facets,
   great_circles planes -> rank planes 3 ->

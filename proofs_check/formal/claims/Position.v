@@ -77,6 +77,28 @@ Proof.
   rewrite along_value in V0. nra.
 Qed.
 
+(** Different planes that are planes: any two are independent. *)
+Lemma different_general planes : great_circles planes ->
+  (forall f, In f planes -> exists x, value f x <> 0) -> different planes -> general 2 planes.
+Proof.
+  intros [_ C] Some D. rewrite Forall_forall in C.
+  assert (forall f, In f planes -> look_real f = Plane) as Kind.
+  { intros f I. destruct (look_real f) eqn:K; trivial; exfalso.
+    - destruct (Some f I) as (x & X). apply X. now apply look_real_vanishes.
+    - now apply (@central_look f (C f I)). }
+  intros [|f [|g [|k fs]]] rest P L; try (cbn in L; lia).
+  - intros [|] ?; [|easy]. now exists origin.
+  - apply independent_one, Kind, (Permutation_in f (Permutation_sym P)). now left.
+  - assert (In f planes /\ In g planes) as [If Ig].
+    { split; [apply (Permutation_in f (Permutation_sym P))|apply (Permutation_in g (Permutation_sym P))]; cbn; auto. }
+    pose proof (pairs_permutation same_plane_symmetric P D) as F. inversion F as [|? ? Ff _]; subst.
+    inversion Ff as [|? ? N _]; subst. apply independent_two; auto.
+    destruct (look_real (restrict_real f g)) eqn:K; trivial; exfalso.
+    + destruct (@vanishing_times f g (Kind f If) (Kind g Ig) K) as (c & Cn & E). apply N.
+      exists (/ c). split; [now apply Rinv_neq_0_compat|]. intros x. rewrite E. field. trivial.
+    + now apply (@central_look _ (@central_restrict f g (C f If) (C g Ig))).
+Qed.
+
 Lemma general_great_circles planes : great_circles planes ->
   (forall f, In f planes -> exists x, value f x <> 0) ->
   (general 3 planes <-> different planes /\
@@ -102,29 +124,15 @@ Proof.
       { apply (no_direction x S3 (independent_rank D)). intros k K. rewrite Along by auto.
         destruct K as [<-|[<-|[<-|[]]]]; trivial. }
       repeat split; apply Zero; lia.
-  - intros [D T].
-    assert (forall f, In f planes -> look_real f = Plane) as Kind.
-    { intros f I. destruct (look_real f) eqn:K; trivial; exfalso.
-      - destruct (Some f I) as (x & X). apply X. now apply look_real_vanishes.
-      - now apply (@central_look f (proj1 (Forall_forall _ _) C f I)). }
-    intros [|f [|g [|h [|k fs]]]] rest P L; try (cbn in L; lia).
-    + intros [|] ?; [|easy]. now exists origin.
-    + apply independent_one, Kind, (Permutation_in f (Permutation_sym P)). now left.
-    + assert (In f planes /\ In g planes) as [If Ig].
-      { split; [apply (Permutation_in f (Permutation_sym P))|apply (Permutation_in g (Permutation_sym P))]; cbn; auto. }
-      pose proof (pairs_permutation same_plane_symmetric P D) as F. inversion F as [|? ? Ff _]; subst.
-      inversion Ff as [|? ? N _]; subst. apply independent_two; auto.
-      destruct (look_real (restrict_real f g)) eqn:K; trivial; exfalso.
-      * destruct (@vanishing_times f g (Kind f If) (Kind g Ig) K) as (c & Cn & E). apply N.
-         exists (/ c). split; [now apply Rinv_neq_0_compat|].
-        intros x. rewrite E. field. trivial.
-      * rewrite Forall_forall in C. now apply (@central_look _ (@central_restrict f g (C f If) (C g Ig))).
-    + assert (incl [f; g; h] planes) as I.
-      { intros k K. apply (Permutation_in k (Permutation_sym P)). cbn in *. tauto. }
-      destruct (@no_kernel_rank [f; g; h]) as (k & R & K).
-      * intros v V. inversion V as [|? ? F0 V1]; subst. inversion V1 as [|? ? G0 V2]; subst.
-        inversion V2 as [|? ? H0 _]; subst. rewrite !Along in * by (apply I; cbn; auto).
-        now apply (T f g h rest).
-      * apply rank_independent. replace (length [f; g; h]) with k; trivial.
-        destruct R as [(hs & Ih & Dh & Lh) _]. pose proof (NoDup_incl_length (independent_nodup Dh) Ih). cbn in *. lia.
+  - intros [D T] fs rest P L. destruct (Nat.eq_dec (length fs) 3) as [Three|N].
+    2: { apply (@different_general planes (conj S C) Some D fs rest P). lia. }
+    destruct fs as [|f [|g [|h [|k fs]]]]; try easy.
+    assert (incl [f; g; h] planes) as I.
+    { intros k K. apply (Permutation_in k (Permutation_sym P)). cbn in *. tauto. }
+    destruct (@no_kernel_rank [f; g; h]) as (k & R & K).
+    + intros v V. inversion V as [|? ? F0 V1]; subst. inversion V1 as [|? ? G0 V2]; subst.
+      inversion V2 as [|? ? H0 _]; subst. rewrite !Along in * by (apply I; cbn; auto).
+      now apply (T f g h rest).
+    + apply rank_independent. replace (length [f; g; h]) with k; trivial.
+      destruct R as [(hs & Ih & Dh & Lh) _]. pose proof (NoDup_incl_length (independent_nodup Dh) Ih). cbn in *. lia.
 Qed.
