@@ -27,8 +27,18 @@ _PATIENCE = 1.0
 #: Seconds to the first line in a pipe, and the longest time between two.
 _FIRST, _LONGEST = 2.0, 60.0
 
-#: Whether `watched` loops show a line.
-_wanted: ContextVar[bool] = ContextVar("_wanted", default=False)
+
+class _Line:
+    """The line of `shown`, and whether a loop tells on it now."""
+
+    def __init__(self, free: bool) -> None:
+        self.free = free
+
+
+#: Where `watched` loops show their line. One that is given up may end after `shown`, and then
+#: frees a line that nobody sees any more.
+_QUIET = _Line(free=False)
+_line: ContextVar[_Line] = ContextVar("_line", default=_QUIET)
 
 
 def on_terminal() -> bool:
@@ -39,16 +49,16 @@ def on_terminal() -> bool:
 @contextmanager
 def shown(wanted: bool = True) -> Iterator[None]:
     """Let the loops over `watched` items inside show their line, or keep them quiet."""
-    token = _wanted.set(wanted)
+    token = _line.set(_Line(free=wanted))
     try:
         yield
     finally:
-        _wanted.reset(token)
+        _line.reset(token)
 
 
 def note(text: str) -> None:
     """Say on stderr, inside `shown`, what was left out or replaced."""
-    if _wanted.get():
+    if _line.get().free:
         print(text, file=sys.stderr)
 
 
@@ -62,15 +72,15 @@ def watched(items: Iterable[Item], unit: str, total: int | None = None) -> Itera
         unit: of what, in the plural.
         total: their number, if they have no length.
     """
-    if not _wanted.get():
+    line = _line.get()
+    if not line.free:
         return items
     known = len(items) if isinstance(items, Sized) else total
-    return _telling(items, Bar(known, unit, patience=_PATIENCE))
+    return _telling(items, Bar(known, unit, patience=_PATIENCE), line)
 
 
-def _telling(items: Iterable[Item], bar: Bar) -> Iterator[Item]:
-    outermost = _wanted.get()
-    _wanted.set(False)
+def _telling(items: Iterable[Item], bar: Bar, line: _Line) -> Iterator[Item]:
+    outermost, line.free = line.free, False
     began, asked = time.process_time(), False
     try:
         for done, item in enumerate(items, start=1):
@@ -85,7 +95,7 @@ def _telling(items: Iterable[Item], bar: Bar) -> Iterator[Item]:
                 budget.ask(text, told=passed / done * bar.total)
     finally:
         bar.close()
-        _wanted.set(outermost)
+        line.free = line.free or outermost
 
 
 class Bar:

@@ -272,4 +272,16 @@ def test_every_command_shows_the_line_on_stderr_alone(capsys):
     captured = capsys.readouterr()
     assert captured.out == "3\n"
     assert "2/2 things" in captured.err
-    assert not progress._wanted.get()
+
+
+@pytest.mark.usefixtures("on_a_terminal")
+def test_a_loop_that_is_given_up_shows_no_line_of_others(capsys):
+    with progress.shown():
+        loop = iter(watched([1, 2], "broken"))
+        assert next(loop) == 1
+    del loop
+    items = [1, 2]
+    assert watched(items, "things") is items
+    with progress.shown():
+        assert list(watched(items, "things")) == items
+    assert "2/2 things" in capsys.readouterr().err
