@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import json
 from fractions import Fraction
+from functools import cache
 from random import Random
 from typing import Any
 
@@ -45,6 +46,7 @@ def test_without_the_program_one_line_says_what_to_do(tmp_path, monkeypatch):
 
 
 Case = tuple[list[int], list[OrderedProducts]]
+proved_types = cache(without_coordinates)
 
 
 def forged(signs: list[int], proof: list[OrderedProducts], source: Random) -> Case:
@@ -77,7 +79,7 @@ def forged(signs: list[int], proof: list[OrderedProducts], source: Random) -> Ca
 
 def valid(source: Random) -> Case:
     """Return a proof of signs of nine elements, its comparisons in some other order or split."""
-    signs, rows = source.choice(without_coordinates())
+    signs, rows = source.choice(proved_types())
     proof = [row._replace(times=row.times * 6) for row in rows]
     k = source.randrange(len(proof))
     part = source.randrange(proof[k].times + 1) if proof[k].times > 0 else proof[k].times
@@ -106,7 +108,7 @@ def test_forged_proofs_are_refused_and_both_checkers_agree(tmp_path):
 
 @built
 def test_the_signs_are_read_as_python_numbers_them(tmp_path):
-    signs, proof = without_coordinates()[0]
+    signs, proof = proved_types()[0]
     (line,) = answers([final_document(signs.tolist(), proof)], tmp_path, "--question")
     wanted = zip(itertools.combinations(range(9), 3), signs.tolist(), strict=True)
     assert json.loads(line)["signs"] == [[*map(str, names), str(sign)] for names, sign in wanted]
