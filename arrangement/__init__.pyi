@@ -46,7 +46,7 @@ from .numbers.exact import (
     rational as rational,
     to_text as to_text,
 )
-from .numbers.number_field import AlgebraicNumber as AlgebraicNumber, NumberField as NumberField
+from .numbers.fields import AlgebraicNumber as AlgebraicNumber, NumberField as NumberField
 from .numbers.symbolic import to_sympy as to_sympy
 from .planes.faces import Face as Face
 from .planes.planes import Planes as Planes

@@ -71,6 +71,7 @@ SPACE = (
     "tests/equilibrium/test_space.py::TestChecker",
 )
 MODULAR = ("tests/arrangement/test_counts_symmetric.py", "tests/arrangement/test_number_field.py")
+FIELD = ("tests/arrangement/test_number_field.py",)
 CIRCLES = (
     "tests/arrangement/test_great_circles_exactness.py",
     "tests/arrangement/test_number_field.py",
@@ -108,9 +109,8 @@ TARGETS = {
     "inscribed": Target("arrangement.duals.inscribed.certificates", (INSCRIBED,)),
     "modular": Target("arrangement.counts.modular", MODULAR),
     "lowrank": Target("arrangement.counts.low_rank", ("tests/arrangement/test_counts.py",)),
-    "field": Target(
-        "arrangement.numbers.number_field", ("tests/arrangement/test_number_field.py",)
-    ),
+    "field": Target("arrangement.numbers.fields.number_field", FIELD),
+    "algebraic": Target("arrangement.numbers.fields.algebraic_number", FIELD),
     "circles": Target("arrangement.enumeration.great_circles.predicates", CIRCLES),
     "crossings": Target("arrangement.enumeration.great_circles.crossings", CIRCLES),
     "predicates": Target(

@@ -225,6 +225,7 @@ ANNEXES = {
     "workshop of the census": ("arrangement/library/census/workshop",),
     "counting by classes": ("arrangement/counts/classes",),
     "families": ("arrangement/library/families",),
+    "irrational entries": ("arrangement/numbers/fields",),
     "formats of others": ("arrangement/library/files/others",),
     "labs": ("arrangement/pictures/lab", "equilibrium/pictures/lab"),
     "pictures": ("arrangement/pictures", "arrangement/drawing", "equilibrium/pictures"),

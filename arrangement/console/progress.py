@@ -28,7 +28,7 @@ _PATIENCE = 1.0
 _FIRST, _LONGEST = 2.0, 60.0
 
 
-class _Line:
+class _Watch:
     """The line of `shown`, and whether a loop tells on it now."""
 
     def __init__(self, free: bool) -> None:
@@ -37,8 +37,8 @@ class _Line:
 
 #: Where `watched` loops show their line. One that is given up may end after `shown`, and then
 #: frees a line that nobody sees any more.
-_QUIET = _Line(free=False)
-_line: ContextVar[_Line] = ContextVar("_line", default=_QUIET)
+_QUIET = _Watch(free=False)
+_line: ContextVar[_Watch] = ContextVar("_line", default=_QUIET)
 
 
 def on_terminal() -> bool:
@@ -49,7 +49,7 @@ def on_terminal() -> bool:
 @contextmanager
 def shown(wanted: bool = True) -> Iterator[None]:
     """Let the loops over `watched` items inside show their line, or keep them quiet."""
-    token = _line.set(_Line(free=wanted))
+    token = _line.set(_Watch(free=wanted))
     try:
         yield
     finally:
@@ -79,7 +79,7 @@ def watched(items: Iterable[Item], unit: str, total: int | None = None) -> Itera
     return _telling(items, Bar(known, unit, patience=_PATIENCE), line)
 
 
-def _telling(items: Iterable[Item], bar: Bar, line: _Line) -> Iterator[Item]:
+def _telling(items: Iterable[Item], bar: Bar, line: _Watch) -> Iterator[Item]:
     outermost, line.free = line.free, False
     began, asked = time.process_time(), False
     try:

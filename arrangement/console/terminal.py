@@ -25,7 +25,7 @@ from typing import Any, NoReturn
 from arrangement.errors import InputError, MissingExtraError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import rational, shown
-from arrangement.numbers.number_field import AlgebraicNumber, written
+from arrangement.numbers.real import Irrational, written
 
 from . import number_form, progress
 from .entry import fault
@@ -366,7 +366,7 @@ def printable(text: str) -> str:
 
 
 def _encode(value: Any) -> str | list[str]:
-    if isinstance(value, (Fraction, AlgebraicNumber)):
+    if isinstance(value, (Fraction, Irrational)):
         return written(value)
     raise TypeError(f"{type(value).__name__} has no JSON form")
 

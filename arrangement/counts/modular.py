@@ -27,7 +27,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.numbers.exact import IntegerVector
-from arrangement.numbers.number_field import field_of, residues
+from arrangement.numbers.real import field_of, residues
 
 Integers = NDArray[np.int64]
 #: Sums of so many bits are exact in int64, and in doubles.

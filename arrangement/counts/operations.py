@@ -12,6 +12,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from arrangement.errors import InputError
+from arrangement.numbers.entries import entry
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
@@ -23,7 +24,6 @@ from arrangement.numbers.exact import (
     unoriented,
 )
 from arrangement.numbers.linear.rank import ask_elimination, echelon, rank, spread
-from arrangement.numbers.real_entries import entry
 from arrangement.numbers.symbolic import entries, exact_matrix
 from arrangement.planes.planes import Planes
 

@@ -25,7 +25,7 @@ from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, shown
 from arrangement.numbers.linear.rank import determinant, rank
-from arrangement.numbers.number_field import residues
+from arrangement.numbers.real import residues
 from arrangement.planes.planes import Planes
 
 if TYPE_CHECKING:

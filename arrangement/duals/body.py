@@ -26,7 +26,7 @@ from arrangement.numbers.exact import (
     shown,
 )
 from arrangement.numbers.linear.rank import cross
-from arrangement.numbers.number_field import rational_near
+from arrangement.numbers.real import rational_near
 from arrangement.planes.planes import Planes
 
 #: So often the faces of the icosahedron are cut in four; the ball has 10 4^n + 2 corners.

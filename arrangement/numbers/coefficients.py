@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from .exact import largest, quotient, sign
 from .float_filter import Signs, certain, error_bound, signs_of
-from .number_field import AlgebraicNumber, field_of
+from .real import Irrational, field_of
 
 #: int64 where all entries fit, else Python integers.
 Integers: TypeAlias = NDArray[Any]
@@ -53,7 +53,7 @@ class Coefficients:
             x
             for row in rows
             for y in row
-            for x in (y.coefficients if isinstance(y, AlgebraicNumber) else (y, *rest))
+            for x in (y.coefficients if isinstance(y, Irrational) else (y, *rest))
         ]
         return as_integers([found]).reshape(len(rows), n, self.degree)
 

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .exact import IntegerVector
-from .number_field import field_of
+from .real import field_of
 
 Floats: TypeAlias = NDArray[np.float64]
 Booleans: TypeAlias = NDArray[np.bool_]

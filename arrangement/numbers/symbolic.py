@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from arrangement.errors import InputError
 
 from .exact import IntegerVector, RationalVector, shown
-from .number_field import AlgebraicNumber, NumberField, Real, field_of
+from .real import Irrational, field_of
 
 if TYPE_CHECKING:
     import sympy
@@ -33,14 +33,14 @@ def exact_matrix(rows: Sequence[Sequence[int]], width: int) -> DomainMatrix:
         return DomainMatrix([[ZZ(x) for x in row] for row in rows], (len(rows), width), ZZ)
     domain = field.domain
 
-    def entry(x: Real) -> Any:
-        parts = x.rational_coefficients() if isinstance(x, AlgebraicNumber) else [Fraction(x)]
+    def entry(x: int | Irrational) -> Any:
+        parts = x.rational_coefficients() if isinstance(x, Irrational) else [Fraction(x)]
         return domain([QQ(c.numerator, c.denominator) for c in reversed(parts)])
 
     return DomainMatrix([[entry(x) for x in row] for row in rows], (len(rows), width), domain)
 
 
-def entries(rows: Sequence[Sequence[Any]], field: NumberField | None) -> list[list[Any]]:
+def entries(rows: Sequence[Sequence[Any]], field: Any) -> list[list[Any]]:
     """Return rows of numbers of SymPy's domain, from an `exact_matrix` or computed from it."""
     if field is None:
         return [[int(x) for x in row] for row in rows]
@@ -68,7 +68,7 @@ def to_sympy(values: Any) -> Any:
         entries = [to_sympy(value) for value in values]
         flat = all(isinstance(entry, sympy.Expr) for entry in entries)
         return sympy.ImmutableMatrix(len(entries), 1, entries) if flat else tuple(entries)
-    if isinstance(values, AlgebraicNumber):
+    if isinstance(values, Irrational):
         polynomial = values.field.minimal_polynomial
         root = (
             sympy.sqrt(-polynomial[0])

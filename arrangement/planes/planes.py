@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Self
 
 from arrangement.errors import InputError
 from arrangement.numbers import budget
+from arrangement.numbers.entries import entry, in_one_field, real_vector
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
@@ -29,13 +30,14 @@ from arrangement.numbers.exact import (
     without_denominators,
 )
 from arrangement.numbers.linear.rank import rank
-from arrangement.numbers.number_field import NumberField, field_of, written
-from arrangement.numbers.real_entries import entry, in_one_field, real_vector
+from arrangement.numbers.real import field_of, written
 from arrangement.numbers.symbolic import equations_of, exact_matrix, planes_of
 
 if TYPE_CHECKING:
     import sympy
     from sympy.polys.matrices import DomainMatrix
+
+    from arrangement.numbers.fields import NumberField
 
 
 class Planes:
@@ -197,7 +199,8 @@ class Planes:
     @cached_property
     def field(self) -> NumberField | None:
         """The field of the entries; None if all are rational, in the stored scaling."""
-        return field_of(chain.from_iterable(self._integer_planes))
+        found: NumberField | None = field_of(chain.from_iterable(self._integer_planes))
+        return found
 
     @cached_property
     def class_of(self) -> tuple[int, ...]:

@@ -16,7 +16,7 @@ from sympy.abc import x
 from arrangement import Arrangement, InputError, NumberField, counts, read_arrangement, to_sympy
 from arrangement.cli import main
 from arrangement.library import families
-from arrangement.numbers import number_field
+from arrangement.numbers.fields import number_field
 
 GOLDEN = NumberField([-1, -1, 1], [1, 2])
 FIELDS = {

@@ -21,11 +21,13 @@ from arrangement.counts.configuration import Configuration
 from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import largest, shown, work_factor
-from arrangement.numbers.number_field import NumberField, field_of
+from arrangement.numbers.real import field_of
 from arrangement.numbers.symbolic import entries, exact_matrix
 
 if TYPE_CHECKING:
     from sympy.polys.matrices import DomainMatrix
+
+    from arrangement.numbers.fields import NumberField
 
 Permutations = NDArray[np.intp]
 _Integers = NDArray[np.int64]

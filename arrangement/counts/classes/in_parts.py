@@ -35,7 +35,7 @@ from arrangement.counts.whitney import deadline_after
 from arrangement.errors import InputError, OutOfTimeError, UnfinishedError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
-from arrangement.numbers.number_field import NumberField, field_of, written
+from arrangement.numbers.real import field_of, written
 from arrangement.planes.planes import Planes
 
 from .automorphisms import Automorphisms
@@ -179,7 +179,11 @@ class _Made:
 def _made(root: str) -> _Made:
     """Return what a folder is about; each process makes it once."""
     plan = json.loads((Path(root) / "plan.json").read_bytes())
-    field = NumberField(*plan["field"].values()) if "field" in plan else None
+    field = None
+    if "field" in plan:
+        from arrangement.numbers.fields import NumberField
+
+        field = NumberField(*plan["field"].values())
 
     def vector(entries: list[Any]) -> tuple[Any, ...]:
         return tuple(

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from itertools import combinations, permutations, product
 from math import comb
+from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
@@ -17,7 +18,6 @@ from arrangement.library.families.checks import at_least, planned
 from arrangement.library.families.simplicial import mirrors
 from arrangement.numbers.exact import IntegerVector, shown
 from arrangement.numbers.linear.rank import unit_vectors
-from arrangement.numbers.number_field import AlgebraicNumber, NumberField
 
 
 def generic(m: int, d: int = 3, *, affine: bool = False) -> Arrangement:
@@ -191,8 +191,10 @@ def h4() -> Arrangement:
     return Arrangement([*unit_vectors(4), *((1, *s) for s in signs), *rest])
 
 
-def golden_ratio() -> tuple[AlgebraicNumber, AlgebraicNumber]:
+def golden_ratio() -> tuple[Any, Any]:
     """Return the golden ratio and its inverse, which is one less."""
+    from arrangement.numbers.fields import NumberField
+
     g = NumberField([-1, -1, 1], [1, 2]).root
     return g, g - 1
 

@@ -31,10 +31,8 @@ from typing import Any
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.library.families.checks import at_least
+from arrangement.numbers.entries import real_vector
 from arrangement.numbers.exact import quotient, shown
-from arrangement.numbers.number_field import NumberField, Real
-from arrangement.numbers.polynomials import MAX_DEGREE
-from arrangement.numbers.real_entries import real_vector
 
 
 @cache
@@ -61,6 +59,8 @@ def simplicial(planes: int, number: int) -> Arrangement:
         return regular(planes)
     if "field" not in entry:
         return Arrangement(entry["normals"])
+    from arrangement.numbers.fields import NumberField
+
     field = NumberField(*entry["field"])
     rows = [[x if isinstance(x, int) else field.number(x) for x in row] for row in entry["normals"]]
     return Arrangement(rows)
@@ -113,7 +113,7 @@ def regular(planes: int) -> Arrangement:
 
     Raises:
         InputError: a number of planes that is neither even nor 4k + 1, or too small; or a cosine
-            of a degree above `arrangement.numbers.polynomials.MAX_DEGREE`.
+            of a degree above `arrangement.numbers.fields.MAX_DEGREE`.
 
     >>> regular(10).f_vector
     (1, 32, 90, 60)
@@ -132,7 +132,7 @@ def regular(planes: int) -> Arrangement:
     return Arrangement([*sides, *((*m, 0) for m in mirrors(n)), *([(0, 0, 1)] * infinity)])
 
 
-def mirrors(n: int) -> list[tuple[Real, Real]]:
+def mirrors(n: int) -> list[tuple[Any, Any]]:
     """Return normals of the mirrors of a regular n-gon in R^2, with the y-axis stretched.
 
     The k-th one runs at the angle k pi / n; it is divided by the sine of 2 pi / n, or for odd k
@@ -152,17 +152,18 @@ def mirrors(n: int) -> list[tuple[Real, Real]]:
     return found
 
 
-def _multiples(n: int) -> tuple[list[Real], list[Real]]:
+def _multiples(n: int) -> tuple[list[Any], list[Any]]:
     """Return 2 cos(k x) and sin(k x) / sin(x) for x = 2 pi / n, k = 0, ..., n - 1."""
     import sympy
+
+    from arrangement.numbers.fields import MAX_DEGREE
 
     if n > 8 * MAX_DEGREE**2 or sympy.totient(n) > 2 * MAX_DEGREE:  # its degree is half of that
         raise InputError(
             f"the cosine of 2 pi / {shown(n)} has a degree above {MAX_DEGREE}; take fewer planes"
         )
     t = real_vector([2 * sympy.cos(2 * sympy.pi / n)], "the cosine")[0]
-    cosines: list[Real] = [2, t]
-    sines: list[Real] = [0, 1]
+    cosines, sines = [2, t], [0, 1]
     for row in (cosines, sines):
         while len(row) < n:
             row.append(t * row[-1] - row[-2])

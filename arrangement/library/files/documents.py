@@ -19,7 +19,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.plugins import added, named
@@ -33,7 +33,9 @@ from arrangement.library.files.json_files import (
 )
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, rational_vector
-from arrangement.numbers.number_field import NumberField
+
+if TYPE_CHECKING:
+    from arrangement.numbers.fields import NumberField
 
 #: Of a document of the kind "planes"; the first two are needed.
 KEYS = ("schema_version", "planes", "offsets", "dimension", "description", "field")
@@ -75,6 +77,8 @@ def _planes(document: Mapping[str, Any]) -> Arrangement:
 
 
 def _field(value: Any) -> NumberField:
+    from arrangement.numbers.fields import NumberField
+
     keys = ("minimal_polynomial", "interval")
     check_keys(value, keys, (), "the field")
     return NumberField(*(check_list(value[key], key) for key in keys))

@@ -17,7 +17,7 @@ from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.flat_polygons import between, clipped
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, quotient, sign
 from arrangement.numbers.linear.rank import cycle_edges
-from arrangement.numbers.number_field import rational_near
+from arrangement.numbers.real import rational_near
 from arrangement.pictures.sphere.globe import Globe, region_signs, sign_vectors
 from arrangement.pictures.sphere.projections import Drawn, stereographic
 

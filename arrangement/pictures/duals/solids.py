@@ -19,7 +19,7 @@ from arrangement.duals.zonohedron import DualPolyhedron, dual_polyhedron
 from arrangement.duals.zonotope import dual_polygon, dual_segment
 from arrangement.numbers.exact import IntegerVector, dot
 from arrangement.numbers.linear.rank import cycle_edges, difference, triple_product
-from arrangement.numbers.number_field import rational_near
+from arrangement.numbers.real import rational_near
 from arrangement.pictures.parts.coordinates import in_coordinates
 from arrangement.pictures.parts.essential import brought
 from arrangement.planes.planes import Planes

@@ -31,9 +31,9 @@ from arrangement.drawing.solids.sight import unit, unit_vectors
 from arrangement.errors import InputError, refusal
 from arrangement.library.families.classical import positive_roots
 from arrangement.numbers import budget
+from arrangement.numbers.entries import real_vector
 from arrangement.numbers.exact import IntegerVector, dot, primitive, shown
 from arrangement.numbers.linear.rank import cross, triple_product
-from arrangement.numbers.real_entries import real_vector
 from arrangement.planes.planes import Planes
 
 from .essential import inverse_root, rounded_map

@@ -1,8 +1,8 @@
-"""Entries of planes and points: rational numbers, and irrational ones of one real field.
+"""Irrational numbers of SymPy as numbers of one field.
 
-SymPy's numbers are taken apart down to what SymPy alone knows, such as ``sqrt(5)`` or
+They are taken apart down to what SymPy alone knows, such as ``sqrt(5)`` or
 ``cos(2*pi/7)``; these get a field through their minimal polynomials, and the rest is arithmetic of
-`number_field`. Nothing is evaluated in floats but to tell the roots of a polynomial apart, between
+fields. Nothing is evaluated in floats but to tell the roots of a polynomial apart, between
 which rational numbers lie.
 """
 
@@ -13,9 +13,10 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, cast
 
 from arrangement.errors import InputError
+from arrangement.numbers.exact import quotient, shown
 
-from .exact import quotient, rational, rational_vector, shown
-from .number_field import AlgebraicNumber, NumberField, Real, field_of
+from .algebraic_number import Real
+from .number_field import NumberField
 from .polynomials import MAX_DEGREE
 
 if TYPE_CHECKING:
@@ -25,49 +26,7 @@ if TYPE_CHECKING:
 _DIGITS = 60
 
 
-def entry(value: Any, name: str) -> Any:
-    """Return a number as `exact.rational` does; one of a field, and SymPy's, as they are."""
-    if isinstance(value, AlgebraicNumber) or _is_irrational(value):
-        return value
-    return rational(value, name)
-
-
-def real_vector(values: Any, name: str, field: NumberField | None = None) -> tuple[Any, ...]:
-    """Return a vector of exact numbers; those of SymPy in `field` if there is one."""
-    return in_one_field([rational_vector(values, name, entry)], field)[0]
-
-
-def in_one_field(
-    rows: Iterable[Sequence[Any]], field: NumberField | None = None
-) -> list[tuple[Any, ...]]:
-    """Return rows of what `entry` gives, with SymPy's irrational numbers as those of one field.
-
-    Args:
-        field: one that has all numbers; if omitted, that of the other entries, or one that all of
-            them generate.
-
-    Raises:
-        InputError: a number that is not real and algebraic; numbers of two different fields; a
-            field of a degree above `MAX_DEGREE`.
-    """
-    listed = list(map(tuple, rows))
-    irrational = [x for row in listed for x in row if not isinstance(x, (int, Fraction))]
-    known = field_of(x for x in irrational if isinstance(x, AlgebraicNumber)) or field
-    of_sympy = [x for x in irrational if not isinstance(x, AlgebraicNumber)]
-    if not of_sympy:
-        return listed
-    values = _Values(known, of_sympy)
-    return [tuple(values.of(x) if _is_irrational(x) else x for x in row) for row in listed]
-
-
-def _is_irrational(value: Any) -> bool:
-    """Return whether a value is a number of SymPy, but none of its rationals and floats."""
-    if isinstance(value, (int, Fraction, str)) or not getattr(value, "is_number", False):
-        return False
-    return not getattr(value, "is_Rational", True) and not getattr(value, "is_Float", True)
-
-
-class _Values:
+class ValuesInField:
     """The values of SymPy's numbers in one field."""
 
     def __init__(self, field: NumberField | None, numbers: Sequence[sympy.Expr]) -> None:

@@ -11,8 +11,7 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.errors import InputError
-
-from .exact import RationalVector, shown, to_text
+from arrangement.numbers.exact import RationalVector, shown, to_text
 
 #: Largest degree of a field: a product takes as many steps as its square.
 MAX_DEGREE = 16
