@@ -92,6 +92,7 @@ FINAL = tuple(
         "no_type_with_coordinates_has_a_proof_that_it_has_none",
         "three_comparisons_of_signs_that_are_none_of_vectors_prove_it",
         "comparisons_are_those_that_signs_of_vectors_force",
+        "the_proved_program_is_asked_of_these_signs_and_this_proof",
     )
 )
 INSCRIBED = "tests/arrangement/test_inscribed.py"

@@ -11,7 +11,14 @@ import sympy
 from hypothesis import given, strategies as st
 
 from arrangement import Arrangement, InputError, cli, families
-from arrangement.library.census import PUBLISHED, catalogue, census, finschi_fukuda, identify
+from arrangement.library.census import (
+    PUBLISHED,
+    catalogue,
+    census,
+    final_polynomials,
+    finschi_fukuda,
+    identify,
+)
 from arrangement.library.census.chirotopes import (
     canonical,
     chirotope_of,
@@ -19,7 +26,12 @@ from arrangement.library.census.chirotopes import (
     extensions,
     triples,
 )
-from arrangement.library.census.final_polynomials import OrderedProducts, proves_no_coordinates
+from arrangement.library.census.final_polynomials import (
+    OrderedProducts,
+    final_document,
+    proved_no_coordinates,
+    proves_no_coordinates,
+)
 from arrangement.library.census.workshop import generate
 from arrangement.library.census.workshop.proofs import _comparisons, final_polynomial
 
@@ -209,6 +221,24 @@ def test_forged_proofs_are_refused_though_their_products_cancel():
         (line, zeros),
     ):
         assert not proves_no_coordinates(signs, proof)
+
+
+def test_the_proved_program_is_asked_of_these_signs_and_this_proof(monkeypatch):
+    proof = [OrderedProducts((0, 1, 2, 3, 4), 2, 1, 7)]
+    document = {"schema_version": 1, "certificate": "no coordinates"}
+    document |= {"proof": [[0, 1, 2, 3, 4, 2, 1, 7]]}
+    for signs, text, elements in (([1], "+", 3), ([0, -1] * 5, "0-" * 5, 5)):
+        due = document | {"signs": text, "elements": elements}
+        assert final_document(signs, proof) == due
+        for said in (("accepted", "no coordinates"), ("accepted", "no weights"), ("refused", "")):
+
+            def ask(*arguments, text, due=due, said=said):
+                assert arguments == ("-",)
+                assert json.loads(text) == due
+                return said
+
+            monkeypatch.setattr(final_polynomials, "ask_proved", ask)
+            assert proved_no_coordinates(signs, proof) == (said[1] == "no coordinates")
 
 
 def test_three_comparisons_of_signs_that_are_none_of_vectors_prove_it():

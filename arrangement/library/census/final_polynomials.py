@@ -84,7 +84,7 @@ def final_document(signs: Sequence[int], proof: Sequence[OrderedProducts]) -> di
     return {
         "schema_version": 1,
         "certificate": "no coordinates",
-        "elements": next(n for n in itertools.count(3) if math.comb(n, 3) >= len(signs)),
+        "elements": next(n for n in itertools.count() if math.comb(n, 3) >= len(signs)),
         "signs": sign_text(signs),
         "proof": [[*row.relation, row.smaller, row.larger, row.times] for row in proof],
     }
