@@ -70,12 +70,8 @@ SPACE = (
     "tests/equilibrium/test_space_checker.py",
     "tests/equilibrium/test_space.py::TestChecker",
 )
-MODULAR = ("tests/arrangement/test_counts_symmetric.py", "tests/arrangement/test_number_field.py")
-FIELD = ("tests/arrangement/test_number_field.py",)
-CIRCLES = (
-    "tests/arrangement/test_great_circles_exactness.py",
-    "tests/arrangement/test_number_field.py",
-)
+FIELD = "tests/arrangement/test_number_field.py"
+CIRCLES = ("tests/arrangement/test_great_circles_exactness.py", FIELD)
 LOADS = tuple(
     f"tests/equilibrium/test_space.py::Test{name}" for name in ("KnownLoads", "Brackets", "Borders")
 )
@@ -95,6 +91,11 @@ FINAL = tuple(
         "the_proved_program_is_asked_of_these_signs_and_this_proof",
     )
 )
+COUNTS, LATTICE, OPERATIONS, SYMMETRIC, IN_PARTS = (
+    f"tests/arrangement/test_counts{name}.py"
+    for name in ("", "_lattice", "_operations", "_symmetric", "_in_parts")
+)
+ENGINES = "tests/arrangement/test_engines.py"
 INSCRIBED = "tests/arrangement/test_inscribed.py"
 TARGETS = {
     "checker": Target("equilibrium.certificate.checker", (*CHECKER, PLANES, PYRAMIDS)),
@@ -108,10 +109,21 @@ TARGETS = {
     "final": Target("arrangement.library.census.final_polynomials", FINAL),
     "proofs": Target("arrangement.library.census.workshop.proofs", FINAL),
     "inscribed": Target("arrangement.duals.inscribed.certificates", (INSCRIBED,)),
-    "modular": Target("arrangement.counts.modular", MODULAR),
-    "lowrank": Target("arrangement.counts.low_rank", ("tests/arrangement/test_counts.py",)),
-    "field": Target("arrangement.numbers.fields.number_field", FIELD),
-    "algebraic": Target("arrangement.numbers.fields.algebraic_number", FIELD),
+    "modular": Target("arrangement.counts.modular", (SYMMETRIC, FIELD)),
+    "lowrank": Target("arrangement.counts.low_rank", (COUNTS,)),
+    "lattice": Target("arrangement.counts.lattice", (LATTICE, COUNTS)),
+    "operations": Target("arrangement.counts.operations", (OPERATIONS,)),
+    "whitney": Target("arrangement.counts.whitney", (COUNTS, SYMMETRIC)),
+    "points": Target("arrangement.counts.points", (COUNTS,)),
+    "configuration": Target("arrangement.counts.configuration", (COUNTS, OPERATIONS, SYMMETRIC)),
+    "matroid": Target("arrangement.counts.oriented_matroid", (LATTICE,)),
+    "complete": Target("arrangement.counts.completeness", (ENGINES,)),
+    "classes": Target("arrangement.counts.classes.symmetric", (SYMMETRIC, IN_PARTS)),
+    "images": Target("arrangement.counts.classes.images", (SYMMETRIC,)),
+    "maps": Target("arrangement.counts.classes.automorphisms", (SYMMETRIC,)),
+    "parts": Target("arrangement.counts.classes.in_parts", (IN_PARTS,)),
+    "field": Target("arrangement.numbers.fields.number_field", (FIELD,)),
+    "algebraic": Target("arrangement.numbers.fields.algebraic_number", (FIELD,)),
     "circles": Target("arrangement.enumeration.great_circles.predicates", CIRCLES),
     "crossings": Target("arrangement.enumeration.great_circles.crossings", CIRCLES),
     "predicates": Target(
