@@ -198,7 +198,7 @@ def _spatial_report(
     tree, edges = document["tree"], edges_of(document)
     plane = read_plane(tree)
     if plane is None:
-        return _walk(tree, SpatialQuestion(grasp, wrench, edges, within), 3)
+        return _walk(tree, SpatialQuestion(grasp, wrench, edges, within))
     if edges:
         raise CertificateError("tree.plane is for round cones")
     try:
@@ -254,6 +254,8 @@ class Generator(NamedTuple):
 class IntegerQuestion:
     """Grasp and wrench in integers."""
 
+    dimension = 2
+
     def __init__(self, grasp: Grasp, wrench: RationalVector, within: Range = NO_RANGE) -> None:
         self.within = within
         laws: list[tuple[RationalVector, ...]] = []
@@ -287,10 +289,10 @@ class Place(NamedTuple):
     states: Mapping[int, State]
 
 
-def _walk(tree: Any, question: IntegerQuestion | SpatialQuestion, dimension: int = 2) -> Report:
+def _walk(tree: Any, question: IntegerQuestion | SpatialQuestion) -> Report:
     """Check all leaves. After the first that fails the rest is read, as its form may be wrong."""
     leaves, problem = 0, ""
-    for leaf, place in placed_leaves(tree, question, dimension):
+    for leaf, place in placed_leaves(tree, question):
         leaves += 1
         if problem:
             continue
@@ -302,7 +304,7 @@ def _walk(tree: Any, question: IntegerQuestion | SpatialQuestion, dimension: int
 
 
 def placed_leaves(
-    tree: Any, question: IntegerQuestion | SpatialQuestion, dimension: int = 2
+    tree: Any, question: IntegerQuestion | SpatialQuestion
 ) -> Iterator[tuple[Leaf, Place]]:
     """Yield the leaves of a tree with their places, in the order of the document.
 
@@ -316,7 +318,7 @@ def placed_leaves(
     waiting = [(tree, Place("tree", 0, region, {}))]
     while waiting:
         content, place = waiting.pop()
-        node = read_node(content, place.path, len(question.contacts), dimension)
+        node = read_node(content, place.path, len(question.contacts), question.dimension)
         if isinstance(node, Split):
             waiting += reversed(_parts(node, place, getattr(question, "edges", ())))
         else:

@@ -120,7 +120,7 @@ def spatial_leaves(document: Mapping[str, Any]) -> Iterator[SpatialLeaf]:
     if read_plane(document["tree"]):
         return
     question = SpatialQuestion(grasp, wrench, edges_of(document), read_range(document))
-    for leaf, place in placed_leaves(document["tree"], question, 3):
+    for leaf, place in placed_leaves(document["tree"], question):
         works = (row[0] * grasp.contacts[i].preload for i, row in leaf.multipliers.items())
         _, taken = range_work(question.within, leaf.turn, leaf.forces)
         states = {i: _words(state, question.edges) for i, state in place.states.items()}

@@ -145,7 +145,7 @@ def read_range(document: Mapping[str, Any]) -> Range:
 
 
 def read_equilibrium(
-    document: Mapping[str, Any], contacts: int, dimension: int = 2
+    document: Mapping[str, Any], contacts: int, dimension: int
 ) -> tuple[RationalVector, list[RationalVector]]:
     """Return the motion, and the normal and tangential forces of each contact."""
     rows = check_list(document["forces"], "forces", contacts)
@@ -191,7 +191,7 @@ def read_plane(tree: Any) -> Plane | None:
     return Plane((u, v), tree["tree"])
 
 
-def read_node(content: Any, path: str, contacts: int, dimension: int = 2) -> Leaf | Split:
+def read_node(content: Any, path: str, contacts: int, dimension: int) -> Leaf | Split:
     """Return a node of a tree; what its children are is not looked at.
 
     Raises:

@@ -55,6 +55,8 @@ class SpatialQuestion:
         edges: of friction pyramids; none for round cones.
     """
 
+    dimension = 3
+
     def __init__(
         self,
         grasp: Grasp,

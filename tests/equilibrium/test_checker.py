@@ -265,7 +265,8 @@ def leaf_holds(
         along = ([sum(map(mul, row, whole)) for row in one] for one in zip(*rows, strict=True))
         generators.append(checker.Generator(whole, *map(tuple, along)))
     place = checker.Place("leaf", 0, generators, states)
-    return not checker._leaf_problem(asked, reading.read_node(leaf, "leaf", len(grasp)), place)
+    node = reading.read_node(leaf, "leaf", len(grasp), asked.dimension)
+    return not checker._leaf_problem(asked, node, place)
 
 
 @pytest.mark.parametrize(
