@@ -37,7 +37,6 @@ def answers(asked: Question, regions: list[Region], motions: list[list[int]]) ->
     return found
 
 
-@pytest.mark.campaign
 @pytest.mark.parametrize("size", [1, 3, 10**12])
 def test_the_answer_is_that_of_a_naive_evaluation(size):
     source = Random(f"leaves {size}")
