@@ -1,13 +1,14 @@
 """Exactness: hostile float proposals, cuts at 0 and pi, overflow, long and close entries."""
 
 import random
+from itertools import permutations
 
 import numpy as np
 import pytest
 
 from arrangement import Arrangement
 from arrangement.counts import region_count
-from arrangement.enumeration.great_circles import crossings, sphere_arrangement
+from arrangement.enumeration.great_circles import crossings, predicates, sphere_arrangement
 from arrangement.enumeration.great_circles.predicates import (
     ExactSigns,
     FilteredSigns,
@@ -16,6 +17,7 @@ from arrangement.enumeration.great_circles.predicates import (
     turns,
 )
 from arrangement.numbers.float_filter import error_bound, signs_of
+from arrangement.numbers.linear.rank import cross, triple_product
 from tests.arrangement.test_great_circles import B3, GENERIC, NEAR_PENCIL, PENCIL
 
 Normals = list[tuple[int, ...]]
@@ -94,6 +96,11 @@ def test_slopes_with_few_bits_left_lead_to_the_same_arrangement(normals, bits, m
 @pytest.mark.parametrize("normals", CLOSE)
 def test_blocks_of_one_circle_lead_to_the_same_arrangement(normals, monkeypatch):
     assert_same_incidence(normals, monkeypatch, BLOCK=1)
+
+
+def test_one_circle_has_no_crossing_and_two_have_one():
+    shapes = [sorted_as(B3[:count], np.int64).order.tolist() for count in range(3)]
+    assert shapes == [[], [[]], [[1], [0]]]
 
 
 def test_entries_are_taken_along_rows_of_any_length():
@@ -190,6 +197,28 @@ def test_differences_of_one_part_in_a_scale_are_seen(scale):
         made.validate()
         assert made.region_count == region_count(Arrangement(normals))
         assert made.vertex_count == vertices
+
+
+def test_minors_of_1_beyond_int64_are_seen():
+    """Floats lose them; numbers of 30 and of 22 bits leave them far from 0."""
+    s, t = 3_000_000, 2_900_000
+    unimodular = [(s + 1, s, t), (s + 2, s + 1, t + 1), (s, s - 1, t)]
+    for normals in (farey(2**30 - 1, 4), unimodular):
+        assert integer_array(normals).dtype == object
+        signs, circles = FilteredSigns(integer_array(normals)), range(len(normals))
+        _, backward = signs.slopes(slice(0, None))
+        for i, j, k in permutations(circles, 3):
+            assert backward[i, j] == (cross(normals[i], normals[j]) < (0, 0, 0))
+            (found,) = signs.determinants(*np.array([[i], [j], [k]]))
+            assert found == np.sign(triple_product(normals[i], normals[j], normals[k]))
+
+
+def test_the_error_of_a_determinant_counts_all_six_products(monkeypatch):
+    sizes = []
+    monkeypatch.setattr(predicates, "decided", lambda _, size, *others: sizes.append(size))
+    signs = FilteredSigns(np.array([(1, 1, 1), (1, 2, 3), (3, 1, 2)], object))
+    signs.determinants(*np.array([[0], [1], [2]]))
+    assert sizes == [25 / (2 * 4 * 4)]
 
 
 def test_turns_are_lexicographic_signs():

@@ -66,7 +66,7 @@ def sort_crossings(normals: Integers) -> Crossings:
     count = len(normals)
     shape = (count, max(count - 1, 0))
     found = Crossings(np.empty(shape, np.int32), np.empty(shape, np.int8), np.zeros(shape, bool))
-    if count < 2:
+    if not count:
         return found
     signs = FilteredSigns(normals) if normals.dtype == object else ExactSigns(normals)
     step = max(1, BLOCK // count)
