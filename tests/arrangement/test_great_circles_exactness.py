@@ -102,6 +102,7 @@ def test_one_circle_has_no_crossing_and_two_have_one():
     orders = [sorted_as(B3[:count], np.int64).order for count in range(3)]
     assert [order.shape for order in orders] == [(0, 0), (1, 0), (2, 1)]
     assert orders[2].tolist() == [[1], [0]]
+    assert set(sorted_as(B3, np.int64).turn.flat) == {1, -1}
 
 
 def test_entries_are_taken_along_rows_of_any_length():
