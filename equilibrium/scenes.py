@@ -18,7 +18,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain, count, pairwise
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 from xml.etree import ElementTree as ET
 
 import numpy as np
@@ -28,14 +28,12 @@ from arrangement.numbers.exact import to_text
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
+from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.outline import Circle, Mesh, Polygon
 from equilibrium.wrench_sets.line import resisted_magnitudes
-from equilibrium.wrench_sets.spatial import Border, spatial_magnitudes
-
-if TYPE_CHECKING:
-    from equilibrium.decide.verdict import Verdict
+from equilibrium.wrench_sets.spatial import spatial_magnitudes
 
 #: How far the object moves under its usual forces, as a share of its size.
 MOTION = 1e-3
@@ -109,17 +107,17 @@ class EngineScene(Shown):
     @cached_property
     def fingers(self) -> list[dict[str, Any]]:
         """Of each contact: where its ball is, along which normal it slides, spring and friction."""
-        most = float(max(c.stiffness for c in self.grasp))
+        most = max(c.stiffness for c in self.grasp)
         return [
             {
-                "centre": list(_in_space(c.point) - self.size * _BALL * _in_space(c.normal)),
+                "centre": self._inside(c, -_BALL),
                 "radius": self.size * _BALL,
                 "axis": list(_in_space(c.normal)),
                 "stiffness": self.stiffening * float(c.stiffness),
                 "preload": float(c.preload),
                 "friction": float(c.friction),
-                "mass": self.mass * float(c.stiffness) / most,
-                "damping": self.damping * float(c.stiffness) / most,
+                "mass": self.mass * float(c.stiffness) / float(most),
+                "damping": self.damping * float(c.stiffness) / float(most),
             }
             for c in self.grasp
         ]
@@ -129,34 +127,41 @@ class EngineScene(Shown):
         """Of each contact: a flat box on the object, which the finger touches."""
         halves = [self.size * x for x in (_PAD, _PAD, _THICK)]
         return [
-            {
-                "centre": list(_in_space(c.point) + self.size * _THICK * _in_space(c.normal)),
-                "halves": halves,
-                "axis": list(_in_space(c.normal)),
-            }
+            {"centre": self._inside(c, _THICK), "halves": halves, "axis": list(_in_space(c.normal))}
             for c in self.grasp
         ]
 
-    def loads(self) -> Iterator[tuple[dict[str, Any], list[tuple[Fraction, Verdict]]]]:
-        """Yield of each direction what is resisted, and verdicts at and beside each end.
+    def _inside(self, contact: Contact, share: float) -> list[float]:
+        """Return the place on the normal of a contact so far inside, as a share of the size."""
+        return list(_in_space(contact.point) + self.size * share * _in_space(contact.normal))
+
+    def loads(self) -> Iterator[dict[str, Any]]:
+        """Yield of each direction what is resisted, and verdicts at and beside each end, in JSON.
 
         In space an end is known by two neighbouring magnitudes, one resisted and one not; the
         latter stands for the point outside.
         """
         solver = Solver(self.grasp)
         for direction in self.directions:
+            known: dict[str, Any] = {"direction": list(map(to_text, direction))}
             if self.grasp.dimension == 2:
                 found = resisted_magnitudes(solver, direction)
-                known = {"resisted": found.to_dict()["intervals"]}
+                known["resisted"] = found.to_dict()["intervals"]
                 ends = {end for interval in found.intervals for end in interval if end}
                 asked = {end * (1 + way * BESIDE) for end in ends for way in (-1, 0, 1)}
             else:
                 borders = spatial_magnitudes(self.grasp, direction, width=_WIDTH).borders
-                known = {"borders": [border.to_dict() for border in borders]}
+                known["borders"] = [border.to_dict() for border in borders]
                 asked = {x for b in borders for x in (b.resisted, b.refused)}
-                asked |= {b.resisted * (1 + BESIDE * _inwards(b)) for b in borders}
-            tried = sorted(asked) or [Fraction(1)]
-            yield known, [(t, solver.solve([t * x for x in direction])) for t in tried]
+                ways = [(b.resisted, 1 if b.resisted > b.refused else -1) for b in borders]
+                asked |= {end * (1 + way * BESIDE) for end, way in ways}
+            known["verdicts"] = []
+            for t in sorted(asked) or [Fraction(1)]:
+                told = solver.solve([t * x for x in direction])
+                proof = told.certificate and told.certificate.to_dict()
+                entry = {"magnitude": to_text(t), "verdict": told.verdict, "certificate": proof}
+                known["verdicts"].append(entry)
+            yield known
 
     def document(self) -> dict[str, Any]:
         """Return the scene for any engine: bodies, loads, exact slip loads with their proofs."""
@@ -173,21 +178,7 @@ class EngineScene(Shown):
             "fingers": self.fingers,
             "stiffening": self.stiffening,
             "grasp": self.grasp.to_dict(),
-            "loads": [
-                {
-                    "direction": list(map(to_text, direction)),
-                    **known,
-                    "verdicts": [
-                        {
-                            "magnitude": to_text(t),
-                            "verdict": x.verdict,
-                            "certificate": x.certificate and x.certificate.to_dict(),
-                        }
-                        for t, x in verdicts
-                    ],
-                }
-                for direction, (known, verdicts) in zip(self.directions, self.loads(), strict=True)
-            ],
+            "loads": list(self.loads()),
         }
 
     def mjcf(self) -> str:
@@ -196,87 +187,69 @@ class EngineScene(Shown):
         The controls of the actuators "load 1", ... are the magnitudes of the loads. The object has
         slides and a hinge, in space a ball, so that it can be damped.
         """
+        flat, around = self.grasp.dimension == 2, self.size**2
         root = ET.Element("mujoco", model="grasp")
-        add = ET.SubElement
-        add(root, "option", gravity="0 0 0", timestep="0.001", integrator="implicitfast")
-        world = add(root, "worldbody")
-        body = add(world, "body", name="object")
-        flat, inertia = self.grasp.dimension == 2, self.mass * self.size**2
-        turning = self.damping * self.size**2
-        if flat:
-            for name, axis in (("x", "1 0 0"), ("y", "0 1 0")):
-                slide = {"name": name, "type": "slide", "axis": axis}
-                add(body, "joint", slide, damping=_text(self.damping))
-            hinge = {"name": "turn", "type": "hinge", "axis": "0 0 1"}
-            add(body, "joint", hinge, damping=_text(turning))
-        else:
-            for kind, axes, damping in (("slide", "xyz", self.damping), ("ball", "r", turning)):
-                for name in axes:
-                    along = {"axis": _text(*(name == x for x in "xyz"))} if kind == "slide" else {}
-                    joint = {"name": name, "type": kind, "damping": _text(damping)}
-                    add(body, "joint", joint, **along)
-        moments = {"mass": _text(self.mass), "diaginertia": _text(*[inertia] * 3)}
-        add(body, "inertial", moments, pos=_text(*self.centre))
-        add(body, "site", name="load", size=_text(self.size / 50))
+        _add(root, "option", gravity="0 0 0", timestep="0.001", integrator="implicitfast")
+        world = _add(root, "worldbody")
+        body = _add(world, "body", name="object")
+        for name, axis in zip("xyz"[: self.grasp.dimension], np.eye(3), strict=False):
+            _add(body, "joint", name=name, type="slide", axis=axis, damping=self.damping)
+        turn = {"name": "turn", "type": "hinge" if flat else "ball", "axis": "0 0 1"}
+        _add(body, "joint", **turn, damping=self.damping * around)
+        moments = [self.mass * around] * 3
+        _add(body, "inertial", mass=self.mass, diaginertia=moments, pos=self.centre)
+        _add(body, "site", name="load", size=self.size / 50)
         self._add_outline(root, body)
-        pairs = ET.Element("contact")
+        pairs, actuators = ET.Element("contact"), ET.Element("actuator")
         for i, (pad, finger) in enumerate(zip(self.pads, self.fingers, strict=True), 1):
-            name, axis = f"finger {i}", _text(*finger["axis"])
-            box = {"name": f"pad {i}", "type": "box", "rgba": "0.6 0.6 0.6 1", "zaxis": axis}
-            add(body, "geom", box, size=_text(*pad["halves"]), pos=_text(*pad["centre"]))
-            own = add(world, "body", name=name, pos=_text(*finger["centre"]))
-            spring = {
-                "stiffness": _text(finger["stiffness"]),
-                "springref": _text(finger["preload"] / finger["stiffness"]),
-                "damping": _text(finger["damping"]),
-            }
-            add(own, "joint", spring, name=name, type="slide", axis=axis)
-            ball = {"size": _text(finger["radius"]), "mass": _text(finger["mass"])}
-            add(own, "geom", ball, name=name, type="sphere", rgba="0.2 0.4 0.8 1")
-            rubs = {"condim": "1"}
-            if finger["friction"]:
-                rubs = {"condim": "3", "friction": _text(*[finger["friction"]] * 2, 0, 0, 0)}
-            add(pairs, "pair", rubs, geom1=name, geom2=f"pad {i}")
-        root.append(pairs)
-        actuators = add(root, "actuator")
+            name, axis, rubs = f"finger {i}", finger["axis"], finger["friction"]
+            box = {"name": f"pad {i}", "type": "box", "rgba": "0.6 0.6 0.6 1"}
+            _add(body, "geom", **box, size=pad["halves"], pos=pad["centre"], zaxis=axis)
+            own = _add(world, "body", name=name, pos=finger["centre"])
+            slide = {key: finger[key] for key in ("axis", "stiffness", "damping")}
+            rest = finger["preload"] / finger["stiffness"]
+            _add(own, "joint", name=name, type="slide", springref=rest, **slide)
+            ball = {"name": name, "type": "sphere", "rgba": "0.2 0.4 0.8 1"}
+            _add(own, "geom", **ball, size=finger["radius"], mass=finger["mass"])
+            cone = {"condim": "3", "friction": (rubs, rubs, 0, 0, 0)} if rubs else {"condim": "1"}
+            _add(pairs, "pair", geom1=name, geom2=f"pad {i}", **cone)
         for i, direction in enumerate(self.directions, 1):
             gear = (*direction[:2], 0, 0, 0, direction[2]) if flat else direction
-            load = {"name": f"load {i}", "site": "load", "gear": _text(*gear)}
-            add(actuators, "general", load)
+            _add(actuators, "general", name=f"load {i}", site="load", gear=gear)
+        root.extend((pairs, actuators))
         ET.indent(root)
         return ET.tostring(root, encoding="unicode") + "\n"
 
     def _add_outline(self, root: ET.Element, body: ET.Element) -> None:
         """Add the shape of the object, which is only seen: fingers touch the pads."""
-        add, shape, thin = ET.SubElement, self.grasp.outline, self.size / 50
+        shape, thin = self.grasp.outline, self.size / 50
         seen = {"contype": "0", "conaffinity": "0", "mass": "0", "rgba": "0.8 0.7 0.5 0.4"}
         if isinstance(shape, Polygon):
-            for a, b in pairwise([*shape.corners, shape.corners[0]]):
-                edge = {"type": "capsule", "size": _text(thin)}
-                add(body, "geom", seen | edge, fromto=_text(*_in_space(a), *_in_space(b)))
+            for ends in pairwise(map(_in_space, (*shape.corners, shape.corners[0]))):
+                _add(body, "geom", **seen, type="capsule", size=thin, fromto=ends)
         elif isinstance(shape, Circle):
-            disc = {"type": "cylinder", "size": _text(shape.radius, thin)}
-            add(body, "geom", seen | disc, pos=_text(*_in_space(shape.centre)))
+            size, place = (shape.radius, thin), _in_space(shape.centre)
+            _add(body, "geom", **seen, type="cylinder", size=size, pos=place)
         elif isinstance(shape, Mesh):
             fans = [(face[0], a, b) for face in shape.faces for a, b in pairwise(face[1:])]
-            surface = {"vertex": _text(*chain(*shape.vertices)), "face": _text(*chain(*fans))}
             # Of a surface without volume MuJoCo wants to be told that it is one.
-            add(add(root, "asset"), "mesh", surface, name="object", inertia="shell")
-            add(body, "geom", seen, type="mesh", mesh="object")
+            surface = {"name": "object", "inertia": "shell", "vertex": shape.vertices}
+            _add(_add(root, "asset"), "mesh", **surface, face=fans)
+            _add(body, "geom", **seen, type="mesh", mesh="object")
 
 
-def _inwards(border: Border) -> int:
-    return -1 if border.resisted < border.refused else 1
+def _add(parent: ET.Element, tag: str, **values: Any) -> ET.Element:
+    """Add an element; numbers and arrays of them are written as text."""
+    texts = {
+        key: x if isinstance(x, str) else " ".join(f"{float(n):.12g}" for n in np.ravel(x))
+        for key, x in values.items()
+    }
+    return ET.SubElement(parent, tag, texts)
 
 
 def _in_space(values: Iterable[Any]) -> _Vector:
     """Return a point or a normal in space; the plane is z = 0."""
-    found = [*map(float, values)]
-    return np.array([*found, *[0.0] * (3 - len(found))])
-
-
-def _text(*numbers: Any) -> str:
-    return " ".join(f"{float(x):.12g}" for x in numbers)
+    return np.array([*map(float, values), 0.0][:3])
 
 
 def document_text(document: dict[str, Any]) -> str:
@@ -285,26 +258,14 @@ def document_text(document: dict[str, Any]) -> str:
 
 
 #: Built-in grasps of `benchmark` with preload, in the plane and in space.
-_PLANAR = (
-    "paper-three-contacts-preload-1",
-    "paper-four-contacts-preload-1",
-    "offset-three-contacts",
-    "all-contacts-stick",
-    "coincident-contacts",
-    "several-equilibria",
-    "interrupted-push",
-    "interrupted-resistance",
-)
-_SPATIAL = (
-    "paper-three-contacts-in-space",
-    "paper-four-contacts-in-space",
-    "three-fingers-on-a-ball",
-    "two-opposed-fingers",
-    "peg-in-a-hole",
-    "box-held-by-four",
-)
-#: Of the scenes in the plane, and how many of these are taken into space.
-_FLAT, _LIFTED = 40, 2
+_PLANAR = """
+paper-three-contacts-preload-1 paper-four-contacts-preload-1 offset-three-contacts
+all-contacts-stick coincident-contacts several-equilibria interrupted-push interrupted-resistance
+"""
+_SPATIAL = """
+paper-three-contacts-in-space paper-four-contacts-in-space three-fingers-on-a-ball
+two-opposed-fingers peg-in-a-hole box-held-by-four
+"""
 
 
 def benchmark() -> Iterator[tuple[str, EngineScene]]:
@@ -315,19 +276,17 @@ def benchmark() -> Iterator[tuple[str, EngineScene]]:
     resist a hundredth of each load; in space built-in grasps have three friction coefficients, and
     two random grasps of three contacts are planar.
     """
-    flat = [(name, read_grasp(name)) for name in _PLANAR]
-    lifted: list[tuple[str, Grasp]] = []
+    flat, solid = ([(n, read_grasp(n)) for n in names.split()] for names in (_PLANAR, _SPATIAL))
     for seed in count():
-        if len(flat) == _FLAT:
+        if len(flat) == 40:
             break
         grasp = random_grasp(3 + seed % 6, seed, preload=True)
-        if _resists_little(grasp, _loads(2, len(flat))):
+        little = ([Fraction(x) / 100 for x in load] for load in _loads(2, len(flat)))
+        if all(map(Solver(grasp).solve, little)):
             flat.append((f"random-{len(grasp)}-{seed}", grasp))
-            if len(grasp) == 3 and len(lifted) < _LIFTED:
-                lifted.append((flat[-1][0], grasp.in_space()))
-    solid = [(name, read_grasp(name)) for name in _SPATIAL]
+    three = [(n, g.in_space()) for n, g in flat if n.startswith("random-3-")][:2]
     rubbed = [(f"{n}-{mu}", g.with_friction(mu)) for n, g in solid for mu in ("0.25", "0.75")]
-    for kind, named in (("plane", flat), ("space", [*solid, *rubbed, *lifted])):
+    for kind, named in (("plane", flat), ("space", [*solid, *rubbed, *three])):
         for k, (name, grasp) in enumerate(named):
             yield f"{kind}-{name}", EngineScene(grasp, _loads(grasp.dimension, k))
 
@@ -336,8 +295,3 @@ def _loads(dimension: int, seed: int) -> list[Sequence[Any]]:
     length = 3 * dimension - 3
     axes = [[int(i == place) for i in range(length)] for place in (dimension - 1, length - 1)]
     return [*axes, random_wrench(seed, dimension=dimension)]
-
-
-def _resists_little(grasp: Grasp, loads: Iterable[Iterable[Any]]) -> bool:
-    solver = Solver(grasp)
-    return all(solver.solve([Fraction(x) / 100 for x in load]).stable for load in loads)

@@ -338,7 +338,8 @@ def _seconds(arguments: argparse.Namespace) -> float:
     """Return what a command may take; 0, without end, where more is asked for in so many words."""
     named = vars(arguments)
     films = str(named.get("output")).endswith((".gif", ".mp4"))
-    if films or named.get("long") or named.get("store") or named.get("jobs", 1) > 1:
+    asked = any(named.get(name) for name in ("long", "store", "benchmark"))
+    if films or asked or named.get("jobs", 1) > 1:
         return 0
     # Behind the time that is given, so that a search can say what it knows.
     return budget.STOPPED + 2 * float(named.get("time_limit") or 0)

@@ -1,7 +1,8 @@
-"""Physics engines, each one function: it runs a scene under one load.
+"""Physics engines, each one function: it makes a scene and returns how the scene goes on.
 
-It takes a scene, which load, its magnitude, whether the preloads grow with it, a rule and settings,
-and returns velocities of the object near the end, (x, y, turn) or (x, y, z, three turns).
+It takes a scene, which load, the damping of the object and settings. What it returns takes seconds,
+the magnitude of the load and the share of the preloads; it runs the scene so long under them, and
+tells how far the object is from its start, at the origin: (x, y, turn) or (x, y, z, three turns).
 """
 
 from __future__ import annotations
@@ -10,30 +11,14 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from importlib.util import find_spec
 from itertools import chain
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
-from equilibrium.scenes import FREQUENCY, EngineScene
+from equilibrium.scenes import EngineScene
 
-#: The load grows in so many steps.
-PARTS = 50
-
-
-@dataclass(frozen=True)
-class Rule:
-    """When a load slips.
-
-    Attributes:
-        share: damping carries this much more of it than of a quarter of it.
-        ramp: seconds over which a load grows; it is held for twice as long, and the last quarter of
-            that is looked at.
-        damping: of the object, times that of the scene.
-    """
-
-    share: float = 1 / 100
-    ramp: float = 20 / FREQUENCY
-    damping: float = 1
+#: Runs a scene on: seconds, load, share of the preloads.
+Advance: TypeAlias = Callable[[float, float, float], np.ndarray]
 
 
 @dataclass(frozen=True)
@@ -47,53 +32,44 @@ class Setting:
 
     engine: str
     name: str
-    run: Callable[..., np.ndarray]
+    make: Callable[..., Advance]
     options: dict[str, Any]
     dimensions: tuple[int, ...] = (2, 3)
     sample: int = 1
 
 
-def mujoco_run(
-    scene: EngineScene, load: int, t: float, together: bool, rule: Rule, **options: Any
-) -> np.ndarray:
-    """Run a scene in MuJoCo: cone, impratio, noslip iterations, time step."""
+def mujoco_scene(scene: EngineScene, load: int, damping: float, **options: Any) -> Advance:
+    """Make a scene in MuJoCo: cone, impratio, noslip iterations, time step."""
     import mujoco
 
     model = mujoco.MjModel.from_xml_string(scene.mjcf())
-    option = model.opt
+    option, step = model.opt, options.get("step", 2e-3)
     option.cone = getattr(mujoco.mjtCone, f"mjCONE_{options['cone'].upper()}")
     option.impratio = options.get("impratio", 1)
     option.noslip_iterations = options.get("noslip", 0)
-    option.timestep = options.get("step", 2e-3)
+    option.timestep = step
     data = mujoco.MjData(model)
-    moves = 3 if scene.grasp.dimension == 2 else 6
-    places = 3 if moves == 3 else 7
-    springs, steps = model.qpos_spring[places:].copy(), round(rule.ramp / option.timestep)
-    model.dof_damping[:moves] *= rule.damping
-    if not together:
-        mujoco.mj_step(model, data, nstep=steps)
-    for part in range(1, PARTS + 1):
-        data.ctrl[load] = t * part / PARTS
-        if together:
-            model.qpos_spring[places:] = springs * part / PARTS
-        mujoco.mj_step(model, data, nstep=steps // PARTS)
-    mujoco.mj_step(model, data, nstep=steps * 3 // 2)
-    before = data.qpos.copy()
-    mujoco.mj_step(model, data, nstep=steps // 2)
-    moved = np.zeros(moves)
-    mujoco.mj_differentiatePos(model, whole := np.zeros(model.nv), 1, before, data.qpos)
-    moved[:] = whole[:moves]
-    return moved / (steps // 2 * option.timestep)
+    moves = len(scene.directions[load])
+    springs = model.qpos_spring[-len(scene.grasp) :].copy()
+    model.dof_damping[:moves] *= damping / scene.damping
+    start, moved = data.qpos.copy(), np.zeros(model.nv)
+
+    def advance(seconds: float, t: float, pressed: float) -> np.ndarray:
+        data.ctrl[load] = t
+        model.qpos_spring[-len(scene.grasp) :] = springs * pressed
+        mujoco.mj_step(model, data, nstep=round(seconds / step))
+        mujoco.mj_differentiatePos(model, moved, 1, start, data.qpos)
+        return moved[:moves].copy()
+
+    return advance
 
 
-def pymunk_run(
-    scene: EngineScene, load: int, t: float, together: bool, rule: Rule, **options: Any
-) -> np.ndarray:
-    """Run a scene in the plane in pymunk: iterations, time step."""
+def pymunk_scene(scene: EngineScene, load: int, damping: float, **options: Any) -> Advance:
+    """Make a scene in the plane in pymunk: iterations, time step."""
     import pymunk
 
     space = pymunk.Space()
-    space.iterations = options["iterations"]
+    space.iterations, step = options["iterations"], options["step"]
     space.collision_slop = scene.size * 1e-6
     body = pymunk.Body(scene.mass, scene.mass * scene.size**2)
     centre = scene.centre[:2]
@@ -116,41 +92,32 @@ def pymunk_run(
         ends = [tuple(start + s * normal * scene.size) for s in (-1, 1)]
         groove = pymunk.GrooveJoint(space.static_body, finger, *ends, (0, 0))
         space.add(flat, finger, ball, groove)
-        fingers.append((finger, given, normal, start))
-    wrench, damping = [t * float(x) for x in scene.directions[load]], rule.damping * scene.damping
-    step, steps = options["step"], round(rule.ramp / options["step"])
+        fingers.append((finger, given, tuple(normal), tuple(start)))
+    wrench = [float(x) for x in scene.directions[load]]
+    turning = damping * scene.size**2
 
-    def advance(number: int, share: float, pressed: float) -> None:
-        for _ in range(number):
-            for finger, given, normal, start in fingers:
-                out = float(np.dot(finger.position - start, normal))
-                force = given["preload"] * pressed - given["stiffness"] * out
-                force -= given["damping"] * float(np.dot(finger.velocity, normal))
-                finger.force = tuple(force * normal)
-            x, y = body.velocity_at_local_point(origin)
-            push = np.array(wrench[:2]) * share - damping * np.array([x, y])
+    def advance(seconds: float, t: float, pressed: float) -> np.ndarray:
+        for _ in range(round(seconds / step)):
+            for finger, given, (nx, ny), (x, y) in fingers:
+                at, speed = finger.position, finger.velocity
+                force = given["preload"] * pressed
+                force -= given["stiffness"] * ((at.x - x) * nx + (at.y - y) * ny)
+                force -= given["damping"] * (speed.x * nx + speed.y * ny)
+                finger.force = force * nx, force * ny
+            speed = body.velocity_at_local_point(origin)
+            push = t * wrench[0] - damping * speed.x, t * wrench[1] - damping * speed.y
             # Forces act at the origin; pymunk takes them at the centre of mass.
-            body.force = tuple(push)
-            turn = wrench[2] * share - damping * scene.size**2 * body.angular_velocity
-            lever = np.array(body.local_to_world(origin)) - body.position
-            body.torque = turn + float(lever[0] * push[1] - lever[1] * push[0])
+            body.force, lever = push, body.local_to_world(origin) - body.position
+            turn = t * wrench[2] - turning * body.angular_velocity
+            body.torque = turn + lever.x * push[1] - lever.y * push[0]
             space.step(step)
+        return np.array([*body.local_to_world(origin), body.angle])
 
-    if not together:
-        advance(steps, 0, 1)
-    for part in range(1, PARTS + 1):
-        advance(steps // PARTS, part / PARTS, part / PARTS if together else 1)
-    advance(steps * 3 // 2, 1, 1)
-    place = lambda: np.array([*body.local_to_world(origin), body.angle])  # noqa: E731
-    before = place()
-    advance(steps // 2, 1, 1)
-    return (place() - before) / (steps // 2 * step)
+    return advance
 
 
-def drake_run(
-    scene: EngineScene, load: int, t: float, together: bool, rule: Rule, **options: Any
-) -> np.ndarray:
-    """Run a scene in Drake: approximation of contact, time step."""
+def drake_scene(scene: EngineScene, load: int, damping: float, **options: Any) -> Advance:
+    """Make a scene in Drake: approximation of contact, time step."""
     from pydrake.common.value import Value
     from pydrake.geometry import Box, CollisionFilterDeclaration, GeometrySet, Sphere
     from pydrake.math import RigidTransform, RotationMatrix
@@ -169,7 +136,6 @@ def drake_run(
     # A solid ball of this radius turns as hardly as the object.
     heavy = inertia(scene.mass, scene.size * np.sqrt(2.5)).Shift(-scene.centre)
     held = plant.AddRigidBody("object", heavy)
-    damping = rule.damping * scene.damping
     turning = damping * scene.size**2
     if flat:
         held_by = tree.PlanarJoint("held", world, held.body_frame(), [damping, damping, turning])
@@ -208,28 +174,17 @@ def drake_run(
         made.body_index, made.F_Bq_W = body.index(), SpatialForce(torque, force)
         return made
 
-    def advance(number: int, share: float, pressed: float) -> None:
-        pushes = [push(held, t * share * force, t * share * torque)]
+    def advance(seconds: float, t: float, pressed: float) -> np.ndarray:
+        pushes = [push(held, t * force, t * torque)]
         pushes += [push(finger, pressed * preload, np.zeros(3)) for finger, preload in fingers]
         plant.get_applied_spatial_force_input_port().FixValue(context, Value(pushes))
-        simulator.AdvanceTo(simulator.get_context().get_time() + number * step)
+        simulator.AdvanceTo(simulator.get_context().get_time() + round(seconds / step) * step)
+        pose = plant.EvalBodyPoseInWorld(context, held)
+        turned, moved = pose.rotation().ToAngleAxis(), pose.translation()
+        turn = turned.angle() * turned.axis()
+        return np.array([*moved[:2], turn[2]] if flat else [*moved, *turn])
 
-    def place_now() -> RigidTransform:
-        return plant.EvalBodyPoseInWorld(context, held)
-
-    steps = round(rule.ramp / step)
-    if not together:
-        advance(steps, 0, 1)
-    for part in range(1, PARTS + 1):
-        advance(steps // PARTS, part / PARTS, part / PARTS if together else 1)
-    advance(steps * 3 // 2, 1, 1)
-    before = place_now()
-    advance(steps // 2, 1, 1)
-    after = place_now()
-    turned = (after.rotation() @ before.rotation().inverse()).ToAngleAxis()
-    moved = after.translation() - before.translation()
-    turn = turned.angle() * turned.axis()
-    return np.array([*moved[:2], turn[2]] if flat else [*moved, *turn]) / (steps // 2 * step)
+    return advance
 
 
 def settings() -> Iterator[Setting]:
@@ -243,13 +198,13 @@ def settings() -> Iterator[Setting]:
             {"impratio": 10, "step": 5e-4},
         ):
             words = ", ".join(f"{key} {value:g}" for key, value in options.items())
-            often = 1 if options.keys() == {"impratio"} else 2
+            often = 1 if options.keys() == {"impratio"} else 4
             whole = {"cone": cone, **options}
-            yield Setting("mujoco", f"{cone}, {words}", mujoco_run, whole, sample=often)
+            yield Setting("mujoco", f"{cone}, {words}", mujoco_scene, whole, sample=often)
     for iterations in (10, 50):
         options = {"iterations": iterations, "step": 2e-3}
-        yield Setting("pymunk", f"{iterations} iterations", pymunk_run, options, (2,))
+        yield Setting("pymunk", f"{iterations} iterations", pymunk_scene, options, (2,), 2)
     if find_spec("pydrake"):
         for contact in ("Sap", "Similar"):
             options = {"contact": contact, "step": 2e-3}
-            yield Setting("drake", contact, drake_run, options, sample=6)
+            yield Setting("drake", contact, drake_scene, options, sample=6)

@@ -2,69 +2,134 @@
 
 Each engine takes the sixty scenes of `equilibrium.scenes.benchmark` and three loads of each. A load
 grows slowly in one of two ways: together with the preloads, so that the exact motion keeps its
-direction and an engine that follows it stays at the equilibrium of the law; or after the preloads.
-Then it is held. What the damping of the object carries at the end, as a share of the load, is the
-measure: an object at rest leaves nothing to it.
+direction and an engine that follows it stays at the equilibrium of the law; or after the preloads,
+when the object has settled under them. Then it is held. The share of the load that damping carries
+is the measure: an object at rest leaves nothing to it.
 
-An object *creeps* when this share is the same for a small and a large load. It *slips* at a load
-whose share is larger by `Rule.share` than that of a quarter of the load. The slip load is found by
-bisection. A load that is exactly resisted without end is tried at `NEVER` times the usual force.
+An object *creeps* by its share at a quarter of the exact slip load. It *slips* at a load whose
+share stays larger than that by `Rule.share`, or goes far. The slip load is found by bisection. A
+load that is exactly resisted without end is tried at `NEVER` times the usual force.
+
+Preloads that grow slowly without a load have *not settled* while damping carries more than `REST`
+of the usual force: no slip load is asked for then.
 """
 
 from __future__ import annotations
 
 import csv
+import math
 import statistics
 import time
 from collections.abc import Iterator
+from dataclasses import dataclass
 from fractions import Fraction
 from importlib.metadata import PackageNotFoundError, version
-from itertools import islice
+from itertools import islice, product
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from engines import Rule, Setting, settings
+from engines import Advance, Setting, settings
 
 from arrangement.console.progress import watched
-from equilibrium.scenes import FREQUENCY, EngineScene, benchmark
+from equilibrium.scenes import FREQUENCY, MOTION, EngineScene, benchmark
 
 #: Bisections of twice the exact slip load, and the largest load tried where there is none.
 STEPS, NEVER = 8, 16
+#: A load grows in so many parts.
+PARTS = 50
+#: What is carried beyond is no creep.
+MOST_CREEP = 1 / 10
+#: Settled: damping carries at most this share of the usual force.
+REST = 1 / 100
+#: An object that goes so many times as far as its usual motion while nothing grows, slips; under
+#: a load above the usual force, more by as much.
+FAR = 10
+#: Seconds of which the mean speed is taken.
+WINDOW = 10 / FREQUENCY
+
+
+@dataclass(frozen=True)
+class Rule:
+    """When a load slips.
+
+    Attributes:
+        share: damping carries this much more of it than of a quarter of the exact slip load.
+        ramp: seconds over which a load grows.
+        windows: of time, for which the object may go on.
+        damping: of the object, times that of the scene.
+    """
+
+    share: float = 1 / 100
+    ramp: float = 20 / FREQUENCY
+    windows: int = 10
+    damping: float = 1
+
 
 #: The first is the one measured with; the others show how much it matters.
 RULES = {
     "as measured": Rule(),
     "a share of 1/50": Rule(share=1 / 50),
     "a share of 1/200": Rule(share=1 / 200),
-    "twice the time": Rule(ramp=40 / FREQUENCY),
+    "twice the ramp": Rule(ramp=40 / FREQUENCY),
+    "half the time": Rule(windows=5),
+    "twice the time": Rule(windows=20),
     "twice the damping": Rule(damping=2),
     "half the damping": Rule(damping=1 / 2),
 }
 
 
-def carried(
-    scene: EngineScene,
-    load: int,
-    t: float,
-    setting: Setting,
-    together: bool,
-    rule: Rule = RULES["as measured"],
-) -> float:
-    """Return the share of a load that the damping of the object carries."""
-    half, lever = scene.grasp.dimension, np.ones(3 if scene.grasp.dimension == 2 else 6)
-    lever[half:] = scene.size
-    moved = setting.run(scene, load, t, together, rule, **setting.options) * lever
-    wrench = np.array([float(x) for x in scene.directions[load]]) / lever
-    return float(rule.damping * scene.damping * np.linalg.norm(moved) / np.linalg.norm(t * wrench))
+class Trial:
+    """One run of an engine: a scene under a load.
 
+    Attributes:
+        place: of the object, away from its start; turns times the size of the scene.
+    """
 
-def slips(
-    scene: EngineScene, load: int, t: float, setting: Setting, together: bool, rule: Rule
-) -> bool:
-    """Return whether a load slips, as the head of this file says."""
-    large, small = (carried(scene, load, x, setting, together, rule) for x in (t, t / 4))
-    return not large - small <= rule.share
+    def __init__(self, scene: EngineScene, load: int, setting: Setting, rule: Rule) -> None:
+        self.scene, self.rule = scene, rule
+        self.damping = rule.damping * scene.damping
+        self.lever = np.ones(len(scene.directions[load]))
+        self.lever[scene.grasp.dimension :] = scene.size
+        wrench = np.array([float(x) for x in scene.directions[load]])
+        self.force = float(np.linalg.norm(wrench / self.lever))
+        self.advance: Advance = setting.make(scene, load, self.damping, **setting.options)
+        self.place = 0 * self.lever
+
+    def grow(self, t: float, pressing: bool) -> None:
+        """Let a load grow slowly, and the preloads if they are not there yet."""
+        for part in np.arange(1, PARTS + 1) / PARTS:
+            pressed = part if pressing else 1
+            self.place = self.advance(self.rule.ramp / PARTS, part * t, pressed) * self.lever
+
+    def wait(self, t: float, force: float, most: float) -> float:
+        """Run until damping carries at most this share of a force; return the last such share.
+
+        It is infinite where the object goes far.
+        """
+        share, begin = self.damping / force, self.place
+        far = FAR * MOTION * self.scene.size * max(1, force / self.scene.force)
+        for _ in range(self.rule.windows):
+            place = self.place
+            self.place = self.advance(WINDOW, t, 1) * self.lever
+            carried = share * float(np.linalg.norm(self.place - place)) / WINDOW
+            if np.linalg.norm(self.place - begin) > far:
+                return math.inf
+            if carried <= most:
+                break
+        return carried
+
+    def pressed(self) -> float:
+        """Let the preloads grow; return the share of the usual force that damping carries."""
+        self.grow(0, True)
+        return self.wait(0, self.scene.force, REST)
+
+    def carried(self, t: float, together: bool, most: float) -> float:
+        """Return the share of a load that damping carries, as soon as it is at most that."""
+        if not together:
+            self.pressed()
+        self.grow(t, together)
+        return self.wait(t, t * self.force, most)
 
 
 def exact_end(known: dict[str, Any]) -> float | None:
@@ -76,15 +141,36 @@ def exact_end(known: dict[str, Any]) -> float | None:
     return None if end is None else float(Fraction(end))
 
 
-def slip_load(scene: EngineScene, load: int, end: float | None, *how: Any) -> float | None:
-    """Return the slip load of an engine; None where it holds all that is tried."""
+def slip_load(
+    scene: EngineScene,
+    load: int,
+    end: float | None,
+    setting: Setting,
+    together: bool,
+    rule: Rule = RULES["as measured"],
+) -> tuple[float | None, float]:
+    """Return the slip load of an engine, None where it holds all that is tried; and its creep."""
+
+    def carried(t: float, most: float) -> float:
+        return Trial(scene, load, setting, rule).carried(t, together, most)
+
     low, high = 0.0, 2 * end if end else NEVER * scene.force
-    if not slips(scene, load, high, *how):
-        return None
+    creep = carried(end / 4 if end else high / 4, 0)
+    most = min(creep + rule.share, MOST_CREEP)
+    if carried(high, most) <= most:
+        return None, creep
     for _ in range(STEPS):
         middle = (low + high) / 2
-        low, high = (low, middle) if slips(scene, load, middle, *how) else (middle, high)
-    return (low + high) / 2
+        low, high = (low, middle) if carried(middle, most) > most else (middle, high)
+    return (low + high) / 2, creep
+
+
+def comparable(scene: EngineScene) -> Iterator[tuple[int, float | None]]:
+    """Yield loads and their exact slip loads; not those of which nothing at all is resisted."""
+    for load, known in enumerate(scene.loads()):
+        end = exact_end(known)
+        if end is None or end >= 1e-6 * scene.force:
+            yield load, end
 
 
 def measure(every: int = 1) -> Iterator[dict[str, Any]]:
@@ -94,29 +180,27 @@ def measure(every: int = 1) -> Iterator[dict[str, Any]]:
         every: only each such scene.
     """
     for k, (name, scene) in enumerate(islice(benchmark(), 0, None, every)):
-        for load, (known, _) in enumerate(scene.loads()):
-            end = exact_end(known)
-            if end is not None and end < 1e-6 * scene.force:
-                continue  # No load at all is resisted, so there is none to compare with.
-            for setting in settings():
-                if k % setting.sample or scene.grasp.dimension not in setting.dimensions:
-                    continue
-                for together in (True, False):
-                    how, began = (setting, together, RULES["as measured"]), time.process_time()
-                    slip = slip_load(scene, load, end, *how)
-                    seconds = time.process_time() - began
-                    half = end / 2 if end else scene.force
-                    yield {
-                        "scene": name,
-                        "load": load + 1,
-                        "exact": "never" if end is None else f"{end:.6g}",
-                        "engine": setting.engine,
-                        "setting": setting.name,
-                        "start": "together" if together else "preload first",
-                        "slip": "none" if slip is None else f"{slip:.6g}",
-                        "creep": f"{carried(scene, load, half, *how):.2g}",
-                        "seconds": f"{seconds:.2f}",
-                    }
+        loads = list(comparable(scene))
+        for setting in settings():
+            if k % setting.sample or scene.grasp.dimension not in setting.dimensions:
+                continue
+            settles = Trial(scene, 0, setting, RULES["as measured"]).pressed() <= REST
+            for together, (load, end) in product((True, False), loads):
+                slip, creep, began = "not settled", "", time.process_time()
+                if settles:
+                    found, share = slip_load(scene, load, end, setting, together)
+                    slip, creep = "none" if found is None else f"{found:.6g}", f"{share:.2g}"
+                yield {
+                    "scene": name,
+                    "load": load + 1,
+                    "exact": "never" if end is None else f"{end:.6g}",
+                    "engine": setting.engine,
+                    "setting": setting.name,
+                    "start": "together" if together else "preload first",
+                    "slip": slip,
+                    "creep": creep,
+                    "seconds": f"{time.process_time() - began:.2f}",
+                }
 
 
 def summary(rows: list[dict[str, Any]]) -> Iterator[list[str]]:
@@ -125,7 +209,8 @@ def summary(rows: list[dict[str, Any]]) -> Iterator[list[str]]:
         "engine",
         "setting",
         "start",
-        "loads",
+        "not settled",
+        "loads that end",
         "slip / exact: median",
         "5 % to 95 %",
         "within 3 %",
@@ -136,36 +221,37 @@ def summary(rows: list[dict[str, Any]]) -> Iterator[list[str]]:
     ]
     kinds = dict.fromkeys((r["engine"], r["setting"], r["start"]) for r in rows)
     for kind in kinds:
-        own = [r for r in rows if (r["engine"], r["setting"], r["start"]) == kind]
+        mine = [r for r in rows if (r["engine"], r["setting"], r["start"]) == kind]
+        own = [r for r in mine if r["slip"] != "not settled"]
         ending = [r for r in own if r["exact"] != "never"]
         held = [r for r in ending if r["slip"] == "none"]
         ratios = sorted(float(r["slip"]) / float(r["exact"]) for r in ending if r["slip"] != "none")
-        low, high = (ratios[round(share * (len(ratios) - 1))] for share in (0.05, 0.95))
+        ends = [ratios[round(share * (len(ratios) - 1))] for share in (0.05, 0.95) if ratios]
         never = [r for r in own if r["exact"] == "never"]
         yield [
             *kind,
+            f"{len(mine) - len(own)} of {len(mine)}",
             str(len(ending)),
-            f"{statistics.median(ratios):.3f}",
-            f"{low:.2f} to {high:.2f}",
+            f"{statistics.median(ratios):.3f}" if ratios else "",
+            " to ".join(f"{x:.2f}" for x in ends),
             f"{sum(abs(x - 1) < 0.03 for x in ratios)} of {len(ending)}",
             str(len(held)),
             f"{sum(r['slip'] != 'none' for r in never)} of {len(never)}",
-            f"{statistics.median(float(r['creep']) for r in own):.1g}",
-            f"{statistics.median(float(r['seconds']) for r in own):.2g}",
+            *(
+                f"{statistics.median(float(r[key]) for r in own):.2g}" if own else ""
+                for key in ("creep", "seconds")
+            ),
         ]
 
 
 def rule_lines() -> Iterator[str]:
-    """Yield how slip loads change with the rule: on every tenth scene, with the first settings."""
-    chosen = {setting.engine: setting for setting in settings()}
+    """Yield how slip loads change with the rule: each tenth scene, elliptic, impratio 100."""
+    setting = next(s for s in settings() if s.options.get("impratio") == 100)
     found: dict[str, list[float]] = {}
     for _, scene in islice(benchmark(), 0, None, 10):
-        for load, (known, _) in enumerate(scene.loads()):
-            end = exact_end(known)
-            if end is None or end < 1e-6 * scene.force:
-                continue
-            for name, rule in RULES.items():
-                slip = slip_load(scene, load, end, chosen["mujoco"], True, rule)
+        for load, end in comparable(scene):
+            for name, rule in RULES.items() if end else ():
+                slip, _ = slip_load(scene, load, end, setting, True, rule)
                 found.setdefault(name, []).append((slip or 2 * end) / end)
     base = found["as measured"]
     for name, ratios in found.items():

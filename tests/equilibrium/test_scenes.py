@@ -9,6 +9,8 @@ from xml.etree import ElementTree as ET
 import numpy as np
 import pytest
 
+import equilibrium.scenes
+from arrangement.numbers import budget
 from equilibrium import Contact, Grasp, Polygon, Solver, read_grasp
 from equilibrium.certificate.checker import check
 from equilibrium.cli import main
@@ -111,6 +113,18 @@ def test_the_command_writes_scenes(tmp_path, capsys):
     for words in (["ladder", "-o", "x.stl"], ["-o", "x.xml"], ["ladder", "--benchmark", "x"]):
         assert main(["export", *words]) == 2
         assert capsys.readouterr().err.startswith("error: ")
+
+
+def test_the_benchmark_may_take_its_time_and_has_the_same_bytes_each_time(tmp_path, monkeypatch):
+    chosen = [(str(load), EngineScene(PAPER, [load])) for load in ((0, 1, 0), (0, 0, 1))]
+    monkeypatch.setattr(equilibrium.scenes, "benchmark", lambda: iter(chosen))
+    monkeypatch.setattr(budget, "STOPPED", 0.01)  # of other commands
+    folders = [tmp_path / name for name in ("one", "two")]
+    for folder in folders:
+        assert main(["export", "--benchmark", str(folder)]) == 0
+    one, two = ({x.name: x.read_bytes() for x in folder.iterdir()} for folder in folders)
+    assert one == two
+    assert set(one) == {f"{name}.json" for name, _ in chosen}
 
 
 def test_the_benchmark_has_sixty_scenes_that_rest():
