@@ -23,9 +23,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from itertools import chain
 from typing import NamedTuple
 
 from arrangement.numbers.exact import RationalVector, dot
+from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.model.solution import Enclosure
@@ -72,8 +74,8 @@ class Interval(NamedTuple):
 
 def interval(x: Fraction | int) -> Interval:
     """Return a number as an interval."""
-    scaled = Fraction(x) * _ONE
-    return Interval(math.floor(scaled), math.ceil(scaled))
+    scaled, unit = x.numerator << _BITS, x.denominator
+    return Interval(scaled // unit, -(-scaled // unit))
 
 
 def total(parts: Iterable[Interval]) -> Interval:
@@ -93,8 +95,9 @@ def enclosure_problem(
     grasp: Grasp, wrench: RationalVector, given: Enclosure, within: Range = NO_RANGE
 ) -> str:
     """Return why an enclosure shows no equilibrium of the range, or nothing."""
-    for i, (contact, friction) in enumerate(zip(grasp, given.friction, strict=True)):
-        _, *tangents = frame(contact)
+    felt_contacts = felt_by(grasp, given.basis)
+    for i, (felt, friction) in enumerate(zip(felt_contacts, given.friction, strict=True)):
+        _, *tangents = felt.wrenches
         if friction and any(dot(t, motion) for motion in given.basis for t in tangents):
             return f"contact {i + 1} sticks, and a motion of the basis moves it"
         if friction and dot(friction, friction) > 1:
@@ -102,13 +105,9 @@ def enclosure_problem(
     for i, _ in given.pillars:
         if not given.friction[i]:
             return f"contact {i + 1} is a pillar and does not stick"
-    attached = [
-        c for c, friction in zip(grasp, given.friction, strict=True) if friction is not None
-    ]
-    felt = [wrench]
-    for contact in attached:
-        felt += frame(contact) if contact.friction else frame(contact)[:1]
-    if any(dot(row, motion[:6]) for motion in given.idle for row in felt):
+    pairs = zip(felt_contacts, given.friction, strict=True)
+    works = [wrench, *chain(*(felt.noticed for felt, friction in pairs if friction is not None))]
+    if any(dot(row, motion[:6]) for motion in given.idle for row in works):
         return "an idle motion moves an attached contact, or the load does work on it"
     if any(r <= 0 for r in given.radius):
         return "a radius of the enclosure is not above 0"
@@ -116,23 +115,46 @@ def enclosure_problem(
         Interval(interval(m - r).low, interval(m + r).high)
         for m, r in zip(given.centre, given.radius, strict=True)
     ]
+    centre = [interval(m) for m in given.centre]
     try:
-        value, _ = _balance(grasp, wrench, given, [interval(m) for m in given.centre], within)
-        _, derivative = _balance(grasp, wrench, given, box, within)
+        value, _ = _balance(felt_contacts, wrench, given, centre, within)
+        _, derivative = _balance(felt_contacts, wrench, given, box, within)
     except BrokenLaw as broken:
         return str(broken)
     inverse = [[interval(x) for x in row] for row in given.inverse]
-    away = [x.plus(interval(m).negative()) for x, m in zip(box, given.centre, strict=True)]
+    away = [x.plus(m.negative()) for x, m in zip(box, centre, strict=True)]
     for j, row in enumerate(inverse):
         rest = [
             interval(int(j == k)).plus(product(row, column).negative())
             for k, column in enumerate(zip(*derivative, strict=True))
         ]
         step = product(row, value).negative()
-        found = total((interval(given.centre[j]), step, product(rest, away)))
+        found = total((centre[j], step, product(rest, away)))
         if not box[j].low < found.low <= found.high < box[j].high:
             return f"the enclosure is not mapped into itself in coordinate {j + 1}"
     return ""
+
+
+class Felt(NamedTuple):
+    """A contact, the wrenches of unit forces on it, and how far these move it with each unknown."""
+
+    contact: Contact
+    wrenches: tuple[RationalVector, ...]
+    slopes: list[list[Interval]]
+
+    @property
+    def noticed(self) -> tuple[RationalVector, ...]:
+        """The wrenches along which a motion matters: without friction the first alone."""
+        return self.wrenches if self.contact.friction else self.wrenches[:1]
+
+
+def felt_by(grasp: Grasp, basis: Sequence[RationalVector]) -> list[Felt]:
+    """Return what each contact feels of a basis of motions."""
+    frames = map(frame, grasp)
+    return [
+        Felt(contact, rows, [_slopes(row, basis) for row in rows])
+        for contact, rows in zip(grasp, frames, strict=True)
+    ]
 
 
 class BrokenLaw(Exception):
@@ -165,7 +187,7 @@ class Linear(NamedTuple):
 
 
 def _balance(
-    grasp: Grasp,
+    contacts: Sequence[Felt],
     wrench: RationalVector,
     given: Enclosure,
     box: Sequence[Interval],
@@ -183,9 +205,10 @@ def _balance(
         if turns.high > interval(within.largest_turn**2).low:
             raise BrokenLaw("the enclosure turns by more than the largest turn")
     sums = [Linear(interval(w), zeros) for w in wrench]
-    for i, (contact, friction) in enumerate(zip(grasp, given.friction, strict=True)):
-        rows = frame(contact)
-        moved = [_along(row, given.basis, box) for row in rows]
+    for i, ((contact, rows, slopes), friction) in enumerate(
+        zip(contacts, given.friction, strict=True)
+    ):
+        moved = [Linear(product(row, box), row) for row in slopes]
         normal = moved[0].by(-contact.stiffness)
         normal = normal.plus(Linear(interval(contact.preload), zeros))
         if friction is None:
@@ -207,16 +230,16 @@ def _balance(
         for force, row in zip((normal, *forces), rows, strict=True):
             sums = [one.plus(force.by(x)) if x else one for one, x in zip(sums, row, strict=True)]
     for *motion, x in given.idle:
-        turned = _along(tuple(motion), given.basis, box).plus(Linear(interval(-x), zeros))
+        slopes_of = _slopes(tuple(motion), given.basis)
+        turned = Linear(product(slopes_of, box), slopes_of).plus(Linear(interval(-x), zeros))
         sums = [one.plus(turned.by(x)) for one, x in zip(sums, motion, strict=True)]
     return [one.value for one in sums], [one.slopes for one in sums]
 
 
-def _along(row: RationalVector, basis: Sequence[RationalVector], box: Sequence[Interval]) -> Linear:
-    """Return how far a contact moves along a unit wrench."""
+def _slopes(row: RationalVector, basis: Sequence[RationalVector]) -> list[Interval]:
+    """Return how far a contact moves along a unit wrench, with each of the six unknowns."""
     slopes = [interval(dot(row, motion)) for motion in basis]
-    slopes += [Interval(0, 0)] * (6 - len(slopes))
-    return Linear(product(slopes, box), slopes)
+    return slopes + [Interval(0, 0)] * (6 - len(slopes))
 
 
 def _sticking(

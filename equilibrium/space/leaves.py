@@ -65,6 +65,7 @@ class Leaves:
 
     Attributes:
         found: by states.
+        ends: below the node of states, how many leaves of other loads refute this one, or do not.
     """
 
     def __init__(
@@ -76,6 +77,7 @@ class Leaves:
     ) -> None:
         self.contacts, self.cones = contacts, cones
         self.found: dict[Node, ExactLeaf] = {}
+        self.ends: dict[Node, tuple[int, int]] = {}
         grasp = contacts.grasp
         bounds = [within.largest_turn or Fraction(0), within.largest_force or Fraction(0)]
         given = [*wrench, *bounds, *(c.preload for c in grasp)]

@@ -1,21 +1,20 @@
 """Trees that are not closed yet, and what closed ones of other loads are worth for the next.
 
-The load enters a tree in the works of its leaves alone. So the tree of another load is followed:
-where a leaf does not refute this load, the search goes on from there.
+The load enters a tree in the works of its leaves alone. So the trees of other loads are followed
+where most of their leaves refute this load; elsewhere the search goes on, and splits as they do.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
 from typing import Any
 
-from .cones import Node, OpenSplit, State
+from .cones import Node, OpenSplit
 from .leaves import ExactLeaf, Leaves
 
 #: So many leaves are kept.
 _MOST = 20_000
-#: A tree is followed where at most one leaf in this many, and so many others, are open.
-_SHARE, _OTHERS = 4, 4
+#: A split is followed where open leaves are at most those that refute the load, over this.
+_SHARE = 2
 #: So many parts stay open before a search ends.
 _HOLES = 8
 #: Nodes with two slips in sectors too narrow to split may be one in this many, and so many others.
@@ -60,26 +59,34 @@ class Memory:
         self._leaves |= leaves
 
     def at(self, states: Node, leaves: Leaves) -> OpenSplit | Any | None:
-        """Return the leaf of a node if it refutes the load, a new split as there was, or None."""
+        """Return the leaf of a node if it refutes the load, else a split that promises to."""
         leaf = self._leaves.get(states)
         if leaf is not None and leaves.refutes(leaf):
             return leaf.node
-        split = self._splits.get(states)
-        return split and split.again()
+        return self.split(states) if self.promises(states, leaves) else None
 
-    def promises(self, root: Node, leaves: Leaves) -> bool:
-        """Return whether most leaves of the tree that is remembered refute the load."""
-        closed, still = 0, 0
-        for node in self._ends(root, leaves):
-            closed, still = closed + (node is not None), still + (node is None)
-        return closed > 0 and still <= _OTHERS + (closed + still) // _SHARE
+    def split(self, states: Node) -> OpenSplit | None:
+        """Return a new split of a node as there was; trees that split alike share leaves."""
+        found = self._splits.get(states)
+        return found and found.again()
 
-    def _ends(self, root: Node, leaves: Leaves) -> Iterator[Any | None]:
-        """Yield a leaf or None for each end of the tree that is remembered."""
-        waiting: list[Sequence[State]] = [root]
-        while waiting:
-            found = self.at(tuple(waiting.pop()), leaves)
-            if isinstance(found, OpenSplit):
-                waiting += found.parts
-            else:
-                yield found
+    def promises(self, states: Node, leaves: Leaves) -> bool:
+        """Return whether most leaves that are remembered below a node refute the load."""
+        closed, still = self._ends(states, leaves)
+        return closed > 0 and still <= closed // _SHARE
+
+    def _ends(self, states: Node, leaves: Leaves) -> tuple[int, int]:
+        """Return how many ends of what is remembered below a node refute the load, or do not."""
+        found = leaves.ends.get(states)
+        if found is None:
+            leaf, split = self._leaves.get(states), self._splits.get(states)
+            found = 0, 1
+            if leaf is not None and leaves.refutes(leaf):
+                found = 1, 0
+            elif split is not None:
+                closed, still = zip(
+                    *(self._ends(part, leaves) for part in split.parts), strict=True
+                )
+                found = sum(closed), sum(still)
+            leaves.ends[states] = found
+        return found

@@ -138,11 +138,11 @@ class SpatialSearch:
         leaf = leaf or self._leaf(root, self.relaxation.solve(root))
         if leaf is not None:
             return leaf
+        few, tree = self.nodes <= _FEW, OpenTree(root)
         if self.memory.promises(root, self.leaves):
-            found = self._tree(OpenTree(root), _FEW, known=True)
+            found = self._tree(tree, _FEW)
             if not isinstance(found, Open):
                 return found
-        few, tree = self.nodes <= _FEW, OpenTree(root)
         for i, motion in enumerate(self.smooth.starts(0 if few else _STARTS)):
             near = self._near(motion, 1.0)
             if near is not None:
@@ -245,8 +245,8 @@ class SpatialSearch:
             leaf = inner and self.leaves.leaf(states, inner)
         return leaf
 
-    def _tree(self, tree: OpenTree, most: int, known: bool = False) -> Solution | Any | Open:
-        """Go on with a search, depth first; nodes that are known are taken, not counted."""
+    def _tree(self, tree: OpenTree, most: int) -> Solution | Any | Open:
+        """Go on with a search, depth first; nodes that other loads show are not counted."""
         self.idle, self.patience = 0, max(_PATIENCE, 2 * len(self.contacts.grasp))
         while tree.waiting and not tree.hopeless:
             nodes = tree.nodes
@@ -256,11 +256,13 @@ class SpatialSearch:
                 closed = f"{nodes} nodes, {tree.leaves} of them closed"
                 raise TimeoutError(f"the time is over after {closed}")
             states, parent, position = tree.waiting.pop()
-            found = self.memory.at(states, self.leaves) if known else None
+            found = self.memory.at(states, self.leaves)
             if found is None:
                 tree.nodes, self.idle = nodes + 1, self.idle + 1
                 tree.pairs += sum(self.cones.sine(x) < NARROW for x in states) > 1
                 found = self._node(states)
+                if isinstance(found, OpenSplit):
+                    found = self.memory.split(states) or found
             if isinstance(found, Solution):
                 return found
             if isinstance(found, OpenSplit):

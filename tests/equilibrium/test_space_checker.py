@@ -12,7 +12,14 @@ import sympy
 from arrangement.numbers.exact import dot
 from equilibrium import CertificateError, Grasp
 from equilibrium.certificate.document import resisted_certificate
-from equilibrium.certificate.enclosure import BrokenLaw, Interval, _balance, interval, total
+from equilibrium.certificate.enclosure import (
+    BrokenLaw,
+    Interval,
+    _balance,
+    felt_by,
+    interval,
+    total,
+)
 from equilibrium.certificate.reading import Leaf, Split
 from equilibrium.certificate.space import (
     SpatialQuestion,
@@ -520,10 +527,11 @@ def test_forged_enclosures_are_refused_for_their_fault(words, change):
 def test_a_spring_that_may_be_wrong_by_one_unit_is_refused(state, up, words):
     zero, row = Interval(0, 0), (F(0),) * 6
     given = Enclosure((plus(UP),), (state,), (), row, row, ())
-    _balance(Grasp(table((0, 0), preload=0)), row, given, [zero] * 6, NO_RANGE)
+    felt = felt_by(Grasp(table((0, 0), preload=0)), given.basis)
+    _balance(felt, row, given, [zero] * 6, NO_RANGE)
     box = [Interval(*up), *[zero] * 5]
     with pytest.raises(BrokenLaw, match=words):
-        _balance(Grasp(table((0, 0), preload=0)), row, given, box, NO_RANGE)
+        _balance(felt, row, given, box, NO_RANGE)
 
 
 def test_intervals_contain_all_exact_results_and_are_no_wider_than_needed():

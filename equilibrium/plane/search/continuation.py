@@ -100,17 +100,19 @@ class Continuation:
     def _newton(self, motion: Floats, eps: float) -> tuple[Floats, float]:
         """Return a motion of less residual: Newton steps, damped where they fail."""
         value, jacobian = self._balance(motion, eps)
-        residual, damping = float(np.linalg.norm(value)), 0.0
+        residual, damping, factors = _length(value), 0.0, None
         for _ in range(_STEPS):
             if not np.isfinite(jacobian).all() or residual <= _EXACT * self.size:
                 break
-            step = self.scale * _step(jacobian * self.scale, value, damping)
+            # Where a step fails only the damping changes.
+            factors = factors or np.linalg.svd(jacobian * self.scale)
+            step = self.scale * _step(*factors, value, damping)
             tried_value, tried_jacobian = self._balance(motion + step, eps)
-            tried = float(np.linalg.norm(tried_value))
+            tried = _length(tried_value)
             if tried < residual:
                 stalled = tried > 0.999 * residual
                 motion = motion + step
-                value, jacobian, residual = tried_value, tried_jacobian, tried
+                value, jacobian, residual, factors = tried_value, tried_jacobian, tried, None
                 damping /= 30
                 if stalled:
                     break
@@ -150,18 +152,20 @@ class Continuation:
         return Guess.read(motion, force, ratio, np.abs(ratio) > 0.9999)
 
 
-def _step(jacobian: Floats, value: Floats, damping: float) -> Floats:
-    """Return the step of least ``|J x + v|^2 + damping |J|^2 |x|^2`` (Levenberg, Marquardt)."""
-    if damping == 0.0:
-        try:
-            exact: Floats = np.linalg.solve(jacobian, -value).astype(np.float64)
-            return exact
-        except np.linalg.LinAlgError:
-            damping = 1e-10
-    weight = np.sqrt(damping) * np.linalg.norm(jacobian) + 1e-300
-    rows = np.concatenate([jacobian, weight * np.eye(len(value))])
-    left, triangle = np.linalg.qr(rows)
-    step: Floats = np.linalg.solve(triangle, -(left[: len(value)].T @ value))
+def _length(value: Floats) -> float:
+    return math.sqrt(value @ value)
+
+
+def _step(left: Floats, sizes: Floats, right: Floats, value: Floats, damping: float) -> Floats:
+    """Return the step of least ``|J x + v|^2 + damping |J|^2 |x|^2`` (Levenberg, Marquardt).
+
+    Args:
+        left, sizes, right: the singular value decomposition of J.
+    """
+    if damping == 0.0 and not sizes[-1] > 0.0:
+        damping = 1e-10
+    weights = sizes / (sizes * sizes + damping * (sizes @ sizes) + 1e-300)
+    step: Floats = -((value @ left) * weights) @ right
     return step
 
 
