@@ -7,13 +7,23 @@ is long, the unit is a power of two near it, which keeps the numbers of proofs s
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
 from itertools import chain
 from typing import Any
 
-from arrangement.numbers.exact import IntegerVector, RationalVector, primitive, rational, to_text
+from arrangement.numbers.exact import (
+    IntegerVector,
+    RationalVector,
+    integer,
+    primitive,
+    rational,
+    to_text,
+    without_denominators,
+)
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import Range
 from equilibrium.model.solution import Solution
@@ -113,27 +123,34 @@ class SearchUnits:
         parts = {name: self.tree_back(child, region) for name, child in node[kind].items()}
         return {"contact": node["contact"], kind: parts}
 
-    def _size(self, generator: IntegerVector) -> Fraction:
-        """Return which multiple of a primitive vector a generator is in the other units."""
-        unit = (Fraction(1), self.step, self.step, self.step / self.length)
-        moved = [x * u for x, u in zip(generator, unit, strict=True)]
-        found = primitive(moved)
-        return next(x / y for x, y in zip(moved, found, strict=True) if y)
+    @cached_property
+    def _whole(self) -> tuple[int, ...]:
+        """One of a leaf's turn, its slips, its largest turn, its works, of a step and a turn.
+
+        All times the same, so that they are integers.
+        """
+        slip = self.force / self.step
+        units = 1 / self.length, slip, slip * self.length, Fraction(1), self.step
+        return tuple(without_denominators((*units, self.step / self.length)))
+
+    def _size(self, generator: IntegerVector) -> int:
+        """Return which multiple of a primitive vector a generator is in units of `_whole`."""
+        *_, one, step, turn = self._whole
+        return math.gcd(*(x * u for x, u in zip(generator, (one, step, step, turn), strict=True)))
 
     def _leaf(self, leaf: dict[str, Any]) -> dict[str, Any]:
         """Return a leaf; its works are those in these units times a positive number."""
-        x, y, r = map(rational, leaf["virtual_motion"])
+        turn, slip, most, one, *_ = self._whole
+        x, y, r = map(_number, leaf["virtual_motion"])
         used = leaf.get("range", {})
-        one, slip = Fraction(1), self.force / self.step
-        turn = slip * self.length
         rows = {
-            i: [rational(z) * u for z, u in zip(row, (one, slip), strict=False)]
+            i: [_number(z) * u for z, u in zip(row, (one, slip), strict=False)]
             for i, row in leaf["multipliers"].items()
         }
-        turns = [rational(z) * turn for z in used.get("turn", ())]
-        rho = list(map(rational, used.get("forces", {}).values()))
-        every = [x, y, r / self.length, *chain(*rows.values()), *turns, *rho]
-        texts = iter(map(to_text, primitive(every)) if any(every) else map(to_text, every))
+        turns = [_number(z) * most for z in used.get("turn", ())]
+        rho = [_number(z) * one for z in used.get("forces", {}).values()]
+        every = [x * one, y * one, r * turn, *chain(*rows.values()), *turns, *rho]
+        texts = iter(map(to_text, primitive(every)))
         found: dict[str, Any] = {"virtual_motion": [next(texts) for _ in range(3)]}
         found["multipliers"] = {i: [next(texts) for _ in row] for i, row in rows.items()}
         if used:
@@ -141,3 +158,8 @@ class SearchUnits:
             forces = {i: next(texts) for i in used.get("forces", ())}
             found["range"] |= {"forces": forces} if forces else {}
         return found
+
+
+def _number(text: str) -> Fraction | int:
+    """Return a number of a leaf; most are integers."""
+    return rational(text) if "/" in text else integer(text)
