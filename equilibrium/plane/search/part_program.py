@@ -130,6 +130,8 @@ class PartProgram:
         #: The motion is bounded.
         self.box = [self._row({k: sign}, 1) for k in range(3) for sign in (1, -1)]
         self.limits: list[tuple[int, int]] = []
+        #: Of each limit the columns of alpha and rho, and integers: ``unit alpha <= arm . motion``.
+        self._most: list[tuple[int, int | None, list[int], int]] = []
         self.bounds: list[list[Any]] = []
         for i in self.springs:
             for sign in self._signs(i):
@@ -139,6 +141,7 @@ class PartProgram:
                     entries[self.rho[i]] = unit
                 self.bounds.append(self._row(entries))
                 self.limits.append((i, sign))
+                self._most.append((self.alpha[i], self.rho.get(i), arm, unit))
         for i in self.springs:
             if states.get(i) in (None, "detached"):
                 self.bounds.append(self._row({self.alpha[i]: 1}))
@@ -278,12 +281,9 @@ class PartProgram:
         largest = max(map(abs, numbers[:3])) or max(map(abs, numbers)) or Fraction(1)
         for size in _SIZES:
             rounded = [round(x * size / largest) for x in numbers]
-            for i, sign in self.limits:
-                arm, unit = self._limit(i, sign)
-                most = dot(arm, rounded[:3]) // unit + (
-                    rounded[self.rho[i]] if i in self.rho else 0
-                )
-                rounded[self.alpha[i]] = min(rounded[self.alpha[i]], most)
+            for alpha, rho, arm, unit in self._most:
+                most = dot(arm, rounded[:3]) // unit + (0 if rho is None else rounded[rho])
+                rounded[alpha] = min(rounded[alpha], most)
             yield rounded
 
     def _closes(self, numbers: Sequence[int]) -> bool:
@@ -294,10 +294,12 @@ class PartProgram:
         along, across = self._works(numbers[:3])
         signs = self.friction_signs(along, across)
         least = np.where(signs == 0, 0, along - signs * across)
+        load = region.contacts.common_unit * dot(region.wrench, numbers[:3])
         for j, g in enumerate(region.weight):
             work = np.where(region.presses[j], region.spring[j], 0).dot(least)
-            work += region.load[j].dot(numbers[:3])
             work += sum(x * numbers[column] for column, x in self._own_entries(j).items())
+            # The load alone is no integer.
+            work = work * load.denominator + load.numerator * g
             if work < 0 or (g and not work):
                 return False
         return True
