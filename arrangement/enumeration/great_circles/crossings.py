@@ -21,6 +21,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cmp_to_key
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -95,11 +96,11 @@ def _sort_block(signs: ExactSigns, block: slice, found: Crossings) -> None:
     order[...] = last >> 1
     turn[...] = 1 - 2 * (last & 1)
     near = np.abs(np.diff(keys >> bits, axis=1)) < 2 if signs.reliable else ~tied[:, 1:]
-    rows, columns = np.divmod(np.flatnonzero(near), max(1, count - 2))
+    rows, columns = np.divmod(np.flatnonzero(near), count - 2)
     ascents = _ascents(signs, own, order, turn, rows, columns)
-    if (ascents < 0).any():
+    if wrong := np.unique(rows[ascents < 0]).tolist():
         normals = signs.normals.tolist()
-        for row in np.unique(rows[ascents < 0]).tolist():
+        for row in wrong:
             _sort_exactly(normals, block.start + row, order[row], turn[row])
         ascents = _ascents(signs, own, order, turn, rows, columns)
     tied[rows, columns + 1] = ascents == 0
@@ -123,10 +124,9 @@ def _sort_exactly(
 ) -> None:
     """Sort a row of `Crossings` in place by exact determinants."""
 
-    def compare(left: tuple[int, int], right: tuple[int, int]) -> int:
+    def compare(left: tuple[int, int], right: tuple[int, int]) -> Any:
         (j, turn_j), (k, turn_k) = left, right
-        ascent = triple_product(normals[circle], normals[j], normals[k]) * turn_j * turn_k
-        return int(ascent < 0) - int(ascent > 0)
+        return triple_product(normals[circle], normals[k], normals[j]) * turn_j * turn_k
 
     row = sorted(zip(order.tolist(), turn.tolist(), strict=True), key=cmp_to_key(compare))
     order[...], turn[...] = np.array(row).T
