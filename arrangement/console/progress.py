@@ -21,7 +21,7 @@ Item = TypeVar("Item")
 _WIDTH = 24
 _PAUSE = 0.2
 #: Seconds of the processor after which a loop of some items is asked how long it will take.
-_MEASURED = 0.5
+_MEASURED = 0.3
 #: Loops that end sooner show no line.
 _PATIENCE = 1.0
 #: Seconds to the first line in a pipe, and the longest time between two.
@@ -29,15 +29,15 @@ _FIRST, _LONGEST = 2.0, 60.0
 
 
 class _Watch:
-    """The line of `shown`, and whether a loop tells on it now."""
+    """The line of `shown`: whether loops are measured, and whether none tells on it now."""
 
-    def __init__(self, free: bool) -> None:
-        self.free = free
+    def __init__(self, wanted: bool) -> None:
+        self.measured = self.free = wanted
 
 
 #: Where `watched` loops show their line. One that is given up may end after `shown`, and then
 #: frees a line that nobody sees any more.
-_QUIET = _Watch(free=False)
+_QUIET = _Watch(wanted=False)
 _line: ContextVar[_Watch] = ContextVar("_line", default=_QUIET)
 
 
@@ -49,7 +49,7 @@ def on_terminal() -> bool:
 @contextmanager
 def shown(wanted: bool = True) -> Iterator[None]:
     """Let the loops over `watched` items inside show their line, or keep them quiet."""
-    token = _line.set(_Watch(free=wanted))
+    token = _line.set(_Watch(wanted))
     try:
         yield
     finally:
@@ -65,15 +65,15 @@ def note(text: str) -> None:
 def watched(items: Iterable[Item], unit: str, total: int | None = None) -> Iterable[Item]:
     """Return the items; inside `shown` a line tells how many are done, if it takes a while.
 
-    Of nested loops the outermost tells. One that will not end within the budget is refused as soon
-    as its pace is known.
+    Of nested loops the outermost tells. One that will not end within the budget, nested or not, is
+    refused as soon as its pace is known.
 
     Args:
         unit: of what, in the plural.
         total: their number, if they have no length.
     """
     line = _line.get()
-    if not line.free:
+    if not line.measured:
         return items
     known = len(items) if isinstance(items, Sized) else total
     return _telling(items, Bar(known, unit, patience=_PATIENCE), line)
@@ -81,18 +81,19 @@ def watched(items: Iterable[Item], unit: str, total: int | None = None) -> Itera
 
 def _telling(items: Iterable[Item], bar: Bar, line: _Watch) -> Iterator[Item]:
     outermost, line.free = line.free, False
-    began, asked = time.process_time(), False
+    began, asked = time.process_time(), not bar.total
     try:
         for done, item in enumerate(items, start=1):
             yield item
-            if not outermost:
+            if outermost:
+                bar.update(done)
+            if asked or bar.total is None or done < min(20, bar.total / 4):
                 continue
-            bar.update(done)
             passed = time.process_time() - began
-            if bar.total and not asked and passed > _MEASURED and done >= min(20, bar.total / 4):
+            if passed > _MEASURED:
                 asked = True
                 text = f"{bar.total:,} {bar.unit}, of which {done:,} are done"
-                budget.ask(text, told=passed / done * bar.total)
+                budget.ask(text, "ask for less", told=passed / done * bar.total)
     finally:
         bar.close()
         line.free = line.free or outermost

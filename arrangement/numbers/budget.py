@@ -47,7 +47,7 @@ MOST = {
 }
 #: So many times.
 _times: ContextVar[float] = ContextVar("_times", default=1.0)
-#: The seconds of work that tells how far it is, where a command is watched those that it may take.
+#: The seconds of work that tells how far it is; in a usual command no more than of other work.
 _told: ContextVar[float] = ContextVar("_told", default=TOLD)
 
 
@@ -148,7 +148,8 @@ def watch(seconds: float) -> None:
     For commands whose time nobody can foresee. Only in the main thread, and not on Windows.
     """
     most = min(seconds * times(), 1e9)
-    _told.set(min(seconds or TOLD, TOLD))
+    # What takes longer than usual is to be asked for in so many words.
+    _told.set(SECONDS if 0 < seconds <= STOPPED else min(seconds or TOLD, TOLD))
 
     def over(*_: Any) -> None:
         raise TimeOver(

@@ -12,6 +12,7 @@ from arrangement.numbers.exact import RationalVector, to_text
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.plane.contacts import FloatContacts
 
 from .registry import DECIDING, DECIDING_IN_SPACE, METHODS, method_named
 
@@ -109,6 +110,17 @@ def ask(method: str, grasp: Grasp, wrench: RationalVector) -> bool | None:
     return method_named(method).outcome(grasp, wrench)[0]
 
 
+def ask_all(grasp: Grasp) -> None:
+    """Refuse more contacts than all methods can take."""
+    # Programs with huge or tiny numbers are solved without floats.
+    each = 1e-7 if FloatContacts(grasp).moderate else 1e-5
+    budget.ask(
+        f"all methods on {len(grasp)} contacts",
+        "ask the complete one (solve)",
+        seconds=each * len(grasp) ** 3,
+    )
+
+
 def compare(grasp: Grasp, wrench: Iterable[Any], *, pyramid: int | None = None) -> Comparison:
     """Put one question to every method.
 
@@ -130,11 +142,7 @@ def compare(grasp: Grasp, wrench: Iterable[Any], *, pyramid: int | None = None) 
     >>> compare(read_grasp("paper-three-contacts"), [0, -1, 0]).disagreeing
     ('linear-compliance',)
     """
-    budget.ask(
-        f"all methods on {len(grasp)} contacts",
-        "ask the complete one (solve)",
-        seconds=1e-7 * len(grasp) ** 3,
-    )
+    ask_all(grasp)
     applied = read_wrench(wrench, grasp.dimension)
     if pyramid is not None:
         pyramid_edges(pyramid, grasp.dimension)

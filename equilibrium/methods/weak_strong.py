@@ -29,6 +29,7 @@ from itertools import product
 from typing import Any
 
 from arrangement.arrangement import Arrangement
+from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector, primitive, rational, shown, to_text
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
 from arrangement.numbers.linear.programs import Infeasible, Unbounded, feasible_point, minimize
@@ -123,7 +124,7 @@ def _starting_acceleration(
     )
     m = len(grasp)
     seen: set[tuple[tuple[int, int], ...]] = set()
-    for face in planes.faces():
+    for face in watched(planes.faces(), "faces"):
         signs = tuple(zip(face.signs[:m], face.signs[m:], strict=True))
         if any(normal < 0 for normal, _ in signs):
             continue

@@ -53,7 +53,7 @@ def unit_row(column: int, n: int) -> RationalVector:
 
 def negated(row: tuple[_Number, ...]) -> tuple[_Number, ...]:
     """Return the row with all signs changed."""
-    return tuple(-x for x in row)
+    return tuple(-x if x else x for x in row)
 
 
 def sum_row(left: RationalVector, right: RationalVector, factor: Fraction | int) -> RationalVector:
@@ -76,10 +76,11 @@ def balance_rows(
     for contact, pair in zip(contacts, forces, strict=True):
         wrenches = (contact.normal_wrench, contact.tangential_wrench)
         for direction, force in zip(wrenches, pair, strict=True):
+            along = [(row, a) for row, a in zip(rows, direction, strict=True) if a]
             for j, x in enumerate(force):
                 if x:
-                    for row, along in zip(rows, direction, strict=True):
-                        row[j] += along * x
+                    for row, a in along:
+                        row[j] += a * x
     return tuple(map(tuple, rows))
 
 

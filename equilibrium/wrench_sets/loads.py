@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 
 from arrangement.console.progress import watched
-from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, from_floats
 from arrangement.numbers.float_filter import SMALLEST, Booleans, Floats, error_bound, scaled
 from equilibrium.decide.solver import Solver
@@ -88,12 +87,6 @@ def check_loads(
             f"wrenches are an array {loads.shape}; give (n, 3) finite numbers (f_x, f_y, tau)"
         )
     solver = Solver(grasp)
-    count = len(solver.states)
-    budget.ask(
-        f"all resisted wrenches of {len(grasp)} contacts, {count:,} choices of states",
-        "decide the loads one by one (Solver.solve_many)",
-        seconds=5e-4 * count,
-    )
     return _Facets(resisted_set(solver)).check(loads)
 
 

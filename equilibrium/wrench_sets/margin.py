@@ -14,6 +14,7 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.console.number_form import Documented
+from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.intervals import Interval, holds, union
 from equilibrium.decide.solver import Solver, prepare
@@ -120,7 +121,8 @@ def sufficient_preloads(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Preload
     screen = Solver(loaded).screen
     rest = (Fraction(0),) * 3
     possible = screen.possible(rest, w) if any(w) else screen.possible(w)
-    for states in map(states_of_code, screen.codes[possible].tolist()):
+    tried = watched(screen.codes[possible].tolist(), "contact states")
+    for states in map(states_of_code, tried):
         systems = (state_system(one, states, w, within=within) for one in (unloaded, loaded))
         if found := interval_between(*systems):
             parts.append(found)

@@ -17,6 +17,7 @@ import numpy as np
 from arrangement import Arrangement
 from arrangement.console.number_form import Shown
 from arrangement.console.progress import watched
+from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, reduced
 from arrangement.numbers.float_filter import SMALLEST, Booleans, error_bound, scaled
 from arrangement.numbers.linear.cones import Cone, both_ways
@@ -202,7 +203,7 @@ class StateImages:
         excluded_bits, has_bits = pack(np.hstack(excluded)), pack(np.hstack(has))
         error = error_bound(2 + 1 + len(bounds) + 1)
         found = np.zeros(len(listed), np.bool_)
-        for start in range(0, len(listed), _MANY):
+        for start in watched(range(0, len(listed), _MANY), "parts of the contact states"):
             part = excluded_bits[start : start + _MANY, None]
             at, motion = np.nonzero(~(part & has_bits).any(axis=2))
             at += start
@@ -300,6 +301,12 @@ def images_of(
 ) -> Iterator[tuple[States, Polyhedron | None]]:
     """Yield all contact states with `StateImages.resisted_with`."""
     images, listed = StateImages(solver.grasp, solver.within), solver.states
+    contacts = len(solver.grasp)
+    budget.ask(
+        f"all resisted wrenches of {contacts} contacts, {len(listed):,} choices of states",
+        "decide one load after the other (solve)",
+        told=3e-5 * contacts * len(listed),
+    )
     if plane is not None:
         listed = tuple(compress(listed, images.may_reach(listed, plane)))
     found = {

@@ -20,7 +20,10 @@ from arrangement.counts.configuration import configuration, is_generic, pivot_co
 from arrangement.enumeration.choose import most_faces
 from arrangement.library.files import table
 from arrangement.numbers import budget
+from equilibrium import contact_states
 from equilibrium.cli.program import main as equilibrium_main
+from equilibrium.grasps.inputs.random import random_grasp
+from equilibrium.methods.compare import compare
 from proofs_check.cli.program import main as proofs_check_main
 
 #: No question may eat the machine: seconds of the processor and megabytes that none may take. How
@@ -316,3 +319,38 @@ def test_very_long_entries_are_divided_and_counted_as_short_ones_are():
     counted = counts.f_vector(Arrangement([[x * long for x in row] for row in short], offsets))
     exact = Arrangement(short, [Fraction(b, long) for b in offsets])
     assert counted == exact.f_vector
+
+
+def test_many_states_are_refused_from_some_of_the_planes(monkeypatch):
+    """The faces of some planes are too many already: not all planes are counted."""
+    counted = []
+    f_vector = counts.f_vector
+    monkeypatch.setattr(counts, "f_vector", lambda a: counted.append(len(a)) or f_vector(a))
+    with pytest.raises(OutOfReachError, match=r"about .* choices of states of 120 contacts"):
+        contact_states(random_grasp(120, 1))
+    assert counted == [27, 80]
+
+
+def test_all_resisted_wrenches_are_refused_from_their_number_of_states(tmp_path, capsys):
+    path = tmp_path / "grasp.json"
+    for contacts, code in ((4, 0), (20, 2)):
+        path.write_text(json.dumps(random_grasp(contacts, 3).with_preload(1).to_dict()))
+        assert equilibrium_main(["polyhedra", str(path)]) == code
+    assert "20 contacts, 14,593 choices of states: this would take" in capsys.readouterr().err
+
+
+def test_all_methods_are_refused_where_floats_do_not_help():
+    grasp = random_grasp(80, 1).with_friction(10**80)
+    with pytest.raises(OutOfReachError, match="all methods on 80 contacts"):
+        compare(grasp, [0, -1, 0])
+
+
+def test_a_text_of_sage_is_refused_from_its_commas_and_brackets(tmp_path, capsys):
+    text = "H.<x,y> = HyperplaneArrangements(QQ)\nA = H([{}])\n"
+    path = tmp_path / "planes.sage"
+    path.write_text(text.format("[(1, -2), 3], [0, 1, 1], " * 2))
+    assert arrangement_main(["count", str(path), "--json"]) == 0
+    assert '"distinct_planes": 2' in capsys.readouterr().out
+    path.write_text(text.format("[(1, 2), 3], " * 200_001))
+    assert arrangement_main(["count", str(path)]) == 2
+    assert "a text of Sage with 1,400,014 comm" in capsys.readouterr().err

@@ -260,6 +260,28 @@ def test_a_program_that_does_not_ask_sees_no_line(capsys):
     assert capsys.readouterr() == ("", "")
 
 
+@pytest.mark.parametrize("nested", [False, True])
+def test_a_loop_that_will_not_end_within_the_budget_is_refused_by_its_pace(
+    nested, monkeypatch, capsys
+):
+    seconds, done = iter(range(10**6)), []
+    monkeypatch.setattr(progress.time, "process_time", lambda: next(seconds) / 4)
+
+    def command(arguments):
+        for _ in watched(range(1 + nested), "outer"):
+            done.extend(watched(range(100), "steps"))
+        return terminal.YES
+
+    parser = terminal.command_parser("program", "Go on.")
+    parser.add_argument("--limit", type=float, default=1)
+    parser.set_defaults(command=command)
+    assert terminal.run(parser, []) == 2
+    said = capsys.readouterr().err
+    assert "100 steps, of which 21 are done: this would take about 2.38 seconds; ask" in said
+    assert len(done) < 25
+    assert terminal.run(parser, ["--limit", "2"]) == 0
+
+
 @pytest.mark.usefixtures("on_a_terminal")
 def test_every_command_shows_the_line_on_stderr_alone(capsys):
     def command(_):

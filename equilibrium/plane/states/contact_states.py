@@ -17,6 +17,7 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from arrangement import Arrangement
 from arrangement.enumeration.choose import most_faces
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector
@@ -28,6 +29,8 @@ from .state_system import State, States
 Codes: TypeAlias = npt.NDArray[np.int8]
 
 DETACHED = 2
+#: So many planes are counted first, if there are more.
+_SOME = 16
 STATE_OF_CODE: dict[int, State] = {1: "slip+", 0: "stick", -1: "slip-", DETACHED: "detached"}
 
 
@@ -48,14 +51,7 @@ def state_codes(grasp: Grasp) -> Codes:
     parts = []
     number = most_faces(len(planes.distinct), planes.rank, planes.is_central)
     if budget.excess(bytes=24 * number * len(grasp)) > 1:
-        from arrangement import counts
-
-        number = sum(counts.f_vector(planes)[1:])
-    budget.ask(
-        f"{number:,} choices of states of {len(grasp)} contacts",
-        "decide one load (solve)",
-        bytes=24 * number * len(grasp),
-    )
+        _count(planes, len(grasp))
     for least, dimension in enumerate((3, 2, 1)):
         signs = planes.faces(dimension).signs
         parts.append(_codes(signs[(signs[:, tangential] == 0).sum(axis=1) >= least]))
@@ -66,6 +62,29 @@ def state_codes(grasp: Grasp) -> Codes:
     codes = _distinct(codes)
     codes.setflags(write=False)
     return codes
+
+
+def _count(planes: Arrangement, contacts: int) -> None:
+    """Refuse more faces than the memory holds.
+
+    More planes have more faces, so that some of them tell, and all are counted only if they may do.
+    """
+    from arrangement import counts
+
+    for step in (27, 9, 3, 1):
+        some = planes.firsts[::step]
+        if step > 1 and len(some) < _SOME:
+            continue
+        normals, offsets = [planes.normals[i] for i in some], [planes.offsets[i] for i in some]
+        part = Arrangement(normals, offsets, dimension=3)
+        number: int = sum(counts.f_vector(part)[1:])
+        if budget.excess(bytes=24 * number * contacts) > 1:
+            many = number * step**2  # as many lines cross; there may be more
+            budget.ask(
+                f"{'about ' * (step > 1)}{many:,} choices of states of {contacts} contacts",
+                "decide one load (solve)",
+                bytes=24 * many * contacts,
+            )
 
 
 def states_at(grasp: Grasp, motion: RationalVector) -> States:

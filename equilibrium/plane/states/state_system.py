@@ -114,9 +114,10 @@ def state_system(
         else:
             direction = DIRECTION[state]
             pull = friction_sign * direction * contact.friction
-            tangential = tuple(pull * x for x in normal)
+            # Most entries are 0, and fractions are slow.
+            tangential = tuple(pull * x if x else x for x in normal)
             if cell_check:
-                inequalities.append(tuple(-direction * x for x in slip))
+                inequalities.append(slip if direction < 0 else negated(slip))
         forces.append((normal, tangential))
     rows = (*balance_rows(grasp, forces, wrench, n), *equalities)
     inequalities += range_rows(within, (normal for normal, _ in forces), n)

@@ -25,6 +25,10 @@ from arrangement.library.files.documents import rational_planes
 from arrangement.numbers import budget
 from arrangement.numbers.exact import rational, shown
 
+#: Digits of numbers that Python reads at once.
+_SHORT = 1000
+#: Seconds for a comma or bracket.
+_MARK = 2e-6
 _NUMBER = r"[0-9]+(?:/[0-9]+)?"
 _NAME = r"[A-Za-z]\w*"
 _TERM = re.compile(
@@ -51,7 +55,7 @@ def read_form(text: str, names: Sequence[str]) -> list[Fraction | int]:
         written = (term[2] or (f"1/{term[5]}" if term[5] else "1")).strip("()")
         size: Fraction | int = (
             int(written)
-            if written.isdigit() and len(written) < 1000
+            if written.isdigit() and len(written) < _SHORT
             else rational(written, f"a coefficient of {shown(text)}")
         )
         found[names.index(name) if name else -1] += -size if term[1] == "-" else size
@@ -72,6 +76,9 @@ def form_text(plane: Sequence[int], names: Sequence[str]) -> str:
 
 def inside(text: str, start: int, pair: str) -> str:
     """Return what stands between the bracket at `start` and the one that closes it."""
+    end = text.find(pair[1], start)
+    if end >= 0 and text.find(pair[0], start + 1, end) < 0:  # as in most
+        return text[start + 1 : end]
     depth = 0
     for mark in re.compile(f"[{re.escape(pair)}]").finditer(text, start):
         depth += 1 if mark[0] == pair[0] else -1
@@ -82,16 +89,18 @@ def inside(text: str, start: int, pair: str) -> str:
 
 def split_outside(text: str) -> list[str]:
     """Split a text at the commas that stand in no bracket; a last empty part is left out."""
-    parts, depth, begun = [], 0, 0
-    for found in re.compile(r"[][(){},]").finditer(text):
+    plain = _BRACKETS.search(text) is None  # as most are
+    parts, depth, begun = text.split(",")[:-1] if plain else [], 0, 0
+    for found in () if plain else _MARKS.finditer(text):
         depth += (found[0] in "([{") - (found[0] in ")]}")
         if found[0] == "," and not depth:
             parts.append(text[begun : found.start()])
             begun = found.end()
-    parts.append(text[begun:])
+    parts.append(text.rpartition(",")[2] if plain else text[begun:])
     return [part.strip() for part in (parts if parts[-1].strip() else parts[:-1])]
 
 
+_MARKS, _BRACKETS = re.compile(r"[][(){},]"), re.compile(r"[][(){}]")
 #: Nested lists of texts.
 _Item: TypeAlias = "str | list[_Item]"
 #: Of lists in lists: all hyperplanes, one of them, its normal.
@@ -107,6 +116,12 @@ _SPACE = re.compile(
 def read_sage(text: str) -> Arrangement:
     """Read the first arrangement of a text."""
     plain = re.sub(r"(?m)^\s*(?:sage:|\.\.\.\.:)", "", re.sub("#.*", "", text))
+    marks = len(_MARKS.findall(plain))
+    budget.ask(
+        f"a text of Sage with {marks:,} commas and brackets",
+        "write the planes as JSON, or one row of numbers for each",
+        seconds=_MARK * marks,
+    )
     space = _SPACE.search(plain)
     if space is None:
         items, names = _printed(plain)
@@ -178,7 +193,13 @@ def _plane(item: _Item, names: list[str]) -> list[Any]:
         numbers = [*item[1:], *item[:1]]
     if len(numbers) != len(names) + 1:
         raise InputError(f"the hyperplane {shown(item)} is not one in {', '.join(names)}")
-    return [rational(x.replace(" ", ""), "an entry") if isinstance(x, str) else x for x in numbers]
+    return [_entry(x) if isinstance(x, str) else x for x in numbers]
+
+
+def _entry(text: str) -> Fraction | int:
+    plain = text.replace(" ", "")
+    short = len(plain) < _SHORT and plain.isascii() and plain.removeprefix("-").isdigit()
+    return int(plain) if short else rational(plain, "an entry")
 
 
 def write_sage(arrangement: Arrangement) -> str:
