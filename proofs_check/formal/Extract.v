@@ -52,10 +52,22 @@ Print Assumptions bound_not_attained.
 Print Assumptions hamming_edges.
 Print Assumptions dual_distances.
 Print Assumptions dual_bipartite.
+Print Assumptions faces_linear_in_regions.
+Print Assumptions model_linear_by_regions.
+Print Assumptions model_faces_without_preload.
+Print Assumptions model_faces_without_preload_attained.
+Print Assumptions model_faces_with_preload.
+Print Assumptions model_states.
+Print Assumptions model_states_without_preload.
+Print Assumptions model_states_with_preload.
+Print Assumptions state_tree.
 Print Assumptions step_1_square_bound_needs_two_planes.
 Print Assumptions dual_bounds_need_two_planes.
 Print Assumptions euler_needs_rank_3.
 Print Assumptions different_slip_states.
+Print Assumptions state_tree_closed.
+Print Assumptions sphere_hull_edges.
+Print Assumptions sphere_dual_weights.
 
 Print Assumptions no_coordinates.
 

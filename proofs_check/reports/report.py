@@ -142,7 +142,9 @@ def badges(claim: Claim, evidence: Evidence | None = None) -> list[dict[str, Any
     """
     known = theorems()
     found = [] if claim.file else [name for name in claim.theorems if name in known]
-    general = [name for name in found if re.search(r"forall [\w ]*\bplanes\b", known[name])]
+    general = [
+        name for name in found if re.search(r"forall [\w ]*\b(planes|contacts)\b", known[name])
+    ]
     others = [name for name in found if name not in general]
     shown = [
         {"names": [f"theorem {name}" for name in names], "meaning": meaning}
@@ -153,8 +155,11 @@ def badges(claim: Claim, evidence: Evidence | None = None) -> list[dict[str, Any
         if names
     ]
     ways = [route.compute for route in claim.routes]
-    agreed = sum(record.agree for record in evidence.records) if evidence else 0
-    if evidence and agreed and COUNTS.get(claim.id) in ways:
+    agreed = 0
+    if evidence and (compute := COUNTS.get(claim.id)) in ways:
+        place = ways.index(compute)
+        agreed = sum(r.agree and r.values[place] is not NotImplemented for r in evidence.records)
+    if evidence and agreed:
         number = f"{agreed} of {counted(len(evidence.records), 'case')}"
         meaning = f"the same value in {number}; that it counts right is a theorem in Coq"
         shown.append({"names": ["counted by the proved program"], "meaning": meaning})
@@ -302,6 +307,8 @@ def plain(value: Any) -> Any:
         return to_text(value)
     if isinstance(value, Failure):
         return {"error": value.text}
+    if value is NotImplemented:
+        return {"unanswered": "beyond this route"}
     if isinstance(value, (set, frozenset)):
         return sorted((plain(item) for item in value), key=json.dumps)
     if isinstance(value, (tuple, list)):

@@ -36,8 +36,8 @@ def value_text(value: Any, limit: int = 0) -> str:
         text = number(rational(value))
     elif isinstance(value, list):
         text = f"({', '.join(value_text(item) for item in value)})"
-    elif isinstance(value, Mapping) and "error" in value:
-        text = str(value["error"])
+    elif isinstance(value, Mapping) and value.keys() & {"error", "unanswered"}:
+        (text,) = value.values()
     return text if not limit or len(text) <= limit else f"{text[: limit - 3]}..."
 
 

@@ -6,6 +6,8 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from arrangement.errors import OutOfReachError
+from arrangement.numbers import budget
 from arrangement.planes.planes import Planes
 from arrangement.planes.proved import proved_f_vector, proved_whitney_numbers
 
@@ -23,6 +25,26 @@ def _of_faces(quantity: Callable[[tuple[int, ...]], Any]) -> Callable[[Planes], 
 _REGIONS = _of_faces(lambda f: f[-1])
 _F_VECTOR = _of_faces(lambda f: f)
 _DUAL = _of_faces(lambda f: (f[3], f[2], f[1]))
+
+
+def _regions_in_print(planes: Planes) -> Any:
+    """The number of regions; irrational entries, and tens of millions of regions, are beyond it."""
+    if planes.field is not None:
+        return NotImplemented
+    try:
+        with budget.limit(1):  # also in a claim that may take its time
+            return sum(map(abs, proved_whitney_numbers(planes)))
+    except OutOfReachError:
+        return NotImplemented
+
+
+def _slip_states_in_space(grasp: Any) -> tuple[int, int]:
+    """The faces of the tangent planes of contacts in space, and of as many in general position."""
+    slips = [row for contact in grasp for row in contact.tangential_wrenches]
+    curve = [[t**k for k in range(6)] for t in range(len(slips))]
+    planes = (Planes(rows, dimension=6) for rows in (slips, curve))
+    found, general = (sum(proved_f_vector(one)) for one in planes)
+    return found, general
 
 
 def _of_motions(grasp: Any) -> tuple[int, ...]:
@@ -49,4 +71,8 @@ COUNTS: Mapping[str, Callable[[Any], Any]] = {
     "model-faces-without-preload": _of_motions,
     "model-faces-with-preload": _of_motions,
     "model-linear-by-regions": _of_motions,
+    "slip-states-in-space": _slip_states_in_space,
+    "regions-in-print": _regions_in_print,
+    "small-regions-in-print": _regions_in_print,
+    "large-regions-in-print": _regions_in_print,
 }

@@ -53,7 +53,7 @@ class Record(Shown):
 
     @property
     def agree(self) -> bool:
-        """Whether every route gave a value, and all the same one."""
+        """Whether every route that reaches the case gave a value, and all the same one."""
         return _agree(self.values)
 
     @property
@@ -182,8 +182,10 @@ def _value(route: Route, subject: Any) -> Any:
 
 
 def _agree(values: tuple[Any, ...]) -> bool:
-    broken = any(isinstance(value, Failure) for value in values)
-    return not broken and all(bool(value == values[0]) for value in values[1:])
+    """The first value is the one that is judged; a later one may be NotImplemented."""
+    answers = [value for value in values if value is not NotImplemented]
+    broken = values[0] is NotImplemented or any(isinstance(x, Failure) for x in answers)
+    return not broken and all(bool(value == answers[0]) for value in answers[1:])
 
 
 def evaluate(claim: Claim, seed: int = 0, progress: Callable[[int], None] | None = None) -> Result:
@@ -237,7 +239,8 @@ def _smallest_failure(
     searched = 0
     for searched, case in enumerate(claim.search() if claim.search else (), 1):
         value = _value(claim.routes[0], case.subject)
-        if isinstance(value, Failure) or not claim.judge(case.subject, value):
+        unusable = isinstance(value, Failure) or value is NotImplemented
+        if unusable or not claim.judge(case.subject, value):
             return searched, check(claim, case)
     if failing and claim.smaller:
         agree = all(record.agree for _, record in failing)

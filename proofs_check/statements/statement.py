@@ -103,7 +103,10 @@ class Domain(Shown):
 
 @dataclass(frozen=True, repr=False)
 class Route(Shown):
-    """A way to compute the quantity of a claim; the name says how."""
+    """A way to compute the quantity of a claim; the name says how.
+
+    A route beside the first may return NotImplemented: the case is beyond it.
+    """
 
     name: str
     compute: Callable[[Any], Any]

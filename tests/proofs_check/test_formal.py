@@ -4,6 +4,7 @@ import json
 import re
 from dataclasses import replace
 from pathlib import Path
+from random import Random
 
 import pytest
 
@@ -111,6 +112,29 @@ def test_the_proved_program_is_a_third_route(capsys):
     assert {len(record["values"]) for record in result["records"]} == {3}
     assert result["badges"][-1]["names"] == ["counted by the proved program"]
     assert "in 8 of 8 cases" in html_page(json.loads(json.dumps(report.json_record([result], 0))))
+
+
+@pytest.mark.skipif(program() is None, reason="`make formal` has not built the program")
+def test_a_case_beyond_the_proved_program_is_no_evidence():
+    """H3 is irrational: its card counts the other case alone."""
+    claim = registry()["small-regions-in-print"]
+    found = claim.sources[0].cases(Random(0))
+    few = [case for case in found if case.label.startswith(("braid(4)", "coxeter('H3')"))]
+    source = replace(claim.sources[0], cases=lambda _: few)
+    third = Route("the program proved in Coq", COUNTS[claim.id])
+    claim = replace(claim, routes=(*claim.routes, third), sources=(source,))
+    result = evaluate(claim, 0)
+    assert result.verdict is Verdict.HOLDS
+    assert [record.values[-1] for record in result.evidence.records] == [24, NotImplemented]
+    assert "in 1 of 2 cases" in report.badges(claim, result.evidence)[-1]["meaning"]
+    record = report.json_record([report.result_record(result)], 0)
+    assert "beyond this route" in html_page(json.loads(json.dumps(record)))
+
+
+def test_the_first_route_must_answer():
+    euler = registry()["euler"]
+    routes = (replace(euler.routes[0], compute=lambda planes: NotImplemented), *euler.routes[1:])
+    assert evaluate(replace(euler, routes=routes), 0).verdict is None
 
 
 def test_the_proved_route_is_of_claims_that_there_are():

@@ -206,12 +206,7 @@ Lemma only_general_states planes n : great_circles planes -> 2 <= size planes ->
 Proof.
   intros G M N Le. rewrite (number_unique N (slip_states_total planes)), (four_terms G) in Le.
   pose proof (circle_arcs G M (faces_real_count planes 1)) as F1.
-  assert (nth 3 (faces_real planes) 0 <= 1) as F3.
-  { destruct G as [S C]. apply (@deep_faces 3 planes 3 S C (le_n _)). }
-  assert (nth 2 (faces_real planes) 0 <= size planes * (size planes - 1)) as F2.
-  { destruct G as [S C]. pose proof (@central_faces_at_most 3 planes 2 _ S C ltac:(lia) (faces_real_count planes 2)) as H.
-    pose proof (choose_2 (length planes)) as Two. change (3 - 2)%nat with 1%nat in H.
-    assert (central_regions (length planes - 2) 1 <= 2) by (destruct (length planes - 2)%nat; cbn; lia).
-    pose proof (choose_nonneg (length planes) 2). unfold size in *. nia. }
+  pose proof (circle_origins G (faces_real_count planes 3)).
+  pose proof (circle_rays G (faces_real_count planes 2)).
   apply (@only_general_faces planes _ G M (faces_real_count planes 0)). lia.
 Qed.

@@ -3,7 +3,7 @@
 
 Require Import Reals ZArith List Lia Permutation.
 Require Import Planes Sides Rank Recursion Counting Bounds General Sphere Dual Graph Attained Position.
-Require Import Crossed.
+Require Import Crossed Contacts Counterexamples.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -221,6 +221,112 @@ Theorem dual_bipartite : forall planes s t, different planes -> region planes s 
   share_facet planes s t -> Nat.even (minus_signs s) <> Nat.even (minus_signs t).
 Proof. exact two_classes. Qed.
 
+(** * Contacts that may let go *)
+
+(** Of any planes of R^d; without forms that are 0 everywhere, codimension 0 means regions. *)
+Theorem faces_linear_in_regions : forall d planes k faces regions, of_space d planes ->
+  number (face_of_codimension k planes) faces ->
+  number (face_of_codimension 0 planes) regions ->
+  faces <= choose d k * regions.
+Proof. intros d planes k f r S F R. exact (faces_of_regions S F R). Qed.
+
+Theorem model_linear_by_regions : forall contacts points lines facets regions,
+  Forall planar contacts ->
+  number (face_of_codimension 3 (contact_planes contacts)) points ->
+  number (face_of_codimension 2 (contact_planes contacts)) lines ->
+  number (face_of_codimension 1 (contact_planes contacts)) facets ->
+  number (face_of_codimension 0 (contact_planes contacts)) regions ->
+  points <= regions /\ lines <= 3 * regions /\ facets <= 3 * regions.
+Proof.
+  intros cs p l f r P Np Nl Nf Nr. destruct (planar_space P) as [S _].
+  pose proof (faces_of_regions S Np Nr). pose proof (faces_of_regions S Nl Nr).
+  pose proof (faces_of_regions S Nf Nr). cbn in *. lia.
+Qed.
+
+(** Without preload all planes pass through the origin. *)
+Theorem model_faces_without_preload : forall contacts origins rays facets regions,
+  Forall planar contacts -> Forall (fun c => central (gap c)) contacts -> 1 <= size contacts ->
+  number (face_of_codimension 3 (contact_planes contacts)) origins ->
+  number (face_of_codimension 2 (contact_planes contacts)) rays ->
+  number (face_of_codimension 1 (contact_planes contacts)) facets ->
+  number (face_of_codimension 0 (contact_planes contacts)) regions ->
+  let m := size contacts in
+  origins <= 1 /\ rays <= 2 * m * (2 * m - 1) /\ facets <= 4 * m * (2 * m - 1) /\
+  regions <= 4 * m * m - 2 * m + 2.
+Proof.
+  intros cs o v e f P C M O V E F m. destruct (central_contacts P C) as [G S]. fold m in S, M.
+  pose proof (circle_faces G F). pose proof (circle_arcs G ltac:(lia) E).
+  pose proof (circle_origins G O). pose proof (circle_rays G V). rewrite S in *. nia.
+Qed.
+
+Theorem model_faces_without_preload_attained : forall contacts,
+  Forall planar contacts -> Forall (fun c => central (gap c)) contacts -> 2 <= size contacts ->
+  general 3 (contact_planes contacts) ->
+  let m := size contacts in
+  number (face_of_codimension 3 (contact_planes contacts)) 1 /\
+  number (face_of_codimension 2 (contact_planes contacts)) (2 * m * (2 * m - 1)) /\
+  number (face_of_codimension 1 (contact_planes contacts)) (4 * m * (2 * m - 1)) /\
+  number (face_of_codimension 0 (contact_planes contacts)) (4 * m * m - 2 * m + 2).
+Proof.
+  intros cs P C M Ge m. destruct (central_contacts P C) as [G S]. fold m in S, M.
+  pose proof (general_circles G Ge ltac:(lia)) as H. cbv zeta in H. rewrite S in H.
+  replace (4 * m * (2 * m - 1)) with (2 * (2 * m) * (2 * m - 1)) by ring.
+  replace (4 * m * m - 2 * m + 2) with (2 * m * (2 * m) - 2 * m + 2) by ring. exact H.
+Qed.
+
+Theorem model_faces_with_preload : forall contacts points lines facets regions,
+  Forall planar contacts -> 3 <= size contacts ->
+  number (face_of_codimension 3 (contact_planes contacts)) points ->
+  number (face_of_codimension 2 (contact_planes contacts)) lines ->
+  number (face_of_codimension 1 (contact_planes contacts)) facets ->
+  number (face_of_codimension 0 (contact_planes contacts)) regions ->
+  let n := length contacts in let m := size contacts in
+  points <= choose (2 * n) 3 - choose n 3 + 1 /\
+  lines <= choose n 2 * (m + 2) + (choose (2 * n) 2 - choose n 2) * (2 * m - 1) /\
+  facets <= m * (2 * m - 2 + total (fun i => 1 + (m - 1 + Z.of_nat i)) n) +
+    m * (2 * m + choose (2 * n - 1) 2) /\
+  regions <= m * m - m + 2 + total (fun i => 1 + (m + Z.of_nat i) + choose (n + i) 2) n.
+Proof. exact preload_faces. Qed.
+
+(** A state is the same all over a face. *)
+Theorem model_states : forall contacts states faces,
+  number (state contacts) states ->
+  number (face (contact_planes contacts)) faces ->
+  states <= faces.
+Proof. intros cs s f S F. exact (states_of_faces F S). Qed.
+
+Theorem model_states_without_preload : forall contacts states,
+  Forall planar contacts -> Forall (fun c => central (gap c)) contacts ->
+  number (state contacts) states ->
+  states <= 16 * size contacts * size contacts - 8 * size contacts + 3.
+Proof.
+  intros cs s P C S. destruct (central_contacts P C) as [G E].
+  pose proof (states_of_faces (slip_states_total (contact_planes cs)) S).
+  pose proof (slip_states_bound G (slip_states_total (contact_planes cs))). rewrite E in *. lia.
+Qed.
+
+Theorem model_states_with_preload : forall contacts states,
+  Forall planar contacts -> 3 <= size contacts ->
+  number (state contacts) states ->
+  let n := length contacts in let m := size contacts in
+  states <= choose (2 * n) 3 - choose n 3 + 1 +
+    (choose n 2 * (m + 2) + (choose (2 * n) 2 - choose n 2) * (2 * m - 1)) +
+    (m * (2 * m - 2 + total (fun i => 1 + (m - 1 + Z.of_nat i)) n) +
+      m * (2 * m + choose (2 * n - 1) 2)) +
+    (m * m - m + 2 + total (fun i => 1 + (m + Z.of_nat i) + choose (n + i) 2) n).
+Proof.
+  intros cs s P M S n m. destruct (planar_space P) as [Sp _].
+  pose proof (states_of_faces (faces_of_space Sp) S).
+  pose proof (preload_faces P M (count_number 3 _) (count_number 2 _) (count_number 1 _) (count_number 0 _)) as H1.
+  cbv zeta in H1. fold n m in H1. lia.
+Qed.
+
+Theorem state_tree : forall contacts nodes faces, contacts <> [] -> Forall planar contacts ->
+  number (node contacts) nodes ->
+  number (face (contact_planes contacts)) faces ->
+  nodes <= 2 * size contacts * faces.
+Proof. intros cs n f N P T F. exact (tree_of_faces N P F T). Qed.
+
 (** * Counterexamples, computed *)
 
 Definition one_plane := real_planes [Form 0 [1; 0; 0]].
@@ -249,20 +355,6 @@ Proof.
     | exact (faces_counted [Form 0 [1; 0; 0]; Form 0 [0; 1; 0]] 0)].
 Qed.
 
-Lemma two_planes_general : general 3 two_planes.
-Proof.
-  intros fs rest P _ values L. apply Permutation_length_2_inv in P.
-  destruct fs as [|f [|g [|h fs]]]; [| | |now destruct P].
-  1: now exists (fun _ => 0%R); destruct values.
-  all: destruct values as [|a [|b [|c values]]]; try easy.
-  - destruct P as [[= -> _]|[= -> _]]; [exists (fun i => match i with O => a | _ => 0%R end)
-      | exists (fun i => match i with 1%nat => a | _ => 0%R end)]; cbn; f_equal; ring.
-  - destruct P as [[= -> -> _]|[= -> -> _]];
-    [exists (fun i => match i with O => a | 1%nat => b | _ => 0%R end)
-      | exists (fun i => match i with O => b | 1%nat => a | _ => 0%R end)];
-    cbn; (f_equal; [ring|]); (f_equal; ring).
-Qed.
-
 (** Two planes, any of which are independent, have 9 slip states, not 10. *)
 Theorem different_slip_states : great_circles two_planes /\ general 3 two_planes /\
   number (face two_planes) 9.
@@ -270,3 +362,33 @@ Proof.
   split; [split; repeat constructor|].
   split; [exact two_planes_general|exact (all_faces_counted [Form 0 [1; 0; 0]; Form 0 [0; 1; 0]])].
 Qed.
+
+(** Three equal contacts: with closed conditions the tree has 106 nodes, above 2 * 3 * 9. *)
+Definition equal_contacts :=
+  repeat (Contact (real_form (Form 0 [1; 0; 0])) (real_form (Form 0 [0; 1; 0]))) 3.
+
+Theorem state_tree_closed : Forall planar equal_contacts /\
+  number (closed_node equal_contacts) 106 /\ number (face (contact_planes equal_contacts)) 9.
+Proof.
+  assert (planar (Contact (real_form (Form 0 [1; 0; 0])) (real_form (Form 0 [0; 1; 0])))) as P.
+  { repeat split. exact (@two_planes_general two_planes [] (Permutation_refl two_planes) ltac:(cbn; lia)). }
+  split; [do 3 (apply Forall_cons; [exact P|]); apply Forall_nil|]. split.
+  - exact closed_nodes.
+  - exact (all_faces_counted (repeat (Form 0 [1; 0; 0]) 3 ++ repeat (Form 0 [0; 1; 0]) 3)).
+Qed.
+
+(** Three perpendicular planes with these points: two that share no facet are joined by an edge. *)
+Definition three_planes := real_planes [Form 0 [1; 0; 0]; Form 0 [0; 1; 0]; Form 0 [0; 0; 1]].
+
+Theorem sphere_hull_edges : exists p s t, on_sphere three_planes p /\
+  region three_planes s /\ region three_planes t /\
+  hull_edge three_planes p s t /\ ~ share_facet three_planes s t.
+Proof. exact skew_hull. Qed.
+
+(** Planes normal to the diagonals of a cube: regions with an even number of minus signs are 8, others 6. *)
+Definition diagonal_planes := real_planes
+  [Form 0 [1; 1; 1]; Form 0 [1; 1; -1]; Form 0 [1; -1; 1]; Form 0 [-1; 1; 1]].
+
+Theorem sphere_dual_weights : great_circles diagonal_planes /\ different diagonal_planes /\
+  forall w, ~ weights_sum_to_one diagonal_planes w.
+Proof. exact no_diagonal_weights. Qed.

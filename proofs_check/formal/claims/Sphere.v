@@ -62,6 +62,21 @@ Proof.
   change (Datatypes.S (Datatypes.S k) - 1)%nat with (Datatypes.S k) in H. rewrite circles_2 in H. lia.
 Qed.
 
+Lemma circle_rays n : number (face_of_codimension 2 planes) n -> n <= m * (m - 1).
+Proof.
+  intros N. destruct circles as [S C].
+  pose proof (@central_faces_at_most 3 planes 2 n S C ltac:(lia) N) as H.
+  pose proof (choose_2 (length planes)). change (3 - 2)%nat with 1%nat in H.
+  assert (central_regions (length planes - 2) 1 <= 2) by (destruct (length planes - 2)%nat; cbn; lia).
+  pose proof (choose_nonneg (length planes) 2). unfold m, size in *. nia.
+Qed.
+
+Lemma circle_origins n : number (face_of_codimension 3 planes) n -> n <= 1.
+Proof.
+  intros N. destruct circles as [S C]. rewrite (number_unique N (faces_real_count planes 3)).
+  apply (@deep_faces 3 planes 3 S C (le_n _)).
+Qed.
+
 Lemma edges_at_most n : number (face_of_codimension 1 planes) n -> n <= 2 * (m * m).
 Proof.
   intros N. destruct (Z.le_gt_cases 2 m) as [M|M]; [pose proof (circle_arcs M N); lia|].
@@ -84,9 +99,7 @@ Proof.
   pose proof (Each 0%nat ltac:(lia)) as H0. pose proof (Each 1%nat ltac:(lia)) as H1.
   pose proof (Each 2%nat ltac:(lia)) as H2. rewrite choose_none, !Nat.sub_0_r in H0.
   change (3 - 1)%nat with 2%nat in H1. change (3 - 2)%nat with 1%nat in H2.
-  assert (f 3%nat <= 1).
-  { rewrite (number_unique (N 3%nat) (faces_real_count planes 3)).
-    apply (@deep_faces 3 planes 3 S C (le_n _)). }
+  pose proof (circle_origins (N 3%nat)).
   assert (1 < choose (length planes) 3); [|lia].
   unfold m, size in M. destruct (length planes) as [|[|[|[|k]]]]; try (cbn in M; lia).
   pose proof (choose_nonneg k 1). pose proof (choose_nonneg k 2). pose proof (choose_nonneg k 3).
@@ -163,14 +176,12 @@ Proof.
   rewrite map_id in H. now apply H.
 Qed.
 
-Lemma four_terms planes : great_circles planes -> fold_right Z.add 0 (faces_real planes) =
+Lemma four_terms_far planes : (forall k, (4 <= k)%nat -> nth k (faces_real planes) 0 = 0) ->
+  fold_right Z.add 0 (faces_real planes) =
   nth 0 (faces_real planes) 0 + nth 1 (faces_real planes) 0 + nth 2 (faces_real planes) 0 +
   nth 3 (faces_real planes) 0.
 Proof.
-  intros [S C].
-  assert (forall k, (4 <= k)%nat -> nth k (faces_real planes) 0 = 0) as Far.
-  { intros k K. pose proof (number_nonneg (faces_real_count planes k)).
-    pose proof (@deep_faces 3 planes k S C ltac:(lia)) as H1. destruct (Nat.eqb_spec k 3); lia. }
+  intros Far.
   assert (forall l, (forall k, nth k l 0 = 0) -> fold_right Z.add 0 l = 0) as Zeros.
   { induction l as [|a l IH]; trivial. intros H. cbn. rewrite IH.
     - specialize (H O). cbn in H. lia.
@@ -179,19 +190,24 @@ Proof.
   rewrite (Zeros l); [lia|]. intros k. apply (Far (Datatypes.S (Datatypes.S (Datatypes.S (Datatypes.S k))))). lia.
 Qed.
 
+Lemma four_terms planes : great_circles planes -> fold_right Z.add 0 (faces_real planes) =
+  nth 0 (faces_real planes) 0 + nth 1 (faces_real planes) 0 + nth 2 (faces_real planes) 0 +
+  nth 3 (faces_real planes) 0.
+Proof.
+  intros [S C]. apply four_terms_far. intros k K.
+  pose proof (number_nonneg (faces_real_count planes k)).
+  pose proof (@deep_faces 3 planes k S C ltac:(lia)) as H1. destruct (Nat.eqb_spec k 3); lia.
+Qed.
+
 Lemma slip_states_bound planes n : great_circles planes -> number (face planes) n ->
   n <= 4 * size planes * size planes - 4 * size planes + 3.
 Proof.
   intros G N. rewrite (number_unique N (slip_states_total planes)), (four_terms G).
   pose proof (circle_faces G (faces_real_count planes 0)) as F0.
-  assert (nth 3 (faces_real planes) 0 <= 1) as F3.
-  { destruct G as [S C]. apply (@deep_faces 3 planes 3 S C (le_n _)). }
+  pose proof (circle_origins G (faces_real_count planes 3)) as F3.
   destruct (Z.le_gt_cases 2 (size planes)) as [M|M].
-  - pose proof (circle_arcs G M (faces_real_count planes 1)) as F1. destruct G as [S C].
-    pose proof (@central_faces_at_most 3 planes 2 _ S C ltac:(lia) (faces_real_count planes 2)) as F2.
-    pose proof (choose_2 (length planes)) as Two. change (3 - 2)%nat with 1%nat in F2.
-    assert (central_regions (length planes - 2) 1 <= 2) by (destruct (length planes - 2)%nat; cbn; lia).
-    pose proof (choose_nonneg (length planes) 2). unfold size in *. nia.
+  - pose proof (circle_arcs G M (faces_real_count planes 1)).
+    pose proof (circle_rays G (faces_real_count planes 2)). lia.
   - pose proof (@faces_length (length planes) [] planes (le_n _)) as L. fold (faces_real planes) in L.
     unfold size in *. destruct G as [S C].
     pose proof (@central_faces_at_most 3 planes 1 _ S C ltac:(lia) (faces_real_count planes 1)) as F1.

@@ -157,6 +157,72 @@ Inductive walk (planes : list (form R)) : list sign -> list sign -> nat -> Prop 
   | step : forall s t u n, region planes s -> share_facet planes s t -> walk planes t u n ->
       walk planes s u (S n).
 
+(** * Contacts that may let go *)
+
+(** What two forms of the motion say of a contact: it is detached where [gap] is 0 or positive;
+    elsewhere it sticks or slips, as the sign of [slip] tells. Tangential planes pass through the origin. *)
+Record contact := Contact { slip : form R; gap : form R }.
+
+Definition planar (c : contact) : Prop :=
+  length (coefficients (slip c)) = 3%nat /\ length (coefficients (gap c)) = 3%nat /\
+  central (slip c) /\ independent [slip c; gap c].
+
+Definition contact_planes (cs : list contact) : list (form R) := map slip cs ++ map gap cs.
+
+Inductive contact_state := Detached | Attached (s : sign).
+
+Definition contact_at (slip gap : sign) : contact_state :=
+  match gap with Minus => Attached slip | _ => Detached end.
+
+Definition state_at (x : point) (c : contact) : contact_state :=
+  contact_at (sgn (value (slip c) x)) (sgn (value (gap c) x)).
+
+(** States of all contacts that some motion has. *)
+Definition state (cs : list contact) (s : list contact_state) : Prop := exists x, map (state_at x) cs = s.
+
+(** One contact after the other: is it attached, and how does it slip? Nodes of the tree of these
+    choices are the beginnings of what states say. *)
+Inductive choice := LetsGo | Holds | Slips (s : sign).
+
+Definition choices (s : contact_state) : list choice :=
+  match s with Detached => [LetsGo] | Attached s => [Holds; Slips s] end.
+
+Definition node (cs : list contact) (p : list choice) : Prop :=
+  exists s rest, state cs s /\ flat_map choices s = p ++ rest.
+
+(** The same where the conditions of states are closed: on borders several states hold. *)
+Definition holds_at (x : point) (c : contact) (s : contact_state) : Prop :=
+  match s with
+  | Detached => 0 <= value (gap c) x
+  | Attached a => value (gap c) x <= 0 /\
+      match a with
+      | Minus => value (slip c) x <= 0 | Zero => value (slip c) x = 0 | Plus => 0 <= value (slip c) x
+      end
+  end.
+
+Definition closed_node (cs : list contact) (p : list choice) : Prop :=
+  exists x s rest, Forall2 (holds_at x) cs s /\ flat_map choices s = p ++ rest.
+
+(** * Duals in a sphere of R^3 *)
+
+(** Weights of pairs of regions that sum to 1 over the neighbours of each region. *)
+Definition neighbours (planes : list (form R)) (s t : list sign) : Prop :=
+  region planes t /\ share_facet planes s t.
+
+Definition weights_sum_to_one (planes : list (form R)) (w : list sign -> list sign -> R) : Prop :=
+  (forall s t, w s t = w t s) /\
+  forall s l, region planes s -> lists (neighbours planes s) l -> fold_right Rplus 0 (map (w s) l) = 1.
+
+(** A point of the unit sphere in each region; pairs of them that are edges of their convex hull:
+    some direction is greatest at these two alone. *)
+Definition on_sphere (planes : list (form R)) (p : list sign -> point) : Prop :=
+  forall s, region planes s -> signs planes (p s) = s /\
+    p s 0%nat * p s 0%nat + p s 1%nat * p s 1%nat + p s 2%nat * p s 2%nat = 1.
+
+Definition hull_edge (planes : list (form R)) (p : list sign -> point) (s t : list sign) : Prop :=
+  exists a, length a = 3%nat /\ linear a (p s) = linear a (p t) /\
+    forall u, region planes u -> u <> s -> u <> t -> linear a (p u) < linear a (p s).
+
 Open Scope Z_scope.
 
 (** Binomial coefficients; choose n 0 + ... + choose n k; a 0 + ... + a (n - 1). *)
