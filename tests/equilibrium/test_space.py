@@ -413,14 +413,14 @@ def test_a_load_on_the_border_is_given_up_early(load, solved):
     assert len(solved) < 400
 
 
-#: Of 200, those left open.
-OPEN = {"huge friction": 2, "unequal stiffness": 3, "line": 2, "box": 4}
+#: Of 100, those left open.
+OPEN = dict.fromkeys(("unequal stiffness", "line", "box"), 1)
 
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("kind", exotic.KINDS)
 def test_most_questions_that_are_not_in_general_position_are_decided(kind):
-    assert decided(kind, range(200)) >= 200 - OPEN.get(kind, 0)
+    assert decided(kind, range(100)) >= 100 - OPEN.get(kind, 0)
 
 
 def test_without_friction_a_load_is_resisted_if_normals_alone_balance_it():
@@ -443,7 +443,7 @@ class TestPlanes:
 
     @pytest.mark.campaign
     def test_many_in_any_plane_of_space_answer_as_in_the_plane(self):
-        for seed in range(1000, 1080):
+        for seed in range(1000, 1040):
             self.test_in_any_plane_of_space_they_answer_as_in_the_plane(seed)
 
     def proof(self):
@@ -809,15 +809,15 @@ def test_verdicts_on_round_cones_are_those_of_narrow_sectors():
 def test_many_verdicts_on_round_cones_are_those_of_narrow_sectors():
     found = sum(
         (
-            agrees_with_sectors(2, range(100, 230), balanced),
-            agrees_with_sectors(2, range(230, 250), loaded),
-            agrees_with_sectors(3, range(100, 124), balanced),
-            agrees_with_sectors(3, range(124, 142), loaded),
+            agrees_with_sectors(2, range(100, 145), balanced),
+            agrees_with_sectors(2, range(230, 240), loaded),
+            agrees_with_sectors(3, range(100, 108), balanced),
+            agrees_with_sectors(3, range(124, 131), loaded),
         ),
         Counter(),
     )
-    assert min(found["resisted"], found["not resisted"]) > 20
-    assert found["undecided"] <= 4
+    assert min(found["resisted"], found["not resisted"]) > 8
+    assert found["undecided"] <= 2
 
 
 def agrees_with_all_states(contacts, seeds):
@@ -834,7 +834,7 @@ def agrees_with_all_states(contacts, seeds):
     return resisted
 
 
-MANY = [(2, range(100, 160)), *((3, range(k, k + 10)) for k in range(0, 30, 10))]
+MANY = [(2, range(100, 130)), (3, range(8))]
 
 
 @pytest.mark.parametrize(
