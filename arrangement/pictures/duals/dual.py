@@ -15,7 +15,6 @@ from arrangement.drawing.colours import (
     Choice,
     Painter,
     letter_colour,
-    plane_colour,
 )
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Labels, Vector
@@ -113,7 +112,7 @@ def draw_dual(
         globe,
         front(globe, orthographic),
         names,
-        None if hull else plane_colour,
+        None if hull else letter_colour,
         True,
     )
     _sphere(disc, colours.paint, points, (0.0, first[1] - size / 2, size, scene.height))
@@ -223,7 +222,7 @@ class _SolidPanel:
         if self.hull:
             style |= _HULL_STYLES[min(label, 0)]
             return style | HIDDEN if hidden else style
-        style["ec"] = plane_colour(label)
+        style["ec"] = letter_colour(label)
         if hidden:
             return style | HIDDEN
         return style | {"lw": 1.5, "zorder": 4}

@@ -18,7 +18,6 @@ from arrangement.drawing.colours import (
     DrawnRegion,
     colouring,
     letter_colour,
-    plane_colour,
 )
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Labels
@@ -177,7 +176,7 @@ class _GraphPicture:
         thick = float(np.clip(0.75 * self.size, 0.3, 1.5))
         for e, (_, _, c) in enumerate(graph.edges):
             scene.line(
-                self.segments[e], ec=plane_colour(c), lw=thick, zorder=3, gid=f"edge-{e + 1}"
+                self.segments[e], ec=letter_colour(c), lw=thick, zorder=3, gid=f"edge-{e + 1}"
             )
         firsts = self.arrangement.firsts
         for v, place in enumerate(self.places):

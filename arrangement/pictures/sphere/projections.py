@@ -86,7 +86,8 @@ class CompressedChart:
         safe = np.maximum(outward, 1e-12)
         slope = points[:, 2] / safe  # 1 / (distance from the middle of the chart)
         rate = self.inner / (self.reach * (1 - self.inner))
-        far = 1 - (1 - self.inner) * slope / (slope + rate * (1 - self.reach * slope))
+        low = np.minimum(slope, 1 / self.reach)  # nearer ones are to scale
+        far = 1 - (1 - self.inner) * low / (low + rate * (1 - self.reach * low))
         near = outward / np.maximum(points[:, 2], 1e-12) * self.inner / self.reach
         radius = np.where(slope * self.reach > 1, near, far)
         placed: Floats = points[:, :2] * (radius / safe)[:, None]
