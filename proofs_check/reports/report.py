@@ -127,7 +127,8 @@ def theorems() -> dict[str, str]:
     )
     stated = (f"Theorem {text}" for text in source.split("\nTheorem ")[1:])
     named = {text.split()[1]: text.partition("Proof.")[0].strip() for text in stated}
-    return {k: v for k, v in named.items() if f"\nPrint Assumptions {k}.\n" in printed}
+    known = set(re.findall(r"\w+", printed.partition("Definition theorems := (")[2]))
+    return {name: text for name, text in named.items() if name in known}
 
 
 def badges(claim: Claim, evidence: Evidence | None = None) -> list[dict[str, Any]]:
