@@ -42,8 +42,8 @@ PARTS = 50
 MOST_CREEP = 1 / 10
 #: Settled: damping carries at most this share of the usual force.
 REST = 1 / 100
-#: An object that goes so many times as far as its usual motion while nothing grows, slips; under
-#: a load above the usual force, more by as much.
+#: An object that goes so many times as far as its usual motion while nothing grows, slips; where
+#: there is no exact slip load, in proportion to the load.
 FAR = 10
 #: Seconds of which the mean speed is taken.
 WINDOW = 10 / FREQUENCY
@@ -102,34 +102,33 @@ class Trial:
             pressed = part if pressing else 1
             self.place = self.advance(self.rule.ramp / PARTS, part * t, pressed) * self.lever
 
-    def wait(self, t: float, force: float, most: float) -> float:
+    def wait(self, t: float, force: float, most: float, far: float = FAR) -> float:
         """Run until damping carries at most this share of a force; return the last such share.
 
-        It is infinite where the object goes far.
+        It is infinite where the object goes so many times as far as its usual motion.
         """
         share, begin = self.damping / force, self.place
-        far = FAR * MOTION * self.scene.size * max(1, force / self.scene.force)
         for _ in range(self.rule.windows):
             place = self.place
             self.place = self.advance(WINDOW, t, 1) * self.lever
             carried = share * float(np.linalg.norm(self.place - place)) / WINDOW
-            if np.linalg.norm(self.place - begin) > far:
+            if np.linalg.norm(self.place - begin) > far * MOTION * self.scene.size:
                 return math.inf
             if carried <= most:
                 break
         return carried
 
-    def pressed(self) -> float:
-        """Let the preloads grow; return the share of the usual force that damping carries."""
+    def settles(self, force: float) -> bool:
+        """Let the preloads grow; return whether damping comes to carry little of a force."""
         self.grow(0, True)
-        return self.wait(0, self.scene.force, REST)
+        return self.wait(0, force, REST) <= REST
 
-    def carried(self, t: float, together: bool, most: float) -> float:
+    def carried(self, t: float, together: bool, most: float, far: float) -> float:
         """Return the share of a load that damping carries, as soon as it is at most that."""
         if not together:
-            self.pressed()
+            self.settles(self.scene.force)
         self.grow(t, together)
-        return self.wait(t, t * self.force, most)
+        return self.wait(t, t * self.force, most, far)
 
 
 def exact_end(known: dict[str, Any]) -> float | None:
@@ -152,7 +151,9 @@ def slip_load(
     """Return the slip load of an engine, None where it holds all that is tried; and its creep."""
 
     def carried(t: float, most: float) -> float:
-        return Trial(scene, load, setting, rule).carried(t, together, most)
+        trial = Trial(scene, load, setting, rule)
+        far = 1 if end else max(1, t * trial.force / scene.force)
+        return trial.carried(t, together, most, FAR * far)
 
     low, high = 0.0, 2 * end if end else NEVER * scene.force
     creep = carried(end / 4 if end else high / 4, 0)
@@ -184,7 +185,7 @@ def measure(every: int = 1) -> Iterator[dict[str, Any]]:
         for setting in settings():
             if k % setting.sample or scene.grasp.dimension not in setting.dimensions:
                 continue
-            settles = Trial(scene, 0, setting, RULES["as measured"]).pressed() <= REST
+            settles = Trial(scene, 0, setting, RULES["as measured"]).settles(scene.force)
             for together, (load, end) in product((True, False), loads):
                 slip, creep, began = "not settled", "", time.process_time()
                 if settles:

@@ -3,7 +3,9 @@
 import json
 import math
 from fractions import Fraction
+from importlib import metadata
 from itertools import islice
+from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import numpy as np
@@ -13,8 +15,10 @@ import equilibrium.scenes
 from arrangement.numbers import budget
 from equilibrium import Contact, Grasp, Polygon, Solver, read_grasp
 from equilibrium.certificate.checker import check
+from equilibrium.certificate.law import frame
 from equilibrium.cli import main
 from equilibrium.scenes import EngineScene, benchmark, document_text
+from proofs_check.cli import main as claims
 
 PAPER = read_grasp("paper-three-contacts-preload-1")
 BALL = read_grasp("three-fingers-on-a-ball")
@@ -137,6 +141,53 @@ def test_the_benchmark_has_sixty_scenes_that_rest():
         zero = [0] * len(scene.directions[0])
         assert len(scene.directions) == 3
         assert Solver(scene.grasp).solve(zero).stable
+
+
+@pytest.fixture
+def benchmarks(monkeypatch):
+    """The folder of what is measured, where modules of it are found."""
+    folder = Path(__file__).parents[1] / "benchmarks"
+    monkeypatch.syspath_prepend(folder)
+    return folder
+
+
+def test_an_engine_without_friction_holds_nothing(benchmarks):
+    from engines import Setting
+    from simulators import slip_load
+
+    def without_friction(scene, load, damping):
+        axes = np.array([[float(x) for x in frame(c)[0]] for c in scene.grasp])
+        stiffness, preload = (
+            np.array([f[key] for f in scene.fingers]) for key in ("stiffness", "preload")
+        )
+        push = np.array([float(x) for x in scene.directions[load]])
+        place, damped = np.zeros(3), damping * np.array([1, 1, scene.size**2])
+
+        def advance(seconds, t, pressed):
+            for _ in range(round(seconds / 0.01)):
+                springs = np.maximum(0, preload * pressed - stiffness * (axes @ place))
+                place[:] += 0.01 * (t * push + springs @ axes) / damped
+            return place.copy()
+
+        return advance
+
+    setting = Setting("own", "no friction", without_friction, {}, (2,))
+    for direction, held in (([0, 1, 0], False), ([0, -1, 0], True)):
+        scene = EngineScene(PAPER, [direction])
+        for together in (True, False):
+            found, _ = slip_load(scene, 0, 1.0, setting, together)
+            assert found is None if held else found < 0.01
+
+
+def test_claims_on_an_engine_that_is_missing_have_no_verdict(benchmarks, monkeypatch, capsys):
+    def missing(name):
+        raise metadata.PackageNotFoundError(name)
+
+    monkeypatch.setattr(metadata, "version", missing)
+    assert claims(["run", str(benchmarks / "engine_claims.py"), "--json"]) == 2
+    told = capsys.readouterr()
+    assert json.loads(told.out)["results"] == []
+    assert told.err.count("no verdict: not tried: needs the extra simulators") == 2
 
 
 @pytest.mark.campaign
