@@ -69,12 +69,19 @@ def _measuring() -> Any:
 
 def wrapped(text: str, room: float, size: float = FONT) -> list[str]:
     """Return a text in lines that fit a width in points, as far as its words do."""
-    lines = [text]
-    for width in range(len(text), 8, -1):
-        if max(measure(line, size)[0] for line in lines) <= room:
-            break
+    lines, width = [text], len(text)
+    # No letter is half as narrow as this one: where even that is too long nothing is measured.
+    most = int(room / (measure("i" * 20, size)[0] / 40))
+    if width > most > 8:
+        lines, width = textwrap.wrap(text, most), most
+    while width > 8 and any(measure(line, size)[0] > room for line in _longest_first(lines)):
         lines = textwrap.wrap(text, width)
+        width = min(width, max(map(len, lines))) - 1
     return lines
+
+
+def _longest_first(lines: list[str]) -> list[str]:
+    return sorted(lines, key=len, reverse=True)
 
 
 def area(corners: Floats) -> float:
