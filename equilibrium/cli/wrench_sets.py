@@ -35,6 +35,8 @@ _ZERO = (Fraction(0),) * 3
 #: Of converted grasps in space: how many borders are asked about, at which share from them, and for
 #: how long the first verdict may take.
 _BORDERS, _NEAR, _SECONDS = 2, Fraction(1, 1000), 5.0
+#: How often a margin tries all states, about: for the wrench, for preloads, for friction.
+_MARGIN = 6
 
 
 def add_commands(commands: Any) -> None:
@@ -220,6 +222,7 @@ def _margin(arguments: argparse.Namespace) -> int:
     if grasp.dimension == 3:
         return _spatial_limit(arguments, grasp, wrench, (0,) * 6)
     solver = _solver(arguments, grasp)
+    solver.ask(_MARGIN)
     found = margin(solver, wrench)
     preloads = sufficient_preloads(solver, wrench)
     friction = least_friction(solver, wrench, arguments.width)

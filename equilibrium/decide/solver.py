@@ -16,6 +16,7 @@ from typing import Any
 from arrangement.console.number_form import Shown
 from arrangement.console.progress import watched
 from arrangement.console.workers import done, due
+from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, vector_text
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.errors import EquilibriumError
@@ -80,6 +81,8 @@ def solve(
 
 #: How many wrenches a process takes at once; up to how many contacts all states are tried.
 _PART, _FEW = 50, 12
+#: Seconds of the exact system of a choice of states, for each contact.
+_EXACT = 7e-5
 
 
 class Solver(Shown):
@@ -129,6 +132,16 @@ class Solver(Shown):
     def states(self) -> tuple[States, ...]:
         """The choices of contact states; see `contact_states`."""
         return tuple(map(states_of_code, self._codes.tolist()))
+
+    def ask(self, times: int = 1) -> None:
+        """Refuse to try all choices of contact states so often where floats rule out none."""
+        count, contacts = len(self._codes), len(self.grasp)
+        if not self.screen.contacts.moderate:
+            budget.ask(
+                f"{count:,} choices of states of {contacts} contacts with huge or tiny numbers",
+                "decide one load (solve)",
+                told=_EXACT * contacts * count * times,
+            )
 
     def solve(
         self,

@@ -354,3 +354,14 @@ def test_a_text_of_sage_is_refused_from_its_commas_and_brackets(tmp_path, capsys
     path.write_text(text.format("[(1, 2), 3], " * 200_001))
     assert arrangement_main(["count", str(path)]) == 2
     assert "a text of Sage with 1,400,014 comm" in capsys.readouterr().err
+
+
+def test_states_that_floats_cannot_rule_out_are_refused_from_their_number(tmp_path, capsys):
+    path = tmp_path / "grasp.json"
+    words = ["margin", str(path), "--wrench", "1", "2", "3"]
+    for contacts, codes in ((2, (0, 1)), (12, (2,))):
+        grasp = random_grasp(contacts, 3).with_friction(10**80)
+        path.write_text(json.dumps(grasp.to_dict()))
+        assert equilibrium_main(words) in codes
+    said = capsys.readouterr().err
+    assert "3,309 choices of states of 12 contacts with huge or tiny numbers: this would" in said
