@@ -22,6 +22,7 @@ from PIL import Image
 
 from arrangement import Arrangement, ArrangementError, InputError, read_arrangement
 from arrangement.cli import main as draw_planes
+from arrangement.console import number_form
 from arrangement.drawing.command import _KINDS
 from arrangement.drawing.output import own_settings, picture_bytes
 from arrangement.drawing.path_artist import Paths, figure, into
@@ -31,7 +32,7 @@ from arrangement.drawing.scene.scene import Scene, measure
 from arrangement.drawing.themes import _from_oklab, _oklab, themed
 from arrangement.drawing.tikz.tex_text import tex_text
 from arrangement.drawing.tikz.tikz import tikz
-from arrangement.library.families import catalan, shi
+from arrangement.library.families import catalan, generic, shi
 from arrangement.pictures import DRAWINGS as OF_PLANES, animate, compose
 from arrangement.pictures.views import drawings_of, write_drawing
 from equilibrium import read_grasp
@@ -576,6 +577,28 @@ def test_planes_and_grasps_draw_themselves():
         planes.draw("duel")
     with pytest.raises(InputError, match="did you mean labels"):
         planes.draw(label="none")
+
+
+@pytest.mark.parametrize("view", ["sphere", "dual", "stereographic", "gnomonic", "graph"])
+def test_a_region_is_styled_by_its_signs_and_its_number_and_a_circle_as_a_whole(view):
+    planes = generic(4)
+    drawn, regions = planes.draw(view), planes.regions()
+    front = [k for k in (1, 3, 5) if any(f"-{k}" in x.name for x in drawn.scene.items)]
+    for number in front:
+        signs = number_form.sign_text(regions[number - 1].signs)
+        for which, fill in ((signs, f"#12345{number}"), (number, f"#65432{number}")):
+            drawn.region(which).set(fc=fill)
+            styled = [x.name for x in drawn.scene.items if x.style.get("fc") == fill]
+            assert {name.split("-")[1] for name in styled} == {str(number)}
+    for number in (1, 2, 3, 4):
+        drawn.circle(number).set(ec=f"#00000{number}")
+    lines = [x for x in drawn.scene.items if re.match("(front|back|arc|edge)-|limb-.*-", x.name)]
+    for item in lines:
+        assert item.style["ec"] == f"#00000{item.name.split('-')[1]}", item.name
+    assert {x.style["ec"] for x in lines} == {f"#00000{k}" for k in (1, 2, 3, 4)}
+    for wrong in (lambda: drawn.region("+++++"), lambda: drawn.circle(5), lambda: drawn.region(99)):
+        with pytest.raises(InputError, match="the picture has no"):
+            wrong()
 
 
 def test_panels_keep_their_elements_and_share_what_their_legends_say_alike(tmp_path):

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import operator
 import os
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fnmatch import fnmatchcase
@@ -310,6 +310,37 @@ def write_scene(
         write_bytes_atomically(path, content)
 
 
+#: What elements are called that stand for regions, before the number, and for circles.
+_REGIONS = ("region", "vertex", "cell")
+_CIRCLES = ("front-{}-*", "limb-{}-*", "back-{}", "arc-{}-*", "line-{}", "edge-{}-*")
+_FACETS = "facet-*-plane-{}"
+
+
+class Elements:
+    """Some elements of a drawing, to be styled.
+
+    Raises:
+        InputError: the picture has none of these.
+    """
+
+    def __init__(self, drawing: Drawing, what: str, names: Sequence[str]) -> None:
+        items = drawing.scene.items
+        self._drawing = drawing
+        self._found = [
+            k for k, item in enumerate(items) if any(fnmatchcase(item.name, name) for name in names)
+        ]
+        if not self._found:
+            raise InputError(f"the picture has no {what}")
+
+    def set(self, **style: Any) -> None:
+        """Change their style, as `Drawing.restyle` does."""
+        items = self._drawing.scene.items
+        for k in self._found:
+            items[k] = replace(items[k], style={**items[k].style, **style})
+        self._drawing.clear()
+        figure(laid_out(self._drawing.scene), self._drawing)
+
+
 class Drawing(Figure):
     """A picture with its legend: a figure of matplotlib that is written in every format.
 
@@ -322,6 +353,21 @@ class Drawing(Figure):
         self.scene = scene
         figure(laid_out(scene), self)
 
+    def region(self, which: int | str) -> Elements:
+        """Return what stands for a region, by its number or its signs as in ``"+-+"``."""
+        number = self.scene.numbers.get(str(which), which)
+        return Elements(self, f"region {which}", [f"{kind}-{number}" for kind in _REGIONS])
+
+    def circle(self, number: int) -> Elements:
+        """Return what stands for a plane: its circle or line, and the edges that cross it.
+
+        Args:
+            number: from 1; of coincident planes the first one.
+        """
+        return Elements(
+            self, f"circle {number}", [name.format(number) for name in (*_CIRCLES, _FACETS)]
+        )
+
     def restyle(self, name: str, **style: Any) -> None:
         """Change elements of the picture, in every format in which it is written afterwards.
 
@@ -332,14 +378,7 @@ class Drawing(Figure):
         Raises:
             InputError: the picture has no such element.
         """
-        items = self.scene.items
-        found = [k for k, item in enumerate(items) if fnmatchcase(item.name, name)]
-        if not found:
-            raise InputError(f"the picture has no element {shown(name)}")
-        for k in found:
-            items[k] = replace(items[k], style={**items[k].style, **style})
-        self.clear()
-        figure(laid_out(self.scene), self)
+        Elements(self, f"element {shown(name)}", [name]).set(**style)
 
     def write(
         self,

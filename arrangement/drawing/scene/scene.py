@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -173,6 +173,7 @@ class Scene:
         items: in the order in which they were added.
         boxes: what is covered by labels so far.
         legend: what is said below or beside the picture.
+        numbers: of regions, by their signs as text, where elements have these numbers as names.
     """
 
     def __init__(self, width: float, height: float) -> None:
@@ -183,6 +184,7 @@ class Scene:
         self.items: list[Item] = []
         self.boxes: list[Box] = []
         self.legend = Legend()
+        self.numbers: Mapping[str, int] = {}
         self._clip: Box | tuple[Place, float] | None = None
 
     @contextmanager

@@ -73,7 +73,7 @@ def draw_lines(
     of it are one point; so the ends of a line have one name. A dot is where parallel lines meet.
 
     Elements: ``region-3``, ``line-2`` for a class of coincident lines, ``vertex-5``; in the disc
-    ``front-7`` for edges, ``limb-1`` for the rim, ``infinity-4`` for the dots.
+    ``front-2-7`` for edges of line 2, ``limb-1`` for the rim, ``infinity-4`` for the dots.
 
     Args:
         arrangement: of rank at most 2; in another space than R^2 its essentialisation.

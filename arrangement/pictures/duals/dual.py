@@ -182,10 +182,11 @@ class _SolidPanel:
                 self.places[list(cycle)], fc=grey, ec="none", zorder=1, gid=f"face-{k + 1}"
             )
         small = self._inscribe(radius)
+        firsts = self.globe.whole.arrangement.firsts
         for e, (u, v, c) in enumerate(solid.edges):
             style = self._style(c, solid.edge_hidden[e])
             style["lw"] *= min(1.0, small / 1.6)
-            scene.line(self.places[[u, v]], gid=f"edge-{e + 1}", **style)
+            scene.line(self.places[[u, v]], gid=f"edge-{firsts[c] + 1}-{e + 1}", **style)
         for v, place in enumerate(self.places):
             hidden = solid.vertex_hidden[v]
             style = (

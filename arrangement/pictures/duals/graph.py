@@ -174,11 +174,10 @@ class _GraphPicture:
     def draw(self) -> None:
         graph, scene = self.graph, self.scene
         thick = float(np.clip(0.75 * self.size, 0.3, 1.5))
-        for e, (_, _, c) in enumerate(graph.edges):
-            scene.line(
-                self.segments[e], ec=letter_colour(c), lw=thick, zorder=3, gid=f"edge-{e + 1}"
-            )
         firsts = self.arrangement.firsts
+        for e, (_, _, c) in enumerate(graph.edges):
+            name = f"edge-{firsts[c] + 1}-{e + 1}"
+            scene.line(self.segments[e], ec=letter_colour(c), lw=thick, zorder=3, gid=name)
         for v, place in enumerate(self.places):
             odd = sum(graph.signs[v][k] < 0 for k in firsts) % 2
             shape, width = "square" if odd else "round", min(0.7, 0.35 * self.size)

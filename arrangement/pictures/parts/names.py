@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from arrangement.arrangement import Arrangement
+from arrangement.console import number_form
 from arrangement.drawing.colours import GREY, Colouring, DrawnRegion
 from arrangement.drawing.registry import Labels
 from arrangement.drawing.scene.labels import sign_text
@@ -90,6 +91,11 @@ class RegionLabels:
     def _numbers(self) -> dict[tuple[int, ...], int]:
         return {face.signs: k + 1 for k, face in enumerate(self._arrangement.regions())}
 
+    @property
+    def numbers(self) -> dict[str, int]:
+        """The number of each region, by its signs as text."""
+        return {number_form.sign_text(signs): k for signs, k in self._numbers.items()}
+
     def element(self, kind: str, signs: Sequence[int]) -> str:
         """Return the name of what stands for a region in a file: its number, as in ``region-3``."""
         return f"{kind}-{self._numbers[tuple(signs)]}"
@@ -158,6 +164,7 @@ def explain_regions(
     scene: Scene, colours: Colouring, names: RegionLabels, drawn: Collection[DrawnRegion]
 ) -> None:
     """Add to the legend of a scene the colours of the regions drawn, and their numbers."""
+    scene.numbers = names.numbers
     for fill, text in colours.keys(drawn):
         scene.legend.key(swatch(fill, ec="black", lw=0.5), text)
     names.explain(scene.legend, [region.signs for region in drawn])

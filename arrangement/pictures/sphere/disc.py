@@ -120,14 +120,16 @@ class Disc:
         is_plane = len(globe.cut.arrangement.distinct[globe.limb]) > 1
         for arc, circle in enumerate(drawn.sphere.incidence.arc_circle.tolist()):
             colour = self.ink(circle) if self.ink is not None else "black"
+            number = f"{globe.cut.arrangement.firsts[circle] + 1}-{arc + 1}"
             style: dict[str, Any] = {"fill": False, "capstyle": "round", "zorder": 3}
             if circle == globe.limb:
                 colour = colour if is_plane else "black"
-                style |= {"ec": colour, "lw": 1.6 if is_plane else 0.6, "gid": f"limb-{arc + 1}"}
+                name = f"limb-{number}" if is_plane else f"limb-{arc + 1}"
+                style |= {"ec": colour, "lw": 1.6 if is_plane else 0.6, "gid": name}
             elif dot(globe.cut.arc_witness(arc), globe.direction) > 0:
                 thick = 1.3 if self.ink is not None else 0.9
                 thick *= thinner(globe.whole.circle_count)
-                style |= {"ec": colour, "lw": thick, "gid": f"front-{arc + 1}"}
+                style |= {"ec": colour, "lw": thick, "gid": f"front-{number}"}
             else:
                 continue
             curve = self.on_paper(drawn.arc(arc))

@@ -137,9 +137,12 @@ class _Whole:
     def draw(self) -> None:
         outlines = self._fill()
         lines = []
+        firsts = self.globe.whole.arrangement.firsts
+        circles = self.globe.whole.incidence.arc_circle
         for arc in range(self.globe.whole.arc_count):
             curve = self.on_paper(self.drawn.arc(arc))
-            self.scene.curve(curve, fill=False, ec="black", lw=0.9, zorder=3, gid=f"arc-{arc + 1}")
+            name = f"arc-{firsts[circles[arc]] + 1}-{arc + 1}"
+            self.scene.curve(curve, fill=False, ec="black", lw=0.9, zorder=3, gid=name)
             lines.append(along(curve))
         limb = self.on_paper(np.zeros((1, 2)))[0]
         self.scene.circle(limb, self.scale, fill=False, ec="black", gid="limb", **HIDDEN)
