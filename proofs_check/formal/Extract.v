@@ -29,7 +29,7 @@ Definition theorems := (
   model_faces_with_preload, model_states, model_states_without_preload, model_states_with_preload,
   state_tree, step_1_square_bound_needs_two_planes, dual_bounds_need_two_planes,
   euler_needs_rank_3, different_slip_states, state_tree_closed, sphere_hull_edges,
-  sphere_dual_weights,
+  sphere_dual_weights, single_solution, printed_detachment, printed_preload,
 
   no_coordinates,
 

@@ -3,7 +3,8 @@
 
 Require Import Reals ZArith List Lia Permutation.
 Require Import Planes Sides Rank Recursion Counting Bounds General Sphere Dual Graph Attained Position.
-Require Import Crossed Contacts Counterexamples.
+Require Import Crossed Contacts Counterexamples Refuted.
+Require Model.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -392,3 +393,25 @@ Definition diagonal_planes := real_planes
 Theorem sphere_dual_weights : great_circles diagonal_planes /\ different diagonal_planes /\
   forall w, ~ weights_sum_to_one diagonal_planes w.
 Proof. exact no_diagonal_weights. Qed.
+
+(** * Grasps: the law is that of Model.v, the contacts are in Refuted.v *)
+
+(** Two equilibria of one grasp under one wrench, with different normal forces. *)
+Theorem single_solution : exists d forces d' forces',
+  Model.equilibrium (Model.real_question two_springs) d forces /\
+  Model.equilibrium (Model.real_question two_springs) d' forces' /\ map fst forces <> map fst forces'.
+Proof. exact two_solutions. Qed.
+
+(** The spring equation as an equality leaves no forces that balance; the law does. *)
+Theorem printed_detachment :
+  (exists d forces, Model.equilibrium (Model.real_question opposed) d forces) /\
+  forall d forces, Forall2 (never_lets_go d) (Model.contacts (Model.real_question opposed)) forces ->
+    Model.add (Model.total (Model.contacts (Model.real_question opposed)) forces)
+      (Model.applied (Model.real_question opposed)) <> Model.zero.
+Proof. exact opposed_lets_go. Qed.
+
+(** Resisted with preload 1, and not without the term. *)
+Theorem printed_preload :
+  (exists d forces, Model.equilibrium (Model.real_question (corner 1)) d forces) /\
+  forall d forces, ~ Model.equilibrium (Model.real_question (corner 0)) d forces.
+Proof. exact corner_needs_preload. Qed.
