@@ -17,9 +17,10 @@ import statistics
 import sys
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from copy import copy
-from functools import partial
+from functools import cache, partial
+from pathlib import Path
 from typing import Any
 
 Normals = list[list[int]]
@@ -291,7 +292,7 @@ def loads_as_arrays(loads: int) -> Work:
 
 
 def inscribed_types(number: int) -> Work:
-    """Ours: whether types of nine planes with weights are inscribable; how many are."""
+    """Ours: whether types of nine planes with weights are inscribable; microseconds for a type."""
     import numpy as np
 
     from arrangement import inscribability
@@ -301,8 +302,41 @@ def inscribed_types(number: int) -> Work:
     chosen = np.random.default_rng(9).permutation(PUBLISHED[9])[: 4 * number]
     weighty = chosen[have_weights(catalogue.chirotopes(9, chosen), 9)][:number].tolist()
     types = [census(9)[k] for k in weighty]
-    inscribability(census(8)[-1])  # loads modules
-    return lambda: sum(bool(inscribability(planes).certificate.inscribable) for planes in types)
+
+    def ask(planes: Any) -> Any:
+        return inscribability(planes).certificate
+
+    ask(census(8)[-1])  # loads modules
+    return _each(ask, types)
+
+
+def measured_limits(number: int) -> Work:
+    """Ours: limits of grasps in space from float data; microseconds for one direction."""
+    sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+    from equilibrium.wrench_sets.spatial import spatial_magnitudes
+    from tests.equilibrium.converted_grasps import converted, original
+
+    asked = []
+    for seed in range(number):
+        grasp, load = original("ball", seed)
+        given = converted(grasp, seed).grasp
+        asked.append((given, load if any(load) else (0, 0, -1, 0, 0, 0)))
+    return _each(lambda question: spatial_magnitudes(*question), asked)
+
+
+def _each(ask: Callable[[Any], Any], questions: Sequence[Any]) -> Work:
+    """Return the work of asking one after another, once; it counts the median microseconds."""
+
+    @cache
+    def work() -> int:
+        times = []
+        for question in questions:
+            start = time.process_time()
+            ask(question)
+            times.append(time.process_time() - start)
+        return round(1e6 * statistics.median(times))
+
+    return work
 
 
 def published(planes: int) -> Work:
