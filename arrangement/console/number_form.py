@@ -13,7 +13,6 @@ from dataclasses import dataclass, fields, is_dataclass
 from enum import Enum
 from fractions import Fraction
 from functools import partial
-from html import escape
 from inspect import isroutine
 from itertools import islice
 from typing import Any, ClassVar
@@ -64,6 +63,8 @@ def _json_form(value: Any) -> Any:
 
 def table(value: object, names: Iterable[str]) -> str:
     """Return attributes of a value as an HTML table, without those that are empty."""
+    from html import escape
+
     cells = "".join(
         f"<tr><th>{escape(name)}</th><td>{escape(text)}</td></tr>"
         for name, text in _rows(value, names, IN_TABLE)

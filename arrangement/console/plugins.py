@@ -5,7 +5,6 @@ Nothing is imported before it is used, and a package that is absent adds nothing
 
 from __future__ import annotations
 
-import html
 from collections.abc import Mapping
 from importlib import import_module
 from importlib.util import find_spec
@@ -43,8 +42,10 @@ class InlinePage:
         self.text = text
 
     def _repr_html_(self) -> str:
+        from html import escape
+
         return (
-            f'<iframe srcdoc="{html.escape(self.text)}" sandbox="allow-scripts allow-downloads" '
+            f'<iframe srcdoc="{escape(self.text)}" sandbox="allow-scripts allow-downloads" '
             'style="width: 100%; height: 48rem; border: 0"></iframe>'
         )
 

@@ -6,13 +6,10 @@ part it was at, which is then done again.
 
 from __future__ import annotations
 
-import multiprocessing
 import os
 import signal
 import threading
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from concurrent.futures.process import BrokenProcessPool
 from importlib import import_module
 from typing import Any, TypeVar
 
@@ -66,11 +63,16 @@ def on_processes(
     Raises:
         WorkerError: workers die again and again without a result.
     """
+    # Commands that need one process alone start sooner.
+    from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+    from concurrent.futures.process import BrokenProcessPool
+    from multiprocessing import get_context
+
     left = list(reversed(numbers))
     deaths = 0
     while left:
         pool = ProcessPoolExecutor(
-            jobs, mp_context=multiprocessing.get_context("spawn"), initializer=_follow_parent
+            jobs, mp_context=get_context("spawn"), initializer=_follow_parent
         )
         running: dict[Future[Result], int] = {}
         try:
@@ -98,8 +100,10 @@ def on_processes(
 
 def _follow_parent() -> None:
     """End this process as soon as its parent is gone, even by ``kill -9``; leave Ctrl-C to it."""
+    from multiprocessing import parent_process
+
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    parent = multiprocessing.parent_process()
+    parent = parent_process()
     if parent is None:
         return
 

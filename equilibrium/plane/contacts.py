@@ -11,6 +11,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain
+from statistics import median
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -63,7 +64,7 @@ class FloatContacts:
         self.tangent = self.tangents[:, 0]
         self.pull = self.friction[:, None] * self.tangent
         points = np.array([[nearest(x) for x in c.point] for c in grasp]).reshape(m, d)
-        self.length = float(np.median(np.linalg.norm(points, axis=1))) if m else 1.0
+        self.length = median(np.linalg.norm(points, axis=1).tolist()) if m else 1.0
         if not self.length > 0:
             self.length = 1.0
 

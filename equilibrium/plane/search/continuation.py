@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from statistics import median
 from typing import Any
 
 import numpy as np
@@ -177,5 +178,5 @@ def motion_scale(contacts: FloatContacts, load: Floats) -> Floats:
     if not 0 < total < np.inf:
         return arms
     size = 3 * float(np.abs(load * arms).max()) / total
-    size = max(size, 2 * float(np.median(contacts.preload / contacts.stiffness)))
+    size = max(size, 2 * median((contacts.preload / contacts.stiffness).tolist()))
     return (size if _SMALL < size < 1 / _SMALL else 1.0) * arms
