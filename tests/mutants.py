@@ -372,9 +372,9 @@ class _InPlace(_Confined):
             line = self.listed[number].line if number >= 0 else 0
             if number >= 0:
                 changed = _codes(compile(self.listed[number].plant(), path, "exec"))
-            # First those that noticed a fault nearby, and quick ones: a line is worth 0.05 s.
+            # First those that noticed a fault nearby, and quick ones: a line is worth 0.01 s.
             far = {x: min([abs(y - line) for y in self.lines.get(x, [100])]) for x in items}
-            items.sort(key=lambda x: 0.05 * far[x] + self.costs.get(x, 0))
+            items.sort(key=lambda x: 0.01 * far[x] + self.costs.get(x, 0))
             costs = RawArray("d", len(items))
 
             def run(items: Any = items, changed: Any = changed, costs: Any = costs) -> int:
