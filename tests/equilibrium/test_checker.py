@@ -412,6 +412,7 @@ def test_form_is_checked_behind_a_leaf_that_fails():
     [
         ({"schema_version": 1}, "schema_version is 1; 3 is read here"),
         ({"schema_version": True}, "schema_version is True"),
+        ({"schema_version": 3.0}, "schema_version is 3.0"),
         ({"certificate": "maybe"}, "known are resisted, not resisted"),
         ({"certificate": ["resisted"]}, "known are resisted, not resisted"),
         ({"certificate": "resisted"}, "tree"),
