@@ -365,3 +365,49 @@ def test_states_that_floats_cannot_rule_out_are_refused_from_their_number(tmp_pa
         assert equilibrium_main(words) in codes
     said = capsys.readouterr().err
     assert "3,309 choices of states of 12 contacts with huge or tiny numbers: this would" in said
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "resonance --n 30",
+        "resonance --n 64",
+        "threshold-functions --n 40",
+        "shi --type 100000",
+        "shi --type E8 --m 100000",
+        "braid --n 100000",
+        "pencil --m 1000000000",
+        "random-integer --m 1000000000",
+        "generic --m 5 --d 100000",
+        "random-sphere --m 5 --bits 1000000",
+        "regular --planes 100000",
+        "separations --polytope permutohedron --n 15",
+        "separations --polytope cube --n 40",
+    ],
+)
+def test_members_out_of_reach_are_refused_before_they_are_made(words, capsys):
+    assert arrangement_main(["make", *words.split()]) == 2
+    out, said = capsys.readouterr()
+    assert out == ""
+    assert "this would take about" in said or "take fewer planes" in said
+
+
+@pytest.mark.parametrize(
+    ("planes", "count", "polynomial"),
+    [
+        ([[k % 7919 + 1, k, k * k % 7907] for k in range(20_000)], 2, 2),
+        ([[k % 919 + 1, k, k * k % 907] for k in range(300)], 0, 0),
+        ([[int(i == j) for j in range(30)] for i in range(30)], 0, 0),
+        ([[1, 2, 3]] * 20_000, 0, 0),
+        ([[f"{k + 1}" * 20_000, 1, k * k] for k in range(5)], 0, 0),
+    ],
+    ids=["20,000 planes", "300 planes", "30 coordinates", "equal rows", "20,000 digits"],
+)
+def test_planes_are_counted_or_refused_from_their_flats(
+    planes, count, polynomial, tmp_path, capsys
+):
+    path = tmp_path / "planes.json"
+    path.write_text(json.dumps({"schema_version": 1, "planes": planes}))
+    for command, code in (("count", count), ("polynomial", polynomial)):
+        assert arrangement_main([command, str(path)]) == code
+        assert (code == 2) == ("this would take about" in capsys.readouterr().err)
