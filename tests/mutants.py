@@ -125,6 +125,7 @@ TARGETS = {
     "modular": Target("arrangement.counts.modular", (SYMMETRIC, FIELD)),
     "lowrank": Target("arrangement.counts.low_rank", (COUNTS,)),
     "lattice": Target("arrangement.counts.lattice", (LATTICE, COUNTS, *FORECASTS)),
+    "cone": Target("arrangement.counts.in_cone", ("tests/arrangement/test_fan.py",)),
     "operations": Target("arrangement.counts.operations", (OPERATIONS, *FORECASTS)),
     "whitney": Target("arrangement.counts.whitney", (COUNTS, *FORECASTS)),
     "points": Target("arrangement.counts.points", (COUNTS,)),

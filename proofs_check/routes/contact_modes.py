@@ -2,7 +2,7 @@
 
 A contacting-separating mode is a face of the cone ``{d : N d >= 0}``, known by the generators that
 it contains. The sliding-sticking modes on it are counted by the theorem of Zaslavsky in its span
-(`arrangement.counts.lattice`). No face of an arrangement is listed.
+(`arrangement.counts.in_cone`). No face of an arrangement is listed.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from arrangement.counts.configuration import pivot_columns
-from arrangement.counts.lattice import f_vector_in_cone
+from arrangement.counts.in_cone import f_vector_in_cone
 from arrangement.numbers.exact import IntegerVector, bits, dot
 from arrangement.numbers.linear.cones import generators
 from arrangement.planes.planes import Planes

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from arrangement import Arrangement
-from arrangement.counts.lattice import f_vector_in_cone
+from arrangement.counts.in_cone import f_vector_in_cone
 from arrangement.enumeration.fan import Fan
 
 Row = tuple[int, ...]
