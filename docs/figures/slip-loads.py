@@ -20,12 +20,13 @@ STARTS = {"together": ("o", "#0072b2"), "preload first": ("x", "#d55e00")}
 
 def make():
     with MEASURED.open(encoding="utf-8") as file:
-        rows = [r for r in csv.DictReader(file) if r["exact"] != "never" and r["slip"] != "none"]
-    ends = [f(float(r[k]) for r in rows for k in ("exact", "slip")) for f in (min, max)]
+        ends = [r for r in csv.DictReader(file) if r["exact"] != "never"]
+    rows = [r for r in ends if r["slip"] not in ("none", "not settled")]
+    line = [f(float(r[k]) for r in rows for k in ("exact", "slip")) for f in (min, max)]
     figure = Figure(figsize=(6.4, 6.4), layout="constrained")
     panels = figure.subplots(2, 2, sharex=True, sharey=True).flat
     for axes, (engine, setting) in zip(panels, PANELS, strict=True):
-        axes.loglog(ends, ends, color="black", lw=0.8)
+        axes.loglog(line, line, color="black", lw=0.8)
         for start, (sign, colour) in STARTS.items():
             kind = (engine, setting, start)
             own = [r for r in rows if (r["engine"], r["setting"], r["start"]) == kind]

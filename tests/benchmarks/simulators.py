@@ -246,10 +246,10 @@ def summary(rows: list[dict[str, Any]]) -> Iterator[list[str]]:
 
 
 def rule_lines() -> Iterator[str]:
-    """Yield how slip loads change with the rule: each tenth scene, elliptic, impratio 100."""
+    """Yield how slip loads change with the rule: each fifteenth scene, elliptic, impratio 100."""
     setting = next(s for s in settings() if s.options.get("impratio") == 100)
     found: dict[str, list[float]] = {}
-    for _, scene in islice(benchmark(), 0, None, 10):
+    for _, scene in islice(benchmark(), 0, None, 15):
         for load, end in comparable(scene):
             for name, rule in RULES.items() if end else ():
                 slip, _ = slip_load(scene, load, end, setting, True, rule)
