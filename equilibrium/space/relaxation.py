@@ -96,13 +96,27 @@ class _Block(NamedTuple):
 
 
 class _Columns(NamedTuple):
-    """A sparse matrix by columns: what Clarabel reads of SciPy's, which is slow to make."""
+    """A sparse matrix by columns, what Clarabel reads of SciPy's, which is slow to load."""
 
     data: Floats
     indices: Any
     indptr: Any
     shape: tuple[int, int]
     has_canonical_format: bool = True
+
+    @classmethod
+    def of(cls, table: Floats) -> _Columns:
+        """Return a matrix without its zeros."""
+        column, row = np.nonzero(table.T)
+        counts = np.bincount(column, minlength=table.shape[1])
+        return cls(table[row, column], row, np.append(0, np.cumsum(counts)), table.shape)
+
+    def table(self) -> Floats:
+        """Return the matrix with its zeros."""
+        found = np.zeros(self.shape)
+        column = np.repeat(np.arange(self.shape[1]), np.diff(self.indptr))
+        found[self.indices, column] = self.data
+        return found
 
 
 class Relaxation:
@@ -288,7 +302,7 @@ class Relaxation:
         bounds = np.eye(rows + 1)[[*range(6), rows]]
         table = np.concatenate(
             [
-                np.column_stack([_sparse(matrix[:3], matrix.shape).toarray().T, np.zeros(columns)]),
+                np.column_stack([matrix.table().T, np.zeros(columns)]),
                 [np.append(right, 1.0)],
                 bounds,
                 -bounds[:6],
@@ -304,7 +318,7 @@ class Relaxation:
             kept += [] if isinstance(kind, clarabel.ZeroConeT) else [kind]
             k += kind.dim
         table, ends = np.delete(table, free, axis=0), np.delete(ends, free)
-        program = (_sparse((rows + 1, rows + 1)), -last, _sparse(table), ends, kept)
+        program = (_squares(rows + 1, 0.0), -last, _Columns.of(table), ends, kept)
         found = np.array(clarabel.DefaultSolver(*program, self.settings).solve().x)
         return self._ray(states, blocks, starts, found[:-1]) if found[-1] > -_NO_ROOM else None
 
@@ -322,14 +336,7 @@ class Relaxation:
         return values
 
 
-def _sparse(*given: Any, **more: Any) -> Any:
-    """Return a matrix of SciPy, which loads too slowly for help and grasps in the plane."""
-    from scipy.sparse import csc_matrix
-
-    return csc_matrix(*given, **more)
-
-
 @cache
-def _squares(n: int) -> Any:
+def _squares(n: int, weight: float = _SMALL_MOTION) -> _Columns:
     """Return the weights of squares: small motions are preferred."""
-    return _sparse((np.full(6, _SMALL_MOTION), (range(6), range(6))), shape=(n, n))
+    return _Columns.of(np.diag([weight] * 6 + [0.0] * (n - 6)))
