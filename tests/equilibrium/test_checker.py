@@ -421,6 +421,7 @@ def test_form_is_checked_behind_a_leaf_that_fails():
         ({"wrench": "000"}, "wrench is"),
         ({"grasp": {}}, "schema_version"),
         ({"grasp": 5}, "the grasp is 5; expected"),
+        ({"pyramid": 4}, "a pyramid is for a grasp in space"),
         ({"certificate": "unstable", "schema_version": 1}, "old certificate.*equilibrium solve"),
         ({"certificate": "stable", "schema_version": 1}, "old certificate.*equilibrium solve"),
     ],
