@@ -113,7 +113,7 @@ INSCRIBED = "tests/arrangement/test_inscribed.py"
 TARGETS = {
     "checker": Target("equilibrium.certificate.checker", (*CHECKER, PLANES, PYRAMIDS)),
     "law": Target("equilibrium.certificate.law", (*CHECKER, SPACE[0])),
-    "reading": Target("equilibrium.certificate.reading", (*CHECKER, *SPACE)),
+    "reading": Target("equilibrium.certificate.reading", (*CHECKER, *SPACE, PLANES)),
     "space": Target("equilibrium.certificate.space", SPACE),
     "enclosure": Target("equilibrium.certificate.enclosure", SPACE),
     "robust": Target("equilibrium.certificate.robust", ROBUST),
