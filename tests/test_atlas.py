@@ -1,7 +1,6 @@
 """The atlas: each page has what it links, and the numbers of its arrangement."""
 
 import re
-import subprocess
 import sys
 from html import unescape
 from pathlib import Path
@@ -57,11 +56,11 @@ def test_a_page_says_the_numbers_in_print(folder, name, said):
         assert re.search(rf"[>\s]{re.escape(words)}[<\s,]", text), words
 
 
-def test_an_atlas_of_one_page_has_a_list_of_it(tmp_path):
-    command = [sys.executable, atlas.__file__, tmp_path, "--only", "Linial arrangement of A2"]
-    done = subprocess.run([*command, "--jobs", "1"], capture_output=True, text=True, timeout=300)
-    assert (done.returncode, done.stdout) == (0, f"{tmp_path}/index.html\n")
+def test_an_atlas_of_one_page_has_a_list_of_it(tmp_path, capsys):
+    words = [str(tmp_path), "--jobs", "1", "--only"]
+    assert atlas.main([*words, "Linial arrangement of A2"]) == 0
+    assert capsys.readouterr().out == f"{tmp_path}/index.html\n"
     assert "linial-arrangement-of-a2.html" in (tmp_path / "index.html").read_text()
-    nothing = subprocess.run([*command[:-1], "none"], capture_output=True, text=True, timeout=300)
-    assert nothing.returncode == 2
-    assert "no page has 'none' in its title" in nothing.stderr
+    with pytest.raises(SystemExit, match="2"):
+        atlas.main([*words, "none"])
+    assert "no page has 'none' in its title" in capsys.readouterr().err

@@ -58,8 +58,8 @@ class Entry(NamedTuple):
         """Return the arrangement itself."""
         if self.function == "census":
             return census.census(self.arguments[0])[self.arguments[1]]
-        made: Arrangement = getattr(families, self.function)(*self.arguments)
-        return made
+        planes: Arrangement = getattr(families, self.function)(*self.arguments)
+        return planes
 
 
 def entries() -> Iterator[Entry]:
@@ -134,23 +134,30 @@ def make(entry: Entry, folder: Path) -> None:
     (folder / f"{entry.name}.html").write_text(text, encoding="utf-8")
 
 
-def main() -> int:
+def made(chosen: list[Entry], folder: Path, jobs: int) -> Iterator[None]:
+    """Make pages, in so many processes, and yield after each."""
+    if jobs == 1:
+        yield from (make(entry, folder) for entry in chosen)
+        return
+    with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
+        for work in as_completed([pool.submit(make, entry, folder) for entry in chosen]):
+            yield work.result()
+
+
+def main(words: list[str] | None = None) -> int:
     """Make the pages that were asked for, and the list of them."""
     parser = argparse.ArgumentParser(description="Make an atlas of arrangements.")
     parser.add_argument("folder", type=Path)
     parser.add_argument("--only", default="", help="pages whose title has this text")
     parser.add_argument("--jobs", type=int, default=2)
-    arguments = parser.parse_args()
+    arguments = parser.parse_args(words)
     folder: Path = arguments.folder
     folder.mkdir(parents=True, exist_ok=True)
     chosen = [entry for entry in entries() if arguments.only.lower() in entry.title.lower()]
     if not chosen:
         parser.error(f"no page has {arguments.only!r} in its title")
-    with ProcessPoolExecutor(arguments.jobs, mp_context=get_context("spawn")) as pool:
-        works = [pool.submit(make, entry, folder) for entry in chosen]
-        for done, work in enumerate(as_completed(works), 1):
-            work.result()
-            print(f"\r{done}/{len(chosen)} pages", end="", file=sys.stderr, flush=True)
+    for done, _ in enumerate(made(chosen, folder, arguments.jobs), 1):
+        print(f"\r{done}/{len(chosen)} pages", end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)
     parts: dict[str, list[Entry]] = {}
     for entry in chosen:
