@@ -16,6 +16,7 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 from itertools import count, islice
 from pathlib import Path
 from random import Random
@@ -192,8 +193,19 @@ def _broken_text(text: bytes, source: Random) -> bytes:
     )  # fmt: skip
 
 
+#: What was answered to texts of files.
+_answers: dict[bytes, tuple[str, Any]] = {}
+
+
 def python_answer(path: Path) -> tuple[str, Any]:
     """Return the answer of the Python checker, and the question where the document has a form."""
+    text = path.read_bytes()
+    if text not in _answers:
+        _answers[text] = _new_answer(path)
+    return _answers[text]
+
+
+def _new_answer(path: Path) -> tuple[str, Any]:
     try:
         document = read_certificate(path)
         report = check(document)
@@ -227,19 +239,25 @@ def program_answers(program: Path, paths: list[Path], *options: str) -> list[str
     return lines
 
 
-def compare(program: Path, number: int, changed: int, seed: int, folder: Path) -> int:
-    """Compare all answers; print what differs and what was counted; return the differences."""
-    source = Random(f"formal {seed}")
-    paths, valid = [], set()
+@cache
+def texts(number: int, changed: int, seed: int) -> list[tuple[str, bytes]]:
+    """Return names and contents of files: documents, mutants of each, and unusual forms."""
+    source, found = Random(f"formal {seed}"), []
     for i, document in enumerate(islice(documents(seed), number)):
         for j in range(changed + 1):
-            paths.append(folder / f"{i}-{j}.json")
             text = mutant(document, source) if j else json.dumps(document).encode()
-            paths[-1].write_bytes(text)
-        valid.add(paths[-changed - 1])
-    for i, text in enumerate(forms()):
-        paths.append(folder / f"form-{i}.json")
+            found.append((f"{i}-{j}.json", text))
+    return [*found, *((f"form-{i}.json", text) for i, text in enumerate(forms()))]
+
+
+def compare(program: Path, number: int, changed: int, seed: int, folder: Path) -> int:
+    """Compare all answers; print what differs and what was counted; return the differences."""
+    paths, valid = [], set()
+    for name, text in texts(number, changed, seed):
+        paths.append(folder / name)
         paths[-1].write_bytes(text)
+        if name.endswith("-0.json") and not name.startswith("form"):
+            valid.add(paths[-1])
     lines, questions = (program_answers(program, paths, *o) for o in ((), ("--question",)))
     counted: Counter[tuple[bool, str]] = Counter()
     differences = 0

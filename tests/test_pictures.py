@@ -534,7 +534,8 @@ def test_all_pictures_of_all_instances_repeat_keep_labels_apart_and_compile(part
     names, kept = PLANAR[part::4], tmp_path / "kept.json"
     one = digests(names, ARRANGEMENTS, "3", str(kept))
     assert {line.split()[0] for line in one} == set(names)
-    assert one == digests(names, [], "4")
+    again = names[::3]
+    assert [line for line in one if line.split()[0] in again] == digests(again, [], "4")
     found = json.loads(kept.read_text(encoding="utf-8"))
     assert [(name, view, wrong) for name, view, _, _, wrong in found if wrong] == []
     for name in names if not_compiled() is None else ():
