@@ -81,19 +81,21 @@ def watched(items: Iterable[Item], unit: str, total: int | None = None) -> Itera
 
 def _telling(items: Iterable[Item], bar: Bar, line: _Watch) -> Iterator[Item]:
     outermost, line.free = line.free, False
-    began, asked = time.process_time(), not bar.total
+    began, asked = 0.0, not bar.total
     try:
         for done, item in enumerate(items, start=1):
             yield item
             if outermost:
                 bar.update(done)
-            if asked or bar.total is None or done < min(20, bar.total / 4):
+            # Without the first, which may import what others find.
+            began = began or time.process_time()
+            if asked or bar.total is None or done < max(2, min(20, bar.total / 4)):
                 continue
             passed = time.process_time() - began
             if passed > _MEASURED:
                 asked = True
                 text = f"{bar.total:,} {bar.unit}, of which {done:,} are done"
-                budget.ask(text, "ask for less", told=passed / done * bar.total)
+                budget.ask(text, "ask for less", told=passed / (done - 1) * bar.total)
     finally:
         bar.close()
         line.free = line.free or outermost

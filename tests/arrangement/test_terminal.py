@@ -265,7 +265,7 @@ def test_a_loop_that_will_not_end_within_the_budget_is_refused_by_its_pace(
     nested, monkeypatch, capsys
 ):
     seconds, done = iter(range(10**6)), []
-    monkeypatch.setattr(progress.time, "process_time", lambda: next(seconds) / 4)
+    monkeypatch.setattr(progress.time, "process_time", lambda: 2 * next(seconds))
 
     def command(arguments):
         for _ in watched(range(1 + nested), "outer"):
@@ -277,9 +277,9 @@ def test_a_loop_that_will_not_end_within_the_budget_is_refused_by_its_pace(
     parser.set_defaults(command=command)
     assert terminal.run(parser, []) == 2
     said = capsys.readouterr().err
-    assert "100 steps, of which 21 are done: this would take about 2.38 seconds; ask" in said
+    assert "100 steps, of which 20 are done: this would take about 10.5 seconds; ask" in said
     assert len(done) < 25
-    assert terminal.run(parser, ["--limit", "2"]) == 0
+    assert terminal.run(parser, ["--limit", "3"]) == 0
 
 
 @pytest.mark.usefixtures("on_a_terminal")
