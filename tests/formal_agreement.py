@@ -240,23 +240,22 @@ def program_answers(program: Path, paths: list[Path], *options: str) -> list[str
 
 
 @cache
-def texts(number: int, changed: int, seed: int) -> list[tuple[str, bytes]]:
-    """Return names and contents of files: documents, mutants of each, and unusual forms."""
+def texts(number: int, changed: int, seed: int) -> list[tuple[bytes, bool]]:
+    """Return documents, each with mutants of it, and unusual forms; and which are documents."""
     source, found = Random(f"formal {seed}"), []
-    for i, document in enumerate(islice(documents(seed), number)):
-        for j in range(changed + 1):
-            text = mutant(document, source) if j else json.dumps(document).encode()
-            found.append((f"{i}-{j}.json", text))
-    return [*found, *((f"form-{i}.json", text) for i, text in enumerate(forms()))]
+    for document in islice(documents(seed), number):
+        found.append((json.dumps(document).encode(), True))
+        found += [(mutant(document, source), False) for _ in range(changed)]
+    return [*found, *((text, False) for text in forms())]
 
 
 def compare(program: Path, number: int, changed: int, seed: int, folder: Path) -> int:
     """Compare all answers; print what differs and what was counted; return the differences."""
     paths, valid = [], set()
-    for name, text in texts(number, changed, seed):
-        paths.append(folder / name)
+    for i, (text, unchanged) in enumerate(texts(number, changed, seed)):
+        paths.append(folder / f"{i}.json")
         paths[-1].write_bytes(text)
-        if name.endswith("-0.json") and not name.startswith("form"):
+        if unchanged:
             valid.add(paths[-1])
     lines, questions = (program_answers(program, paths, *o) for o in ((), ("--question",)))
     counted: Counter[tuple[bool, str]] = Counter()

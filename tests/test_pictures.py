@@ -598,8 +598,18 @@ def test_a_region_is_styled_by_its_signs_and_its_number_and_a_circle_as_a_whole(
         assert item.style["ec"] == f"#00000{item.name.split('-')[1]}", item.name
     assert {x.style["ec"] for x in lines} == {f"#00000{k}" for k in (1, 2, 3, 4)}
     for wrong in (lambda: drawn.region("+++++"), lambda: drawn.circle(5), lambda: drawn.region(99)):
-        with pytest.raises(InputError, match="the picture has no"):
+        with pytest.raises(InputError, match=r"the picture has no .*; it has"):
             wrong()
+    signs = regions[front[0] - 1].signs
+    drawn.region(signs).set(facecolor="#abcdef")
+    assert "#abcdef" in {x.style.get("fc") for x in drawn.scene.items}
+    for style, said in (
+        ({"linewith": 2}, "did you mean linewidth"),
+        ({"fc": 3}, "colour"),
+        ({"color": "red"}, "of letters"),
+    ):
+        with pytest.raises(InputError, match=said):
+            drawn.region(signs).set(**style)
 
 
 def test_panels_keep_their_elements_and_share_what_their_legends_say_alike(tmp_path):

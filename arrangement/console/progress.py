@@ -81,7 +81,7 @@ def watched(items: Iterable[Item], unit: str, total: int | None = None) -> Itera
 
 def _telling(items: Iterable[Item], bar: Bar, line: _Watch) -> Iterator[Item]:
     outermost, line.free = line.free, False
-    began, asked = 0.0, not bar.total
+    began, asked = 0.0, False
     try:
         for done, item in enumerate(items, start=1):
             yield item
@@ -89,7 +89,7 @@ def _telling(items: Iterable[Item], bar: Bar, line: _Watch) -> Iterator[Item]:
                 bar.update(done)
             # Without the first, which may import what others find.
             began = began or time.process_time()
-            if asked or bar.total is None or done < max(2, min(20, bar.total / 4)):
+            if asked or not bar.total or not max(2, min(20, bar.total / 4)) <= done < bar.total:
                 continue
             passed = time.process_time() - began
             if passed > _MEASURED:

@@ -16,8 +16,9 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from arrangement.console.number_form import sign_text
 from arrangement.console.writing import write_bytes_atomically, write_text_atomically
-from arrangement.errors import InputError
+from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import shown
 
 from .output import (
@@ -39,7 +40,7 @@ from .themes import themed
 try:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
-    from matplotlib.colors import to_rgba
+    from matplotlib.colors import is_color_like, to_rgba
     from matplotlib.figure import Figure, FigureBase, SubFigure
     from matplotlib.patches import Circle, PathPatch, Rectangle
     from matplotlib.path import Path as Outline
@@ -316,6 +317,11 @@ _CIRCLES = ("front-{}-*", "limb-{}-*", "back-{}", "arc-{}-*", "line-{}", "edge-{
 _FACETS = "facet-*-plane-{}"
 
 
+#: Styles that can be changed, by what matplotlib calls them, too.
+_STYLES = {"facecolor": "fc", "edgecolor": "ec", "linewidth": "lw", "linestyle": "ls"}
+_STYLES |= {name: name for name in ("fc", "ec", "lw", "ls", "alpha", "hatch", "color")}
+
+
 class Elements:
     """Some elements of a drawing, to be styled.
 
@@ -330,13 +336,25 @@ class Elements:
             k for k, item in enumerate(items) if any(fnmatchcase(item.name, name) for name in names)
         ]
         if not self._found:
-            raise InputError(f"the picture has no {what}")
+            known = sorted({item.name for item in items} - {""})
+            raise InputError(f"the picture has no {what}; it has {shown(', '.join(known))}")
 
     def set(self, **style: Any) -> None:
-        """Change their style, as `Drawing.restyle` does."""
-        items = self._drawing.scene.items
+        """Change their style, as `Drawing.restyle` does.
+
+        Raises:
+            InputError: a style that is unknown, or a colour that is none.
+        """
+        for name, value in style.items():
+            if name not in _STYLES:
+                raise refusal(f"there is no style {shown(name)}", name, _STYLES)
+            if _STYLES[name] in ("fc", "ec", "color") and not is_color_like(value):
+                raise InputError(f'{name} is {shown(value)}; give a colour, "gold" or "#0072b2"')
+        own, items = {_STYLES[name]: x for name, x in style.items()}, self._drawing.scene.items
+        if "color" in own and any(isinstance(items[k], Path) for k in self._found):
+            raise InputError("color is of letters; a shape has fc inside, and ec for its line")
         for k in self._found:
-            items[k] = replace(items[k], style={**items[k].style, **style})
+            items[k] = replace(items[k], style={**items[k].style, **own})
         self._drawing.clear()
         figure(laid_out(self._drawing.scene), self._drawing)
 
@@ -353,10 +371,11 @@ class Drawing(Figure):
         self.scene = scene
         figure(laid_out(scene), self)
 
-    def region(self, which: int | str) -> Elements:
-        """Return what stands for a region, by its number or its signs as in ``"+-+"``."""
-        number = self.scene.numbers.get(str(which), which)
-        return Elements(self, f"region {which}", [f"{kind}-{number}" for kind in _REGIONS])
+    def region(self, which: int | str | Sequence[int]) -> Elements:
+        """Return what stands for a region, by its number, or its signs as numbers or ``"+-+"``."""
+        text = str(which) if isinstance(which, (int, str)) else sign_text(which)
+        number = self.scene.numbers.get(text, text)
+        return Elements(self, f"region {shown(text)}", [f"{kind}-{number}" for kind in _REGIONS])
 
     def circle(self, number: int) -> Elements:
         """Return what stands for a plane: its circle or line, and the edges that cross it.
@@ -373,7 +392,8 @@ class Drawing(Figure):
 
         Args:
             name: of elements, such as ``region-2`` or ``front-*``.
-            style: ``fc`` colour inside, ``ec`` of the line, ``lw`` its width in points, ``alpha``.
+            style: ``fc`` colour inside, ``ec`` of the line, ``lw`` its width in points, ``ls``,
+                ``alpha``, ``hatch``; of letters ``color``.
 
         Raises:
             InputError: the picture has no such element.

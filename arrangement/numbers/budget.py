@@ -45,11 +45,11 @@ MOST = {
     "directions in a picture": 720,
     "wrenches in a picture": 24,
 }
-#: So many times as long may a busy machine take.
+#: A pace is measured, also on slow and busy machines: so many times as long as what is foreseen.
 _BUSY = 3
 #: So many times.
 _times: ContextVar[float] = ContextVar("_times", default=1.0)
-#: The seconds of work that tells how far it is; in a usual command no more than of other work.
+#: The seconds of work that tells how far it is.
 _told: ContextVar[float] = ContextVar("_told", default=TOLD)
 
 
@@ -151,7 +151,6 @@ def watch(seconds: float) -> None:
     """
     most = min(seconds * times(), 1e9)
     # What takes longer than usual is to be asked for in so many words.
-    # A pace is measured, on slow and busy machines, too.
     _told.set(_BUSY * SECONDS if 0 < seconds <= STOPPED else min(seconds or TOLD, TOLD))
 
     def over(*_: Any) -> None:

@@ -282,6 +282,13 @@ def test_a_loop_that_will_not_end_within_the_budget_is_refused_by_its_pace(
     assert terminal.run(parser, ["--limit", "3"]) == 0
 
 
+def test_a_loop_that_is_done_is_not_refused(monkeypatch):
+    seconds = iter(range(0, 10**6, 100))
+    monkeypatch.setattr(progress.time, "process_time", lambda: next(seconds))
+    with progress.shown(), budget.limit(1e-3):
+        assert list(watched("ab", "letters")) == ["a", "b"]
+
+
 @pytest.mark.usefixtures("on_a_terminal")
 def test_every_command_shows_the_line_on_stderr_alone(capsys):
     def command(_):

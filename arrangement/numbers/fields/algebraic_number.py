@@ -22,11 +22,6 @@ class AlgebraicNumber(Irrational):
     With a float they are floats, as those of a `Fraction` are.
 
     ``//`` is the exact quotient, as it is wherever the package divides integers.
-
-    Attributes:
-        field: the field.
-        coefficients: integers, of the powers of the generator.
-        denominator: of all of them.
     """
 
     __slots__ = ("_sign",)
