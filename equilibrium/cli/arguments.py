@@ -215,7 +215,7 @@ def read(arguments: argparse.Namespace) -> Grasp:
 
 
 def usual_seconds(grasp: Grasp) -> float:
-    """Return what a search may take, by the clock; in space a minute, since proofs are long."""
+    """Return the seconds of a search; in space a minute, since proofs are long."""
     return budget.STOPPED * (1 if grasp.dimension == 2 else 6)
 
 

@@ -77,7 +77,7 @@ def _parser() -> terminal.Parser:
         "--time-limit",
         metavar="SECONDS",
         type=seconds,
-        help="give up then: exit code 2, in space 3",
+        help="of the processor; give up then: exit code 2, in space 3",
     )
     add_cone(solve)
     add_range(solve)

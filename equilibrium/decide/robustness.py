@@ -163,7 +163,7 @@ def _nearest(found: Any, turned: Any, bounds: Bounds) -> dict[str, Any]:
     factors of 8 as long as all turn it, then by halves. With the verdict come the largest changes
     of a coordinate, an entry of a normal and the values, and a proof for smaller bounds, if found.
     """
-    ends, deadline = (found.grasp, turned.grasp), time.monotonic() + SECONDS
+    ends, deadline = (found.grasp, turned.grasp), time.process_time() + SECONDS
     low, high = Fraction(0), Fraction(1)
     for _ in range(_STEPS):
         share = (low + high) / 2 if low else high / 8
@@ -172,7 +172,7 @@ def _nearest(found: Any, turned: Any, bounds: Bounds) -> dict[str, Any]:
             turned, high = other, share
         else:
             low = share
-        if time.monotonic() > deadline or 4 * low > 3 * high:
+        if time.process_time() > deadline or 4 * low > 3 * high:
             break
     change = dict.fromkeys(("point", "normal", *VALUES), Fraction(0))
     for old, new in zip(found.grasp, turned.grasp, strict=True):

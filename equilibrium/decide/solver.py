@@ -52,7 +52,8 @@ def solve(
         grasp: contacts in the object frame.
         wrench: applied, ``(f_x, f_y, tau)``, the torque about the origin; in space
             ``(f_x, f_y, f_z, tau_x, tau_y, tau_z)``.
-        time_limit: in seconds; none by default. In space the verdict is undecided when it is over.
+        time_limit: in seconds of the processor; none by default. In space the verdict is undecided
+            when it is over.
         shorten: in the plane look longer for a smaller proof that nothing balances the wrench.
         nodes: in space, of a tree; when they do not do the verdict is undecided.
         pyramid: in space, edges of a friction pyramid in place of the round cone, see
@@ -175,7 +176,7 @@ class Solver(Shown):
         from equilibrium.space.tree import NODES, Open, SpatialSearch
 
         cones = None if self._edges is None else Pyramids(self._edges)
-        deadline = math.inf if time_limit is None else time.monotonic() + time_limit
+        deadline = math.inf if time_limit is None else time.process_time() + time_limit
 
         def accept(found: Solution) -> bool:
             return bool(self._verdict(wrench, found).verify())

@@ -36,7 +36,7 @@ class ExactParts:
     """The exact programs of one question.
 
     Args:
-        deadline: of `time.monotonic`; `TimeoutError` is raised then.
+        deadline: of `time.process_time`; `TimeoutError` is raised then.
     """
 
     def __init__(self, contacts: FloatContacts, wrench: RationalVector, deadline: float) -> None:

@@ -38,7 +38,7 @@ def decide_in_plane(
         flat, load = in_plane(grasp, wrench, axes)
     except GraspError:
         return None
-    limit = None if deadline == math.inf else deadline - time.monotonic()
+    limit = None if deadline == math.inf else deadline - time.process_time()
     try:
         units = SearchUnits.of(flat, load)
         scaled = IntegerContacts(units.grasp(flat), units.range(within))

@@ -28,7 +28,7 @@ class StateProgram:
     Args:
         cones: of each contact, the conditions on its forces besides that the normal one is at
             least 0; without friction there are none.
-        deadline: of `time.monotonic`.
+        deadline: of `time.process_time`.
     """
 
     def __init__(
@@ -73,7 +73,7 @@ class StateProgram:
         rows.append(row)
 
     def _add_contact(self, i: int, contact: Contact, state: Ends, cone: Sequence[ConeRow]) -> None:
-        if time.monotonic() > self.deadline:
+        if time.process_time() > self.deadline:
             raise TimeoutError("the time is over")
         zero = [Fraction(0)] * 6
         gap = [contact.stiffness * x for x in contact.normal_wrench]

@@ -74,7 +74,7 @@ class SpatialSearch:
     Args:
         cones: of friction.
         accept: whether a proposal is proved to be an equilibrium.
-        deadline: of `time.monotonic`.
+        deadline: of `time.process_time`.
         nodes: of a tree, at most.
         within: the range in which equilibria count; `accept` knows it, too.
         memory: of other loads on the grasp, with the same cones and range.
@@ -98,7 +98,7 @@ class SpatialSearch:
         self.relaxation = Relaxation(contacts, wrench, self.cones, within)
         self.leaves = Leaves(contacts, wrench, self.cones, within)
         if math.isfinite(deadline):
-            self.relaxation.settings.time_limit = max(0.01, deadline - time.monotonic())
+            self.relaxation.settings.time_limit = max(0.01, deadline - time.process_time())
         self.smooth = SpatialContinuation(contacts, wrench, self.cones)
         #: The last as given; before it one of smaller frictions, if some are huge.
         self.searches = [self.smooth]
@@ -179,7 +179,7 @@ class SpatialSearch:
         """Return an equilibrium that the smoothed balance leads to."""
         for smooth in self.searches:
             for end, eps in smooth.path(motion, sharpness):
-                if time.monotonic() > self.deadline:
+                if time.process_time() > self.deadline:
                     break
                 if isinstance(self.exact, PyramidParts):
                     found = self._smooth_pyramids(self.exact, end, eps)
@@ -252,7 +252,7 @@ class SpatialSearch:
             nodes = tree.nodes
             if nodes >= most:
                 return Open(f"after {nodes} nodes the tree is not closed", self.residual)
-            if time.monotonic() > self.deadline:
+            if time.process_time() > self.deadline:
                 closed = f"{nodes} nodes, {tree.leaves} of them closed"
                 raise TimeoutError(f"the time is over after {closed}")
             states, parent, position = tree.waiting.pop()

@@ -40,7 +40,7 @@ class Program:
         n: the number of variables.
         inequalities: rows of n + 1 rationals, constant last, each ``>= 0``.
         equalities: rows of n + 1 rationals, constant last, each ``= 0``.
-        deadline: on the clock `time.monotonic`.
+        deadline: on the clock `time.process_time`, which other work does not hasten.
 
     Raises:
         ArrangementError: a row has the wrong length.

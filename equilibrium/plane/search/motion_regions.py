@@ -86,7 +86,7 @@ class MotionRegions:
     """The search for one question.
 
     Args:
-        deadline: on the clock `time.monotonic`.
+        deadline: on the clock `time.process_time`.
         rounds: how often the numbers of a virtual motion are made finer before a region is cut.
         turn: how much wide angles count when an edge is chosen.
     """
@@ -131,7 +131,7 @@ class MotionRegions:
                 seconds=3e-6 * count**3,
             )
         while active:
-            if time.monotonic() > self.deadline:
+            if time.process_time() > self.deadline:
                 raise TimeLimitError(
                     f"the time limit has passed with {len(active)} regions of motions open; "
                     "give more time, or none"
@@ -340,13 +340,13 @@ def resistance(
     """Return an equilibrium, or the tree that proves that there is none; always one of the two.
 
     Args:
-        time_limit: in seconds.
+        time_limit: in seconds of the processor.
         shorten: try for a smaller tree, within the time.
 
     Raises:
         TimeLimitError: the time has passed.
     """
-    deadline = math.inf if time_limit is None else time.monotonic() + time_limit
+    deadline = math.inf if time_limit is None else time.process_time() + time_limit
     regions = MotionRegions(contacts, wrench, deadline)
     leaf = regions.half_space()
     if leaf is not None:

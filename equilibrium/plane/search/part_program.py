@@ -233,7 +233,7 @@ class PartProgram:
         """Return the leaf that closes the part, or what balances the load in it, exactly.
 
         Raises:
-            TimeoutError: the deadline has passed, on the clock `time.monotonic`.
+            TimeoutError: the deadline has passed, on the clock `time.process_time`.
         """
         cuts = self.cuts or self.cuts_at(*self._works(primitive(self.region.wrench)))
         rows = [self._cut_row(cut) for cut in cuts]

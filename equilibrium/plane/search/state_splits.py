@@ -28,7 +28,7 @@ class StateSplits:
     Args:
         generators: of the region: four, or the seven of the half space.
         limit: of the number of programs.
-        deadline: on the clock `time.monotonic`.
+        deadline: on the clock `time.process_time`.
     """
 
     def __init__(
