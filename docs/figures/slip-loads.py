@@ -22,8 +22,8 @@ def make():
     with MEASURED.open(encoding="utf-8") as file:
         ends = [r for r in csv.DictReader(file) if r["exact"] != "never"]
     rows = [r for r in ends if r["slip"] not in ("none", "not settled")]
-    line = [f(float(r[k]) for r in rows for k in ("exact", "slip")) for f in (min, max)]
-    figure = Figure(figsize=(6.4, 6.4), layout="constrained")
+    line = [f(float(r["exact"]) for r in rows) for f in (min, max)]
+    figure = Figure(figsize=(5, 8.4), layout="constrained")
     panels = figure.subplots(2, 2, sharex=True, sharey=True).flat
     for axes, (engine, setting) in zip(panels, PANELS, strict=True):
         axes.loglog(line, line, color="black", lw=0.8)
