@@ -39,7 +39,8 @@ def unit(vectors: Any) -> Floats:
 
 def unit_vectors(vectors: Sequence[Sequence[Any]]) -> Floats:
     """Return unit vectors, zeros for 0; exact numbers are divided before they become floats."""
-    return unit([[float(x / (max(map(abs, v)) or 1)) for x in v] for v in vectors]).reshape(-1, 3)
+    found = unit([[float(x / (max(map(abs, v)) or 1)) for x in v] for v in vectors])
+    return found if len(found) else found.reshape(0, 3)
 
 
 def face_normal(corners: Floats) -> Floats:

@@ -14,10 +14,11 @@ the weights are a mean of all bases, so they lie inside the polytope of bases.
 
 from __future__ import annotations
 
+import itertools
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -33,7 +34,7 @@ from arrangement.library.families.classical import positive_roots
 from arrangement.numbers import budget
 from arrangement.numbers.entries import real_vector
 from arrangement.numbers.exact import IntegerVector, dot, primitive, shown
-from arrangement.numbers.linear.rank import cross, triple_product
+from arrangement.numbers.linear.rank import cross, rank
 from arrangement.planes.planes import Planes
 
 from .essential import inverse_root, rounded_map
@@ -61,7 +62,7 @@ class Symmetry:
 
     Attributes:
         frame: normals n become ``frame n`` in it, points x ``frame^-T x``.
-        group: (g, 3, 3) orthogonal matrices, one of each pair A, -A.
+        group: (g, d, d) orthogonal matrices, one of each pair A, -A.
         shape: normals n become ``shape n`` in symmetric coordinates, the nearest to the given ones.
     """
 
@@ -75,6 +76,14 @@ class Symmetry:
         kept = np.abs(np.einsum("pi,gij,pj->pg", framed, self.group, framed)) > 1 - _CLOSE
         return np.asarray(kept.sum(axis=1))
 
+    def turned(self) -> Floats:
+        """Return two orthonormal vectors in the frame, of a plane that turns by the least angle."""
+        values, vectors = np.linalg.eig(np.concatenate([self.group, -self.group]))
+        angles = np.where(values.imag > _CLOSE, np.angle(values), 4.0)
+        least = np.unravel_index(np.argmin(np.round(angles, 6)), angles.shape)
+        vector = vectors[least[0], :, least[1]]
+        return unit(np.array([vector.real, vector.imag]))
+
 
 def in_coordinates(
     coordinates: str | None, arrangement: Arrangement, direction: Vector | None = None
@@ -87,37 +96,18 @@ def in_coordinates(
             None: given if they have a meaning (`Planes.axes`), else symmetric, or even for narrow
             planes that have no other symmetric ones. Lines of R^2 and planes off the origin have
             symmetric ones if they are those of a root system (see `root_map`).
-        arrangement: planes in R^3 or lines in R^2; other ones are returned as they are.
+        arrangement: planes in R^3, lines in R^2, or central planes of full rank in any space; other
+            ones are returned as they are.
         direction: of points, in given coordinates.
 
     >>> skew = Arrangement([[1, 0, 0], [1, 1, 0], [1, 1, 1]])
     >>> in_coordinates("symmetric", skew)[0].f_vector == skew.f_vector
     True
     """
-    chosen = coordinates or ("given" if arrangement.axes else "symmetric")
-    if chosen not in CHOICES:
-        raise refusal(f"the coordinates are {shown(chosen)}", chosen, CHOICES)
-    central = arrangement.dimension == 3 and arrangement.is_central
-    matrix = None if chosen != "symmetric" or central else root_map(arrangement)
-    if central and chosen != "given":
-        normals = unit_vectors([plane[:3] for plane in arrangement.distinct_planes])
-        full = arrangement.rank == 3
-        matrix = even_map(normals) if full and chosen == "even" else None
-        if chosen == "symmetric":
-            matrix = symmetric_map(arrangement)
-        if matrix is None and coordinates is None and full and is_narrow(normals):
-            matrix = even_map(normals)
-            note(
-                "the planes are narrow: drawn with normals spread evenly, unless coordinates "
-                "given are asked for"
-            )
+    matrix = coordinate_map(coordinates, arrangement)
     if matrix is None:
         return arrangement, direction
-    rows, scale = rounded_map(matrix, 1 << 10)
-    moved = Arrangement(
-        [[dot(row, plane[:-1]) for row in rows] for plane in arrangement.integer_planes],
-        [scale * offset for offset in arrangement.offsets],
-    )
+    moved, rows = mapped(matrix, arrangement)
     if direction is not None and len(rows) == 3:
         given = real_vector(direction, "direction")
         if len(given) == 3:
@@ -125,6 +115,38 @@ def in_coordinates(
             cofactors = (cross(two, three), cross(three, one), cross(one, two))
             direction = [dot(row, given) for row in cofactors]
     return moved, direction
+
+
+def coordinate_map(coordinates: str | None, arrangement: Arrangement) -> Floats | None:
+    """Return the matrix for normals of `in_coordinates`, None for none."""
+    chosen = coordinates or ("given" if arrangement.axes else "symmetric")
+    if chosen not in CHOICES:
+        raise refusal(f"the coordinates are {shown(chosen)}", chosen, CHOICES)
+    full = arrangement.rank == arrangement.dimension
+    spatial = arrangement.dimension == 3 or (full and arrangement.dimension > 3)
+    if not (arrangement.is_central and spatial):
+        return None if chosen != "symmetric" else root_map(arrangement)
+    normals = unit_vectors([plane[:-1] for plane in arrangement.distinct_planes])
+    matrix = even_map(normals) if full and chosen == "even" else None
+    if chosen == "symmetric":
+        matrix = symmetric_map(arrangement)
+    if matrix is None and coordinates is None and full and is_narrow(normals):
+        matrix = even_map(normals)
+        note(
+            "the planes are narrow: drawn with normals spread evenly, unless coordinates "
+            "given are asked for"
+        )
+    return matrix
+
+
+def mapped(matrix: Floats, planes: Planes) -> tuple[Arrangement, list[IntegerVector]]:
+    """Return planes whose normals are multiplied by a matrix, and the matrix, rounded."""
+    rows, scale = rounded_map(matrix, 1 << 10)
+    moved = Arrangement(
+        [[dot(row, plane[:-1]) for row in rows] for plane in planes.integer_planes],
+        [scale * offset for offset in planes.offsets],
+    )
+    return moved, rows
 
 
 def root_map(arrangement: Planes) -> Floats | None:
@@ -155,21 +177,27 @@ def root_map(arrangement: Planes) -> Floats | None:
 def symmetric_map(arrangement: Arrangement) -> Floats | None:
     """Return the matrix for normals that makes planes symmetric; None where it changes nothing."""
     found = symmetry(arrangement)
-    return None if found is None or np.allclose(found.shape, np.eye(3), atol=1e-6) else found.shape
+    if found is None or np.allclose(found.shape, np.eye(arrangement.dimension), atol=1e-6):
+        return None
+    return found.shape
 
 
 def symmetry(arrangement: Planes) -> Symmetry | None:
-    """Return the group of central planes of rank 2 or 3 in R^3; None if it is small.
+    """Return the group of central planes of full rank, or of rank 2 in R^3; None if it is small.
 
     Small: the identity and one more map at most, up to sign; one mirror alone says too little about
     good coordinates. In rank 2 the common line of the planes counts as one more normal.
     """
-    firsts = [plane[:3] for plane in arrangement.distinct_planes]
-    if arrangement.rank == 2:
+    size = arrangement.dimension
+    firsts = [plane[:size] for plane in arrangement.distinct_planes]
+    if arrangement.rank == 2 and size == 3:
         firsts.append(primitive(cross(firsts[0], firsts[1])))
-    elif arrangement.rank < 2:
+    elif arrangement.rank < size:
         return None
-    if len(firsts) > (most := budget.most("planes whose symmetry is looked for")):
+    # As many bases as there are triples of planes in R^3.
+    bases = math.comb(budget.most("planes whose symmetry is looked for"), 3)
+    if math.comb(len(firsts), size) > bases:
+        most = next(n for n in itertools.count(size) if math.comb(n + 1, size) > bases)
         note(f"no symmetry is looked for beyond {most} planes; given coordinates are drawn")
         return None
     normals = unit_vectors(firsts)
@@ -202,7 +230,7 @@ def orbits(arrangement: Planes, regions: Sequence[tuple[int, ...]]) -> list[int]
     graph: Any = nx.empty_graph(len(regions))
     found = symmetry(arrangement)
     images = [-signs]
-    normals = unit_vectors([plane[:3] for plane in arrangement.distinct_planes])
+    normals = unit_vectors([plane[:-1] for plane in arrangement.distinct_planes])
     for matrix in () if found is None else found.group:
         units = unit(normals @ found.frame.T) if found else normals
         cosines = units @ matrix @ units.T
@@ -220,27 +248,27 @@ def orbits(arrangement: Planes, regions: Sequence[tuple[int, ...]]) -> list[int]
 
 
 def _base_shares(normals: Sequence[IntegerVector], units: Floats) -> Floats:
-    """Return the share of the bases that have each normal; exact counts, their sum is 3.
+    """Return the share of the bases that have each normal; exact counts, their sum is d.
 
     Where the determinant of the unit vectors, in floats, is above all roundings, it is not 0.
     """
-    chosen = np.array(list(combinations(range(len(normals)), 3))).reshape(-1, 3)
-    one, two, three = units[chosen].transpose(1, 0, 2)
-    bases = np.abs((np.cross(one, two) * three).sum(axis=1)) > _SURE
+    size = units.shape[1]
+    chosen = np.array(list(itertools.combinations(range(len(normals)), size))).reshape(-1, size)
+    bases = np.abs(np.linalg.det(units[chosen])) > _SURE
     for n in np.flatnonzero(~bases).tolist():
-        bases[n] = bool(triple_product(*(normals[i] for i in chosen[n].tolist())))
+        bases[n] = rank([normals[i] for i in chosen[n].tolist()]) == size
     counts = np.bincount(chosen[bases].ravel(), minlength=len(normals)).astype(float)
-    shares: Floats = counts * (3 / counts.sum())
+    shares: Floats = counts * (size / counts.sum())
     return shares
 
 
 def _balanced(normals: Floats, weights: Floats) -> Floats | None:
     """Return a matrix after which weighted unit normals have the identity as sum of squares."""
-    frame = np.eye(3)
+    frame = whole = np.eye(normals.shape[1])
     for _ in range(_ROUNDS):
         moved = unit(normals @ frame.T)
         squares = (moved.T * weights) @ moved
-        if np.abs(squares - np.eye(3)).max() < _CLOSE / 100:
+        if np.abs(squares - whole).max() < _CLOSE / 100:
             return frame
         if np.linalg.eigvalsh(squares)[0] < _FLAT:
             return None
@@ -252,25 +280,32 @@ def _balanced(normals: Floats, weights: Floats) -> Floats | None:
 
 
 def _group(units: Floats) -> Floats:
-    """Return the orthogonal maps that permute lines, (g, 3, 3), one of each pair A, -A.
+    """Return the orthogonal maps that permute lines, (g, d, d), one of each pair A, -A.
 
-    A map is known by what it does to three independent lines; all triples with the same angles are
+    A map is known by what it does to d independent lines; all that have the same angles are
     tried, with all signs.
     """
+    size = units.shape[1]
     angles = np.abs(units @ units.T)
-    i = 0
-    j = int(np.argmin(angles[i]))
-    k = int(np.argmax(np.abs(units @ np.cross(units[i], units[j]))))
-    alike = [np.abs(angles - angles[pair]) < _CLOSE for pair in ((i, j), (i, k), (j, k))]
-    triples = np.argwhere(alike[0][:, :, None] & alike[1][:, None, :] & alike[2][None])
-    back = np.linalg.inv(units[[i, j, k]].T)
+    base, images = [0], np.arange(len(units))[:, None]
+    while len(base) < size:
+        # The line farthest from those that are chosen.
+        span = np.linalg.qr(units[base].T)[0]
+        base.append(int(np.argmax(np.linalg.norm(units - units @ span @ span.T, axis=1))))
+        alike = [
+            np.abs(angles[images[:, k]] - angles[b, base[-1]]) < _CLOSE
+            for k, b in enumerate(base[:-1])
+        ]
+        rows, added = np.nonzero(np.all(alike, axis=0))
+        images = np.column_stack([images[rows], added])
+    back = np.linalg.inv(units[base].T)
     found = []
-    for signs in ((1, 1, 1), (1, 1, -1), (1, -1, 1), (1, -1, -1)):
-        maps = (units[triples] * np.array(signs)[:, None]).transpose(0, 2, 1) @ back
+    for signs in itertools.product((1, -1), repeat=size - 1):
+        maps = (units[images] * np.array([1, *signs])[:, None]).transpose(0, 2, 1) @ back
         square = maps.transpose(0, 2, 1) @ maps
-        maps = maps[np.abs(square - np.eye(3)).max(axis=(1, 2), initial=0) < 10 * _CLOSE]
-        images = np.abs(units @ maps @ units.T).max(axis=1, initial=0)
-        found.append(maps[images.min(axis=1, initial=1) > 1 - _CLOSE])
+        maps = maps[np.abs(square - np.eye(size)).max(axis=(1, 2), initial=0) < 10 * _CLOSE]
+        taken = np.abs(units @ maps @ units.T).max(axis=1, initial=0)
+        found.append(maps[taken.min(axis=1, initial=1) > 1 - _CLOSE])
     return np.concatenate(found)
 
 
@@ -281,12 +316,13 @@ def even_map(normals: Floats) -> Floats:
     estimator of scatter, pulled towards the identity, so that they end for every input.
 
     Args:
-        normals: (c, 3) unit vectors of distinct planes, of rank 3.
+        normals: (c, d) unit vectors of distinct planes, of rank d.
     """
-    whole = np.eye(3)
+    size = normals.shape[1]
+    whole = np.eye(size)
     for _ in range(_EVEN_ROUNDS):
         moved = unit(normals @ whole.T)
-        scatter = (1 - _PULL) * 3 * moved.T @ moved / len(moved) + _PULL * np.eye(3)
+        scatter = (1 - _PULL) * size * moved.T @ moved / len(moved) + _PULL * np.eye(size)
         whole = inverse_root(scatter) @ whole
     return _normed(whole)
 
