@@ -197,8 +197,8 @@ class Arrangement(Planes):
         """Draw a picture as a figure of matplotlib (the extra ``figures``), which writes TikZ, too.
 
         Args:
-            view: "sphere", "planes", "cells", "lines", "stereographic", "gnomonic", "dual", "graph"
-                or "lattice"; if omitted, the one that suits best.
+            view: "sphere", "planes", "cells", "lines", "stereographic", "gnomonic", "dual",
+                "section", "graph", "poset" or "lattice"; if omitted, the one that suits best.
             options: those of the view, such as ``draw_sphere``; ``ax`` to draw into axes of yours.
 
         Raises:

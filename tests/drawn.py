@@ -13,6 +13,7 @@ from arrangement.drawing.registry import Drawings
 from arrangement.drawing.scene.items import Item, Label, Path
 from arrangement.drawing.scene.labels import flattened
 from arrangement.drawing.scene.scene import Scene, measure
+from arrangement.library.families import generic
 from arrangement.pictures import DRAWINGS as OF_PLANES
 from equilibrium import read_grasp
 from equilibrium.pictures import DRAWINGS as OF_GRASPS
@@ -45,7 +46,8 @@ def scene(drawings: Drawings, view: str, name: str = "", **options: Any) -> Scen
     draw = getattr(importlib.import_module(f"{drawings.package}.{module}"), function)
     read: Any = read_arrangement if drawings is OF_PLANES else read_grasp
     with own_settings():
-        made: Scene = draw.scene(read(name), **(NEEDED.get(view, {}) | options))
+        subject = generic(5, 4) if view == "section" else read(name)
+        made: Scene = draw.scene(subject, **(NEEDED.get(view, {}) | options))
     return made
 
 

@@ -17,6 +17,7 @@ SHOWN = [
     for block in blocks(TEXT)
     if block.argument == "console"
     for _, command, _ in commands(block)
+    if not command.startswith("arrangement make")
 ]
 
 
@@ -29,8 +30,9 @@ MODELS = (".stl", ".glb", ".obj")
 
 
 def drawn(words: list[str]) -> str:
-    """Return the view that a command of `arrangement` draws if it names none."""
-    if words[0] == "equilibrium" or not words[-1].endswith((".svg", ".pdf", ".png", ".tex")):
+    """Return the view that a command of `arrangement` draws of built-in planes if it names none."""
+    own = words[0] == "equilibrium" or words[2].endswith(".json")
+    if own or not words[-1].endswith((".svg", ".pdf", ".png", ".tex")):
         return ""
     return next(iter(drawings_of(read_arrangement(words[2])).views))
 

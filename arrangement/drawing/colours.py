@@ -190,7 +190,9 @@ def _colouring(
         raise InputError("antipodes goes with the colouring parity; leave out the other colouring")
     if colour == "orbits":
         if orbits is None:
-            raise InputError("orbits are those of central planes in R^3; choose another colouring")
+            raise InputError(
+                "orbits are those of central planes in R^3 or of full rank; choose another one"
+            )
         of = dict(zip((region.signs for region in regions), orbits(), strict=True))
         sizes = Counter(of.values())
         return Colouring(

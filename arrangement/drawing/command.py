@@ -25,6 +25,7 @@ _KINDS: dict[str, dict[str, Any]] = {
     "Vector": {"type": terminal.rational_argument, "nargs": 3, "metavar": ("X", "Y", "Z")},
     "Wrench": {"type": terminal.rational_argument, "nargs": 3, "metavar": ("FX", "FY", "TAU")},
     "Corner": {"type": lambda text: text.split(","), "metavar": "X,Y"},
+    "Equation": {"type": lambda text: text.split(","), "metavar": "A,B,..,E"},
     "bool": {"action": argparse.BooleanOptionalAction, "default": None},
 }
 #: Options of all pictures.

@@ -50,6 +50,7 @@ Vector: TypeAlias = Sequence[object]
 Exact: TypeAlias = object
 Wrench: TypeAlias = Iterable[Any]
 Corner: TypeAlias = Iterable[Any]
+Equation: TypeAlias = Iterable[Any]
 #: Of regions: a word, or some regions, by sign vector or number, with or without texts.
 Labels: TypeAlias = str | Mapping[Any, str] | Iterable[Any]
 #: Names of axes, or True for those that suit.

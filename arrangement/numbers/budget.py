@@ -40,6 +40,7 @@ MOST = {
     "planes in a body": 40,
     "cells in a picture": 400,
     "flats of one rank in a picture": 500,
+    "regions in a picture": 1200,
     "contacts with a choice of three states": 12,
     "contacts in a picture": 200,
     "directions in a picture": 720,

@@ -29,10 +29,12 @@ DRAWINGS = Drawings(
         "stereographic": "sphere.stereographic:draw_stereographic",
         "gnomonic": "sphere.gnomonic:draw_gnomonic",
         "dual": "duals.dual:draw_dual",
+        "section": "space.planes:draw_section",
         "graph": "duals.graph:draw_graph",
+        "poset": "duals.poset:draw_poset",
         "lattice": "diagrams.lattice:draw_lattice",
     },
-    models={"dual": "duals.solids:dual_model", "cells": "space.cells:cells_model"},
+    models={"dual": "duals.dual:dual_model", "cells": "space.cells:cells_model"},
     pages={"arrangement": "page.page:arrangement_page", "cells": "space.cells:cells_page"},
 )
 

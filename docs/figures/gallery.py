@@ -38,7 +38,7 @@ def set_in_latex(source: Path) -> None:
     figure.savefig(f"{target}.png")
 
 
-for command in re.findall(r"^ *\$ (\w+ (?:draw|lab) (?:.*\\\n)*.*)$", TEXT, re.MULTILINE):
+for command in re.findall(r"^ *\$ (\w+ (?:make|draw|lab) (?:.*\\\n)*.*)$", TEXT, re.MULTILINE):
     name, *words = shlex.split(command.replace("\\\n", " "))
     made = words[-1]
     for path in (made, *{made.replace(".svg", ".tex")} - {made}):

@@ -94,6 +94,7 @@ def test_elements_drawn_are_those_counted(view, name):
         "whole": {"region": regions, "arc": facets},
         "dual": {"vertex": regions, "edge": facets, "face": rays // 2 if planes.rank > 2 else 1},
         "graph": {"vertex": regions, "edge": facets},
+        "poset": {"vertex": regions, "edge": facets},
         "lattice": {"flat": sum(whitney_numbers(planes).second)},
     }.get(view, {})
     if not expected:

@@ -15,23 +15,27 @@ from arrangement.drawing.colours import (
     Choice,
     Painter,
     letter_colour,
+    side_colour,
 )
 from arrangement.drawing.figure import picture
+from arrangement.drawing.output import millimetres
 from arrangement.drawing.registry import Labels, Vector
 from arrangement.drawing.scene.items import Box, Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, ring, tried, write_along, write_beside
 from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import lit, unit, unit_vectors
 from arrangement.duals.zonohedron import dual_polyhedron
+from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector
 from arrangement.pictures.parts.coordinates import in_coordinates
-from arrangement.pictures.parts.essential import shown_as
+from arrangement.pictures.parts.essential import brought, shown_as
 from arrangement.pictures.parts.names import RegionLabels, explain_regions, plane_names, stroke
 from arrangement.pictures.sphere.disc import HIDDEN, Disc, front, rim_width
 from arrangement.pictures.sphere.globe import Globe, clear_direction
 from arrangement.pictures.sphere.projections import orthographic
 
-from .solids import SeenSolid, dual_solid, hull_solid
+from .schlegel import draw_schlegel, schlegel_model
+from .solids import SeenSolid, dual_solid, hull_solid, unit_lengths
 
 #: Below this width the two panels stand one above the other; in millimetres.
 SIDE_BY_SIDE = 120.0
@@ -51,13 +55,17 @@ def draw_dual(
     hull: bool = False,
     coordinates: str | None = None,
 ) -> Scene:
-    """Draw the great circles of central planes in R^3, and beside them the dual polyhedron.
+    """Draw the dual of central planes: up to rank 3 a polyhedron, beside the great circles in R^3.
 
     Both are seen from the same direction. A region of the sphere and its vertex of the dual have
     the same colour and sign vector; a circle and its zone of parallel edges have the same colour
     and number. Both are lit from the upper left, from in
     front. Hidden edges are dashed; which are hidden is decided exactly. The generators of
     the dual have length 1. In rank 2 the dual is a polygon, in rank 1 a segment.
+
+    In rank 4 it is a polytope in R^4, and there is its Schlegel diagram alone: seen through a
+    largest facet, of these a most symmetric one, the rest of its surface is inside this
+    facet. Near edges are thicker and pass over the others; vertices are those of `draw_graph`.
 
     With `hull` the second panel has instead the convex hull of one point of the unit sphere for
     each region (see `arrangement.representative_hull`). Edges of the hull between
@@ -68,7 +76,7 @@ def draw_dual(
     ``face-2`` for the visible faces.
 
     Args:
-        arrangement: central, in R^3, of rank 1 to 3; rank 3 for the hull.
+        arrangement: central, of rank 1 to 4; rank 3 for the hull.
         direction: the exact direction towards the viewer; if omitted, one from above in which no
             circle is edge-on and no vertex hides its opposite.
         azimuth, colour, antipodes, labels: as for `draw_sphere`.
@@ -80,9 +88,14 @@ def draw_dual(
         InputError: another space or rank, planes off the origin, too many circles, unknown
             colouring.
     """
-    names = RegionLabels(arrangement, labels)
     if coordinates is None and hull:
         coordinates = "given"
+    if arrangement.rank == 4:
+        if hull:
+            raise InputError("the hull is that of regions in R^3; leave it out")
+        seen = (direction, azimuth)
+        return draw_schlegel(arrangement, coordinates, seen, colour, antipodes, labels, width)
+    names = RegionLabels(arrangement, labels)
     arrangement, direction = in_coordinates(coordinates, arrangement, direction)
     globe = Globe(arrangement, direction)
     if direction is None and not hull:
@@ -282,3 +295,34 @@ _HULL_STYLES: dict[int, dict[str, Any]] = {
     -1: {"ec": VERMILION, "lw": 1.7, "zorder": 4},
     -2: {"ec": BLUE, "lw": 1.4, "ls": (0, (1.2, 1.2)), "zorder": 4.5},
 }
+
+
+def dual_model(
+    arrangement: Arrangement,
+    suffix: str,
+    *,
+    size: float = 60.0,
+    explode: float = 1.3,
+    coordinates: str | None = None,
+) -> bytes:
+    """Return the dual polyhedron as a file; see `DualPolyhedron.export`.
+
+    In GLB a face is coloured by its number of corners. In rank 4 there are the cells of the
+    Schlegel diagram instead, as parts that stand apart.
+
+    Args:
+        arrangement: central, of rank 3 or 4; in another space its essentialisation.
+        suffix: ``.stl``, ``.glb`` or ``.obj``.
+        size: the largest side of the bounding box, in millimetres, before parts move.
+        explode: of rank 4, how far the cells stand apart; with 1 they stay together.
+        coordinates: as for `draw_dual`, with generators of length 1; with "given" those of the
+            file, in rank 3 of its lengths.
+    """
+    arrangement, length = brought(arrangement, "dual"), millimetres(size, "size")
+    if arrangement.rank == 4:
+        return schlegel_model(arrangement, suffix, length, explode, coordinates)
+    arrangement, _ = in_coordinates(coordinates, arrangement)
+    lengths = None if coordinates == "given" else unit_lengths(arrangement)
+    dual = dual_polyhedron(arrangement, lengths)
+    colours = tuple(side_colour(len(face)) for face in dual.faces)
+    return dual.model(suffix, length, colours)

@@ -1,56 +1,62 @@
-"""The graph of the dual as a planar drawing with straight edges."""
+"""The graph of regions: drawn without crossings where it is planar, else as the dual is seen."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from arrangement.arrangement import Arrangement
+from arrangement.counts import region_count
 from arrangement.drawing.colours import (
     CHECKERS,
     Choice,
     DrawnRegion,
     colouring,
     letter_colour,
+    pale,
 )
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Labels
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, tried, write_along, write_beside
 from arrangement.drawing.scene.scene import Scene
-from arrangement.drawing.solids.sight import unit_vectors
+from arrangement.drawing.solids.sight import unit, unit_vectors
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.duals.zonotope import dual_polygon, dual_segment
+from arrangement.enumeration.regions import neighbours
 from arrangement.numbers import budget
-from arrangement.numbers.linear.rank import cycle_edges
-from arrangement.pictures.parts.coordinates import orbits, symmetry
+from arrangement.pictures.parts.coordinates import in_coordinates, orbits, symmetry
 from arrangement.pictures.parts.essential import shown_as
-from arrangement.pictures.parts.names import RegionLabels, dot, explain_regions, plane_names
+from arrangement.pictures.parts.names import RegionLabels, dot, explain_regions, plane_names, stroke
 
-from .solids import edges_of, flat_edges
+from .solids import Edge, edges_of, flat_edges
+from .tutte import tutte_places
+
+#: Up to so many regions have labels where edges cross.
+FEW = 40
+#: So many planes of projection are tried, this far from one of symmetry.
+_TRIED, _TILT = 60, 0.12
 
 
 @dataclass(frozen=True)
-class PlanarGraph:
-    """The graph of the dual with places that give a planar drawing.
+class PlacedGraph:
+    """The graph of regions with places for a drawing.
 
     Attributes:
-        places: (V, 2); in the unit circle.
+        places: (V, 2), or (V, 3): to the right, up, and towards the viewer.
         signs: the sign vector of each vertex's region.
         edges: vertex, vertex, and the class of planes of the edge.
-        outer: the outer face, in cyclic order.
+        outer: of a planar drawing of rank 3, the outer face, in cyclic order.
     """
 
     places: Floats
     signs: tuple[tuple[int, ...], ...]
-    edges: tuple[tuple[int, int, int], ...]
-    outer: tuple[int, ...]
+    edges: tuple[Edge, ...]
+    outer: tuple[int, ...] = ()
 
 
 @picture()
@@ -63,53 +69,98 @@ def draw_graph(
     labels: Labels | None = None,
     width: float = 88.0,
 ) -> Scene:
-    """Draw the graph of the dual (regions, and which of them share a facet) without crossings.
+    """Draw the graph of the dual: regions, and which of them share a facet.
 
-    The outer polygon is a largest face, of these a most symmetric one; all other vertices are at
-    weighted means of their neighbours (Tutte's theorem), so that edges are straight and never
-    cross. Round vertices have an even number of negative classes of planes, square ones an odd
+    For central planes up to rank 3 no edges cross: the outer polygon is a largest face, of these a
+    most symmetric one; all other vertices are at weighted means of their neighbours (Tutte's
+    theorem), so that edges are straight. In rank 2 the graph is a cycle, in rank 1 one edge.
+
+    For others a vertex is at the sum of unit normals with the signs of its region, seen in a
+    plane: so edges across one plane are parallel and of one length. Of lines in R^2 this is a
+    tiling by polygons. Of central planes with much symmetry the plane of the picture is near that
+    of a rotation by the smallest angle, as Coxeter's.
+
+    Round vertices have an even number of negative classes of planes, square ones an odd
     number: every edge joins one of each. A colour and a number on edges name the plane that they
-    cross. In rank 2 the graph is a cycle, in rank 1 one edge.
+    cross.
 
     Elements: ``vertex-3`` and ``edge-7``, numbered as in the dual.
 
     Args:
-        arrangement: central; rank 3 in R^3, or rank 1 or 2 in any space.
-        colour, antipodes, labels: of vertices, as for `draw_sphere`.
+        arrangement: central of any rank, or affine.
+        colour, antipodes, labels: of vertices, as for `draw_sphere`; where edges cross, no labels
+            for more than 40 regions if omitted.
 
     Raises:
-        InputError: planes off the origin, another rank or space, too many planes, unknown
-            colouring.
+        InputError: too many planes or regions, unknown colouring.
     """
-    graph, names = planar_graph(arrangement), RegionLabels(arrangement, labels)
-    degrees = np.bincount(np.array([edge[:2] for edge in graph.edges]).ravel()).tolist()
-    regions = [DrawnRegion(s, d) for s, d in zip(graph.signs, degrees, strict=True)]
-    pairs = [(u, v) for u, v, _ in graph.edges]
-    found = partial(orbits, arrangement, graph.signs) if arrangement.dimension == 3 else None
-    colours = colouring(colour, antipodes, regions, pairs, arrangement.firsts, found)
-    parity = colours.name == "parity"
-    fills = [colours.shown(fill) if parity else "white" for fill in CHECKERS]
-    even = "even number of minus signs"
-    if len(arrangement.distinct) < len(arrangement):
-        even += ", coincident planes counted once"
-    shapes = (("round", even), ("square", "odd"))
+    planar = arrangement.is_central and arrangement.rank <= 3
+    graph = planar_graph(arrangement) if planar else _projected(arrangement)
+    names = RegionLabels(arrangement, labels, **({} if planar else {"most": FEW}))
     scene = Scene(width, width)
-    for (shape, text), fill in zip(shapes, fills, strict=False):
-        scene.legend.key(dot(shape, fc=fill, lw=0.7), text)
-    if colours.name == "parity":
-        colours = replace(colours, name=None)
-    if arrangement.rank == 3:
+    if planar and arrangement.rank == 3:
         crossed = sorted({c for u, v, c in graph.edges if u in graph.outer and v in graph.outer})
         planes = plane_names(sorted(k for c in crossed for k in arrangement.distinct[c]))
         scene.legend.line(f"outer polygon: a ray on the planes {planes}")
-    _GraphPicture(
-        arrangement, graph, scene, [colours.paint(region) for region in regions], names
-    ).draw()
-    explain_regions(scene, colours, names, regions)
+    GraphPicture(arrangement, graph, scene, names, colour, antipodes).draw()
     return scene
 
 
-def planar_graph(arrangement: Arrangement) -> PlanarGraph:
+def region_edges(arrangement: Arrangement) -> tuple[tuple[tuple[int, ...], ...], tuple[Edge, ...]]:
+    """Return the sign vectors of all regions, and the edges between them.
+
+    Raises:
+        OutOfReachError: they are too many for a picture.
+    """
+    budget.keep(region_count(arrangement), "regions in a picture")
+    regions = arrangement.regions().signs.tolist()
+    return tuple(map(tuple, regions)), tuple(neighbours(arrangement, arrangement.faces()))
+
+
+def _projected(arrangement: Arrangement) -> PlacedGraph:
+    """Return the graph with signed sums of unit normals as places, seen in a plane."""
+    signs, edges = region_edges(arrangement)
+    size = arrangement.dimension
+    found = symmetry(arrangement) if arrangement.is_central and arrangement.rank == size else None
+    even = arrangement.is_central and found is None
+    planes, _ = in_coordinates("even" if even else None, arrangement)
+    units = unit_vectors([plane[:-1] for plane in planes.distinct_planes]).reshape(-1, size)
+    sides = np.array(signs).reshape(len(signs), -1)[:, list(arrangement.firsts)]
+    frame = np.eye(2)
+    if size > 2:
+        whole = np.zeros((2, size))
+        if found is not None:
+            whole = found.turned() @ found.frame @ np.linalg.inv(found.shape)
+        frame = _clear_frame(sides @ units, units, whole)
+    return PlacedGraph(np.round(sides @ units @ frame.T, 9) + 0.0, signs, edges)
+
+
+def _clear_frame(points: Floats, units: Floats, whole: Floats) -> Floats:
+    """Return two orthonormal vectors, (2, d), along which no edges or points fall together.
+
+    Args:
+        whole: (2, d); orthonormal vectors to which they are near, or zeros.
+    """
+    from scipy.spatial import KDTree
+
+    size = units.shape[1]
+    steps = np.arange(1, _TRIED + 1)[:, None] * np.log(np.arange(2 * size) + 2.0)
+    tilts = (steps % 1 - 0.5).reshape(-1, 2, size)
+    right, up = np.moveaxis(whole + (_TILT if whole.any() else 1.0) * tilts, 1, 0)
+    right = unit(right)
+    up = unit(up - (up * right).sum(axis=1)[:, None] * right)
+
+    def clear(frame: Floats) -> float:
+        x, y = frame @ units.T
+        areas = np.abs(np.outer(x, y) - np.outer(y, x))[np.triu_indices(len(x), 1)]
+        seen = points @ frame.T
+        gaps = KDTree(seen).query(seen, 2)[0][:, 1] / np.abs(seen).max()
+        return float(round(areas.min(initial=1.0) + gaps.min(), 9))
+
+    return max(np.stack([right, up], axis=1), key=clear)
+
+
+def planar_graph(arrangement: Arrangement) -> PlacedGraph:
     """Return the graph of the dual with places for a planar drawing.
 
     Raises:
@@ -131,53 +182,76 @@ def planar_graph(arrangement: Arrangement) -> PlanarGraph:
 
     outer = dual.faces[max(range(len(dual.faces)), key=fitness)][::-1]
     places = tutte_places(len(dual.signs), dual.faces, outer)
-    return PlanarGraph(places, tuple(map(tuple, dual.signs.tolist())), edges_of(dual), outer)
+    return PlacedGraph(places, tuple(map(tuple, dual.signs.tolist())), edges_of(dual), outer)
 
 
-def _cycle(arrangement: Arrangement) -> PlanarGraph:
+def _cycle(arrangement: Arrangement) -> PlacedGraph:
     """Return the cycle of a pencil, or the one edge of a single plane."""
     signs = (dual_polygon if arrangement.rank == 2 else dual_segment)(arrangement).signs
     count = len(signs)
     at = math.pi * (1 - 1 / count) - 2 * math.pi * np.arange(count) / count
     at += math.pi / 2 * (count == 2)
     places = np.round(np.stack([np.cos(at), np.sin(at)], axis=1), 9) + 0.0
-    return PlanarGraph(places, signs, flat_edges(arrangement, signs), tuple(range(count)))
+    return PlacedGraph(places, signs, flat_edges(arrangement, signs), tuple(range(count)))
 
 
-class _GraphPicture:
+class GraphPicture:
+    """Regions as vertices and facets as edges at given places, as large as a sheet allows.
+
+    Where places have a depth, near edges are thicker and darker and pass over the others.
+    """
+
     def __init__(
         self,
         arrangement: Arrangement,
-        graph: PlanarGraph,
+        graph: PlacedGraph,
         scene: Scene,
-        fills: Sequence[str],
         names: RegionLabels,
+        colour: Choice | None = None,
+        antipodes: str | None = None,
     ) -> None:
-        self.arrangement, self.graph, self.scene = arrangement, graph, scene
-        self.fills, self.names = fills, names
-        half = scene.width / 2
+        self.arrangement, self.graph, self.scene, self.names = arrangement, graph, scene, names
+        pairs = [(u, v) for u, v, _ in graph.edges]
+        degrees = np.bincount(np.ravel(pairs).astype(int), minlength=len(graph.signs)).tolist()
+        self.regions = [DrawnRegion(s, d) for s, d in zip(graph.signs, degrees, strict=True)]
+        full = arrangement.dimension in (3, arrangement.rank) and arrangement.is_central
+        found = partial(orbits, arrangement, graph.signs) if full else None
+        firsts = arrangement.firsts
+        self.colours = colouring(colour, antipodes, self.regions, pairs, firsts, found)
+        self.fills = [self.colours.paint(region) for region in self.regions]
         widest = max(
             (form for s in graph.signs for form in names.forms(s)[:1]), key=len, default=""
         )
         margin = min(max(scene.measure(widest, 6.0)) + 6, 26.0)
-        self.centre = np.array([half, scene.height - half])
-        low, high = graph.places.min(axis=0), graph.places.max(axis=0)
-        self.places = self.centre + (graph.places - (low + high) / 2) * (
-            2 * (half - margin) / max(float((high - low).max()), 1e-9)
-        )
-        ends = np.array([edge[:2] for edge in graph.edges])
-        self.segments = self.places[ends]
+        flat, self.deep = graph.places[:, :2], graph.places.shape[1] > 2
+        low, high = flat.min(axis=0), flat.max(axis=0)
+        self.centre = np.array([scene.width, scene.height]) / 2
+        scale = 2 * (self.centre - margin) / np.maximum(high - low, 1e-9)
+        self.places = self.centre + (flat - (low + high) / 2) * min(scale)
+        depths = graph.places[:, -1] if self.deep else np.zeros(len(flat))
+        self.near = 1 - (depths.max() - depths) / max(float(np.ptp(depths)), 1e-9)
+        self.segments = self.places[np.array(pairs)]
         lengths = np.linalg.norm(self.segments[:, 0] - self.segments[:, 1], axis=1)
         self.lengths = np.round(lengths, 4)
-        self.size = float(min(3.0, max(0.4, 0.28 * np.quantile(lengths, 0.1))))
+        crowded = 3.0 if graph.outer else 0.07 * scene.width / math.sqrt(len(graph.signs))
+        self.size = float(min(3.0, crowded, max(0.4, 0.28 * np.quantile(lengths, 0.1))))
 
     def draw(self) -> None:
+        """Draw all, and explain it in the legend."""
+        self._shapes()
         graph, scene = self.graph, self.scene
-        thick = float(np.clip(0.75 * self.size, 0.3, 1.5))
+        thick = float(np.clip(0.75 * self.size, 0.3, 1.5 if graph.outer else 0.9))
         firsts = self.arrangement.firsts
-        for e, (_, _, c) in enumerate(graph.edges):
+        above = np.zeros(len(self.places))
+        for e, (u, v, c) in enumerate(graph.edges):
+            near = (self.near[u] + self.near[v]) / 2
+            order, lw = 3 + 1.8 * near * self.deep, thick * (0.5 + 0.5 * near)
+            above[[u, v]] = np.maximum(above[[u, v]], order + 0.01)
+            if self.deep:
+                scene.line(self.segments[e], ec="white", lw=lw + 1.2, capstyle="butt", zorder=order)
+            colour = pale(letter_colour(c), 0.6 * (1 - near))
             name = f"edge-{firsts[c] + 1}-{e + 1}"
-            scene.line(self.segments[e], ec=letter_colour(c), lw=thick, zorder=3, gid=name)
+            scene.line(self.segments[e], ec=colour, lw=lw, zorder=order, gid=name)
         for v, place in enumerate(self.places):
             odd = sum(graph.signs[v][k] < 0 for k in firsts) % 2
             shape, width = "square" if odd else "round", min(0.7, 0.35 * self.size)
@@ -186,13 +260,31 @@ class _GraphPicture:
                 "ec": "black",
                 "lw": width,
                 "gid": self.names.element("vertex", graph.signs[v]),
+                "zorder": above[v] if self.deep else 5,
             }
-            scene.marker(place, self.size, shape, zorder=5, **style)
+            scene.marker(place, self.size * (0.6 + 0.4 * self.near[v]), shape, **style)
         self._zones()
         self._labels()
+        explain_regions(scene, self.colours, self.names, self.regions)
+
+    def _shapes(self) -> None:
+        """Explain the shapes of vertices, with the colours where these say the same."""
+        parity = self.colours.name == "parity"
+        fills = [self.colours.shown(fill) if parity else "white" for fill in CHECKERS]
+        even = "even number of minus signs"
+        if len(self.arrangement.distinct) < len(self.arrangement):
+            even += ", coincident planes counted once"
+        shapes = (("round", even), ("square", "odd"))
+        for (shape, text), fill in zip(shapes, fills, strict=False):
+            self.scene.legend.key(dot(shape, fc=fill, lw=0.7), text)
+        if parity:
+            self.colours = replace(self.colours, name=None)
 
     def _zones(self) -> None:
-        """Number the edges: the outer polygon outside, then one long edge of each class."""
+        """Number the edges: the outer polygon outside, then one long edge of each class.
+
+        Where edges cross, the legend has the numbers for which there is no room.
+        """
         off = keep_off(self.segments, discs=self.places, radius=self.size + 0.5)
         named: set[int] = set()
         for e in np.argsort(-self.lengths, kind="stable").tolist():
@@ -205,6 +297,10 @@ class _GraphPicture:
             ink = {"color": letter_colour(c), "style": "italic"}
             if write_along(self.scene, self.segments[e], text, 6.0, off, **ink):
                 named.add(c)
+        unnamed = set() if self.graph.outer else {*range(len(self.arrangement.distinct))} - named
+        for c in sorted(unnamed):
+            text = plane_names(self.arrangement.distinct[c])
+            self.scene.legend.key(stroke(ec=letter_colour(c), lw=1.2), text)
 
     def _labels(self) -> None:
         """Write the sign vectors where they fit, the outer polygon first."""
@@ -212,7 +308,7 @@ class _GraphPicture:
         far = np.round(np.linalg.norm(self.places - self.centre, axis=1), 3)
         order = np.argsort(-far, kind="stable").tolist()
         scene = self.scene
-        within = (0.0, self.centre[1] - scene.width / 2, scene.width, scene.height)
+        within = (0.0, 0.0, scene.width, scene.height)
         for v in order[: tried(len(far))] if self.names.kind != "none" else ():
             others = np.delete(self.places, v, axis=0)
             look: dict[str, Any] = {"away": self._gap(v), "others": others, "within": within}
@@ -227,70 +323,3 @@ class _GraphPicture:
         nexts = [*angles[1:], angles[0] + 2 * math.pi]
         at = max(((round(b - a, 6), (a + b) / 2) for a, b in zip(angles, nexts, strict=True)))[1]
         return math.cos(at), math.sin(at)
-
-
-Indices: TypeAlias = npt.NDArray[np.int64]
-
-#: Weights stay between these, so that rounding cannot move a vertex across an edge.
-_LEAST, _MOST = 1e-4, 1e4
-
-
-def tutte_places(
-    count: int, faces: Sequence[Sequence[int]], outer: Sequence[int], rounds: int = 80
-) -> Floats:
-    """Return places (V, 2) with the outer face as a regular polygon in the unit circle.
-
-    Args:
-        count: the number of vertices V.
-        faces: all faces of a 3-connected planar graph, as cycles.
-        outer: one of them; its order decides which way round it is drawn.
-        rounds: how often the weight of an edge grows with its length and with the areas beside
-            it, which evens out both; with 0 all weights are 1.
-    """
-    at = math.pi / 2 + (2 * np.arange(len(outer)) + 1) * math.pi / len(outer)
-    places = np.zeros((count, 2))
-    places[list(outer)] = np.stack([np.cos(at), np.sin(at)], axis=1)
-    inner = np.setdiff1d(np.arange(count), outer)
-    inside = [cycle for cycle in faces if set(cycle) != set(outer)]
-    pairs, beside = _edges(inside)
-    weights = np.ones(len(pairs))
-    corners = np.concatenate([np.array(cycle) for cycle in inside])
-    following = np.concatenate([np.roll(cycle, -1) for cycle in inside])
-    starts = np.cumsum([0, *map(len, inside[:-1])])
-    for step in range(rounds + 1):
-        places[inner] = _means(places, pairs, weights, inner)
-        if step < rounds:
-            steps = places[pairs[:, 0]] - places[pairs[:, 1]]
-            lengths = _even(np.hypot(steps[:, 0], steps[:, 1]))
-            (x, y), (right, up) = places[corners].T, places[following].T
-            areas = _even(np.abs(np.add.reduceat(x * up - y * right, starts)) / 2)
-            mean = np.sqrt(areas[beside[:, 0]] * areas[beside[:, 1]])
-            weights = np.asarray(np.clip(weights * mean**0.15 * lengths**0.05, _LEAST, _MOST))
-    return np.round(places, 9) + 0.0
-
-
-def _edges(faces: Sequence[Sequence[int]]) -> tuple[Indices, Indices]:
-    """Return the edges (E, 2) of some faces, and for each the faces beside it (one: twice)."""
-    found: dict[tuple[int, int], list[int]] = {}
-    for f, cycle in enumerate(faces):
-        for u, v in cycle_edges(cycle):
-            found.setdefault((min(u, v), max(u, v)), []).append(f)
-    return np.array(list(found)), np.array([(f[0], f[-1]) for f in found.values()])
-
-
-def _even(values: Floats) -> Floats:
-    """Return values divided by their geometric mean."""
-    return values / math.exp(float(np.log(values).mean()))
-
-
-def _means(places: Floats, pairs: Indices, weights: Floats, inner: Indices) -> Floats:
-    """Solve for the inner vertices, the others being fixed."""
-    from scipy.sparse import coo_array, diags_array
-    from scipy.sparse.linalg import spsolve
-
-    count = len(places)
-    ends, others = np.concatenate([pairs, pairs[:, ::-1]]).T
-    pulls = coo_array((np.tile(weights, 2), (ends, others)), shape=(count, count)).tocsr()
-    fixed = np.setdiff1d(np.arange(count), inner)
-    matrix = (diags_array(pulls.sum(axis=1)) - pulls).tocsc()[inner][:, inner]
-    return np.asarray(spsolve(matrix.tocsc(), pulls[inner][:, fixed] @ places[fixed]))

@@ -10,9 +10,6 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from arrangement.arrangement import Arrangement
-from arrangement.drawing.colours import side_colour
-from arrangement.drawing.output import millimetres
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.sight import face_normal, unit_vectors
 from arrangement.duals.zonohedron import DualPolyhedron, dual_polyhedron
@@ -20,8 +17,6 @@ from arrangement.duals.zonotope import dual_polygon, dual_segment
 from arrangement.numbers.exact import IntegerVector, dot
 from arrangement.numbers.linear.rank import cycle_edges, difference, triple_product
 from arrangement.numbers.real import rational_near
-from arrangement.pictures.parts.coordinates import in_coordinates
-from arrangement.pictures.parts.essential import brought
 from arrangement.planes.planes import Planes
 
 if TYPE_CHECKING:
@@ -162,24 +157,3 @@ def _hidden(
             seen_edges.update(cycle_edges(cycle))
     edge_hidden = tuple((u, v) not in seen_edges and (v, u) not in seen_edges for u, v in edges)
     return edge_hidden, tuple(v not in seen_vertices for v in range(count))
-
-
-def dual_model(
-    arrangement: Arrangement, suffix: str, *, size: float = 60.0, coordinates: str | None = None
-) -> bytes:
-    """Return the dual polyhedron as a file; see `DualPolyhedron.export`.
-
-    In GLB a face is coloured by its number of corners.
-
-    Args:
-        arrangement: central, of rank 3; in another space than R^3 its essentialisation.
-        suffix: ``.stl``, ``.glb`` or ``.obj``.
-        size: the largest side of the bounding box, in millimetres.
-        coordinates: as for `draw_dual`, with generators of length 1; with "given" those of the
-            file, of its lengths.
-    """
-    arrangement, _ = in_coordinates(coordinates, brought(arrangement, "dual"))
-    lengths = None if coordinates == "given" else unit_lengths(arrangement)
-    dual = dual_polyhedron(arrangement, lengths)
-    colours = tuple(side_colour(len(face)) for face in dual.faces)
-    return dual.model(suffix, millimetres(size, "size"), colours)

@@ -1,13 +1,14 @@
 """The space in which planes are drawn: their own, or that of their essentialisation.
 
-Planes of rank r in R^d are those of an arrangement in R^r, times a linear space. Every view is
-made for one space, R^2 or R^3. This module brings planes there, says so below the picture, and
+Planes of rank r in R^d are those of an arrangement in R^r, times a linear space. Most views are
+made for one space, R^2, R^3 or R^4. This module brings planes there, says so below the picture, and
 refuses what cannot be brought there by naming the views that can show it.
 """
 
 from __future__ import annotations
 
 import functools
+import math
 from collections.abc import Callable, Sequence
 from typing import Concatenate, ParamSpec
 
@@ -24,16 +25,19 @@ from arrangement.numbers.linear.rank import rank, unit_vectors
 from arrangement.planes.planes import Planes
 
 P = ParamSpec("P")
-#: For each view the dimension of its space, and whether planes must be central.
-SPACES: dict[str, tuple[int, bool]] = {
+#: For each view the largest rank of planes that it shows, and whether planes must be central.
+RANKS: dict[str, tuple[float, bool]] = {
     "sphere": (3, True),
     "planes": (3, False),
     "cells": (3, False),
     "lines": (2, False),
     "stereographic": (3, True),
     "gnomonic": (3, True),
-    "dual": (3, True),
-    "graph": (3, True),
+    "dual": (4, True),
+    "section": (4, True),
+    "graph": (math.inf, False),
+    "poset": (math.inf, False),
+    "lattice": (math.inf, False),
 }
 #: The same for pages.
 _PAGES = {"arrangement": (3, True)}
@@ -43,16 +47,26 @@ _SCALE = 1 << 12
 
 
 def fits(view: str, planes: Planes) -> bool:
-    """Return whether a view can show planes; the lattice can show all."""
-    dimension, central = (SPACES | _PAGES).get(view, (planes.rank, False))
-    return planes.rank <= dimension and (planes.is_central or not central)
+    """Return whether a view can show planes."""
+    most, central = (RANKS | _PAGES)[view]
+    least = 4 if view == "section" else 0
+    return least <= planes.rank <= most and (planes.is_central or not central)
+
+
+def space(view: str, planes: Planes) -> int:
+    """Return the dimension of the space in which a view draws planes."""
+    flat = view == "lines" or (view == "graph" and not planes.is_central)
+    return max(2 if flat else 3, planes.rank)
 
 
 def suited(views: Sequence[str], planes: Planes) -> list[str]:
     """Return views in the order in which they suit planes, those that cannot show them last."""
 
-    flat = planes.rank <= 2 and planes.dimension != 3
-    first = "lines" if flat else "sphere" if planes.is_central else "cells"
+    first = "sphere" if planes.is_central else "cells"
+    if planes.rank <= 2 and planes.dimension != 3:
+        first = "lines"
+    elif planes.rank > 3:
+        first = "dual" if fits("dual", planes) else "lattice"
     return sorted(views, key=lambda view: (not fits(view, planes), view != first))
 
 
@@ -73,7 +87,7 @@ def shown_as(
         @functools.wraps(view)
         def draw(arrangement: Arrangement, /, *args: P.args, **options: P.kwargs) -> Scene:
             scene = view(brought(arrangement, name), *args, **options)
-            if text := caption(arrangement, SPACES[name][0]):
+            if text := caption(arrangement, space(name, arrangement)):
                 scene.legend.captions.append(text)
             return scene
 
@@ -89,16 +103,16 @@ def brought(arrangement: Arrangement, view: str) -> Arrangement:
         InputError: the view cannot show them.
     """
     budget.keep(len(arrangement), "planes in a picture")
-    dimension, central = (SPACES | _PAGES)[view]
     if not fits(view, arrangement):
+        most, central = (RANKS | _PAGES)[view]
         kind = "central" if arrangement.is_central else "affine"
-        others = [name for name in SPACES if fits(name, arrangement)]
+        others = [name for name in RANKS if fits(name, arrangement)]
         raise InputError(
-            f"{view} shows {'central ' * central}planes of rank at most {dimension}; these are "
-            f"{kind}, of rank {arrangement.rank} in R^{arrangement.dimension}: for them there "
-            f"{'are' if others else 'is'} {', '.join([*others, 'lattice'])}"
+            f"{view} shows {'central ' * central}planes of rank {'at most ' * (view != 'section')}"
+            f"{most}; these are {kind}, of rank {arrangement.rank} in R^{arrangement.dimension}: "
+            f"for them there are {', '.join(others)}"
         )
-    return in_space(arrangement, dimension)
+    return in_space(arrangement, space(view, arrangement))
 
 
 def caption(planes: Planes, dimension: int) -> str:

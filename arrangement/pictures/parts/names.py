@@ -72,19 +72,22 @@ class RegionLabels:
                 raise refusal(f"the labels are {shown(labels)}", labels, LABELS)
         else:
             pairs = ((key, None) for key in labels)
-        back = {number: signs for signs, number in self._numbers.items()}
-        found = {}
-        for key, text in pairs:
-            signs: Any = key
-            if isinstance(key, str) and not key.isdecimal():
-                signs = tuple({"+": 1, "-": -1}.get(sign, 0) for sign in key)
-            elif isinstance(key, (str, int)):
-                signs = back.get(int(key), ())
-            if tuple(signs) not in self._numbers:
-                raise InputError(
-                    f"there is no region {shown(key)} to label; give signs or a number"
-                )
-            found[tuple(signs)] = text
+        return {self.signs_of(key): text for key, text in pairs}
+
+    def signs_of(self, key: Any) -> tuple[int, ...]:
+        """Return the signs of a region that is named by its number, or by its signs.
+
+        Raises:
+            InputError: no such region.
+        """
+        signs: Any = key
+        if isinstance(key, str) and not key.isdecimal():
+            signs = ({"+": 1, "-": -1}.get(sign, 0) for sign in key)
+        elif isinstance(key, (str, int)):
+            signs = next((s for s, number in self._numbers.items() if number == int(key)), ())
+        found: tuple[int, ...] = tuple(signs)
+        if found not in self._numbers:
+            raise InputError(f"there is no region {shown(key)}; give signs or a number")
         return found
 
     @cached_property
@@ -195,10 +198,14 @@ def plane_names(members: Sequence[int], count: int | None = None) -> str:
     return ",".join(parts)
 
 
+_LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+
+
 def equation(normal: IntegerVector, offset: int = 0) -> str:
     """Return the equation of a plane, such as ``x - 2y + z = 0`` or ``2x + (1 + a) y = 0``."""
     text = ""
-    for entry, name in zip(normal, "xyz", strict=True):
+    names = "xyz" if len(normal) <= 3 else [f"x{k + 1}".translate(_LOW) for k in range(len(normal))]
+    for entry, name in zip(normal, names, strict=False):
         if entry:
             joint = ("-" if entry < 0 else "") if not text else (" - " if entry < 0 else " + ")
             factor = to_text(abs(entry)) if abs(entry) != 1 else ""

@@ -9,14 +9,15 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import chosen, plane_colour
 from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import AxisNames, Exact, Labels, Vector
+from arrangement.drawing.registry import AxisNames, Equation, Exact, Labels, Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import light, lit, turned, view_direction
 from arrangement.duals.cells import cut_cells, read_signs
 from arrangement.pictures.parts.coordinates import drawn_axes, in_coordinates
-from arrangement.pictures.parts.essential import shown_as
-from arrangement.pictures.parts.names import RegionLabels
+from arrangement.pictures.parts.essential import caption, shown_as
+from arrangement.pictures.parts.names import RegionLabels, equation
+from arrangement.pictures.parts.sections import section
 
 from .lifted_cells import lifted_cells
 from .planes_sheet import DrawnFacet, FacetPainter, PlanesSheet
@@ -92,6 +93,55 @@ def draw_planes(
     sheet.name_cells(names)
     names.explain(sheet.scene.legend, raised)
     return sheet.scene
+
+
+@picture()
+def draw_section(
+    arrangement: Arrangement,
+    *,
+    plane: Equation | None = None,
+    body: str = "ball",
+    direction: Vector | None = None,
+    azimuth: float = 0.0,
+    lift: Iterable[str] = (),
+    colour: str | FacetPainter = "planes",
+    labels: Labels | None = None,
+    sides: bool = False,
+    width: float = 88.0,
+    coordinates: str | None = None,
+) -> Scene:
+    """Draw what central planes of rank 4 cut out on a hyperplane, as `draw_planes` does.
+
+    A caption has the equation of the hyperplane. Elements and signs are those of planes in R^3.
+
+    Args:
+        arrangement: central, of rank 4.
+        plane: the hyperplane ``a x1 + b x2 + c x3 + d x4 = e`` as ``a,b,c,d,e``; if omitted, one
+            with small coefficients that meets lines of intersection not far off.
+        body, azimuth, lift, colour, labels, sides: as for `draw_planes`.
+        direction: as for `draw_planes`, in orthonormal coordinates of the hyperplane.
+        coordinates: as for `draw_sphere`.
+
+    Raises:
+        InputError: other planes, a bad hyperplane; or as for `draw_planes`.
+    """
+    flat, (*normal, offset) = section(arrangement, plane, coordinates)
+    scene: Scene = draw_planes.scene(
+        flat,
+        body=body,
+        direction=direction,
+        azimuth=azimuth,
+        lift=lift,
+        colour=colour,
+        labels=labels,
+        sides=sides,
+        width=width,
+        coordinates="given",
+    )
+    scene.legend.captions.append(f"section by {equation(tuple(normal), offset)}")
+    if text := caption(arrangement, 4):
+        scene.legend.captions.append(text)
+    return scene
 
 
 def _painter(colour: str | FacetPainter) -> FacetPainter:
