@@ -309,7 +309,7 @@ LIMITS = {
     "planes in a picture": ("planes in a picture",),
     "interactive page": ("great circles in a picture", "great circles on a page"),
     "in a ball or cube": ("planes in a body", "cells in a picture"),
-    "Hasse diagram": ("flats of one rank in a picture",),
+    "Hasse diagram": ("regions in a picture", "flats of one rank in a picture"),
     "slip lab": ("contacts in the lab",),
     "arrangement lab": ("planes in the lab",),
     "symmetry is drawn": ("planes whose symmetry is looked for",),

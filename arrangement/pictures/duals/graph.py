@@ -209,7 +209,9 @@ class GraphPicture:
         names: RegionLabels,
         colour: Choice | None = None,
         antipodes: str | None = None,
+        least: float = 0.0,
     ) -> None:
+        """Take the least margin in points, too."""
         self.arrangement, self.graph, self.scene, self.names = arrangement, graph, scene, names
         pairs = [(u, v) for u, v, _ in graph.edges]
         degrees = np.bincount(np.ravel(pairs).astype(int), minlength=len(graph.signs)).tolist()
@@ -222,7 +224,7 @@ class GraphPicture:
         widest = max(
             (form for s in graph.signs for form in names.forms(s)[:1]), key=len, default=""
         )
-        margin = min(max(scene.measure(widest, 6.0)) + 6, 26.0)
+        margin = max(least, min(max(scene.measure(widest, 6.0)) + 6, 26.0))
         flat, self.deep = graph.places[:, :2], graph.places.shape[1] > 2
         low, high = flat.min(axis=0), flat.max(axis=0)
         self.centre = np.array([scene.width, scene.height]) / 2

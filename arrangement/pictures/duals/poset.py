@@ -22,6 +22,8 @@ from .graph import GraphPicture, PlacedGraph, region_edges
 
 #: So many directions are tried in which rows are sorted.
 _TRIED = 60
+#: Room for the numbers at the left, in points.
+_MARGIN = 22.0
 
 
 @picture()
@@ -74,7 +76,7 @@ def draw_poset(
     text = sign_text(bottom) if len(bottom) <= 24 else ""
     scene.legend.line(f"bottom: region {number}, {text}".rstrip(", "))
     graph = PlacedGraph(np.column_stack([across, tall * heights / max(top, 1)]), signs, edges)
-    drawn = GraphPicture(arrangement, graph, scene, names, colour, antipodes)
+    drawn = GraphPicture(arrangement, graph, scene, names, colour, antipodes, _MARGIN)
     drawn.draw()
     for row, count in rows.items():
         at = (4.0, float(drawn.places[heights == row][0, 1]))
