@@ -11,15 +11,15 @@ import pytest
 from arrangement import Arrangement, read_arrangement
 from arrangement.cli import main as arrangement_main
 from arrangement.pictures import arrangement_page, cells_page
-from arrangement.pictures.lab.lines import lab_page as lines_page
+from arrangement.pictures.lab.lines import lab_page as lines_page, line_exercises
 from equilibrium import Grasp, read_grasp
 from equilibrium.cli.program import main
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.pictures import proof_page, resist_page
-from equilibrium.pictures.lab.page import lab_page
+from equilibrium.pictures.lab.page import lab_page, slip_exercises
 from equilibrium.pictures.space.space_page import grasp_page
 from equilibrium.pictures.wrenches.wrench_page import wrench_set_page
-from tests.arrangement.test_lab import fact, shown
+from tests.arrangement.test_lab import checked, fact, shown
 from tests.browser import Browser
 from tests.equilibrium.test_lab import question, verdict
 
@@ -273,6 +273,92 @@ def test_a_notebook_shows_it_in_a_frame(lab, browser, tmp_path):
         browser.driver.switch_to.default_content()
     assert browser.messages() == []
     assert browser.outside() == []
+
+
+class Written(NamedTuple):
+    """An exercise of the editor: a start, a state that solves it, what is asked and has to stay."""
+
+    lab: str
+    start: str
+    solution: str
+    asked: tuple[str, ...]
+    fixed: tuple[str, ...]
+    goal: Any
+
+
+PUSH = "1|-1,0,1,0,1/2,1,{0};0,-1,0,1,1/2,1,{0};1,0,-1,0,1/2,1,{0}|0,1,0"
+GRASP = PUSH.format(0), PUSH.format(1)
+LINES = "1|3|1,0,0;0,1,0;0,0,1;1,1,1", "1|3|1,0,0;0,1,0;1,1,0;0,0,1"
+WRITTEN = [
+    Written("slip", *GRASP, ("whether",), ("wrench", "points"), {"resisted": True}),
+    Written("slip", *GRASP, ("how many",), (), {"equilibria": 1}),
+    Written("slip", *GRASP, ("these states",), (), {"states": ["slip+", "detached", "slip-"]}),
+    Written("slip", *GRASP, ("the greatest",), ("direction",), {"border": True}),
+    Written(
+        *("slip", *GRASP, ("the opposite is said by the paper",), ()),
+        {"method": {"name": "printed", "says": False}},
+    ),
+    Written("lines", *LINES, ("regions",), ("1", "2"), {"counts": {"regions": 12}}),
+    Written(
+        *("lines", *LINES, ("t vector", "simplicial", "type"), ()),
+        {"counts": {"t_vector": {"2": 3, "3": 1}, "simplicial": True, "type": "4.1"}},
+    ),
+    Written("lines", *LINES, ("lines that meet",), ("1",), {"meet": [[1, 2, 3]]}),
+]
+
+
+def written(browser: Browser, asked: tuple[str, ...], fixed: tuple[str, ...]) -> str:
+    """Fill in the editor, put the exercise into the list, and return what the page says."""
+    said: str = browser.driver.execute_async_script(
+        "const [asked, fixed, done] = arguments; const at = (id) => document.getElementById(id);"
+        "at('own-asked').querySelectorAll('label').forEach((label) => { label.firstChild.checked ="
+        " asked.some((words) => label.textContent.trim().startsWith(words)); });"
+        "at('own-fixed').querySelectorAll('input').forEach((box) => {"
+        " box.checked = fixed.includes(box.value); });"
+        "at('own-name').value = '<b>Mine</b>'; at('own-task').value = 'Solve it.';"
+        "at('own-hints').value = 'one\\n\\n two'; at('own-put').click();"
+        "const look = () => { const said = at('own-said').textContent;"
+        "if (said.startsWith('Computing')) setTimeout(look, 5); else done(said); }; look();",
+        *(asked, fixed),
+    )
+    return said
+
+
+def shows(browser: Browser, link: str) -> None:
+    browser.run("location.hash = arguments[0]", link)
+    browser.settled()
+
+
+@pytest.mark.parametrize("one", WRITTEN, ids=lambda one: "-".join(one.asked))
+def test_the_editor_writes_what_the_package_reads_and_only_the_solution_solves(
+    one, browser, tmp_path
+):
+    browser.show(LABS_OF[one.lab](), tmp_path)
+    shows(browser, one.start)
+    browser.run("document.getElementById('own-start').click()")
+    assert written(browser, one.asked, ()).startswith("✗ Not taken: ")
+    shows(browser, one.solution)
+    assert written(browser, (), ()) == "✗ Not taken: choose what is asked"
+    for _ in range(2):  # the second takes the place of the first
+        assert written(browser, one.asked, one.fixed).startswith("✓")
+    text = browser.driver.execute_async_script(
+        "const [done] = arguments; const made = URL.createObjectURL;"
+        "URL.createObjectURL = (blob) => { blob.text().then(done); return made.call(URL, blob); };"
+        "document.getElementById('own-save').click();"
+    )
+    path = tmp_path / "own.json"
+    path.write_text(text, encoding="utf-8")
+    (read,) = (slip_exercises if one.lab == "slip" else line_exercises)(path)
+    assert (read["start"], read["goal"], read["hints"]) == (one.start, one.goal, ["one", "two"])
+    assert sorted(read["fixed"]) == sorted(one.fixed)
+    browser.show(LABS_OF[one.lab](exercises=path), tmp_path)
+    browser.put("exercise", 0)
+    assert checked(browser).startswith("✗ Not yet")
+    shows(browser, one.solution)
+    assert checked(browser).startswith("✓ Solved")
+    browser.run("document.getElementById('own-remove').click()")
+    assert browser.count("#exercise option") == 1
+    assert browser.messages() == []
 
 
 LABS_OF: dict[str, Callable[..., str]] = {"slip": lab_page, "lines": lines_page}

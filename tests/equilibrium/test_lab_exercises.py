@@ -79,6 +79,9 @@ REFUSED = {
     ],
 }
 
+#: A worker that fails as soon as it is asked.
+BROKEN = "window.Worker = class { postMessage() { setTimeout(() => this.onerror(), 0); } }"
+
 
 @pytest.fixture(scope="module")
 def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
@@ -141,6 +144,35 @@ def test_a_refuting_motion_is_one_that_the_checker_takes(page, browser):
         assert text.startswith("✓") == bool(check(document)), (motion, text)
     assert any(text.startswith("✓") for text in said.values())
     assert any("takes work away" in text for text in said.values())
+
+
+def test_the_page_is_free_while_it_checks_and_a_change_ends_the_check(page, browser):
+    begin(browser, page, "A gap along a ray")
+    waits = (
+        "const said = document.getElementById('exercise-said');"
+        "document.getElementById('exercise-check').click(); const first = said.textContent;"
+    )
+    changed = "document.getElementById('add').click(); return first;"
+    assert browser.run(waits + changed) == "Checking …"
+    browser.settled()
+    assert browser.text("exercise-said").startswith("Not checked to the end")
+    browser.run(waits)
+    link = f"{EXERCISES['A gap along a ray']['start'].rpartition('|')[0]}|-3/2,0,0"
+    assert answer(browser, link).startswith("✓")
+    assert browser.messages() == []
+
+
+@pytest.mark.parametrize("broken", ["delete window.Worker", BROKEN])
+def test_it_checks_where_no_worker_runs(broken, page, browser):
+    command = "Page.addScriptToEvaluateOnNewDocument"
+    name = browser.driver.execute_cdp_cmd(command, {"source": broken})
+    try:
+        begin(browser, page, "The greatest push")
+    finally:
+        browser.driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", name)
+    start = EXERCISES["The greatest push"]["start"]
+    for link, said in (*REFUSED["The greatest push"](start)[:2], (loads("0,1,0")(start)[0], "✓")):
+        assert said in answer(browser, link)
 
 
 def test_hints_come_one_by_one(page, browser):

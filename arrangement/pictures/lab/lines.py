@@ -197,6 +197,7 @@ def lab_page(
         ],
         "named": [[len(one), name, one.to_dict()["planes"]] for name, one in _named(most)],
         "exercises": line_exercises(exercises),
+        "own": exercises is not None,
     }
     styles: list[Template] = [(_OWN, "page.css")]
     return lab(data["title"], (_OWN, "page.html"), styles, SCRIPTS, data)

@@ -25,7 +25,7 @@ SHARED: tuple[Template, ...] = (
     FIELDS,
     *(
         (_OWN, f"{name}.js")
-        for name in ("window", "keep", "history", "links", "player", "exercises")
+        for name in ("window", "keep", "history", "links", "player", "exercises", "editor")
     ),
 )
 
@@ -44,12 +44,13 @@ def lab(
         title: of the window.
         body, styles, scripts: of the page; they come after the shared ones.
         data: what the script finds, as for `one_page`: ``title``, ``summary``, ``examples`` and
-            ``exercises`` are lists and texts of the panels that all labs have.
+            ``exercises`` are lists and texts of the panels that all labs have; ``own`` says whether
+            the exercises came with a file.
         decides: what needs no page, if a worker runs it as well; with `RATIONAL` and `LINEAR`.
     """
     common: list[Template] = [BASE_STYLE, (_OWN, "lab.css")]
     every = [BASE_SCRIPT, *SHARED, *scripts]
-    parts = [(_OWN, f"{name}.html") for name in ("header", "player", "exercises", "grid")]
+    parts = [(_OWN, f"{name}.html") for name in ("header", "player", "exercises", "editor", "grid")]
     return one_page(title, body, [*common, *styles], every, data, worker=decides, parts=parts)
 
 

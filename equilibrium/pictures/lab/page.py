@@ -140,6 +140,7 @@ def lab_page(
         "outline": None,
         "origin": [0, 0],
         "exercises": slip_exercises(exercises),
+        "own": exercises is not None,
     }
     styles = [SKETCH_STYLE, (_OWN, "plane.css"), (_OWN, "lab.css")]
     return lab(heading, (_OWN, "lab.html"), styles, SCRIPTS, data, DECIDES)

@@ -63,7 +63,7 @@ function listenToHistory() {
   showEdits();
   document.addEventListener("keydown", (event) => {
     const key = event.key.toLowerCase();
-    if (!(event.ctrlKey || event.metaKey) || /** @type {Element} */ (event.target).matches?.("input[type=text]") || !"zy".includes(key)) return;
+    if (!(event.ctrlKey || event.metaKey) || /** @type {Element} */ (event.target).matches?.("input[type=text], textarea") || !"zy".includes(key)) return;
     event.preventDefault();
     if (key === "y" || event.shiftKey) redo();
     else undo();

@@ -1,7 +1,7 @@
 // Exercises that check themselves. data.exercises lists { name, task, hints, start, goal, fixed }; a page
-// defines judge(exercise), which returns { solved, words } about the present state, and
+// defines judge(exercise), which returns { solved, words } about the present state, or a promise of it, and
 // beginExercise(exercise), which leads to its start.
-const exercises = { at: null, hints: 0, solved: new Set() };
+const exercises = { at: null, hints: 0, solved: new Set(), checks: 0 };
 
 function showExercise() {
   const exercise = data.exercises[exercises.at];
@@ -20,32 +20,40 @@ function showExercise() {
 }
 
 function chooseExercise(k) {
-  Object.assign(exercises, { at: k, hints: 0 });
+  Object.assign(exercises, { at: k, hints: 0, checks: exercises.checks + 1 });
   at("exercise").value = k;
-  at("exercise-said").textContent = "";
+  Object.assign(at("exercise-said"), { textContent: "", ariaBusy: "false" });
   beginExercise(data.exercises[k]);
   showExercise();
 }
 
-// Whether the present state solves the chosen exercise, and why not.
-function checkExercise() {
-  const found = judge(data.exercises[exercises.at]);
-  if (found.solved) exercises.solved.add(exercises.at);
-  const said = at("exercise-said");
-  said.className = found.solved ? "ok" : "bad";
-  said.textContent = `${found.solved ? "✓ Solved. " : "✗ Not yet. "}${found.words}`;
+// Whether the present state solves the chosen exercise, and why not. What is asked later ends a check.
+async function checkExercise() {
+  const [{ at: k }, number, said] = [exercises, (exercises.checks += 1), at("exercise-said")];
+  Object.assign(said, { className: "", textContent: "Checking …", ariaBusy: "true" });
+  const found = await Promise.resolve(judge(data.exercises[k])).catch((error) => ({ solved: null, words: error.message }));
+  if (number !== exercises.checks) return;
+  if (found.solved) exercises.solved.add(k);
+  const start = found.solved ? "✓ Solved. " : found.solved === null ? "" : "✗ Not yet. ";
+  Object.assign(said, { className: found.solved ? "ok" : "bad", textContent: start + found.words, ariaBusy: "false" });
   showExercise();
-  return found;
+}
+
+function listExercises() {
+  const box = at("exercise");
+  box.replaceChildren();
+  make("option", { value: "", disabled: "", selected: "" }, box, "choose an exercise …");
+  data.exercises.forEach((_, k) => make("option", { value: k }, box));
+  if (exercises.at !== null) box.value = exercises.at;
+  showExercise();
 }
 
 function listenToExercises() {
   const box = at("exercise");
-  make("option", { value: "", disabled: "", selected: "" }, box, "choose an exercise …");
-  data.exercises.forEach((_, k) => make("option", { value: k }, box));
   box.addEventListener("change", () => chooseExercise(Number(box.value)));
   at("exercise-check").addEventListener("click", checkExercise);
   at("exercise-again").addEventListener("click", () => chooseExercise(exercises.at));
   at("exercise-hint").addEventListener("click", () => { exercises.hints += 1; showExercise(); });
-  at("exercises").hidden = !data.exercises.length;
-  showExercise();
+  listExercises();
+  listenToEditor();
 }

@@ -29,19 +29,24 @@ function piecesBy(method, grasp) {
   return piecesOf(posed, METHODS[method].choices(posed), METHODS[method].printed);
 }
 
-// Whether a method says that a wrench is resisted.
-function saidBy(method, grasp, wrench) {
+// Whether a method says that a wrench is resisted; yields null.
+function* sayingOf(method, grasp, wrench) {
   const posed = asked(grasp, method);
   for (const one of METHODS[method].choices(posed)) {
     if (one && solutionsOf(posed, one.states, wrench, { printed: METHODS[method].printed }).found.feasible()) return true;
+    yield null;
   }
   return false;
 }
 
-// The multiples of a wrench that are resisted: closed intervals [low, high], null without end, in order.
-function intervalsOf(grasp, wrench) {
+const saidBy = (method, grasp, wrench) => drained(sayingOf(method, grasp, wrench));
+
+// The multiples of a wrench that are resisted: closed intervals [low, high], null without end, in order;
+// yields null.
+function* intervalsOf(grasp, wrench) {
   const found = [];
   for (const one of statesOf(grasp)) {
+    yield null;
     if (!one) continue;
     const ends = [-1n, 1n].map((way) => {
       const { found: all } = solutionsOf(grasp, one.states, wrench, { load: wrench.map((x) => [x, ZERO]), watched: [3] });

@@ -38,6 +38,7 @@ const refresh = oncePerFrame(() => {
 // After the grasp or the wrench has changed.
 function changed() {
   Object.assign(state, { leaf: null, motion: null, turnChosen: false });
+  work.stop();
   search();
   if (!dragging()) writeHash();
 }

@@ -62,3 +62,30 @@ function asking(answers, take, ended) {
     next = question;
   };
 }
+
+// Promises of answers of one part, { value }, from a worker of its own, begun when it is needed. What is asked
+// later, or `stop`, breaks the promise before.
+function inBackground(answers) {
+  /** @type {((question: any) => void) | null} */
+  let put = null;
+  /** @type {{ question: any, resolve: (value: any) => void, reject: (error: Error) => void } | null} */
+  let open = null;
+  const end = () => {
+    open?.reject(new Error("Not checked to the end: something was changed. Check again."));
+    open = null;
+  };
+  const take = ({ value }, question) => {
+    if (question !== open?.question) return;
+    open.resolve(value);
+    open = null;
+  };
+  return {
+    ask: (question) => new Promise((resolve, reject) => {
+      end();
+      open = { question, resolve, reject };
+      put ??= asking(answers, take, () => {});
+      put(question);
+    }),
+    stop() { if (open) { end(); put?.(null); } },
+  };
+}

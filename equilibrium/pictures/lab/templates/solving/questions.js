@@ -21,3 +21,21 @@ function* answersTo({ grasp, wrench, other, key, shown }) {
   if (shown !== `${key}@${other}`) yield { map: { states, pieces, others } };
   if (first.stable) yield { found: { ...first, equilibria: yield* equilibriaOf(grasp, wrench, pieces), more: false } };
 }
+
+// What exercises ask, each one task: a question has its name, a grasp, a load and perhaps a method.
+const TASKS = {
+  *resists({ grasp, wrench }) { return (yield* treeOf(grasp, wrench)).stable; },
+  *all({ grasp, wrench }) {
+    const pieces = [];
+    for (const one of piecesOf(grasp, statesOf(grasp))) { if (one) pieces.push(one); yield null; }
+    return yield* equilibriaOf(grasp, wrench, pieces);
+  },
+  *multiples({ grasp, wrench }) { return yield* intervalsOf(grasp, wrench); },
+  *said({ grasp, wrench, method }) { return yield* sayingOf(method, grasp, wrench); },
+};
+
+function* doing(question) {
+  if (question) yield { value: yield* TASKS[question.task](question) };
+}
+
+const allOf = (grasp, wrench) => drained(TASKS.all({ grasp, wrench }));

@@ -69,7 +69,6 @@ function drained(search) {
 }
 
 const firstOf = (grasp, wrench) => drained(treeOf(grasp, wrench));
-const allOf = (grasp, wrench) => drained(equilibriaOf(grasp, wrench, [...piecesOf(grasp, statesOf(grasp))].filter(Boolean)));
 
 // The closed linear system of a choice of states; `free` is how many unknowns the load has.
 function solutionsOf(grasp, states, wrench, { printed = false, load = loadOf(wrench), watched = [] } = {}) {
