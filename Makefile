@@ -1,7 +1,7 @@
 # Each target creates .venv on first use and installs again when pyproject.toml or
 # constraints.txt change. PYTHON=... picks the interpreter, ARGS=... goes to pytest.
 
-.PHONY: help install verify test campaign lint types scripts check mutants census bench docs atlas docs-check notebooks package-check formal clean
+.PHONY: help install verify test campaign lint types scripts check mutants census bench docs pdf atlas docs-check notebooks package-check formal clean
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
@@ -29,6 +29,7 @@ help:
 	@echo "make census   make the lists of types again: ARGS='9 -o types9.npz'"
 	@echo "make bench    measure speed"
 	@echo "make docs     build the documentation in docs/_build/html"
+	@echo "make pdf      print its slides, exercise sheets and solutions as PDF, with Chromium"
 	@echo "make atlas    pages of 305 arrangements in docs/_build/atlas: pictures, TikZ, models, numbers"
 	@echo "make docs-check  build it and open every page in headless Chromium"
 	@echo "make notebooks  the lessons as notebooks in docs/_build/notebooks, each run from top to bottom"
@@ -130,8 +131,11 @@ bench: $(VENV)/.stamp-bench
 	$(BIN)/python tests/benchmarks/run.py $(ARGS)
 
 docs: $(VENV)/.stamp-docs
-	$(BIN)/python -m sphinx -q -W --keep-going -b html docs docs/_build/html
+	$(BIN)/python -m sphinx -q -W --keep-going -b html -d docs/_build/trees docs docs/_build/html
 	@echo "docs/_build/html/index.html"
+
+pdf: docs
+	$(BIN)/python docs/handouts/pdf.py docs/_build/html
 
 atlas: $(VENV)/.stamp-install
 	$(BIN)/python docs/atlas/atlas.py docs/_build/atlas --jobs $(JOBS) $(ARGS)

@@ -2,6 +2,7 @@
 
 import base64
 import functools
+import importlib
 import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -34,6 +35,16 @@ A formula ends this sentence:
 The first sentence stands on the slide. The second is only said.
 
 *Proof.* It has two sentences. Both stand there. ∎
+
+Here a **word** is defined. Its second sentence stands there too.
+
+*One way.* It is a case. No end mark follows it.
+
+**Theorem.** *It holds.*
+
+*One way.* It is half a proof. The other half comes.
+
+The other way is last. It ends. ∎
 
 .. figure:: dot.svg
    :alt: a dot
@@ -136,8 +147,12 @@ def test_slides_have_first_sentences_whole_proofs_the_lab_and_no_answers(build):
     assert "The first sentence stands" in shown
     assert "The second is only said." in text
     assert "The second is only said." not in shown
-    assert "It has two sentences. Both stand there." in shown
-    assert '<iframe src="../pages/gallery-lab.html#1%7C3"' in shown
+    for whole in ("Both stand there.", "stands there too.", "The other half comes.", "It ends."):
+        assert whole in shown
+    assert "No end mark follows it." not in shown
+    (lab,) = (one for one in shown.split("<section") if "<iframe" in one)
+    assert '<iframe src="../pages/gallery-lab.html#1%7C3"' in lab
+    assert ">three lines</a> there." in lab
     assert "And twice that?" in shown
     assert "Two, of course." not in text
 
@@ -187,8 +202,11 @@ def test_no_slide_is_too_long_and_each_is_a_printed_page(build, browser: Browser
         "slide.style.display = ''; return over; })"
     )
     assert max(over) <= 1, over
-    paper = {"preferCSSPageSize": True, "printBackground": True}
-    pdf = base64.b64decode(browser.driver.execute_cdp_cmd("Page.printToPDF", paper)["data"])
+    importlib.import_module("handouts.pdf").main(made.parent)
+    assert sorted(page.stem for page in made.glob("*.pdf")) == [
+        *("one-exercises", "one-slides", "one-solutions"),
+    ]
+    pdf = (made / "one-slides.pdf").read_bytes()
     assert len(re.findall(rb"/Type\s*/Page\b", pdf)) == slides - browser.count(".slide.lab")
     assert {
         tuple(map(float, box.split())) for box in re.findall(rb"/MediaBox\s*\[([^\]]+)", pdf)

@@ -1,12 +1,13 @@
 """What of a lesson stands on its slides, and what is said beside them.
 
-Definitions, theorems, proofs, formulas, code, pictures, lists and tables stand on slides as they
-are, and so does the introduction. Of other paragraphs the first sentence does, and the last one too
-where a formula or code completes it; the whole is among the notes. The lab that a lesson links is a
-slide of its own.
+Definitions (paragraphs with a word in bold), theorems, proofs, formulas, code, pictures, lists and
+tables stand on slides as they are, and so does the introduction. Of other paragraphs the first
+sentence does, and the last one too where a formula or code completes it; the whole is among the
+notes. The lab that a lesson links is on a slide of its own, below what is said of it.
 """
 
 import re
+from itertools import takewhile
 
 from docutils import nodes
 
@@ -72,14 +73,24 @@ def pieces(block):
     yield "".join(held)
 
 
+def is_bold(node):
+    """Return whether a node is a paragraph that starts in bold: a definition or a theorem."""
+    return isinstance(node, nodes.paragraph) and isinstance(node.children[0], nodes.strong)
+
+
 def parts(section, is_first):
-    """Yield what stands on slides, each with the paragraph that it is the short form of, if any."""
+    """Yield what stands on slides, each with the paragraph that it is the short form of, if any.
+
+    A proof starts with a word in italics and goes on to its end mark.
+    """
     proof = False
-    for node in section.children[1:]:
+    for index, node in enumerate(section.children[1:], 1):
         if isinstance(node, nodes.paragraph):
             start = node.children[0]
-            proof |= isinstance(start, nodes.emphasis) and start.astext().startswith("Proof")
-            whole = is_first or proof or isinstance(start, nodes.strong) or is_picture(start)
+            left = takewhile(lambda part: not is_bold(part), section.children[index:])
+            proof |= isinstance(start, nodes.emphasis) and any("∎" in p.astext() for p in left)
+            bold = any(isinstance(part, nodes.strong) for part in node.children)
+            whole = is_first or proof or bold or is_picture(start)
             proof &= "∎" not in node.astext()
             yield (node, None) if whole else (shortened(node), node)
         elif isinstance(node, _CODE):
@@ -119,9 +130,11 @@ def slides(tree, html):
     for section in (whole, *(one for one in whole.children if isinstance(one, nodes.section))):
         name, is_first = title(section), section is whole
         pairs = [] if name == "Answers" else list(blocks(section, is_first))
-        if pairs:
-            texts = [(html(shown), html(said) if said else "") for shown, said in pairs]
+        texts = [(html(shown), html(said) if said else "") for shown, said in pairs]
+        links = [] if is_first else section.findall(nodes.reference)
+        labs = [one["refuri"] for one in links if _LAB.match(one.get("refuri", ""))]
+        together = len(texts) == len(labs) == 1
+        if texts and not together:
             yield {"title": name, "blocks": texts, "lab": ""}
-        for link in [] if is_first else section.findall(nodes.reference):
-            if _LAB.match(link.get("refuri", "")):
-                yield {"title": name, "blocks": [], "lab": link["refuri"]}
+        for lab in labs:
+            yield {"title": name, "blocks": texts if together else [], "lab": lab}
