@@ -138,6 +138,8 @@ def _list(exercises: Mapping[str, Exercise], as_json: bool) -> int:
                 for id, one in exercises.items()
             ]
         )
+        first = next(iter(exercises))
+        print(f'Hand in a file {{"schema_version": 1, "answers": {{"{first}": ..., ...}}}}.')
     return terminal.YES
 
 
