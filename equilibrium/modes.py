@@ -14,10 +14,10 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Generic, TypeAlias, TypeVar
+from typing import Any, Generic, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -25,8 +25,9 @@ from arrangement.console.number_form import Documented, Shown
 from arrangement.console.progress import watched
 from arrangement.counts.whitney import deadline_after
 from arrangement.enumeration.fan import Fan
-from arrangement.errors import OutOfTimeError
-from arrangement.numbers.exact import IntegerVector, primitive
+from arrangement.errors import InputError, OutOfTimeError
+from arrangement.library.files.json_files import check_keys, check_list
+from arrangement.numbers.exact import IntegerVector, primitive, rational_vector
 from equilibrium.model.grasp import Grasp
 
 Contacts: TypeAlias = tuple[int, ...]
@@ -92,6 +93,35 @@ class ContactModes(Shown):
             3 if grasp.dimension == 2 else 6,
             deadline_after(time_limit),
         )
+
+    @classmethod
+    def from_dict(
+        cls, document: Mapping[str, Any], *, time_limit: float | None = None
+    ) -> ContactModes:
+        """Return the modes of contacts between bodies of any number, from the rows of the class.
+
+        Args:
+            document: ``schema_version``, ``normals`` and ``tangents``; see the built-in
+                ``box-on-a-box``.
+            time_limit: in seconds from now.
+
+        Raises:
+            InputError: it is no such document.
+        """
+        check_keys(document, ("schema_version", "normals", "tangents"), ("description",), "it")
+        normals = check_list(document["normals"], "normals")
+        tangents = check_list(document["tangents"], "tangents", len(normals))
+        read = [primitive(rational_vector(row, "normals")) for row in normals]
+        slips = [
+            tuple(
+                primitive(rational_vector(row, "tangents")) for row in check_list(pair, "tangents")
+            )
+            for pair in tangents
+        ]
+        lengths = {len(row) for row in (*read, *(row for rows in slips for row in rows))}
+        if len(lengths) != 1 or 0 in lengths:
+            raise InputError(f"rows have the lengths {sorted(lengths)}; give rows of one length")
+        return cls(tuple(read), tuple(slips), lengths.pop(), deadline_after(time_limit))
 
     @cached_property
     def contacting_separating(self) -> tuple[Mode[Contacts], ...]:

@@ -20,6 +20,7 @@ _ADDED: Mapping[str, Mapping[str, str]] = {
     "instances": {
         "arrangement": "arrangement.library.instances:paths",
         "equilibrium": "equilibrium.grasps.instances:paths",
+        "bodies": "equilibrium.grasps.instances:bodies",
     },
 }
 

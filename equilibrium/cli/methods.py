@@ -195,9 +195,16 @@ def _flat(value: str | list[str]) -> str:
 
 
 def _modes(arguments: argparse.Namespace) -> int:
+    from arrangement.library.files.json_files import read_document
     from equilibrium.modes import ContactModes
 
-    modes = ContactModes.of_grasp(grasp_of(arguments), time_limit=arguments.time_limit)
+    limit, document = arguments.time_limit, {}
+    if not str(arguments.grasp).lower().endswith(".csv"):
+        arguments.grasp = document = read_document(arguments.grasp, ("contacts", "normals"))
+    if "normals" in document:
+        modes = ContactModes.from_dict(document, time_limit=limit)
+    else:
+        modes = ContactModes.of_grasp(grasp_of(arguments), time_limit=limit)
     with shown():
         return show(
             arguments, _modes_document(modes, arguments), _modes_lines(modes, arguments.count)

@@ -1,11 +1,13 @@
 """Contact modes: tables of boxes, against all faces of all planes, and the command."""
 
 import json
+import re
 from itertools import product
 
 import pytest
 
-from arrangement import Arrangement
+from arrangement import Arrangement, InputError
+from arrangement.library.files.json_files import read_document
 from equilibrium import ContactModes, Grasp, read_grasp
 from equilibrium.cli import main
 from equilibrium.grasps.inputs import random_grasp
@@ -62,11 +64,35 @@ def box_on_a_box(walls: int) -> ContactModes:
     return ContactModes(tuple(normals), tuple(tangents), 9)
 
 
-@pytest.mark.parametrize(("walls", "modes"), [(1, (10, 9996)), (2, (184, 11996))])
-def test_a_box_on_a_box(walls, modes):
-    boxes = box_on_a_box(walls)
-    assert counts(boxes) == modes
-    assert recounted(boxes) == modes
+@pytest.mark.parametrize(
+    ("walls", "name", "modes"),
+    [(1, "box-on-a-box-1-wall", (10, 9996)), (2, "box-on-a-box-2-walls", (184, 11996))],
+)
+def test_a_box_on_a_box(walls, name, modes, capsys):
+    boxes = ContactModes.from_dict(read_document(name, ("normals",)))
+    built = box_on_a_box(walls)
+    assert (boxes.normals, boxes.tangents, boxes.n) == (built.normals, built.tangents, 9)
+    assert counts(boxes) == recounted(boxes) == modes
+    assert main(["modes", name, "--count", "--json"]) == 0
+    assert tuple(json.loads(capsys.readouterr().out).values()) == modes
+
+
+@pytest.mark.parametrize(
+    ("wrong", "why"),
+    [
+        ({"normals": [[1, 0], ["1/2"]], "tangents": [[], []]}, "lengths [1, 2]"),
+        ({"normals": [], "tangents": []}, "lengths []"),
+        ({"normals": [[]], "tangents": [[]]}, "lengths [0]"),
+        ({"normals": [[1]], "tangents": []}, "tangents has 0 entries; expected 1"),
+        ({"normals": [[1]], "tangents": [[1]]}, "tangents is 1"),
+        ({"normals": [5], "tangents": [[]]}, "normals is 5"),
+        ({"normals": [["x"]], "tangents": [[]]}, "not an exact number"),
+        ({"normals": [[1]], "tangents": [[]], "wall": 1}, "unknown key 'wall'"),
+    ],
+)
+def test_rows_that_are_none_are_refused(wrong, why):
+    with pytest.raises(InputError, match=re.escape(why)):
+        ContactModes.from_dict({"schema_version": 1, **wrong})
 
 
 SMALL = [
