@@ -127,7 +127,7 @@ def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
             lost += 1
             if len(chosen) == 1:
                 raise OwnClaimError(found["error"])
-            print(f"{found['id']}: no verdict: {found['error']}", file=sys.stderr)
+            _tell_lost(found)
             continue
         saved = _save(found, arguments.save) if asked.from_files else ""
         if not arguments.json:
@@ -148,14 +148,22 @@ def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
     return terminal.YES if record["as_expected"] else terminal.NO
 
 
-def file_record(name: str, arguments: argparse.Namespace) -> dict[str, Any]:
-    """Check the claims of one file and return the record."""
+def _tell_lost(found: dict[str, Any]) -> None:
+    print(f"{found['id']}: no verdict: {found['error']}", file=sys.stderr)
+
+
+def file_record(name: str, arguments: argparse.Namespace) -> tuple[dict[str, Any], str]:
+    """Check the claims of one file; return the record, and how many have no verdict, in words."""
     asked = _asked([name], arguments)
     results = list(_results(asked, _chosen(asked), 1, piped=True))
-    for found in results:
-        if "error" in found:
-            raise OwnClaimError(found["error"])
-    return report.json_record(results, asked.seed, **_about(asked))
+    lost = [found for found in results if "error" in found]
+    if len(lost) == len(results):
+        raise OwnClaimError(lost[0]["error"])
+    for found in lost:
+        _tell_lost(found)
+    kept = [found for found in results if "error" not in found]
+    words = f"{len(lost)} of {len(results)} claims have no verdict" if lost else ""
+    return report.json_record(kept, asked.seed, **_about(asked)), words
 
 
 def _about(asked: _Request) -> dict[str, str]:

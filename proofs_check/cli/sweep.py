@@ -10,7 +10,8 @@ from arrangement.console import terminal
 from arrangement.console.progress import Bar, duration, shown
 from arrangement.errors import InputError
 from arrangement.library.files.json_files import read_document
-from proofs_check.errors import SweepError
+from proofs_check.errors import OwnClaimError, SweepError
+from proofs_check.own_claims.claim_file import split
 from proofs_check.reports import forms
 from proofs_check.reports.text import verdict
 from proofs_check.sweep import report as sweepreport, store
@@ -95,8 +96,11 @@ def run_report(arguments: argparse.Namespace) -> int:
     make = forms.form(f".{arguments.format}" if arguments.format else ending)
     if arguments.format == "pdf" and not arguments.output:
         raise InputError("a report as PDF needs a file: -o FILE.pdf")
-    own = arguments.source.endswith(".py")
-    record = file_record(arguments.source, arguments) if own else _read(arguments.source)
+    lost = ""
+    if split(arguments.source)[0]:
+        record, lost = file_record(arguments.source, arguments)
+    else:
+        record = _read(arguments.source)
     made = _made(make, record, arguments.source)
     if arguments.output:
         forms.write(arguments.output, made)
@@ -104,6 +108,8 @@ def run_report(arguments: argparse.Namespace) -> int:
         terminal.print_json(record)
     elif not arguments.output:
         print(made, end="")
+    if lost:
+        raise OwnClaimError(lost)
     return terminal.YES if record["as_expected"] is True else terminal.NO
 
 

@@ -110,10 +110,14 @@ def family(name: str, **parameters: Any) -> Family:
             mistake = f"the family {known} has no parameter {shown(key)}"
             raise OwnClaimError(str(refusal(mistake, key, usable, "it has")))
     given = {_own(known, key) for key in values}
-    for key, parameter in usable.items():
-        if parameter.default is parameter.empty and key not in given:
-            example = "n" if key == "type" else key
-            raise OwnClaimError(f"the family {known} needs {key}: {known}({example}=2..6)")
+    missing = {
+        "n" if key == "type" else key: _several(range(2, 7))
+        for key, parameter in usable.items()
+        if parameter.default is parameter.empty and key not in given
+    }
+    if missing:
+        example = Family(known, values | missing)
+        raise OwnClaimError(f"the family {known} needs {' and '.join(missing)}: {example}")
     made = Family(known, values)
     if not 1 <= len(made) <= MOST_MEMBERS:
         raise OwnClaimError(f"{made} has {len(made):,} members; give 1 to {MOST_MEMBERS:,}")

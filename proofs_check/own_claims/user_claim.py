@@ -235,12 +235,17 @@ def _called(function: Callable[..., Any], *arguments: Any) -> Any:
 
 
 def _with_parameters(function: Callable[..., Any], subject: Any, *more: Any) -> Any:
-    """Call a function with an instance; of a family, with those parameters that it names."""
+    """Call a function with an instance; of a family, with the parameters that it names besides."""
     if not isinstance(subject, Member):
         return function(subject, *more)
     named = inspect.signature(function).parameters
     every = any(parameter.kind is parameter.VAR_KEYWORD for parameter in named.values())
-    chosen = {key: value for key, value in subject.parameters.items() if every or key in named}
+    taken = list(named)[: 1 + len(more)]
+    chosen = {
+        key: value
+        for key, value in subject.parameters.items()
+        if key not in taken and (every or key in named)
+    }
     return function(subject.planes, *more, **chosen)
 
 

@@ -54,6 +54,8 @@ def test_members_are_those_of_the_library():
         ("catalana(n=2..3)", "did you mean catalan?"),
         ("catalan(k=2..3)", "it has type, m"),
         ("catalan()", "catalan(n=2..6)"),
+        ("simplicial", "needs planes and number: simplicial(planes=2..6, number=2..6)"),
+        ("simplicial(planes=9)", "needs number: simplicial(planes=9, number=2..6)"),
         ("random-integer(m=3, seed=0..10000)", f"more than {MOST_MEMBERS:,} values"),
         ("random-integer(m=3..103, seed=0..100)", f"give 1 to {MOST_MEMBERS:,}"),
         ("catalan(n=3..2)", "0 members"),
@@ -68,6 +70,18 @@ def test_what_is_no_family_is_one_error(text, words, capsys):
     assert words in error
     assert error.startswith("error: ")
     assert error.count("\n") == 1
+
+
+def test_a_first_argument_may_have_the_name_of_a_parameter():
+    found = []
+
+    def of_planes(planes):
+        found.append(len(planes))
+        return True
+
+    own = claim("?", of=family("simplicial", planes=[9, 13], number=1))(of_planes)
+    assert evaluate(own).verdict is Verdict.HOLDS
+    assert found[:2] == [9, 13]
 
 
 def test_functions_of_a_claim_take_the_parameters_that_they_name():

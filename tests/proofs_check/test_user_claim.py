@@ -337,8 +337,16 @@ def test_one_claim_of_a_file_can_be_named_and_one_that_fails_keeps_the_others(wr
     assert [one["id"] for one in json.loads(capsys.readouterr().out)["results"]] == ["good"]
     assert main(["show", f"{path}:good"]) == 0
     assert main(["list", path, "--json"]) == 0
+    capsys.readouterr()
+    assert main(["report", path]) == 2
+    printed = capsys.readouterr()
+    assert "good" in printed.out
+    assert printed.err.endswith("error: 2 of 3 claims have no verdict\n")
+    assert main(["report", f"{path}:good"]) == 0
+    assert capsys.readouterr().out.count("holds") >= 1
     for words, message in {
         ("run", f"{path}:nothing"): "error: nothing returned None",
+        ("report", f"{path}:nothing"): "error: nothing returned None",
         ("run", f"{path}:god"): "did you mean good?",
         ("show", path): "has 3 claims",
         ("list", "good"): "is no file of claims",
