@@ -67,7 +67,7 @@ function removeOwn(name) {
   if (!known) return false;
   editor.own.splice(editor.own.indexOf(known), 1);
   data.exercises.splice(data.exercises.indexOf(known), 1);
-  Object.assign(exercises, { at: null, solved: new Set() });
+  Object.assign(exercises, { at: null, solved: new Set(), checks: exercises.checks + 1 });
   listExercises();
   return true;
 }
