@@ -51,6 +51,9 @@ $(BIN)/python:
 	"$$python" -m venv --clear $(VENV)
 
 # Python compiles a module when it is first imported; pip would compile all, most of its time.
+# Where it may not keep what it compiled, as in many containers, each program that a test starts would
+# compile again all that it imports.
+unexport PYTHONDONTWRITEBYTECODE
 INSTALL = $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile --constraint constraints.txt --editable
 
 $(VENV)/.stamp-run: pyproject.toml constraints.txt | $(BIN)/python
