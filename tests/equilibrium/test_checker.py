@@ -270,7 +270,7 @@ def leaf_holds(
 
 
 @pytest.mark.parametrize(
-    ("cases", "kinds"), [(800, 20), pytest.param(8000, 24, marks=pytest.mark.campaign)]
+    ("cases", "kinds"), [(800, 20), pytest.param(4000, 24, marks=pytest.mark.campaign)]
 )
 def test_the_bounds_of_a_leaf_are_exact(cases, kinds):
     source, found = Random("leaves"), Counter()
@@ -597,7 +597,7 @@ def test_changes_of_every_kind(documents):
     """Numbers, indices and names; nodes moved, dropped, exchanged and given twice."""
     found = Counter()
     for seed, document in enumerate(documents):
-        for path, change, mutant in mutants(document, 120, seed):
+        for path, change, mutant in mutants(document, 60, seed):
             found[agree(mutant, (path, change))] += 1
     assert min(found[kind] for kind in ("accepted", "refused", "malformed")) > 200
 
