@@ -281,7 +281,7 @@ class _Quotients:
         vectors = seconds = bytes = 0.0
         for k in range(self.rank, self.top - 1 if self.rank else 1):
             flats = flats_foreseen(planes, k, known, found)
-            kept = flats_foreseen(planes, k + 1, known, found) * max(planes - k - 1, 0)
+            kept = flats_foreseen(planes, k + 1, known, found) * (planes - k - 1)
             kept *= k + 2 < self.top
             before, vectors = vectors, kept * (160 + (self.top - k) * self.bits * (k + 1) / 4)
             seconds += 1e-6 * (flats * (planes - k) / 2 + kept * (2 + 0.06 * self.bits))

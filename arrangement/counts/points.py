@@ -140,7 +140,7 @@ def _minors(arrangement: Planes) -> Iterator[tuple[list[Any], tuple[int, ...]]]:
                 others.append(minor)
             if divisor == 1:
                 break
-        if divisor > 1 or (others and not divisor):
+        if divisor > 1 or others:
             planes = [arrangement.firsts[i] for i in chosen if i < len(arrangement.firsts)]
             yield [divisor, *others], tuple(planes)
 

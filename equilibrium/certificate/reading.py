@@ -251,7 +251,7 @@ def _long_leaf(content: Mapping[str, Any], path: str, contacts: int, dimension: 
     if "turn" in bounds:
         turn = _rationals(bounds["turn"], 2 if dimension == 2 else 4, f"{where}.turn")
     given = _by_contacts(bounds.get("forces", {}), f"{where}.forces", contacts)
-    forces = {i: _rationals([x], 1, f"{where}.forces.{i}")[0] for i, x in given.items()}
+    forces = {i: rational(x, f"{where}.forces.{i}") for i, x in given.items()}
     return Leaf(motion, multipliers, turn, forces)
 
 

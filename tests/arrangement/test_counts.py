@@ -1,17 +1,20 @@
 """Characteristic polynomial, Whitney numbers, face counts: known values, oracles and laws."""
 
+import math
 from itertools import product as iter_product
 
 import numpy as np
 import pytest
+import sympy
 from hypothesis import given, settings
 from sympy import sqrt
 
 from arrangement import Arrangement, InputError, counts, families
-from arrangement.counts import low_rank as lowrank
+from arrangement.counts import low_rank as lowrank, points
 from arrangement.counts.configuration import configuration
 
 from . import oracle
+from .oracle import T
 from .strategies import arrangements
 
 
@@ -195,3 +198,56 @@ def test_primes_of_bad_reduction_are_refused():
         counts.by_points(families.h3(), [7, 11, 19])
     with pytest.raises(InputError, match="bad reduction: modulo 2"):
         counts.by_points(families.simplicial(17, 8), [2, 7, 17])
+
+
+def test_a_space_of_one_point_has_it_off_no_plane():
+    nothing = Arrangement([], dimension=0)
+    assert counts.points_off(nothing, 3) == 1
+    assert counts.by_points(nothing, [3]) == counts.by_points(nothing) == sympy.Poly(1, T)
+
+
+@pytest.mark.parametrize("entries", [1, 30])
+def test_points_are_counted_in_portions(entries, monkeypatch):
+    monkeypatch.setattr(points, "_CHUNK", entries)
+    for planes in (families.shi(3), families.random_integer(4, 3, bound=2, seed=1)):
+        assert counts.points_off(planes, 7) == oracle.points_by_hand(planes, 7)
+
+
+def test_primes_are_taken_up_to_words_of_64_bits():
+    pair = Arrangement([[1], [1]], [0, 5])
+    last = sympy.prevprime(math.isqrt(2**63))
+    assert counts.points_off(pair, last) == last - 2
+    with pytest.raises(InputError, match="too large for words of 64 bits in dimension 1"):
+        counts.points_off(pair, sympy.nextprime(last))
+    with pytest.raises(InputError, match="too large for words of 64 bits in dimension 2"):
+        counts.points_off(families.generic(3, 2), sympy.nextprime(2**31))
+
+
+def test_a_prime_is_good_if_it_leaves_each_basis_one_minor():
+    """On a line of a plane: the minors are 2 and 3, so none of them decides alone."""
+    for row in ([2, 3], [3, 2], [0, 2, 3]):
+        planes = Arrangement([row])
+        chi = counts.characteristic_polynomial(planes)
+        assert counts.by_points(planes, [2, 3, 5]) == chi
+    parallel = Arrangement([[1, 0], [1, 2]], [0, 1])
+    with pytest.raises(InputError, match=r"modulo 2 the planes \[0, 1\] meet"):
+        counts.by_points(parallel, [2, 3])
+    with pytest.raises(InputError, match=r"modulo 5 the planes \[0, 1\] meet"):
+        counts.by_points(Arrangement([[1, 0], [1, 0]], [0, 5]), [3, 5])
+
+
+def test_points_and_bases_are_foreseen(monkeypatch):
+    """As many steps as there are lines of the space times planes; so many times rank cubed."""
+    asked = []
+    monkeypatch.setattr(points.budget, "ask", lambda what, *_, **takes: asked.append((what, takes)))
+
+    def seconds(planes, word):
+        del asked[:]
+        counts.by_points(planes, [5, 7, 11])
+        return [takes["seconds"] for what, takes in asked if word in what]
+
+    assert seconds(families.generic(4, 3), "points of F_5^3") == [pytest.approx(5**2 * 4e-8)]
+    assert seconds(Arrangement([], dimension=2), "points of F_11^2") == [pytest.approx(11e-8)]
+    assert seconds(families.generic(4, 3), "bases of 4") == [pytest.approx(4 * 5**3 * 4e-7)]
+    affine = families.generic(4, 2, affine=True)
+    assert seconds(affine, "bases of 4") == [pytest.approx(10 * 5**3 * 4e-7)]

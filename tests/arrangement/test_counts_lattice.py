@@ -1,5 +1,6 @@
 """The intersection lattice and its Moebius function."""
 
+from collections import Counter
 from itertools import combinations, pairwise
 
 import networkx as nx
@@ -8,6 +9,7 @@ import sympy
 from hypothesis import assume, given, strategies as st
 
 from arrangement import Arrangement, InputError, counts, families
+from arrangement.counts import lattice as flats
 
 from . import oracle
 from .oracle import T
@@ -64,6 +66,18 @@ def test_closure_is_the_smallest_flat(planes, data):
     chosen = tuple(data.draw(st.sets(st.integers(0, len(planes) - 1), max_size=4)))
     flat = counts.intersection_lattice(planes).closure(chosen)
     assert (flat and flat.planes) == (closure_by_ranks(planes, chosen) if chosen else ())
+
+
+@given(arrangements(dimensions=(1, 4), planes=(0, 6)))
+def test_planes_through_the_flats_of_rank_2_are_counted(planes):
+    distinct = Arrangement(
+        [row[:-1] for row in planes.distinct_planes],
+        [row[-1] for row in planes.distinct_planes],
+        dimension=planes.dimension,
+    )
+    pairs = combinations(range(len(distinct)), 2)
+    through = {closure_by_ranks(distinct, pair) for pair in pairs} - {None}
+    assert counts.t_vector(planes) == dict(Counter(map(len, through)))
 
 
 @pytest.mark.parametrize("plane", [-1, 2, True])
@@ -230,3 +244,45 @@ def test_known_chains():
         counts.modular_chain(families.shi(3))
     with pytest.raises(InputError, match="cone"):
         counts.dual_chirotope(families.shi(3))
+
+
+def foreseen(planes, monkeypatch):
+    """Return the seconds and bytes that are foreseen before the lattice and before each rank."""
+    asked = []
+    with monkeypatch.context() as patch:
+        patch.setattr(flats.budget, "ask", lambda *what, **takes: asked.append((*what, takes)))
+        lattice = counts.intersection_lattice(planes)
+    asked = [takes for what, *_, takes in asked if "flats" in what]
+    return asked, [len(level) for level in lattice.masks]
+
+
+@pytest.mark.parametrize(
+    ("planes", "bits"),
+    [
+        (Arrangement([[1, k, k**2, k**3, k**4] for k in range(-3, 4)]), 7),
+        (families.braid(5), 1),
+        (Arrangement([[1, k, k**2, k**3 * sympy.sqrt(2)] for k in range(-3, 4)]), 1000),
+        (families.braid(3), 1),
+    ],
+    ids=str,
+)
+def test_what_flats_take_is_foreseen_from_those_that_are_known(planes, bits, monkeypatch):
+    """Time for each flat with a plane beside it; bytes for their vectors, of a rank and the next.
+
+    In general position all ranks are known from the second, else only the next one.
+    """
+    (before, *asked), found = foreseen(planes, monkeypatch)
+    m, top = len(planes), planes.rank
+    assert before == {"bytes": 200 * 2**top}
+
+    def expected(rank):
+        seconds, most, vectors = 0, 0, 0
+        for k in range(rank, top - 1) if rank else (0,):
+            pairs = found[k] * (m - k)
+            kept = found[k + 1] * (m - k - 1) if k + 2 < top else 0
+            seconds += pairs / 2 + kept * (2 + 0.06 * bits)
+            before, vectors = vectors, kept * (160 + (top - k) * (k + 1) * bits / 4)
+            most = max(most, before + vectors + 20 * pairs)
+        return {"seconds": pytest.approx(seconds * 1e-6), "bytes": pytest.approx(most)}
+
+    assert asked == [expected(rank) for rank in range(top - 1)]

@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement, Face, InputError, Planes, counts, read_arrangement
+from arrangement.counts import completeness
 from arrangement.counts.completeness import certify_complete
 from arrangement.enumeration.choose import ENGINES, enumerate_faces
 from arrangement.enumeration.great_circles import sphere_arrangement
@@ -248,6 +249,26 @@ def test_a_wrong_face_says_what_is_wrong(face, message):
     evidence = certify_complete(SQUARE, faces)
     assert not evidence
     assert any(message in problem for problem in evidence.problems)
+
+
+def test_twenty_problems_are_named():
+    wrong = [replace(CORNER, dimension=k % 2) for k in range(30)]
+    problems = certify_complete(SQUARE, wrong).problems
+    assert len(problems) == 20
+    assert all("has dimension 2" in problem for problem in problems)
+
+
+def test_the_proved_program_is_asked_where_it_is_wanted_and_nothing_else_is_wrong(monkeypatch):
+    asked = []
+    monkeypatch.setattr(completeness, "proved_f_vector", counts.f_vector)
+    monkeypatch.setattr(completeness, "proved_complete", lambda _, faces: asked.append(len(faces)))
+    faces = SQUARE.faces()
+    for listed, proved in ((faces[1:], True), (faces, False), (faces, True)):
+        assert not asked
+        problems = certify_complete(SQUARE, iter(listed), proved=proved).problems
+        assert len(problems) == (len(listed) < 9 or proved)
+    assert problems == ("the proved program refuses the list",)
+    assert asked == [9]
 
 
 def test_faces_of_huge_planes_are_checked_exactly():

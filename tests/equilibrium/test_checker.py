@@ -192,6 +192,7 @@ def test_a_wrong_proof_of_readable_form_is_a_report(tree):
         ({"virtual_motion": LEAF, "multipliers": {"0": []}}, "0 entries; expected 2"),
         ({"virtual_motion": LEAF, "multipliers": {"0": ["0"] * 3}}, "3 entries; expected 2"),
         ({"virtual_motion": LEAF, "multipliers": {"0": "0"}}, "expected a list"),
+        ({"virtual_motion": LEAF, "multipliers": {"0": 0}}, "expected a list"),
     ],
 )
 def test_what_is_no_tree_is_one_clear_error(tree, words):

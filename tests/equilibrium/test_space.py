@@ -584,6 +584,7 @@ class TestChecker:
             ({"contact": 0, "directions": [[1, 0], [0, 1]], "children": [[]] * 3}, "not attached"),
             ({"orthants": [[0] * 6] * 8}, "one of the keys virtual_motion, attachment, directions"),
             ([0, 0, 0], "tree has 3 entries"),
+            (3, "tree is 3; a node is"),
         ],
     )
     def test_what_is_no_tree_in_space_is_one_clear_error(self, node, words):
@@ -612,6 +613,8 @@ class TestChecker:
             assert not report, change
         with pytest.raises(InputError, match="enclosure"):
             check({**self.tree, "certificate": "resisted", "enclosure": given})
+        with pytest.raises(InputError, match=r"a pyramid .* needs no enclosure"):
+            check({**self.box, "pyramid": 4})
 
     def test_two_contacts_have_an_enclosure_but_for_a_turn_about_their_line(self):
         grasp = random_grasp(2, 1, dimension=3)

@@ -9,6 +9,7 @@ from random import Random
 import pytest
 import sympy
 
+from arrangement import InputError
 from arrangement.numbers.exact import dot
 from equilibrium import CertificateError, Grasp
 from equilibrium.certificate.document import resisted_certificate
@@ -20,7 +21,7 @@ from equilibrium.certificate.enclosure import (
     interval,
     total,
 )
-from equilibrium.certificate.reading import Leaf, Split
+from equilibrium.certificate.reading import Leaf, Split, read_enclosure, read_node
 from equilibrium.certificate.space import (
     SpatialQuestion,
     _broken_bound,
@@ -334,6 +335,31 @@ def test_parts_of_a_split_are_the_sectors_between_its_directions_and_no_split_is
             states(*asked)
 
 
+@pytest.mark.parametrize(("directions", "children"), [(0, 2), (1, 2), (2, 3), (4, 5)])
+def test_a_split_by_directions_has_stick_and_a_sector_each_or_two_halves(directions, children):
+    def node(children):
+        return {"contact": 0, "directions": [[1, 0]] * directions, "children": [[]] * children}
+
+    assert len(read_node(node(children), "tree", 1, 3).children) == children
+    for wrong in (children - 1, children + 1):
+        with pytest.raises(InputError, match=f"expected {children}"):
+            read_node(node(wrong), "tree", 1, 3)
+
+
+@pytest.mark.parametrize(("dimension", "motion", "size"), [(2, 3, 2), (3, 6, 4)])
+def test_the_largest_turn_has_a_price_and_a_number_for_each_turn(dimension, motion, size):
+    def leaf(size):
+        used = {"turn": ["1"] * size, "forces": {"1": "1/2"}}
+        return {"virtual_motion": [0] * motion, "multipliers": {"0": [3]}, "range": used}
+
+    slips = (0,) * (dimension - 1)
+    found = read_node(leaf(size), "tree", 2, dimension)
+    assert found == ((0,) * motion, {0: (3, *slips)}, (1,) * size, {1: HALF})
+    for wrong in (size - 1, size + 1):
+        with pytest.raises(InputError, match=f"turn has {wrong} entries; expected {size}"):
+            read_node(leaf(wrong), "tree", 2, dimension)
+
+
 HALF, WIDE, NARROW, TINY = F(1, 2), F(1, 8), F(1, 1000), F(1, 2**192)
 
 
@@ -519,6 +545,40 @@ def test_enclosures_of_contacts_that_stick_hold(name):
 @pytest.mark.parametrize(("words", "change"), FORGED)
 def test_forged_enclosures_are_refused_for_their_fault(words, change):
     assert words in enclosed(**change).problem
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"pillars": [[2, 0], [2, 1], [2, 2]]}, r"pillars\[2\] is 2; there are 0 to 1"),
+        ({"pillars": [[3, 0], [2, 1], [2, 0]]}, r"pillars\[0\] is 3; there are 0 to 2"),
+        ({"pillars": [[2, 0], [2, 1], [0, 0, 0]]}, r"pillars\[2\] has 3 entries; expected 2"),
+        ({"pillars": [[2, 0], [2, 1]]}, "pillars has 2 entries; expected 3"),
+        ({"friction": ["slip"] * 2}, "friction has 2 entries; expected 3"),
+        ({"friction": ["slip", "slip", [1]]}, r"friction\[2\] has 1 entries; expected 2"),
+        ({"friction": ["slip", "slip", [1, 2, 3]]}, r"friction\[2\] has 3 entries; expected 2"),
+        ({"centre": [0] * 5}, "centre has 5 entries; expected 6"),
+        ({"radius": [0] * 7}, "radius has 7 entries; expected 6"),
+        ({"inverse": [[0] * 6] * 5}, "inverse has 5 entries; expected 6"),
+        ({"inverse": [[0] * 5] * 6}, r"inverse\[0\] has 5 entries; expected 6"),
+        ({"basis": [[0] * 7] * 3}, r"basis\[0\] has 7 entries; expected 6"),
+        ({"idle": [[0] * 6]}, r"idle\[0\] has 6 entries; expected 7"),
+    ],
+)
+def test_an_enclosure_of_another_size_is_one_clear_error(change, words):
+    given = {
+        "basis": [[0] * 6] * 3,
+        "friction": ["detached", "slip", [0, "1/2"]],
+        "pillars": [[2, 0], [2, 1], [0, 0]],
+        "centre": [0] * 6,
+        "radius": [1] * 6,
+        "inverse": [[0] * 6] * 6,
+        "idle": [[0] * 7],
+    }
+    found = read_enclosure(given, 3)
+    assert (found.friction, found.pillars) == ((None, (), (0, HALF)), ((2, 0), (2, 1), (0, 0)))
+    with pytest.raises(InputError, match=words):
+        read_enclosure({**given, **change}, 3)
 
 
 @pytest.mark.parametrize(("state", "up", "words"), [
