@@ -62,6 +62,7 @@ class Target(NamedTuple):
 
 
 CHECKER = ("tests/equilibrium/test_checker.py",)
+GRASP = "tests/equilibrium/test_grasp.py::TestValues"
 PLANES = "tests/equilibrium/test_space.py::TestPlanes"
 PYRAMIDS = "tests/equilibrium/test_space.py::TestPyramids"
 SOLVER = ("tests/equilibrium/test_verdict.py",)
@@ -117,7 +118,7 @@ TARGETS = {
     "space": Target("equilibrium.certificate.space", SPACE),
     "enclosure": Target("equilibrium.certificate.enclosure", SPACE),
     "robust": Target("equilibrium.certificate.robust", ROBUST),
-    "plane": Target("equilibrium.model.grasp", (PLANES,)),
+    "plane": Target("equilibrium.model.grasp", (GRASP, PLANES)),
     "loads": Target("equilibrium.wrench_sets.spatial", LOADS),
     "final": Target("arrangement.library.census.final_polynomials", FINAL),
     "proofs": Target("arrangement.library.census.workshop.proofs", FINAL),

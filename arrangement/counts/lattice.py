@@ -166,7 +166,7 @@ def intersection_lattice(arrangement: Planes) -> IntersectionLattice:
     covers: list[tuple[tuple[int, ...], ...]] = []
     if config.rank == 3:
         masks, covers = _lower_levels_of_rank_three(config)
-    quotients = _Quotients.begin(config, masks)
+    quotients = _Quotients.begin(config)
     everything = (1 << len(config.vectors)) - 1
     while len(masks) < levels:
         if len(masks) == config.rank:  # central: the only flat left is the top
@@ -225,22 +225,20 @@ class _Quotients:
     masks: tuple[int, ...]
     vectors: list[dict[int, IntegerVector]]
     infinity: int
-    top: int = 0
-    bits: float = 0
-    rank: int = 0
+    top: int
+    bits: float
+    rank: int
 
     @classmethod
-    def begin(cls, config: Configuration, masks: list[tuple[int, ...]]) -> _Quotients:
-        """Start at the bottom, unless the levels are already given."""
+    def begin(cls, config: Configuration) -> _Quotients:
+        """Start at the bottom."""
         count = len(config.vectors)
-        if len(masks) > 1:
-            return cls((), [], count)
         vectors = {i: unoriented(vector) for i, vector in enumerate(config.vectors)}
         if config.infinity is not None:
             vectors[count] = config.infinity
         size = largest(config.vectors)
         bits = size.bit_length() if isinstance(size, int) else 1000
-        return cls((0,), [vectors], count, config.rank, bits)
+        return cls((0,), [vectors], count, config.rank, bits, 0)
 
     def extend(self, *, keep: bool) -> tuple[tuple[int, ...], tuple[tuple[int, ...], ...]]:
         """Move up one level; return its flats, and for each old flat the covers among them.

@@ -6,7 +6,7 @@ from itertools import combinations, pairwise
 import networkx as nx
 import pytest
 import sympy
-from hypothesis import assume, given, strategies as st
+from hypothesis import assume, given, settings, strategies as st
 
 from arrangement import Arrangement, InputError, counts, families
 from arrangement.counts import lattice as flats
@@ -68,6 +68,7 @@ def test_closure_is_the_smallest_flat(planes, data):
     assert (flat and flat.planes) == (closure_by_ranks(planes, chosen) if chosen else ())
 
 
+@settings(max_examples=30)
 @given(arrangements(dimensions=(1, 4), planes=(0, 6)))
 def test_planes_through_the_flats_of_rank_2_are_counted(planes):
     distinct = Arrangement(
@@ -133,6 +134,42 @@ def test_chirotope_of_big_entries_is_exact():
 def test_chirotope_refuses_affine_planes():
     with pytest.raises(InputError, match="cone"):
         counts.chirotope(Arrangement([[1, 0]], [1]))
+
+
+def test_chirotopes_are_written_in_the_order_of_their_kind():
+    planes = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1], [1, 2, 3]])
+    chi = counts.chirotope(planes)
+    for order, words in (
+        ((), "123 124 134 234 125 135 235 145 245 345"),
+        (("reverse-lexicographic",), "123 124 134 234 125 135 235 145 245 345"),
+        (("lexicographic",), "123 124 125 134 135 145 234 235 245 345"),
+    ):
+        signs = [chi[tuple(int(x) - 1 for x in word)] for word in words.split()]
+        assert counts.chirotope_string(planes, *order) == "".join("0+-"[x] for x in signs)
+    with pytest.raises(InputError, match="the order is 'random'; known are rev"):
+        counts.chirotope_string(planes, "random")
+
+
+@settings(max_examples=20)
+@given(arrangements(dimensions=(1, 3), planes=(0, 5), central=False))
+def test_of_affine_planes_there_are_those_of_the_cone(planes):
+    cone = counts.cone(planes) if any(planes.offsets) else planes
+    for data in (counts.circuits, counts.cocircuits, counts.bases, counts.chirotope_string):
+        assert data(planes) == data(cone)
+
+
+def test_determinants_are_foreseen(monkeypatch):
+    """Of r of m normals, r^3 steps each."""
+    asked = []
+    monkeypatch.setattr(flats.budget, "ask", lambda what, *_, **takes: asked.append((what, takes)))
+    for planes, number, order in (
+        (families.generic(6, 3), 20, 3),
+        (Arrangement([], dimension=2), 1, 1),
+    ):
+        del asked[:]
+        counts.chirotope(planes)
+        (takes,) = [takes for what, takes in asked if "determinants" in what]
+        assert takes == {"seconds": pytest.approx(number * order**3 * 4e-7), "bytes": number * 200}
 
 
 CENTRAL = arrangements(dimensions=(1, 4), planes=(0, 6), central=True)

@@ -1,6 +1,7 @@
 """Contacts, grasps and unit normals: conventions, validation, identity."""
 
 import json
+import re
 from fractions import Fraction
 
 import pytest
@@ -12,6 +13,10 @@ from equilibrium import Contact, Grasp, GraspError, read_grasp, solve, unit_norm
 from equilibrium.cli.program import LITERAL
 from equilibrium.grasps.instances import paths
 from equilibrium.methods.printed_model import OPTIONS, solve_literal
+from equilibrium.model import grasp as model
+from equilibrium.model.grasp import read_wrench, wrench_of
+from equilibrium.model.labels import Units
+from equilibrium.model.outline import Mesh, Polygon
 from equilibrium.wrench_sets import resisted_magnitudes
 
 from .strategies import contacts, grasps, wrenches
@@ -55,6 +60,74 @@ def test_values_are_frozen():
 @given(grasps(4))
 def test_file_form_round_trip(grasp):
     assert Grasp.from_dict(grasp.to_dict()) == grasp
+
+
+FLAT, DEEP = Contact((1, 2), (0, 1), 1, 2, 3), Contact((1, 2, 3), (0, 0, 1), 1)
+SQUARE, SOLID = (
+    Polygon([(0, 0), (1, 0), (1, 1)]),
+    Mesh([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]),
+)
+
+
+class TestValues:
+    """What a grasp takes, keeps and refuses."""
+
+    @pytest.mark.parametrize(
+        ("contacts", "outline", "words"),
+        [
+            ([FLAT, DEEP, FLAT], None, "contacts[1] is in space, and contacts[0] in the plane;"),
+            ([FLAT, FLAT, DEEP], None, "contacts[2] is in space, and contacts[0] in the plane;"),
+            ([DEEP, FLAT], None, "contacts[1] is in the plane, and contacts[0] in space;"),
+            ([DEEP], SQUARE, "the outline is in the plane, and contacts[0] in space;"),
+            ([FLAT, FLAT], SOLID, "the outline is in space, and contacts[0] in the plane;"),
+            ([FLAT], "a square", "outline is 'a square'; give"),
+        ],
+    )
+    def test_all_of_it_is_in_the_plane_or_in_space(self, contacts, outline, words):
+        with pytest.raises(GraspError, match=re.escape(words)):
+            Grasp(contacts, outline=outline)
+
+    def test_labels_are_kept_and_others_refused(self):
+        units = Units("mm", "N")
+        grasp = Grasp([FLAT], units, SQUARE)
+        assert (grasp.units, grasp.outline, grasp.dimension) == (units, SQUARE, 2)
+        assert Grasp([DEEP], outline=SOLID).dimension == 3
+        assert Grasp().dimension == 2
+        with pytest.raises(GraspError, match="units is 'mm'; give"):
+            Grasp([FLAT], "mm")
+
+    def test_planes_of_motions_are_those_without_slip_and_those_of_zero_spring_force(self):
+        (tangential, normal) = Grasp([FLAT]).motion_arrangement().integer_planes
+        assert tangential == (-1, 0, 2, 0)
+        assert normal == (0, 2, 2, 3)
+
+    def test_the_force_of_a_wrench_acts_at_the_origin_unless_a_point_is_given(self):
+        assert wrench_of((1, 2)) == (1, 2, 0)
+        assert wrench_of((1, 2), (3, 5)) == (1, 2, 1)
+        assert wrench_of((1, 2, 3), dimension=3) == (1, 2, 3, 0, 0, 0)
+        assert wrench_of((1, 2, 3), (1, 0, 0), 3) == (1, 2, 3, 0, -3, 2)
+
+    @pytest.mark.parametrize("length", [0, 2, 4, 5, 7])
+    def test_a_wrench_of_the_wrong_length_names_the_right_one(self, length):
+        with pytest.raises(GraspError, match=r"in the plane takes 3: f_x, f_y and tau$"):
+            read_wrench([0] * length)
+        with pytest.raises(GraspError, match=r"in space takes 6: f_x, f_y, f_z, tau_x, tau_y and"):
+            read_wrench([0] * length, 3)
+
+    @pytest.mark.parametrize("version", [True, "1", 0, 2, 1.0])
+    def test_another_version_of_the_file_is_refused(self, version):
+        with pytest.raises(GraspError, match="this version reads 1"):
+            Grasp.from_dict({"schema_version": version, "contacts": []})
+
+    def test_a_file_has_a_line_for_each_entry(self, tmp_path):
+        Grasp([FLAT]).save(tmp_path / "grasp.json")
+        lines = (tmp_path / "grasp.json").read_text().splitlines(keepends=True)
+        assert lines[1] == ' "schema_version": 1,\n'
+        assert lines[-1] == "}\n"
+
+    def test_a_notebook_shows_a_picture_of_a_grasp_in_the_plane_alone(self, monkeypatch):
+        monkeypatch.setattr(model, "named", lambda _: len)
+        assert [Grasp([contact])._repr_svg_() for contact in (FLAT, DEEP)] == [1, None]
 
 
 def test_normal_that_is_not_unit_names_the_remedy():
