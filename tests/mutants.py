@@ -109,6 +109,15 @@ FORECASTS = tuple(
         "flats_of_a_high_rank_are_refused_before_any_is_made",
     )
 )
+#: What is counted by symmetries, or until a time is over.
+GIVEN = tuple(
+    f"{SYMMETRIC}::test_{name}"
+    for name in (
+        "given_symmetries_are_checked",
+        "a_time_limit_leaves_what_is_known",
+        "few_symmetries_leave_flats_to_the_lattice",
+    )
+)
 ENGINES = "tests/arrangement/test_engines.py"
 INSCRIBED = "tests/arrangement/test_inscribed.py"
 TARGETS = {
@@ -128,7 +137,7 @@ TARGETS = {
     "lattice": Target("arrangement.counts.lattice", (LATTICE, COUNTS, *FORECASTS)),
     "cone": Target("arrangement.counts.in_cone", ("tests/arrangement/test_fan.py",)),
     "operations": Target("arrangement.counts.operations", (OPERATIONS, *FORECASTS)),
-    "whitney": Target("arrangement.counts.whitney", (COUNTS, *FORECASTS)),
+    "whitney": Target("arrangement.counts.whitney", (COUNTS, *FORECASTS, *GIVEN)),
     "points": Target("arrangement.counts.points", (COUNTS,)),
     "configuration": Target("arrangement.counts.configuration", (OPERATIONS, *FORECASTS)),
     "matroid": Target("arrangement.counts.oriented_matroid", (LATTICE,)),

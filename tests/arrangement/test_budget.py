@@ -16,10 +16,11 @@ import pytest
 from arrangement import Arrangement, OutOfReachError, counts, families
 from arrangement.cli import main as arrangement_main
 from arrangement.counts import whitney
-from arrangement.counts.configuration import configuration, is_generic, pivot_columns
+from arrangement.counts.configuration import configuration, is_generic
 from arrangement.enumeration.choose import most_faces
 from arrangement.library.files import table
 from arrangement.numbers import budget
+from arrangement.numbers.linear.rank import PRIME
 from equilibrium import contact_states
 from equilibrium.cli.program import main as equilibrium_main
 from equilibrium.grasps.inputs.random import random_grasp
@@ -221,6 +222,10 @@ def test_planes_of_independent_parts_are_counted_part_by_part():
     assert sum(counts.f_vector(families.coordinate(30))) == 3**30
     chi = counts.first_whitney_numbers(families.coordinate(200))
     assert chi == tuple((-1) ** k * math.comb(200, k) for k in range(201))
+    pencil = [[1, 0], [0, 1], [1, 1]]
+    blocks = [[0] * 2 * k + row + [0] * (38 - 2 * k) for k in range(20) for row in pencil]
+    assert sum(counts.f_vector(Arrangement(blocks))) == 13**20
+    assert sum(map(abs, counts.first_whitney_numbers(Arrangement(blocks)))) == 6**20
     skew = Arrangement(
         [[1, 1, 0, 0, 0], [1, -1, 0, 0, 0], [1, 0, 0, 0, 0], [0, 1, 1, 1, 1], [0, 1, 1, 1, 1]],
         [0, 0, 0, 1, 2],
@@ -243,13 +248,13 @@ def test_one_plane_off_the_others_is_a_factor_of_its_own():
         1,
     ]
     assert len(counts.irreducible_factors(Arrangement([*flat, [0, 0, 1], [0, 1, 1]]))) == 1
+    second = Arrangement([flat[0], [0, 0, 1], *flat[1:]])  # not among those that are looked at
+    assert [len(part) for part in counts.irreducible_factors(second)] == [1, 30]
 
 
 def test_factors_that_only_a_prime_shows_are_none():
-    prime = 2**31 - 1
-    planes = Arrangement([[1, 0], [0, 1], [prime, 1]])  # modulo the prime two of them coincide
+    planes = Arrangement([[1, 0], [0, 1], [PRIME, 1]])  # modulo the prime two of them coincide
     assert [len(part) for part in counts.irreducible_factors(planes)] == [3]
-    assert pivot_columns([(1, 0), (1, prime), (2, prime)], 2) == (0, 1)
 
 
 def test_a_larger_limit_allows_larger_pictures():

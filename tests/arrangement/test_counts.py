@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from sympy import sqrt
 
 from arrangement import Arrangement, InputError, counts, families
-from arrangement.counts import low_rank as lowrank, points
+from arrangement.counts import low_rank as lowrank, points, whitney
 from arrangement.counts.configuration import configuration
 
 from . import oracle
@@ -95,6 +95,33 @@ def test_relative_bounded_regions_ignore_common_directions():
     strip = Arrangement([[1, 0], [1, 0]], [0, 1])
     assert counts.bounded_region_count(strip) == 0
     assert counts.bounded_region_count(strip, relative=True) == 1
+
+
+def test_bounded_regions_of_a_triangle_and_of_its_prism():
+    triangle = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
+    prism = Arrangement([[1, 0, 0], [0, 1, 0], [1, 1, 0]], [0, 0, 1])
+    assert counts.bounded_region_count(triangle) == 1
+    assert counts.bounded_region_count(triangle, relative=True) == 1
+    assert counts.bounded_region_count(prism) == 0
+    assert counts.bounded_region_count(prism, relative=True) == 1
+
+
+def test_faces_and_flats_of_many_symmetric_planes_are_those_of_set_partitions(monkeypatch):
+    """Flats are partitions of six things, faces ordered ones: Stirling numbers. No lattice."""
+    monkeypatch.setattr(whitney, "intersection_lattice", None)
+    planes = families.braid(6)
+    first, second = (1, -15, 85, -225, 274, -120), (1, 15, 65, 90, 31, 1)
+    assert counts.whitney_numbers(planes) == (first, second)
+    assert counts.first_whitney_numbers(planes, time_limit=1000) == first
+    faces = [math.factorial(6 - k) * number for k, number in enumerate(second)]
+    assert counts.f_vector(planes) == (0, *reversed(faces))
+
+
+def test_whitney_numbers_of_few_planes_and_of_planes_in_general_position():
+    assert counts.whitney_numbers(families.braid(4)) == ((1, -6, 11, -6), (1, 6, 7, 1))
+    found = counts.whitney_numbers(families.generic(8, 5, affine=True))
+    assert found.second == tuple(math.comb(8, k) for k in range(6))
+    assert found.first == tuple((-1) ** k * math.comb(8, k) for k in range(6))
 
 
 def test_work_is_split_without_changing_the_sums(monkeypatch):
@@ -187,8 +214,9 @@ def test_primes_of_bad_reduction_are_refused():
     planes = Arrangement([[1, 0], [0, 1], [1, 1], [1, -1]])
     with pytest.raises(InputError, match=r"bad reduction: modulo 2 the planes \[2, 3\]"):
         counts.by_points(planes, [2, 5])
-    with pytest.raises(InputError, match="4 is no prime"):
-        counts.by_points(planes, [3, 4])
+    for number in (4, "7"):
+        with pytest.raises(InputError, match=r"[47]'? is no prime"):
+            counts.by_points(planes, [3, number])
     with pytest.raises(InputError, match="give at least 2"):
         counts.by_points(planes, [3, 3])
     with pytest.raises(InputError, match=r"too many steps|too large for words"):
@@ -229,6 +257,8 @@ def test_a_prime_is_good_if_it_leaves_each_basis_one_minor():
         planes = Arrangement([row])
         chi = counts.characteristic_polynomial(planes)
         assert counts.by_points(planes, [2, 3, 5]) == chi
+    square = Arrangement([[1, 0], [0, 1]], [0, 1])
+    assert counts.by_points(square, [2, 3]) == counts.characteristic_polynomial(square)
     parallel = Arrangement([[1, 0], [1, 2]], [0, 1])
     with pytest.raises(InputError, match=r"modulo 2 the planes \[0, 1\] meet"):
         counts.by_points(parallel, [2, 3])

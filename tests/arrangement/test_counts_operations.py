@@ -1,16 +1,26 @@
 """Deletion, restriction, localization, cone, essentialization."""
 
+from collections import Counter
 from fractions import Fraction
+from itertools import combinations
+from random import Random
 
 import pytest
 import sympy
 from hypothesis import given, strategies as st
 
 from arrangement import Arrangement, InputError, counts
+from arrangement.counts.configuration import (
+    configuration,
+    flats_foreseen,
+    is_generic,
+    pivot_columns,
+)
 from arrangement.counts.operations import flat_chart
 from arrangement.numbers.exact import dot
+from arrangement.numbers.linear.rank import PRIME
 
-from .oracle import T
+from .oracle import T, rank
 from .strategies import RATIONALS, arrangements
 
 
@@ -109,4 +119,53 @@ def test_a_union_has_the_planes_of_both_once(one, other):
     for normal, offset in zip(other.normals, other.offsets, strict=True):
         added = counts.addition(added, normal, offset)
     assert added.integer_planes == one.integer_planes + other.integer_planes
+    assert counts.addition(one, [2, 4]).integer_planes[-1] == (1, 2, 0)
     assert both.has_same_planes(added)
+
+
+def test_vectors_are_generic_when_no_largest_minor_is_0():
+    source, found = Random(3), Counter()
+    for _ in range(150):
+        d, affine = source.randint(1, 4), source.random() < 0.4
+        rows = [[source.randint(-4, 4) or 1 for _ in range(d + 1)] for _ in range(d + 2)]
+        rows = rows[: source.randint(1, d + 2)]
+        planes = Arrangement([row[:-1] for row in rows], [affine * row[-1] for row in rows])
+        config = configuration(planes)
+        vectors = [*config.vectors, *([config.infinity] if affine else [])]
+        bases = combinations(vectors, config.rank)
+        generic = all(rank(chosen) == config.rank for chosen in bases)
+        assert is_generic(config) == generic
+        found[generic, affine, len(vectors) - config.rank] += 1
+    assert len(found) > 8
+
+
+def test_minors_that_a_prime_divides_are_not_seen_and_irrational_ones_not_looked_at():
+    assert not is_generic(configuration(Arrangement([[1, 0], [1, PRIME], [2, PRIME]])))
+    assert not is_generic(configuration(Arrangement([[1, 0], [0, 1], [PRIME, 1]])))
+    root = sympy.sqrt(2)
+    assert is_generic(configuration(Arrangement([[1, root], [root, 1]])))
+    assert not is_generic(configuration(Arrangement([[1, root], [root, 1], [1, 0]])))
+    assert not is_generic(configuration(Arrangement([[1, 0], [1, 0], [2, 1]], [0, 1, 0])))
+
+
+def test_irrational_planes_have_factors():
+    root = sympy.sqrt(2)
+    planes = Arrangement([[1, root, 0, 0], [0, 0, 1, root], [root, 1, 0, 0], [1, 1, 0, 0]])
+    assert [len(part) for part in counts.irreducible_factors(planes)] == [1, 3]
+
+
+@pytest.mark.parametrize("times", [1, 4])
+def test_columns_that_a_prime_divides_are_seen(times):
+    rows = [(1, 0), (1, PRIME), (2, PRIME)] * times
+    assert pivot_columns(rows, 2) == (0, 1)
+    assert pivot_columns([(0, 2 * y, x, x + y) for x, y in rows], 4) == (1, 2)
+
+
+def test_flats_are_foreseen_from_the_share_of_general_position():
+    assert flats_foreseen(10, 3, 2, 45) == 120
+    assert flats_foreseen(10, 2, 2, 20) == pytest.approx(20)
+    assert flats_foreseen(10, 4, 2, 45 / 4) == pytest.approx(210 / 2**12)
+    assert flats_foreseen(10, 4, 3, 120 / 2**6) == pytest.approx(210 / 2**12)
+    assert flats_foreseen(7, 3, 1, 7) == flats_foreseen(7, 3, 0, 1) == 35
+    assert flats_foreseen(8, 2, 1, 4) == pytest.approx(28 / 2**2)
+    assert (flats_foreseen(1, 1, 2, 0), flats_foreseen(1, 2, 2, 0)) == (1, 0)

@@ -204,6 +204,11 @@ def test_given_symmetries_are_checked():
     with pytest.raises(InputError, match="keeps them together"):
         counts.first_whitney_numbers(twice, symmetry=[[0, 2, 1, 3]])
     assert counts.first_whitney_numbers(twice, symmetry=[[2, 3, 1, 0]]) == (1, -2, 1)
+    assert counts.first_whitney_numbers(Arrangement([], dimension=2), symmetry=[]) == (1,)
+    for generic in (families.generic(7, 5), families.coordinate(5)):
+        swapped = [1, 0, *range(2, len(generic) - 1), 2]
+        with pytest.raises(InputError, match=r"each once|no automorphism"):
+            counts.first_whitney_numbers(generic, symmetry=[swapped])
 
 
 def _swapped_coordinates(planes: Arrangement) -> list[tuple[int, ...]]:
