@@ -13,7 +13,7 @@ from hypothesis import given
 from sympy.combinatorics import Permutation, PermutationGroup
 
 from arrangement import Arrangement, InputError, NumberField, counts, families
-from arrangement.counts.classes import symmetric
+from arrangement.counts.classes import automorphisms, symmetric
 from arrangement.counts.classes.automorphisms import Automorphisms
 from arrangement.counts.classes.images import Images
 from arrangement.counts.classes.symmetric import moduli_above
@@ -224,6 +224,59 @@ def test_an_affine_symmetry_must_keep_infinity():
     line_and_parallels = Arrangement([[1, 0], [1, 0], [0, 1]], [0, 1, 0])
     with pytest.raises(InputError, match="no automorphism"):
         counts.first_whitney_numbers(line_and_parallels, symmetry=[[2, 1, 0]])
+
+
+@pytest.mark.parametrize("planes", [families.braid(4), families.shi("A2")], ids=str)
+def test_what_is_completed_is_an_automorphism(planes):
+    search = Automorphisms(configuration(planes))
+    found, fixed = 0, search._fixed
+    for images in itertools.permutations(range(len(planes)), len(search._base) - fixed):
+        for signs in itertools.product((1, -1), repeat=len(images)):
+            path = [(plane, 1) for plane in search._base[:fixed]]
+            path += zip(images, signs, strict=True)
+            image = search._completed(path, search._key(path))
+            if image is not None:
+                search.verified([image])
+                found += 1
+    assert found
+
+
+def test_signs_that_do_not_agree_around_a_triangle_are_no_signs_of_vectors():
+    ones = np.ones((3, 3), dtype=np.int64)
+    one_pair, one_vector = ones.copy(), ones.copy()
+    one_pair[0, 1] = one_pair[1, 0] = -1
+    one_vector[0, 1:] = one_vector[1:, 0] = -1
+    assert not automorphisms._equal_up_to_signs(one_pair, ones)
+    assert automorphisms._equal_up_to_signs(one_vector, ones)
+
+
+@pytest.mark.parametrize(
+    ("planes", "number"),
+    [
+        (families.braid(5), 1),
+        (families.type_b(3), 2),
+        (families.random_integer(9, 5, seed=1), 9),
+        (Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1]), 1),
+        (Arrangement([[1, 0], [1, 0], [0, 1]], [0, 1, 0]), 2),
+    ],
+    ids=str,
+)
+def test_orbits_of_planes(planes, number):
+    search = Automorphisms(configuration(planes))
+    assert search.orbits(search.generators()) == number
+    assert len(search.generators(0)) == 0
+
+
+def test_the_search_for_symmetries_is_foreseen(monkeypatch):
+    asked = []
+    monkeypatch.setattr(
+        automorphisms.budget, "ask", lambda what, *_, **takes: asked.append((what, takes))
+    )
+    config = configuration(families.braid(4))
+    del asked[:]
+    Automorphisms(config)
+    (takes,) = [takes for what, takes in asked if "symmetries of 6 planes" in what]
+    assert takes == {"seconds": pytest.approx((2e-7 * 36 + 2e-6 * 9) * 3), "bytes": 60 * 36}
 
 
 def test_small_primes_that_lose_minors_are_noticed(monkeypatch):
