@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import subprocess
 import sys
 from collections.abc import Iterable
 from contextlib import suppress
@@ -57,6 +56,8 @@ def _run(
     arguments: Iterable[str], text: str | None, error: type[InputError], seconds: float = 0
 ) -> tuple[int, str]:
     """Return exit code and output."""
+    import subprocess  # slow to load, and few commands need it
+
     found = program()
     if found is None:
         raise error(

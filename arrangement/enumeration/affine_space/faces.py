@@ -61,7 +61,7 @@ def faces_around(table: PlaneTable, lines: Lines) -> Faces:
     sizes = lines.through.sum(axis=1)[lines.line]
     parts = [
         _around_segments(table, lines, np.flatnonzero(sizes == k), k)
-        for k in np.unique(sizes).tolist()
+        for k in sorted(set(sizes.tolist()))
     ]
     facets, on, edge = map(np.concatenate, zip(*parts, strict=True))
     one, other = _found_twice(np.column_stack([facets, on.astype(np.uint64)]))

@@ -98,7 +98,7 @@ def _sort_block(signs: ExactSigns, block: slice, found: Crossings) -> None:
     near = np.abs(np.diff(keys >> bits, axis=1)) < 2 if signs.reliable else ~tied[:, 1:]
     rows, columns = np.divmod(np.flatnonzero(near), count - 2)
     ascents = _ascents(signs, own, order, turn, rows, columns)
-    if wrong := np.unique(rows[ascents < 0]).tolist():
+    if wrong := sorted(set(rows[ascents < 0].tolist())):
         normals = signs.normals.tolist()
         for row in wrong:
             _sort_exactly(normals, block.start + row, order[row], turn[row])
