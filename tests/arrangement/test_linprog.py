@@ -19,6 +19,7 @@ from arrangement.numbers.linear.programs import (
     feasible_point,
     minimize,
 )
+from arrangement.numbers.linear.rank import gauss_jordan, rank
 from proofs_check.routes.oracle import project
 
 Rows = list[tuple[Fraction, ...]]
@@ -233,3 +234,14 @@ def test_a_guess_in_floats_is_near_the_exact_answer_and_takes_in_further_rows(da
     multipliers = program.multipliers()
     assert multipliers.min() >= 0
     assert multipliers @ rows == pytest.approx([*[0] * (n - 1), -1, -exact.value], abs=1e-8)
+
+
+@pytest.mark.parametrize("bits", [3, 2000])
+def test_elimination_leaves_one_pivot_in_a_column_whatever_the_size_of_the_numbers(bits):
+    source = Random(bits)
+    one, other = ([source.getrandbits(bits) + 1 for _ in range(5)] for _ in range(2))
+    rows = [one, other, [a - b for a, b in zip(one, other, strict=True)], [0] * 5]
+    reduced, pivots, scale = gauss_jordan(rows)
+    assert [[row[j] for j in pivots] for row in reduced[:2]] == [[scale, 0], [0, scale]]
+    assert reduced[2:] == [[0] * 5] * 2
+    assert rank([*rows, *reduced]) == len(pivots) == 2

@@ -24,6 +24,7 @@ from .program_rows import Infeasible, Numbers, Optimal, Row, Rows, Terms, Unboun
 
 __all__ = (
     "Infeasible", "Optimal", "Program", "Row", "Unbounded", "feasible_point", "minimize",
+    "some_point",
 )  # fmt: skip
 
 #: Of less work than this exact pivots are as quick as a guess.
@@ -178,3 +179,12 @@ def feasible_point(
 ) -> RationalVector | Infeasible:
     """Return a point of R^n that satisfies all rows, or the proof that there is none."""
     return Program(n, inequalities, equalities).point()
+
+
+def some_point(
+    n: int, inequalities: Sequence[Row], equalities: Sequence[Row] = ()
+) -> RationalVector | None:
+    """Return a point of R^n that satisfies all rows; None, without a proof, if there is none."""
+    program = Program(n, inequalities, equalities)
+    point = program.point() if program.feasible else None
+    return None if isinstance(point, Infeasible) else point

@@ -256,6 +256,13 @@ def gauss_jordan(
     """
     rows = fast_integers([primitive(row) for row in matrix])
     pivots: list[int] = []
+    if rows and rows[0] and not isinstance(rows[0][0], int):
+        from flint import fmpz_mat
+
+        whole, common, count = fmpz_mat(rows).rref()
+        rows = [list(map(int, row)) for row in whole.tolist()]
+        pivots = [next(j for j, x in enumerate(row) if x) for row in rows[:count]]
+        return rows, pivots, int(common)
     scale = 1
     for column in range(len(rows[0]) if rows else 0):
         done = len(pivots)
@@ -271,6 +278,4 @@ def gauss_jordan(
                 rows[i] = [(pivot * a - factor * b) // scale for a, b in zip(row, top, strict=True)]
         scale = pivot
         pivots.append(column)
-    if rows and type(scale) is not int:
-        return [list(map(int, row)) for row in rows], pivots, int(scale)
     return rows, pivots, scale
