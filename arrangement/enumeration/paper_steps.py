@@ -26,7 +26,7 @@ from arrangement.console.number_form import Shown
 from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, sign
-from arrangement.numbers.linear.programs import Infeasible, feasible_point
+from arrangement.numbers.linear.programs import some_point
 from arrangement.planes.planes import Planes
 
 if TYPE_CHECKING:
@@ -97,11 +97,7 @@ def published_enumeration(arrangement: Planes, merge: bool = False) -> Published
             "of R^3; use Arrangement.faces() otherwise"
         )
     planes = [plane[:-1] for plane in arrangement.integer_planes]
-    budget.ask(
-        f"the published enumeration of {len(planes)} planes",
-        "list their faces",
-        seconds=1.5e-6 * len(planes) ** 6,
-    )
+    ask_steps(len(planes))
     classes = arrangement.distinct if merge else tuple((i,) for i in range(len(planes)))
     regions = _regions([planes[members[0]] for members in classes])
     graph = _graph(regions)
@@ -118,6 +114,15 @@ def published_enumeration(arrangement: Planes, merge: bool = False) -> Published
         lines=tuple(filled(signs) for signs in lines),
         cycles=cycles,
         graph=_described(graph, [filled(signs) for signs in regions], classes),
+    )
+
+
+def ask_steps(planes: int) -> None:
+    """Refuse the steps for so many planes where they would take long."""
+    budget.ask(
+        f"the published enumeration of {planes} planes",
+        "list their faces",
+        seconds=1.5e-6 * planes**6,
     )
 
 
@@ -142,8 +147,7 @@ def _point_inside(signs: SignVector, planes: list[IntegerVector]) -> RationalVec
     A cone ``s_i n_i . x > 0`` is nonempty exactly when ``s_i n_i . x >= 1`` can be solved.
     """
     rows = [[*(s * x for x in plane), -1] for s, plane in zip(signs, planes, strict=False)]
-    answer = feasible_point(3, rows)
-    return None if isinstance(answer, Infeasible) else answer
+    return some_point(3, rows)
 
 
 def _graph(regions: list[SignVector]) -> nx.Graph:

@@ -20,7 +20,7 @@ from arrangement.console.number_form import counted
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.polyhedron import Polyhedron
-from arrangement.numbers.linear.programs import Infeasible, feasible_point
+from arrangement.numbers.linear.programs import some_point
 from equilibrium.methods.method import Accepting, Method, Outcome, cut
 from equilibrium.methods.springs import Forces, force_rows, forces_at
 from equilibrium.model.grasp import Grasp, read_wrench
@@ -61,8 +61,8 @@ def cones(grasp: Grasp, wrench: Iterable[Any], *, printed: bool = False) -> Cone
     choices = [(True,) * len(grasp)] if printed else _attached_choices(grasp)
     for tried, attached in enumerate(choices, 1):
         pairs, rows = _program(grasp, attached)
-        point = feasible_point(n, rows, balance_rows(grasp, pairs, applied, n))
-        if not isinstance(point, Infeasible):
+        point = some_point(n, rows, balance_rows(grasp, pairs, applied, n)[0])
+        if point is not None:
             return ConesVerdict(True, point[:3], forces_at(pairs, point), tried)
     return ConesVerdict(False, None, None, tried)
 

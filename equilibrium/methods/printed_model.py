@@ -13,7 +13,7 @@ from typing import Any
 
 from arrangement.console.number_form import Shown
 from arrangement.console.progress import watched
-from arrangement.enumeration.paper_steps import published_enumeration
+from arrangement.enumeration.paper_steps import ask_steps, published_enumeration
 from arrangement.numbers.exact import RationalVector, to_text
 from arrangement.planes.faces import Face
 from equilibrium.methods.method import Method, Outcome
@@ -112,7 +112,10 @@ def _states(grasp: Grasp, options: tuple[str, ...]) -> tuple[States, ...]:
     faces = (tangential if "detachment" in options else grasp.motion_arrangement()).faces()
     published: Collection[tuple[int, ...]] | None = None
     if "coincident-planes" in options:
-        published = frozenset(published_enumeration(tangential).states)
+        ask_steps(m)
+        # Of distinct planes they list all faces but the origin: "Minimum cycle basis" in the docs.
+        if len(tangential.distinct) < m:
+            published = frozenset(published_enumeration(tangential).states)
     # The origin; where the tangential planes share a line, the enumeration lists that line.
     origin = "all-stick" not in options or tangential.rank < 3
 

@@ -20,7 +20,7 @@ from arrangement.numbers.exact import (
 )
 from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
-from arrangement.numbers.linear.programs import Infeasible, feasible_point
+from arrangement.numbers.linear.programs import some_point
 from equilibrium.methods.method import Accepting, Decide, Method, Outcome, cut
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
@@ -58,10 +58,10 @@ def balanced_wrenches(
     rays, lines = generators([APEX, *map(primitive, rows)], [], 4)
     if not any(ray[3] for ray in rays):
         return None
-    balance = balance_rows(grasp, pairs, (Fraction(0),) * 3)
+    balance, unit = balance_rows(grasp, pairs, (Fraction(0),) * 3)
 
     def images(motions: Iterable[IntegerVector]) -> list[IntegerVector]:
-        found = (([-Fraction(dot(row, d)) for row in balance], Fraction(d[3])) for d in motions)
+        found = (([-dot(row, d) for row in balance], unit * d[3]) for d in motions)
         return [primitive([*wrench, h]) for wrench, h in found if h or any(wrench)]
 
     return from_generators(images(rays), images(lines), 3)
@@ -132,11 +132,10 @@ def balancing_friction(grasp: Grasp) -> RationalVector | None:
         for side in (1, -1)
     ]
     at_rest = [((*[Fraction(0)] * m, c.preload), unit_row(i, m)) for i, c in enumerate(grasp)]
-    balance = balance_rows(grasp, at_rest, (Fraction(0),) * 3, m)
+    balance, _ = balance_rows(grasp, at_rest, (Fraction(0),) * 3, m)
     if all(row[-1] == 0 for row in balance):
         return (Fraction(0),) * m
-    point = feasible_point(m, cones, balance)
-    return None if isinstance(point, Infeasible) else point
+    return some_point(m, cones, balance)
 
 
 def _with_usual_springs(decide: Callable[[Grasp, RationalVector, list[Pair]], Accepting]) -> Decide:
@@ -191,8 +190,8 @@ def linear_compliance(
 
 
 def _compliance(grasp: Grasp, wrench: RationalVector, springs: list[Pair]) -> ComplianceVerdict:
-    motion = feasible_point(3, [], balance_rows(grasp, springs, wrench))
-    if isinstance(motion, Infeasible):
+    motion = some_point(3, [], balance_rows(grasp, springs, wrench)[0])
+    if motion is None:
         return ComplianceVerdict(False, None, None, ())
     forces = forces_at(springs, motion)
     outside = tuple(
@@ -275,8 +274,8 @@ def _frictionless(
     tried = 0
     for tried, states in enumerate(product(STATES, repeat=len(grasp)), 1):
         forces, rows = _forces_in(states, springs), _legal_rows(grasp, states, springs)
-        motion = feasible_point(3, list(rows), balance_rows(grasp, forces, wrench))
-        if not isinstance(motion, Infeasible):
+        motion = some_point(3, list(rows), balance_rows(grasp, forces, wrench)[0])
+        if motion is not None:
             found = forces_at(forces, motion)
             return FrictionlessSlipVerdict(True, states, motion, found, tried)
     return FrictionlessSlipVerdict(False, None, None, None, tried)

@@ -32,7 +32,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector, primitive, rational, shown, to_text
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
-from arrangement.numbers.linear.programs import Infeasible, Unbounded, feasible_point, minimize
+from arrangement.numbers.linear.programs import Infeasible, Unbounded, minimize, some_point
 from equilibrium.methods.method import Method, Outcome, cut
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.errors import GraspError
@@ -149,9 +149,9 @@ def _system(
     m = len(grasp)
     n = 3 + 2 * m
     pairs = [(unit_row(3 + i, n), unit_row(3 + m + i, n)) for i in range(m)]
-    forces = balance_rows(grasp, pairs, load, n)
+    forces, unit = balance_rows(grasp, pairs, load, n)
     inertia = ((*row, *[Fraction(0)] * (n - 2)) for row in matrix)
-    equalities = [sum_row(a, b, -1) for a, b in zip(forces, inertia, strict=True)]
+    equalities = [sum_row(a, b, -unit) for a, b in zip(forces, inertia, strict=True)]
     inequalities: list[RationalVector] = []
     for contact, (push, friction), (normal, slip) in zip(grasp, pairs, label, strict=True):
         opening = (*contact.normal_wrench, *[Fraction(0)] * (n - 2))
@@ -175,8 +175,8 @@ def _nonzero_solution(
     n: int, inequalities: list[RationalVector], equalities: list[RationalVector]
 ) -> RationalVector | None:
     """Return the first three entries of a solution in which they are not all zero, if any."""
-    point = feasible_point(n, inequalities, equalities)
-    if isinstance(point, Infeasible):
+    point = some_point(n, inequalities, equalities)
+    if point is None:
         return None
     if any(point[:3]):
         return point[:3]

@@ -6,9 +6,10 @@ motion ``d = (x, y, r)`` first, and the constant last.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from typing import TypeAlias, TypeVar
+from typing import Any, TypeAlias, TypeVar
 
 from arrangement.numbers.exact import RationalVector
 from equilibrium.model.contact import Contact, pyramid_edges
@@ -70,18 +71,37 @@ def cone_rows(friction: Fraction, normal: RationalVector, tangential: RationalVe
 
 def balance_rows(
     contacts: Iterable[Contact], forces: Iterable[Pair], wrench: Sequence[Fraction], n: int = 3
-) -> tuple[RationalVector, ...]:
-    """Return the three rows of ``sum (c_n N + c_t T) + w``."""
-    rows = [[Fraction(0)] * n + [w] for w in wrench]
-    for contact, pair in zip(contacts, forces, strict=True):
-        wrenches = (contact.normal_wrench, contact.tangential_wrench)
-        for direction, force in zip(wrenches, pair, strict=True):
-            along = [(row, a) for row, a in zip(rows, direction, strict=True) if a]
-            for j, x in enumerate(force):
-                if x:
-                    for row, a in along:
+) -> tuple[tuple[tuple[Any, ...], ...], int]:
+    """Return the three rows of ``sum (c_n N + c_t T) + w`` times a unit in integers, and the unit.
+
+    No fraction is reduced on the way, which takes long where numbers are.
+    """
+    parts = [
+        (*over_unit(direction), *over_unit(force))
+        for contact, pair in zip(contacts, forces, strict=True)
+        for direction, force in zip(
+            (contact.normal_wrench, contact.tangential_wrench), pair, strict=True
+        )
+        if any(force)
+    ]
+    load, size = over_unit(wrench)
+    unit = math.lcm(size, *(one * other for _, one, _, other in parts))
+    rows = [[0] * n + [w * (unit // size)] for w in load]
+    for direction, one, force, other in parts:
+        factor = unit // (one * other)
+        for row, a in zip(rows, direction, strict=True):
+            if a:
+                a *= factor
+                for j, x in enumerate(force):
+                    if x:
                         row[j] += a * x
-    return tuple(map(tuple, rows))
+    return tuple(map(tuple, rows)), unit
+
+
+def over_unit(row: Sequence[Fraction]) -> tuple[list[int], int]:
+    """Return integers and their common denominator."""
+    unit = math.lcm(*(x.denominator for x in row))
+    return [x.numerator * (unit // x.denominator) for x in row], unit
 
 
 def friction_edges(contact: Contact, pyramid: int = 4) -> tuple[RationalVector, ...]:

@@ -21,6 +21,8 @@ from arrangement.numbers.exact import RationalVector, primitive, to_text
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, Range
 
+from .contact_rows import over_unit
+
 #: Larger numbers are cut off.
 _LARGEST = 1e60
 #: Where all numbers but 0 are in this range, nothing underflows or overflows on the way.
@@ -100,8 +102,8 @@ class IntegerContacts:
         m = len(grasp)
         spring, wrenches = [], []
         for c in grasp:
-            spring.append(_whole((c.preload, *(-c.stiffness * x for x in c.normal_wrench))))
-            wrenches.append(_whole((*c.normal_wrench, *c.tangential_wrench)))
+            spring.append(over_unit((c.preload, *(-c.stiffness * x for x in c.normal_wrench))))
+            wrenches.append(over_unit((*c.normal_wrench, *c.tangential_wrench)))
         self.spring = whole([row for row, _ in spring], (m, 4))
         self.spring_unit = whole([unit for _, unit in spring], (m,))
         both = whole([row for row, _ in wrenches], (m, 6))
@@ -171,12 +173,6 @@ class IntegerContacts:
     def floats(self) -> FloatContacts:
         """The same in floating point."""
         return FloatContacts(self.grasp)
-
-
-def _whole(row: RationalVector) -> tuple[list[int], int]:
-    """Return integers and their common denominator."""
-    unit = math.lcm(*(x.denominator for x in row))
-    return [x.numerator * (unit // x.denominator) for x in row], unit
 
 
 def whole(values: Sequence[Any], shape: tuple[int, ...]) -> Whole:

@@ -190,7 +190,8 @@ def _relaxed_rows(
             pull = tuple(DIRECTION[state] * x for x in tangential)
             inequalities.append(sum_row(pull, normal, -low))
             inequalities.append(tuple(-DIRECTION[state] * x for x in slip))
-    return [*balance_rows(grasp, forces, wrench, n), *sticking], inequalities, n
+    balance, _ = balance_rows(grasp, forces, wrench, n)
+    return [*balance, *sticking], inequalities, n
 
 
 def _ranges() -> Iterator[tuple[Fraction, Fraction]]:

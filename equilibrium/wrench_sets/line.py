@@ -169,7 +169,7 @@ def interval_between(at_zero: StateSystem, at_one: StateSystem) -> Interval | No
     Args:
         at_zero, at_one: the system for t = 0 and for t = 1.
     """
-    n = at_zero.size
+    n, (one, other) = at_zero.size, primitive((at_zero.unit, at_one.unit))
     equalities, inequalities = (
         [(*row[:-1], end[-1] - row[-1], row[-1]) for row, end in zip(*rows, strict=True)]
         for rows in (
@@ -177,6 +177,12 @@ def interval_between(at_zero: StateSystem, at_one: StateSystem) -> Interval | No
             (at_zero.inequalities, at_one.inequalities),
         )
     )
+    if one != other:  # the balances of the two are in different units
+        ends = zip(at_zero.equalities[:3], at_one.equalities, strict=False)
+        equalities[:3] = [
+            (*(other * x for x in row[:-1]), one * end[-1] - other * row[-1], other * row[-1])
+            for row, end in ends
+        ]
     reduced, pivots, scale = gauss_jordan(equalities)
     if n + 1 in pivots:
         return None

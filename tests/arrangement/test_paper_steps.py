@@ -99,3 +99,12 @@ def test_cycles_are_closed_and_sum_to_nothing(planes):
 def test_only_central_planes_of_space_are_meant(planes):
     with pytest.raises(InputError, match="R\\^3"):
         published_enumeration(planes)
+
+
+@given(arrangements(dimensions=(3, 3), planes=(0, 6), central=True))
+def test_of_distinct_planes_all_faces_but_the_origin_are_listed(planes):
+    """What a literal reading of the paper takes from here, without running the steps."""
+    normals = [plane[:-1] for plane in planes.integer_planes]
+    first = Arrangement([normals[members[0]] for members in planes.distinct], dimension=3)
+    listed = {signs for signs in published_enumeration(first).states if any(signs)}
+    assert listed == {signs for signs in true_states(first) if any(signs)}

@@ -44,19 +44,21 @@ class StateSystem:
     """The closed linear system of one choice of states, for one wrench.
 
     Rows have one coefficient for each variable and the constant last. Equalities (``= 0``): the
-    three balances, then ``T . d`` of each sticking contact. Inequalities (``>= 0``), contact by
-    contact: the spring (``stiffness N . d - preload`` when detached, else the normal force); then
-    for slip the direction of ``T . d``, for stick ``friction c_n - c_t`` and the same with ``+``;
-    at last the bounds of a range.
+    three balances times `unit`, then ``T . d`` of each sticking contact. Inequalities (``>= 0``),
+    contact by contact: the spring (``stiffness N . d - preload`` when detached, else the normal
+    force); then for slip the direction of ``T . d``, for stick ``friction c_n - c_t`` and the same
+    with ``+``; at last the bounds of a range.
 
     Attributes:
         forces: for each contact the (normal, tangential) force as two rows in the variables.
+        unit: with it the balances are in integers.
     """
 
     states: States
     equalities: tuple[RationalVector, ...]
     inequalities: tuple[RationalVector, ...]
     forces: tuple[tuple[RationalVector, RationalVector], ...]
+    unit: int
 
     @cached_property
     def program(self) -> programs.Program:
@@ -66,7 +68,7 @@ class StateSystem:
     def with_more(self, load: RationalVector) -> StateSystem:
         """Return the system for this load besides the one that it has."""
         balances = zip(self.equalities[:3], load, strict=True)
-        rows = [(*row[:-1], row[-1] + w) for row, w in balances]
+        rows = ((*row[:-1], row[-1] + self.unit * w) for row, w in balances)
         return replace(self, equalities=(*rows, *self.equalities[3:]))
 
     @property
@@ -119,9 +121,10 @@ def state_system(
             if cell_check:
                 inequalities.append(slip if direction < 0 else negated(slip))
         forces.append((normal, tangential))
-    rows = (*balance_rows(grasp, forces, wrench, n), *equalities)
+    balance, unit = balance_rows(grasp, forces, wrench, n)
     inequalities += range_rows(within, (normal for normal, _ in forces), n)
-    return StateSystem(states, rows, tuple(inequalities), tuple(forces))
+    rows = tuple(inequalities)
+    return StateSystem(states, (*balance, *equalities), rows, tuple(forces), unit)
 
 
 def value(row: RationalVector, point: RationalVector) -> Fraction:
@@ -163,8 +166,8 @@ def _planes(grasp: Grasp, states: States) -> list[IntegerVector]:
     """Return rows that are 0 at all loads, with 1 last, that have these states."""
     system = state_system(grasp, states, _NO_LOAD)
     n = system.size
-    unit = [tuple(Fraction(int(j == k)) for j in range(3)) for k in range(n)]
-    rows = [(*row[:n], *e, row[n]) for row, e in zip(system.equalities, unit, strict=True)]
+    loads = [[Fraction(system.unit * (j == k)) for j in range(3)] for k in range(n)]
+    rows = [[*row[:n], *w, row[n]] for row, w in zip(system.equalities, loads, strict=True)]
     reduced, pivots, _ = gauss_jordan(rows)
     return [primitive(row[n:]) for row, pivot in zip(reduced, pivots, strict=False) if pivot >= n]
 
