@@ -15,7 +15,6 @@ import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
-from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.model.solution import Enclosure, Solution
 from equilibrium.plane.contacts import nearest
 from equilibrium.space.states import StateBalance
@@ -26,7 +25,8 @@ _LEAST = 1e-40
 #: Significant digits of the centres of boxes in decimals and in floats; the decimals.
 _CENTRE, _SHORT = 45, 20
 _CONTEXT = Context(prec=60, Emin=-200, Emax=200)
-_STEPS, _CLOSE = 24, 1e-9
+#: Steps at most; after how many each has to be far shorter than the last; what may be left over.
+_STEPS, _PATIENCE, _CLOSE = 24, 6, 1e-9
 #: Relative error of sums in floats, with room.
 _ROUNDING = 1e-13
 
@@ -123,15 +123,19 @@ class _System:
         """Return the end, and there: the sum, its derivative's inverse, the motion, the forces."""
         point = np.array([self.number(Fraction(x)) for x in point.tolist()], dtype=self.type)
         close = 1e-15 if self.type is float else Decimal(10) ** -_CENTRE
-        last = False
-        for _ in range(_STEPS):
+        last, long = False, point[0]
+        for k in range(_STEPS):
             value, derivative, motion, forces = self._value(point)
             inverse = _inverse(derivative)
             if last:
                 break
             step = inverse @ value
             point = point - step
-            last = bool(np.abs(step).max() <= close * np.abs(point).max())
+            long, before = np.abs(step).max(), long
+            # Near a root that has an inverse steps shrink faster and faster.
+            last = bool(
+                long <= close * np.abs(point).max() or (k >= _PATIENCE and 8 * long > before)
+            )
         return point, value, inverse, motion, forces
 
     def _value(self, point: Any) -> tuple[Any, Any, Any, Any]:
@@ -179,13 +183,14 @@ def _inverse(matrix: Any) -> Any:
     """Return the inverse; ArithmeticError or LinAlgError if there is none in the numbers given."""
     if matrix.dtype != object:
         return np.linalg.inv(matrix)
-    rows: list[list[Any]] = [
-        [*map(Fraction, row), *(int(j == k) for k in range(6))] for j, row in enumerate(matrix)
-    ]
-    reduced, _, scale = gauss_jordan(rows)
-    if not all(row[j] == scale for j, row in enumerate(reduced)):
-        raise ZeroDivisionError
-    return np.array([[_decimal(Fraction(x, scale)) for x in row[6:]] for row in reduced], object)
+    table = np.hstack([matrix, np.diag([Decimal(1)] * 6)])
+    for k in range(6):
+        top = k + int(np.abs(table[k:, k]).argmax())
+        table[[k, top]] = table[[top, k]]
+        table[k] = table[k] / table[k, k]
+        others = np.arange(6) != k
+        table[others] -= np.outer(table[others, k], table[k])
+    return table[:, 6:]
 
 
 def _decimal(x: Fraction | int) -> Decimal:
