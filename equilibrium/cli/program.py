@@ -143,7 +143,8 @@ def _bound(text: str) -> tuple[str, str]:
 def _list(arguments: argparse.Namespace) -> int:
     from arrangement.library.files.json_files import described
 
-    return terminal.print_names(described("contacts"), arguments.json)
+    bodies = {name: f"(modes alone) {text}" for name, text in described("normals").items()}
+    return terminal.print_names(described("contacts") | bodies, arguments.json)
 
 
 def _solve(arguments: argparse.Namespace) -> int:
