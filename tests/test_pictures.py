@@ -202,6 +202,19 @@ def test_at_the_right_it_stands_beside_the_picture(drawings, view, name):
             assert h / 2 - 1 <= item.place[1] <= sheet.height
 
 
+def test_an_emphatic_line_stays_on_the_sheet():
+    """Bold letters are wider than others."""
+    made = Scene(88.0, 40.0)
+    made.legend.line("depends on the rounding: not resisted for others within", True)
+    words = [x for x in laid_out(made).items if isinstance(x, Label)]
+    assert len(words) == 1
+    for x in words:
+        width = measure(x.text, x.size, weight="bold")[0]
+        assert width > 1.1 * measure(x.text, x.size)[0]
+        assert x.place[0] >= 0
+        assert x.place[0] + width <= made.width
+
+
 def test_without_a_legend_captions_stay(tmp_path):
     planes = read_arrangement("braid-a3-in-r4")
     for legend, shown in (("none", False), ("below", True)):

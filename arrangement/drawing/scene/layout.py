@@ -146,12 +146,12 @@ def _strip(legend: Legend, width: float, size: float, highest: float) -> Scene:
     room, row = width - 2 * _SIDE, _ROW * size
     first, last = (
         [
-            part
+            (part, measure(part, size, weight=weight)[0])
             for text, strong in legend.lines
-            if strong == which
-            for part in wrapped(text, room, size)
+            if strong == (weight == "bold")
+            for part in wrapped(text, room, size, weight)
         ]
-        for which in (True, False)
+        for weight in ("bold", "normal")
     )
     rows = _rows(legend, room, size)
     table = _table(legend.table, room)
@@ -163,15 +163,15 @@ def _strip(legend: Legend, width: float, size: float, highest: float) -> Scene:
     height = row * count + _TABLE_ROW * len(table) + 4.0 * bool(count or table)
     scene = Scene(width / POINTS, height / POINTS)
     ends = [max(_end(cell, size) for cell in cells) for cells in rows]
-    used = max([*(measure(text, size)[0] for text in [*first, *last]), *ends], default=0.0)
+    used = max([*(length for _, length in [*first, *last]), *ends], default=0.0)
     left, y = (width - used) / 2, height - 2.0
 
     def start(length: float) -> float:
         """Return where a row begins: several rows of keys have one left end."""
         return left if len(rows) > 1 else (width - length) / 2
 
-    for text in first:
-        at = start(measure(text, size)[0]), y - row / 2
+    for text, length in first:
+        at = start(length), y - row / 2
         _write(scene, at, text, size, weight="bold", color=VERMILION)
         y -= row
     for cells, lines, end in zip(rows, heights, ends, strict=True):
@@ -182,8 +182,8 @@ def _strip(legend: Legend, width: float, size: float, highest: float) -> Scene:
                 at = (x + key.width + _BESIDE, y - row * (k + 0.5))
                 _write(scene, at, text, size, color=BLACK)
         y -= row * lines
-    for text in last:
-        _write(scene, (start(measure(text, size)[0]), y - row / 2), text, size, color=BLACK)
+    for text, length in last:
+        _write(scene, (start(length), y - row / 2), text, size, color=BLACK)
         y -= row
     column = room / max(map(len, table), default=1)
     for k, entries in enumerate(table):

@@ -36,23 +36,26 @@ _ALIKE = str.maketrans("123456789\u2007\u2212\u25cb", "0" * 10 + "+\u25cf")
 _ALONE = frozenset("0+\u25cf\u200a")
 
 
-def measure(text: str, size: float = FONT, rotation: float = 0.0) -> tuple[float, float]:
+def measure(
+    text: str, size: float = FONT, rotation: float = 0.0, weight: str = "normal"
+) -> tuple[float, float]:
     """Return the width and height of a text in the fonts that are set now, in points."""
     settings = require_matplotlib().rcParams
     text = text.translate(_ALIKE)
     if _ALONE.issuperset(text):
         text = "".join(sorted(text))
-    return _measured(text, size, rotation, (*settings["font.family"], *settings["font.sans-serif"]))
+    fonts = (*settings["font.family"], *settings["font.sans-serif"])
+    return _measured(text, size, rotation, weight, fonts)
 
 
 @lru_cache(maxsize=8192)
 def _measured(
-    text: str, size: float, rotation: float, _fonts: tuple[str, ...]
+    text: str, size: float, rotation: float, weight: str, _fonts: tuple[str, ...]
 ) -> tuple[float, float]:
     from matplotlib.text import Text
 
     renderer, figure = _measuring()
-    label = Text(0, 0, text, size=size, rotation=rotation, linespacing=1.0)
+    label = Text(0, 0, text, size=size, rotation=rotation, weight=weight, linespacing=1.0)
     label.set_figure(figure)
     extent = label.get_window_extent(renderer)
     return extent.width * 72 / DPI, extent.height * 72 / DPI
@@ -67,14 +70,16 @@ def _measuring() -> Any:
     return renderer(10, 10, DPI), Figure(dpi=DPI)
 
 
-def wrapped(text: str, room: float, size: float = FONT) -> list[str]:
+def wrapped(text: str, room: float, size: float = FONT, weight: str = "normal") -> list[str]:
     """Return a text in lines that fit a width in points, as far as its words do."""
     lines, width = [text], len(text)
     # No letter is half as narrow as this one: where even that is too long nothing is measured.
     most = int(room / (measure("i" * 20, size)[0] / 40))
     if width > most > 8:
         lines, width = textwrap.wrap(text, most), most
-    while width > 8 and any(measure(line, size)[0] > room for line in _longest_first(lines)):
+    while width > 8 and any(
+        measure(line, size, weight=weight)[0] > room for line in _longest_first(lines)
+    ):
         lines = textwrap.wrap(text, width)
         width = min(width, max(map(len, lines))) - 1
     return lines
