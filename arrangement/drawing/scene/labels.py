@@ -391,14 +391,18 @@ class Leaders:
         centres = start + ways * (length + reach(half, ways))
         low, high = centres - half, centres + half
         boxes = shapely.box(*(low - 1.0).T, *(high + 1.0).T)
+        # Of long names few have a place at all.
+        kept = np.flatnonzero(shapely.contains(self.within, boxes))
+        kept = kept[~covering(self.off, np.hstack([low, high])[kept], 1.0)]
+        if not len(kept):
+            return False
+        ways, length, centres, boxes = (x[kept] for x in (ways, length, centres, boxes))
         tracks = shapely.linestrings(
             np.stack([np.broadcast_to(start, centres.shape), start + ways * (length - 0.6)], axis=1)
         )
         written = shapely.STRtree(shapely.box(*np.array(self.scene.boxes).reshape(-1, 4).T))
         leaders = shapely.STRtree(self.drawn)
-        free = shapely.contains(self.within, boxes) & ~covering(
-            self.off, np.hstack([low, high]), 1.0
-        )
+        free = np.ones(len(kept), bool)
         for taken in (
             leaders.query(boxes, "dwithin", 0.6),
             leaders.query(tracks, "dwithin", 0.6),

@@ -237,8 +237,10 @@ def _score(units: Floats, cells: Cells, lifted: Sequence[tuple[int, ...]]) -> Fl
 def _lines(cells: Cells, normals: Sequence[IntegerVector]) -> list[IntegerVector]:
     """Return the directions of intersections of planes, the axes, and the diagonals of a cube."""
     # Of entries short enough for machine integers.
-    small = [n for n in normals if max(map(abs, n)) < 2**30]
-    crosses = {unoriented(primitive(np.cross(a, b).tolist())) for a, b in combinations(small, 2)}
+    small = np.array([n for n in normals if max(map(abs, n)) < 2**30]).reshape(-1, 3)
+    first, second = np.triu_indices(len(small), 1)
+    found = set(map(tuple, np.cross(small[first], small[second]).tolist()))
+    crosses = {unoriented(primitive(line)) for line in found}
     fixed = {(1, 0, 0), (0, 1, 0), (0, 0, 1)}
     if cells.body.kind == "cube":
         fixed |= {(1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)}
