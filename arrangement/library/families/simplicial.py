@@ -26,6 +26,7 @@ import json
 from functools import cache
 from importlib.resources import files
 from itertools import accumulate
+from math import gcd
 from typing import Any
 
 from arrangement.arrangement import Arrangement
@@ -154,14 +155,15 @@ def mirrors(n: int) -> list[tuple[Any, Any]]:
 
 def _multiples(n: int) -> tuple[list[Any], list[Any]]:
     """Return 2 cos(k x) and sin(k x) / sin(x) for x = 2 pi / n, k = 0, ..., n - 1."""
-    import sympy
-
     from arrangement.numbers.fields import MAX_DEGREE
 
-    if n > 8 * MAX_DEGREE**2 or sympy.totient(n) > 2 * MAX_DEGREE:  # its degree is half of that
+    # its degree is half of Euler's function
+    if n > 8 * MAX_DEGREE**2 or sum(gcd(k, n) == 1 for k in range(n)) > 2 * MAX_DEGREE:
         raise InputError(
             f"the cosine of 2 pi / {shown(n)} has a degree above {MAX_DEGREE}; take fewer planes"
         )
+    import sympy
+
     t = real_vector([2 * sympy.cos(2 * sympy.pi / n)], "the cosine")[0]
     cosines, sines = [2, t], [0, 1]
     for row in (cosines, sines):

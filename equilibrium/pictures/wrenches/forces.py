@@ -215,10 +215,12 @@ def slices(grasp: Grasp, torque: Fraction, preload: Fraction | None) -> list[tup
     else:
         chosen = (max(own, default=0) or 1) if preload is None else preload
         title, loaded = f"(c) preload {LABEL.number(chosen)}", grasp.with_preload(chosen)
+    # Most choices of states are with preload: what is out of reach is refused at once.
+    held = resisted_region(loaded, origin=origin)
     return [
         ("(a) Grasp Wrench Space, L1", METHODS["wrench-space-L1"].region(grasp, origin=origin)),
         ("(b) no preload", resisted_region(grasp.with_preload(0), origin=origin)),
-        (title, resisted_region(loaded, origin=origin)),
+        (title, held),
     ]
 
 
