@@ -168,6 +168,7 @@ def test_few_symmetries_leave_flats_to_the_lattice():
     [
         (families.resonance(4), math.factorial(5)),
         (families.braid(5), math.factorial(5)),
+        (families.type_b(2), 4),
         (families.type_b(4), 2**3 * math.factorial(4)),
         (families.threshold_functions(4), 2**4 * math.factorial(5)),
         (families.coxeter("E6"), 51840),
@@ -265,6 +266,13 @@ def test_orbits_of_planes(planes, number):
     search = Automorphisms(configuration(planes))
     assert search.orbits(search.generators()) == number
     assert len(search.generators(0)) == 0
+
+
+@pytest.mark.parametrize("steps", [1, 3, 20])
+def test_a_search_takes_the_steps_that_it_may(steps):
+    search = Automorphisms(configuration(families.coxeter("E6")))
+    search.generators(steps)
+    assert search._steps_left == 0
 
 
 def test_the_search_for_symmetries_is_foreseen(monkeypatch):

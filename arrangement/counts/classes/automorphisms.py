@@ -116,8 +116,8 @@ class Automorphisms:
         """Return which vectors the permutations can take one vector to."""
         reached = np.zeros(self.size, dtype=np.bool_)
         reached[plane] = True
-        count = 0
-        while count != (count := int(reached.sum())):
+        known = 0
+        while known != (known := int(reached.sum())):
             for image in found:
                 reached[image[reached]] = True
         return reached
