@@ -41,14 +41,16 @@ def slice_in_space(grasp: Grasp, axes: str, directions: int, width: float) -> Sc
     first, second = map(NAMES.index, chosen)
     spokes, loads = [], KnownLoads(grasp, _NODES)
     patient = KnownLoads(grasp, _MORE_NODES)
-    patient.trees = loads.trees
+    patient.trees, patient.solver = loads.trees, loads.solver
     for k in watched(range(directions), "directions"):
         angle = 2 * math.pi * k / directions
         way = unit_normal((math.cos(angle), math.sin(angle)), Fraction(1, 100)).normal
         load = [Fraction(0)] * 6
         load[first], load[second] = way
-        known = spatial_magnitudes(grasp, load, width=_WIDTH, loads=loads, every=_EVERY)
-        if known.samples[-1][1] == UNDECIDED:
+        # Without preload there is one load to ask, and an answer in any case.
+        asked = patient if loads.scales else loads
+        known = spatial_magnitudes(grasp, load, width=_WIDTH, loads=asked, every=_EVERY)
+        if asked is loads and known.samples[-1][1] == UNDECIDED:
             known = spatial_magnitudes(grasp, load, width=_WIDTH, loads=patient, every=_EVERY)
         spokes.append((np.array([float(x) for x in way]), known))
     rows = [
