@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import lru_cache
 from itertools import pairwise
 from typing import Any, NamedTuple, TypeAlias
 
@@ -38,6 +39,8 @@ Condition: TypeAlias = tuple[str, Floats, Floats]
 
 #: Sectors are cut down to this sine of their angle; directions are multiples of one over these.
 NARROW, _COARSE, _DIRECTIONS = 1e-4, 8, 64
+#: So many sectors are remembered.
+_SECTORS = 4096
 #: From this share of its limit on, smooth friction is that of a slip.
 _SLIPS = 0.9999
 
@@ -65,7 +68,7 @@ class RoundCones:
         if state == "stick":
             found.append(("zero", np.eye(2), np.zeros((2, 3))))
         elif isinstance(state, tuple):
-            u, v = self._units(state)
+            u, v = _units(state)
             middle = (u + v) / np.hypot(*(u + v))
             # All between u and v have products with both sides of at least 0.
             slips = [(u[1], -u[0]), (-v[1], v[0]), (0.0, 0.0)]
@@ -76,13 +79,15 @@ class RoundCones:
             return [*found, ("plus", np.zeros((1, 2)), -np.eye(3)[:1])]
         return [*found, ("round", np.zeros((3, 2)), np.diag([-mu, -1.0, -1.0]))]
 
-    def support(self, state: State, b: Floats) -> float:
-        """Return the largest product of b with a unit vector that the state allows."""
-        if isinstance(state, tuple):
-            u, v = self._units(state)
-            if not (u[0] * b[1] >= u[1] * b[0] and b[0] * v[1] >= b[1] * v[0]):
-                return float(max(u @ b, v @ b))
-        return math.hypot(*b)
+    def support(self, state: State, b: Floats) -> Any:
+        """Return the largest products of b (..., 2) with a unit vector that the state allows."""
+        x, y = b.T
+        size = np.hypot(x, y)
+        if not isinstance(state, tuple):
+            return size
+        (p, q), (r, s) = _units(state).tolist()
+        seen = (p * y >= q * x) & (x * s >= y * r)
+        return np.where(seen, size, np.maximum(p * x + q * y, r * x + s * y))
 
     def misses(self, limit: Floats, friction: Floats, slip: Floats) -> Floats:
         """Return how far friction forces (m, 2) are from what slips demand."""
@@ -131,21 +136,14 @@ class RoundCones:
 
     def sine(self, state: State) -> float:
         """Return the sine of the angle of a sector, 1 for wide ones and other states."""
-        if not isinstance(state, tuple):
-            return 1.0
-        u, v = self._units(state)
-        return float(u[0] * v[1] - u[1] * v[0]) if u @ v > 0 else 1.0
-
-    def _units(self, sector: Any) -> Floats:
-        """Return the unit vectors of the ends of a sector."""
-        return np.array([(x / math.hypot(x, y), y / math.hypot(x, y)) for x, y in sector])
+        return _sine(state) if isinstance(state, tuple) else 1.0
 
     def _middle(self, sector: Any) -> Direction | None:
         """Return integers near the middle of a sector; None if it is narrow."""
         sine = self.sine(sector)
         if sine < NARROW:
             return None
-        x, y = self._units(sector).sum(axis=0)
+        x, y = _units(sector).sum(axis=0)
         scale = (_COARSE if sine == 1.0 else _DIRECTIONS / sine) / math.hypot(x, y)
         return round(x * scale), round(y * scale)
 
@@ -195,10 +193,10 @@ class Pyramids:
         inside = np.column_stack([-mu * reach, sides]) if mu else -np.eye(3)[:1]
         return [*found, ("plus", np.zeros((len(inside), 2)), inside)]
 
-    def support(self, state: State, b: Floats) -> float:
-        """Return the largest product of b with an edge that the state allows."""
+    def support(self, state: State, b: Floats) -> Any:
+        """Return the largest products of b (..., 2) with an edge that the state allows."""
         edges = np.array(state.edges, dtype=float) if isinstance(state, Slip) else self._corners
-        return float((edges @ b).max())
+        return (b @ edges.T).max(axis=-1)
 
     def misses(self, limit: Floats, friction: Floats, slip: Floats) -> Floats:
         """Return how far friction forces (m, 2) are from what slips demand."""
@@ -275,6 +273,19 @@ def finished(node: Any) -> Any:
         if isinstance(node, dict) and key in node:
             return {**node, key: list(map(finished, node[key]))}
     return node
+
+
+@lru_cache(maxsize=_SECTORS)
+def _units(sector: Sector) -> Floats:
+    """Return the unit vectors of the ends of a sector."""
+    return np.array([(x / math.hypot(x, y), y / math.hypot(x, y)) for x, y in sector])
+
+
+@lru_cache(maxsize=_SECTORS)
+def _sine(sector: Sector) -> float:
+    """Return the sine of the angle of a sector, 1 for wide ones."""
+    u, v = _units(sector)
+    return float(u[0] * v[1] - u[1] * v[0]) if u @ v > 0 else 1.0
 
 
 def _turned(direction: Floats, degrees: float, size: int) -> Direction:

@@ -16,7 +16,7 @@ import numpy as np
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, to_text
 from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.model.range import NO_RANGE, Range
-from equilibrium.plane.contacts import FloatContacts
+from equilibrium.plane.contacts import FloatContacts, nearest
 
 from .cones import Cones, Node, State
 from .relaxation import Ray
@@ -64,6 +64,7 @@ class Leaves:
     """The leaves of one question.
 
     Attributes:
+        unit: of works.
         found: by states.
         ends: below the node of states, how many leaves of other loads refute this one, or do not.
     """
@@ -76,12 +77,13 @@ class Leaves:
         within: Range = NO_RANGE,
     ) -> None:
         self.contacts, self.cones = contacts, cones
+        self.floats = np.array([nearest(x) for x in wrench])
         self.found: dict[Node, ExactLeaf] = {}
         self.ends: dict[Node, tuple[int, int]] = {}
         grasp = contacts.grasp
         bounds = [within.largest_turn or Fraction(0), within.largest_force or Fraction(0)]
         given = [*wrench, *bounds, *(c.preload for c in grasp)]
-        unit = math.lcm(*(x.denominator for x in given))
+        unit = self.unit = math.lcm(*(x.denominator for x in given))
         self.load, self.bounds = _whole(wrench, unit), _whole(bounds, unit)
         frames = [(c.normal_wrench, *c.tangential_wrenches) for c in grasp]
         units = [math.lcm(*(x.denominator for row in frame for x in row)) for frame in frames]
@@ -166,10 +168,21 @@ class Leaves:
 
     def _work(self, leaf: _Numbers) -> Any:
         """Return the least work on the virtual motion of the load and all that contacts may do."""
+        return dot(self.load, leaf.motion) + self.rest(leaf)
+
+    def rest(self, leaf: _Numbers) -> Any:
+        """Return the least work of all but the load."""
         turn, force = self.bounds
-        work: Any = dot(self.load, leaf.motion) - sum(leaf.rho.values()) * force
+        work: Any = -sum(leaf.rho.values()) * force
         work -= leaf.turn[0] * turn if leaf.turn else 0
         return work + sum(row[0] * self.each[i].preload for i, row in leaf.given.items())
+
+    def holds(self, states: Node, leaf: ExactLeaf) -> bool:
+        """Return whether a leaf closes other states, too; it is theirs then."""
+        held = self._holds(states, leaf.numbers)
+        if held:
+            self.found[states] = leaf
+        return held
 
     def _holds(self, states: Sequence[State], leaf: _Numbers) -> bool:
         """Return whether a leaf whose linear terms cancel shows what it has to."""
@@ -179,7 +192,8 @@ class Leaves:
             alpha, *h = leaf.given.get(i, (0, 0, 0))
             if alpha < 0 and state in ("undecided", "detached"):
                 return False
-            if any(dot(h, end) > 0 for end in self.cones.ends(state)):
+            ends = self.cones.ends(state)
+            if any(dot(h, end) > 0 for end in ends) or (any(h) and not ends and state != "stick"):
                 return False
             if state == "detached":
                 continue

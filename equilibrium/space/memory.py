@@ -2,17 +2,32 @@
 
 The load enters a tree in the works of its leaves alone. So the trees of other loads are followed
 where most of their leaves refute this load; elsewhere the search goes on, and splits as they do.
+A leaf holds in other states than those it was found in, too: a part that one of those known closes
+needs no program.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
+
+import numpy as np
+
+from arrangement.numbers.float_filter import Floats
 
 from .cones import Node, OpenSplit
 from .leaves import ExactLeaf, Leaves
 
-#: So many leaves are kept.
-_MOST = 20_000
+#: So many leaves are kept; of all contacts together, for parts that none was found in.
+_MOST, _NUMBERS = 20_000, 80_000
+#: So many have room at first.
+_FIRST = 64
+#: Floats propose so many leaves, of which none may hold.
+_TRIES = 3
+#: States without directions.
+_PLAIN = ("undecided", "detached", "attached", "stick")
+#: Relative error of sums in floats, with room.
+_ROUNDING = 1e-12
 #: A split is followed where open leaves are at most those that refute the load, over this.
 _SHARE = 2
 #: So many parts stay open before a search ends.
@@ -44,12 +59,88 @@ class OpenTree:
         return self.holes >= _HOLES or self.pairs >= _PAIRS + self.nodes // _NODES
 
 
+class _Known:
+    """Leaves in floats, which tell at once those that may close a part."""
+
+    def __init__(self, leaves: Leaves) -> None:
+        self._contacts, self._cones = leaves.contacts, leaves.cones
+        m = self._m = len(leaves.contacts.grasp)
+        self.leaves: list[ExactLeaf] = []
+        #: The works of a load are ``motion . w + rest``.
+        self._motion, self._rest = np.empty((_FIRST, 6)), np.empty(_FIRST)
+        #: Of each contact ``a + rho - alpha``, its error, ``b`` and h, as leaves have them.
+        self._numbers = np.empty((_FIRST, m, 6))
+        #: For each state of `_PLAIN` and contact, whether it holds there.
+        self._holds = np.empty((len(_PLAIN), m, _FIRST), np.bool_)
+
+    def add(self, leaf: ExactLeaf, leaves: Leaves) -> None:
+        """Add one."""
+        n, c, m = len(self.leaves), self._contacts, self._m
+        if n == len(self._rest):
+            for name in ("_motion", "_rest", "_numbers"):
+                old = getattr(self, name)
+                setattr(self, name, np.concatenate([old, old]))
+            self._holds = np.concatenate([self._holds, self._holds], axis=2)
+        motion, given, _, rho = leaf.numbers
+        unit = 1 << max(abs(x) for x in motion).bit_length()
+        self.leaves.append(leaf)
+        self._motion[n] = [x / unit for x in motion]
+        self._rest[n] = leaves.rest(leaf.numbers) / (leaves.unit * unit)
+        rows = np.zeros((m, 3))
+        for i, row in given.items():
+            rows[i] = [x / unit for x in row]
+        taken = rows[:, 0].copy()
+        for i, x in rho.items():
+            taken[i] -= x / unit
+        a, b = c.normal @ self._motion[n], c.tangents @ self._motion[n]
+        rub = c.friction * self._cones.support("stick", b)
+        size = _ROUNDING * (np.abs(a) + np.abs(taken) + np.abs(rub))
+        self._numbers[n] = np.column_stack([a - taken, size, b, rows[:, 1:]])
+        inside, least = a - taken - rub >= -size, rows[:, 0] >= 0
+        moved = ~rows[:, 1:].any(axis=1)
+        self._holds[:, :, n] = (
+            inside & least & moved,
+            least & moved,
+            inside & moved,
+            inside,
+        )
+
+    def closing(self, states: Node, load: Floats) -> Iterator[ExactLeaf]:
+        """Yield leaves that may close a part, for a load."""
+        n = len(self.leaves)
+        plain = [(_PLAIN.index(s), i) for i, s in enumerate(states) if s in _PLAIN]
+        near = self._motion[:n] @ load + self._rest[:n] > 0
+        if plain:
+            places: Any = (*zip(*plain, strict=True), slice(n))
+            near &= self._holds[places].all(axis=0)
+        left = np.flatnonzero(near)
+        for i, state in enumerate(states):
+            if not left.size:
+                return
+            if state not in _PLAIN:
+                rows = self._numbers[left, i]
+                rub = self._contacts.friction[i] * self._cones.support(state, rows[:, 2:4])
+                good = rows[:, 0] - rub >= -rows[:, 1]
+                for x, y in self._cones.ends(state):
+                    good &= rows[:, 4] * float(x) + rows[:, 5] * float(y) <= 0
+                left = left[good]
+        yield from (self.leaves[k] for k in left[-_TRIES:].tolist())
+
+
 class Memory:
     """Splits and leaves of trees that were closed, by the states of their nodes."""
 
     def __init__(self) -> None:
         self._splits: dict[Node, OpenSplit] = {}
         self._leaves: dict[Node, ExactLeaf] = {}
+        self._known: _Known | None = None
+
+    def add(self, leaf: ExactLeaf, leaves: Leaves) -> None:
+        """Remember a leaf, of a tree that may stay open."""
+        known = self._known
+        if known is None or len(known.leaves) >= min(_MOST, _NUMBERS // len(leaves.each)):
+            known = self._known = _Known(leaves)
+        known.add(leaf, leaves)
 
     def keep(self, splits: dict[Node, OpenSplit], leaves: dict[Node, ExactLeaf]) -> None:
         """Remember a tree."""
@@ -59,10 +150,13 @@ class Memory:
         self._leaves |= leaves
 
     def at(self, states: Node, leaves: Leaves) -> OpenSplit | Any | None:
-        """Return the leaf of a node if it refutes the load, else a split that promises to."""
+        """Return a leaf that closes a node, else a split that promises to."""
         leaf = self._leaves.get(states)
         if leaf is not None and leaves.refutes(leaf):
             return leaf.node
+        for leaf in self._known.closing(states, leaves.floats) if self._known else ():
+            if leaves.holds(states, leaf):
+                return leaf.node
         return self.split(states) if self.promises(states, leaves) else None
 
     def split(self, states: Node) -> OpenSplit | None:

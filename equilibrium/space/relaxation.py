@@ -268,19 +268,17 @@ class Relaxation:
         numbers = np.array(found).reshape(self.m, 4)
         multipliers, room = numbers[:, :3], np.zeros((self.m, 3))
         along, across = self.normal @ virtual, self.tangents @ virtual
+        most = self.cones.support("stick", across)
         for i, state in enumerate(states):
-            alpha, h = multipliers[i, 0], multipliers[i, 1:]
-            if state == "detached":
-                room[i, 0] = alpha
-                continue
-            most = self.friction[i] * self.cones.support(state, across[i])
-            slack = along[i] - alpha - most
-            room[i, 0] = min(alpha, slack) if state == "undecided" else slack
-            if state == "stick":
-                room[i, 1:] = np.inf
-            elif isinstance(state, tuple):
+            if isinstance(state, tuple):
+                most[i] = self.cones.support(state, across[i])
                 ends = np.array(self.cones.ends(state), dtype=float)
-                room[i, 1:] = min(-(ends @ h) / np.hypot(*ends.T))
+                room[i, 1:] = min(-(ends @ multipliers[i, 1:]) / np.hypot(*ends.T))
+        slack, alpha = along - multipliers[:, 0] - self.friction * most, multipliers[:, 0]
+        kinds = np.array([state if isinstance(state, str) else "" for state in states])
+        room[:, 0] = np.where(kinds == "undecided", np.minimum(alpha, slack), slack)
+        room[:, 0] = np.where(kinds == "detached", alpha, room[:, 0])
+        room[kinds == "stick", 1:] = np.inf
         sizes = np.abs(multipliers) / max(float(np.abs(virtual).max()), 1e-300)
         units = np.array([1.0, *[self.force / self.step] * 2])
         turn = -dual[-3:] * self.force / self.scale[3] * bool(self.turn)

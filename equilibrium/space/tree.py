@@ -243,6 +243,8 @@ class SpatialSearch:
         if leaf is None:
             inner = self.relaxation.inner_ray(states)
             leaf = inner and self.leaves.leaf(states, inner)
+        if leaf is not None:
+            self.memory.add(self.leaves.found[states], self.leaves)
         return leaf
 
     def _tree(self, tree: OpenTree, most: int) -> Solution | Any | Open:
