@@ -31,7 +31,14 @@ from arrangement.enumeration.regions import neighbours
 from arrangement.numbers import budget
 from arrangement.pictures.parts.coordinates import in_coordinates, orbits, symmetry
 from arrangement.pictures.parts.essential import shown_as
-from arrangement.pictures.parts.names import RegionLabels, dot, explain_regions, plane_names, stroke
+from arrangement.pictures.parts.names import (
+    MOST,
+    RegionLabels,
+    dot,
+    explain_regions,
+    plane_names,
+    stroke,
+)
 
 from .solids import Edge, edges_of, flat_edges
 from .tutte import tutte_places
@@ -96,7 +103,8 @@ def draw_graph(
     """
     planar = arrangement.is_central and arrangement.rank <= 3
     graph = planar_graph(arrangement) if planar else _projected(arrangement)
-    names = RegionLabels(arrangement, labels, **({} if planar else {"most": FEW}))
+    flat = planar or arrangement.dimension == 2
+    names = RegionLabels(arrangement, labels, most=MOST if flat else FEW)
     scene = Scene(width, width)
     if planar and arrangement.rank == 3:
         crossed = sorted({c for u, v, c in graph.edges if u in graph.outer and v in graph.outer})
