@@ -6,17 +6,16 @@ nothing rests on floats; where they do not tell, the exact program decides.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.float_program import FloatProgram
-from equilibrium.plane.contacts import nearest
+from equilibrium.model.solution import Solution
 
-if TYPE_CHECKING:
-    from .part_program import Cut, PartProgram, RegionRows
+from .part_program import Cut, Node, PartProgram
 
 #: What is taken for 0: the work of a part that cannot be closed, and what contacts violate.
 _CLOSED, _OBEYED = 1e-9, 1e-6
@@ -26,25 +25,20 @@ _ROUNDS, _FREE = 30, 1e4
 _ROOM = 1 / 16
 
 
-class RegionFloats:
-    """The rows of a region in floating point, its generators with a largest entry of 1."""
+def decide(part: PartProgram, deadline: float = math.inf) -> Node | int | Solution:
+    """Return the leaf that closes a part, or the contact to split.
 
-    def __init__(self, region: RegionRows) -> None:
-        self.contacts, c = region.contacts.floats, region.contacts
-        sizes = np.array([max(map(abs, g)) for g in region.generators], dtype=object)[:, None]
-        self.generators = (np.array(region.generators, dtype=object) / sizes).astype(float)
-        self.weight = self.generators[:, 0]
-        self.spring = (region.spring / (sizes * c.spring_unit)).astype(float)
-        self.slip = (region.slip / (sizes * c.wrench_unit)).astype(float)
-        self.load = np.array([nearest(w) for w in region.wrench])
-        most = c.within.largest_force
-        self.most = None if most is None else nearest(most)
-        self.turns = {
-            u: np.array(
-                [x / n for x, n in zip(region.turn_row(u), sizes[:, 0], strict=True)], float
-            )
-            for u in region.turns
-        }
+    Where no contact violates the law, this is what `PartProgram.solve` returns.
+    """
+    if not part.region.contacts.floats.moderate:
+        return part.solve(deadline)
+    guess = PartGuess(part, part.cuts)
+    for numbers in guess.leaves():
+        for tried in guess.hopeful(list(part.roundings(numbers.tolist()))):
+            if part.closes(tried):
+                return part.written(tried)
+    part.binding = guess.binding
+    return part.solve(deadline) if guess.contact is None else guess.contact
 
 
 class PartGuess:
@@ -144,25 +138,26 @@ class PartGuess:
             if self._solved():
                 yield (self._program.point * self._scale)[:-1]
 
-    def may_close(self, tried: Sequence[int]) -> bool:
-        """Return whether no work of integer multipliers is surely below 0 at a generator."""
+    def hopeful(self, tried: list[Sequence[int]]) -> list[Sequence[int]]:
+        """Leave out integer multipliers with a work that is surely below 0 at a generator."""
         part, floats, c = self.part, self.floats, self.floats.contacts
         if part.rho or part.turn:
-            return True
-        numbers = np.array(tried, dtype=float)
-        along, across = c.normal @ numbers[:3], c.pull @ numbers[:3]
+            return tried
+        numbers = np.array(tried, dtype=float)[:, None]
+        along, across = numbers[..., :3] @ c.normal.T, numbers[..., :3] @ c.pull.T
         signs = part.friction_signs(along, across)
+        pressed = floats.spring * part.region.presses
         terms = np.concatenate(
             [
-                floats.spring * part.region.presses * np.where(signs, along - signs * across, 0.0),
-                floats.spring[:, list(part.alpha)] * numbers[list(part.alpha.values())],
-                floats.slip[:, list(part.h)] * numbers[list(part.h.values())],
-                floats.weight[:, None] * floats.load * numbers[:3],
+                pressed * np.where(signs, along - signs * across, 0.0),
+                floats.spring[:, list(part.alpha)] * numbers[..., list(part.alpha.values())],
+                floats.slip[:, list(part.h)] * numbers[..., list(part.h.values())],
+                floats.weight[:, None] * floats.load * numbers[..., :3],
             ],
-            axis=1,
+            axis=2,
         )
-        works: Floats = terms.sum(axis=1)
-        return bool((works >= -_CLOSED * np.abs(terms).sum(axis=1)).all())
+        good = terms.sum(axis=2) >= -_CLOSED * np.abs(terms).sum(axis=2)
+        return [tried[k] for k in np.flatnonzero(good.all(axis=1)).tolist()]
 
     def _solved(self) -> bool:
         """Solve with as many bounds as matter; return whether the work can be above 0."""

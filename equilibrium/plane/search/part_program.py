@@ -21,9 +21,7 @@ import numpy.typing as npt
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, to_text
 from arrangement.numbers.linear import programs
 from equilibrium.model.solution import Solution
-from equilibrium.plane.contacts import IntegerContacts, product
-
-from .part_guess import PartGuess, RegionFloats
+from equilibrium.plane.contacts import IntegerContacts, nearest, product
 
 #: A node of a proof, as certificates write it.
 Node: TypeAlias = Any
@@ -77,6 +75,27 @@ class RegionRows:
         """Return ``Q g_0 - u r`` at the generators; zeros where there is no largest turn."""
         most = self.contacts.within.largest_turn
         return [0 if most is None else most * g[0] - u * g[3] for g in self.generators]
+
+
+class RegionFloats:
+    """The rows of a region in floating point, its generators with a largest entry of 1."""
+
+    def __init__(self, region: RegionRows) -> None:
+        self.contacts, c = region.contacts.floats, region.contacts
+        sizes = np.array([max(map(abs, g)) for g in region.generators], dtype=object)[:, None]
+        self.generators = (np.array(region.generators, dtype=object) / sizes).astype(float)
+        self.weight = self.generators[:, 0]
+        self.spring = (region.spring / (sizes * c.spring_unit)).astype(float)
+        self.slip = (region.slip / (sizes * c.wrench_unit)).astype(float)
+        self.load = np.array([nearest(w) for w in region.wrench])
+        most = c.within.largest_force
+        self.most = None if most is None else nearest(most)
+        self.turns = {
+            u: np.array(
+                [x / n for x, n in zip(region.turn_row(u), sizes[:, 0], strict=True)], float
+            )
+            for u in region.turns
+        }
 
 
 @dataclass(frozen=True, eq=False)
@@ -214,21 +233,6 @@ class PartProgram:
             entries[column] = -unit * region.turn_row(u)[j]
         return entries
 
-    def decide(self, deadline: float = math.inf) -> Node | int | Solution:
-        """Return the leaf that closes the part, or the contact to split.
-
-        Where no contact violates the law, this is what `solve` returns.
-        """
-        if not self.region.contacts.floats.moderate:
-            return self.solve(deadline)
-        guess = PartGuess(self, self.cuts)
-        for numbers in guess.leaves():
-            for tried in self._integers(numbers.tolist()):
-                if guess.may_close(tried) and self._closes(tried):
-                    return self._written(tried)
-        self.binding = guess.binding
-        return self.solve(deadline) if guess.contact is None else guess.contact
-
     def solve(self, deadline: float = math.inf) -> Node | Solution:
         """Return the leaf that closes the part, or what balances the load in it, exactly.
 
@@ -253,12 +257,12 @@ class PartProgram:
             made = [self._cut_row(cut) for cut in found]
             broken = [j for j, row in enumerate(made) if dot(row[:-1], point) < 0]
             if not broken:
-                numbers = [*self._integers(point[:-1]), primitive(point[:-1])]
-                return self._written(next(filter(self._closes, numbers)))
+                numbers = [*self.roundings(point[:-1]), primitive(point[:-1])]
+                return self.written(next(filter(self.closes, numbers)))
             cuts = [*cuts, *(found[j] for j in broken)]
             rows += [made[j] for j in broken]
 
-    def _written(self, tried: Sequence[int]) -> Node:
+    def written(self, tried: Sequence[int]) -> Node:
         """Return the leaf of integers that close the part."""
         motion = [to_text(x) for x in tried[:3]]
         given = {}
@@ -276,7 +280,7 @@ class PartProgram:
         leaf = {"virtual_motion": motion, "multipliers": given}
         return {**leaf, "range": used} if used else leaf if given else motion
 
-    def _integers(self, numbers: Sequence[Any]) -> Iterator[Sequence[int]]:
+    def roundings(self, numbers: Sequence[Any]) -> Iterator[Sequence[int]]:
         """Yield roundings of multipliers, finer and finer; no alpha above its limit."""
         largest = max(map(abs, numbers[:3])) or max(map(abs, numbers)) or Fraction(1)
         for size in _SIZES:
@@ -286,7 +290,7 @@ class PartProgram:
                 rounded[alpha] = min(rounded[alpha], most)
             yield rounded
 
-    def _closes(self, numbers: Sequence[int]) -> bool:
+    def closes(self, numbers: Sequence[int]) -> bool:
         """Return whether a virtual motion, alphas and hs close the part."""
         if any(dot(row[:-2], numbers) < 0 for row in self.bounds):
             return False

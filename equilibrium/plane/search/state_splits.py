@@ -15,6 +15,7 @@ from arrangement.numbers.exact import IntegerVector, RationalVector
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import IntegerContacts
 
+from .part_guess import decide
 from .part_program import Cut, Node, PartProgram, RegionRows, States
 
 
@@ -56,7 +57,7 @@ class StateSplits:
             raise TooManyParts
         program = PartProgram(self.region, states, cuts)
         try:
-            found = program.decide(self.deadline)
+            found = decide(program, self.deadline)
         except TimeoutError:
             raise TooManyParts from None
         contact = program.worst(found) if isinstance(found, Solution) else found
