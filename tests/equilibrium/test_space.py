@@ -26,8 +26,10 @@ from equilibrium.grasps.schemas import certificate_schema
 from equilibrium.model.contact import Contact, pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.range import Range
+from equilibrium.plane.contacts import FloatContacts
 from equilibrium.space.plane import decide_in_plane
 from equilibrium.space.relaxation import Relaxation
+from equilibrium.space.tree import SpatialSearch
 from equilibrium.wrench_sets.spatial import (
     KnownLoads,
     KnownMagnitudes,
@@ -86,6 +88,39 @@ class TestBorders:
     def test_limits_are_brackets_of_two_proofs(self):
         (border,) = spatial_magnitudes(FINGERS, across("3/5", "4/5"), width="1/100").borders
         assert border.resisted == 1 < border.refused <= Fraction(100, 99)
+
+
+class TestKnownLeaves:
+    def searched(self):
+        """A search that stays open after few nodes."""
+        contacts, load = (
+            FloatContacts(random_grasp(8, 18, dimension=3)),
+            random_wrench(18, dimension=3, bound=1),
+        )
+        search = SpatialSearch(contacts, load, lambda _: False, nodes=120)
+        search.decide()
+        return search
+
+    def test_a_leaf_closes_the_states_it_was_found_in_and_parts_of_them(self):
+        search = self.searched()
+        assert len(search.leaves.found) > 20
+        for states, leaf in search.leaves.found.copy().items():
+            assert any(
+                search.leaves.holds(states, other)
+                for other in search.memory._known.closing(states, search.leaves.floats)
+            )
+            part = tuple("detached" if x == "undecided" else x for x in states)
+            assert search.leaves.holds(part, leaf)
+
+    def test_where_a_contact_does_not_slip_a_leaf_may_use_no_slip_of_it(self):
+        search, tried = self.searched(), 0
+        for states, leaf in search.leaves.found.copy().items():
+            for i, row in leaf.numbers.given.items():
+                if any(row[1:]):
+                    whole = (*states[:i], "attached", *states[i + 1 :])
+                    assert not search.leaves.holds(whole, leaf)
+                    tried += 1
+        assert tried > 20
 
 
 class TestKnownLoads:
