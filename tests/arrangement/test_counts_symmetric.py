@@ -398,6 +398,14 @@ def test_a_time_limit_leaves_what_is_known():
         counts.characteristic_polynomial(planes, time_limit=0)
 
 
+@pytest.mark.parametrize("planes", [families.braid(5), families.resonance(4)], ids=str)
+def test_sets_of_one_plane_have_an_image_for_each_orbit(planes):
+    search = Automorphisms(configuration(planes))
+    generators = search.generators()
+    small = Images(generators).small(np.eye(len(planes), dtype=np.bool_))
+    assert len(np.unique(small, axis=0)) == search.orbits(generators) < len(planes)
+
+
 def test_small_images_are_images():
     planes = families.resonance(4)
     generators = np.array(symmetries(planes))
