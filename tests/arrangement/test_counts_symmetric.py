@@ -13,7 +13,7 @@ from hypothesis import given
 from sympy.combinatorics import Permutation, PermutationGroup
 
 from arrangement import Arrangement, InputError, NumberField, counts, families
-from arrangement.counts.classes import automorphisms, symmetric
+from arrangement.counts.classes import automorphisms, images, symmetric
 from arrangement.counts.classes.automorphisms import Automorphisms
 from arrangement.counts.classes.images import Images
 from arrangement.counts.classes.symmetric import moduli_above
@@ -231,10 +231,10 @@ def test_an_affine_symmetry_must_keep_infinity():
 def test_what_is_completed_is_an_automorphism(planes):
     search = Automorphisms(configuration(planes))
     found, fixed = 0, search._fixed
-    for images in itertools.permutations(range(len(planes)), len(search._base) - fixed):
-        for signs in itertools.product((1, -1), repeat=len(images)):
+    for chosen in itertools.permutations(range(len(planes)), len(search._base) - fixed):
+        for signs in itertools.product((1, -1), repeat=len(chosen)):
             path = [(plane, 1) for plane in search._base[:fixed]]
-            path += zip(images, signs, strict=True)
+            path += zip(chosen, signs, strict=True)
             image = search._completed(path, search._key(path))
             if image is not None:
                 search.verified([image])
@@ -404,6 +404,13 @@ def test_sets_of_one_plane_have_an_image_for_each_orbit(planes):
     generators = search.generators()
     small = Images(generators).small(np.eye(len(planes), dtype=np.bool_))
     assert len(np.unique(small, axis=0)) == search.orbits(generators) < len(planes)
+
+
+def test_sets_of_several_words_are_walked_in_portions(monkeypatch):
+    monkeypatch.setattr(images, "_BATCH", 1)
+    turn = np.roll(np.arange(70), 1)
+    small = unpack(Images(np.array([turn])).small(np.eye(70, dtype=np.bool_)), 70)
+    assert (small.sum(axis=1) == 1).all()
 
 
 def test_small_images_are_images():
