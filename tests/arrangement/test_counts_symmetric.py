@@ -14,7 +14,7 @@ from sympy.combinatorics import Permutation, PermutationGroup
 
 from arrangement import Arrangement, InputError, NumberField, counts, families
 from arrangement.counts.classes import automorphisms, images, symmetric
-from arrangement.counts.classes.automorphisms import Automorphisms
+from arrangement.counts.classes.automorphisms import Automorphisms, _connected_order
 from arrangement.counts.classes.images import Images
 from arrangement.counts.classes.symmetric import moduli_above
 from arrangement.counts.configuration import configuration
@@ -423,3 +423,13 @@ def test_small_images_are_images():
         orbit = {frozenset(g(i) for i in np.flatnonzero(before)) for g in elements}
         assert frozenset(np.flatnonzero(after)) in orbit
     assert np.array_equal(unpack(pack(sets), len(planes)), sets)
+
+
+def test_each_vector_of_a_base_is_next_to_an_earlier_one():
+    products = np.eye(5, dtype=np.int64)
+    for i, j in ((0, 1), (0, 3), (0, 4), (2, 3)):
+        products[i, j] = products[j, i] = 2
+    for first in range(5):
+        order = _connected_order(products, first)
+        assert sorted(order) == list(range(5))
+        assert all(products[order[k], order[:k]].any() for k in range(1, 5))
