@@ -35,6 +35,7 @@ def files(folder: Path) -> dict[str, bytes]:
         families.random_degenerate(8, 4, seed=2, affine=True),
         families.h3(),
         families.regular(14),
+        families.random_integer(66, 3, seed=3),
         families.coordinate(1),
         Arrangement([[1], [1], [2]], [0, 1, 2]),
     ],
@@ -77,6 +78,14 @@ def test_shards_do_their_parts_and_wait_for_others(tmp_path):
         assert "of the 3 parts of rank" in str(error)
 
 
+def test_every_shard_does_the_ranks_of_one_part(tmp_path):
+    with pytest.raises(UnfinishedError) as caught:
+        in_parts(RESONANCE, tmp_path, shard=(2, 2))
+    assert caught.value.known == NUMBERS[:3]
+    for parts in (1, 2):
+        assert in_parts(RESONANCE, tmp_path / str(parts), parts=parts) == NUMBERS
+
+
 def test_processes_give_the_same_files(tmp_path, monkeypatch):
     monkeypatch.setattr(counts_in_parts, "_FEW", 10)
     planes = families.threshold_functions(3)
@@ -110,6 +119,17 @@ def test_symmetries_of_a_plan_are_checked(tmp_path, generators):
     plan = tmp_path / "plan.json"
     plan.write_text(json.dumps(json.loads(plan.read_text()) | {"generators": generators}))
     with pytest.raises(InputError, match="other parts or symmetries"):
+        in_parts(families.braid(4), tmp_path)
+
+
+@pytest.mark.parametrize("plan", ["[]", "3", {"layout": 2}, {"parts": 0}, {"parts": "3"}])
+def test_a_plan_of_another_kind_is_refused(tmp_path, plan):
+    in_parts(families.braid(4), tmp_path)
+    place = tmp_path / "plan.json"
+    known = json.loads(place.read_text())
+    assert known["layout"] == 1
+    place.write_text(plan if isinstance(plan, str) else json.dumps(known | plan))
+    with pytest.raises(InputError, match=r"other planes|other parts"):
         in_parts(families.braid(4), tmp_path)
 
 
