@@ -111,19 +111,27 @@ def test_symmetric_planes_agree_with_the_lattice(planes):
     agree(planes)
 
 
-@pytest.mark.campaign
-def test_flats_and_faces_by_classes(monkeypatch):
+@pytest.mark.parametrize(
+    "some",
+    [
+        [families.resonance(3), families.shi("A2"), families.random_degenerate(7, 3, seed=4)],
+        pytest.param(
+            [
+                families.resonance(4),
+                families.coxeter("D4"),
+                families.shi("A3"),
+                families.threshold(5),
+                families.graphical(nx.petersen_graph().subgraph(range(7))),
+                *random_planes(3, 12),
+            ],
+            marks=pytest.mark.campaign,
+        ),
+    ],
+    ids=["few", "many"],
+)
+def test_flats_and_faces_by_classes(some, monkeypatch):
     monkeypatch.setattr(symmetric, "_PLANES_IN_AN_ORBIT", 0)
-    named = [
-        families.resonance(4),
-        families.coxeter("D4"),
-        families.shi("A3"),
-        families.threshold(5),
-        families.graphical(nx.petersen_graph().subgraph(range(7))),
-    ]
-    for planes in (*named, *random_planes(3, 12)):
-        if not len(planes):
-            continue
+    for planes in filter(len, some):
         found = symmetric.flats_and_faces(planes, configuration(planes), faces=True)
         assert found is not None
         lattice = counts.intersection_lattice(planes)
