@@ -9,11 +9,13 @@ needs no program.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
 from arrangement.numbers.float_filter import Floats
+from equilibrium.plane.contacts import nearest
 
 from .cones import Node, OpenSplit
 from .leaves import ExactLeaf, Leaves
@@ -85,13 +87,13 @@ class _Known:
         unit = 1 << max(abs(x) for x in motion).bit_length()
         self.leaves.append(leaf)
         self._motion[n] = [x / unit for x in motion]
-        self._rest[n] = leaves.rest(leaf.numbers) / (leaves.unit * unit)
+        self._rest[n] = nearest(Fraction(leaves.rest(leaf.numbers), leaves.unit * unit))
         rows = np.zeros((m, 3))
         for i, row in given.items():
-            rows[i] = [x / unit for x in row]
+            rows[i] = [nearest(Fraction(x, unit)) for x in row]
         taken = rows[:, 0].copy()
         for i, x in rho.items():
-            taken[i] -= x / unit
+            taken[i] -= nearest(Fraction(x, unit))
         a, b = c.normal @ self._motion[n], c.tangents @ self._motion[n]
         rub = c.friction * self._cones.support("stick", b)
         size = _ROUNDING * (np.abs(a) + np.abs(taken) + np.abs(rub))

@@ -123,6 +123,14 @@ class TestKnownLeaves:
         assert tried > 20
 
 
+    def test_numbers_beyond_floats_are_no_fault(self):
+        fingers = read_grasp("three-fingers-on-a-ball")
+        preloads = [10**320 * k for k in (1, 2, 3)]
+        grasp = Grasp(replace(c, preload=q) for c, q in zip(fingers, preloads, strict=True))
+        verdict = solve(grasp, random_wrench(1, dimension=3), nodes=10)
+        assert verdict.verdict == "undecided" or verdict.verify()
+
+
 class TestKnownLoads:
     def known(self, grasp, along):
         return KnownMagnitudes(KnownLoads(grasp, 100), tuple(map(Fraction, along)), (0,) * 6)
