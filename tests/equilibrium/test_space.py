@@ -122,7 +122,6 @@ class TestKnownLeaves:
                     tried += 1
         assert tried > 20
 
-
     def test_numbers_beyond_floats_are_no_fault(self):
         fingers = read_grasp("three-fingers-on-a-ball")
         preloads = [10**320 * k for k in (1, 2, 3)]
