@@ -11,6 +11,7 @@ import pytest
 import sympy
 from hypothesis import given
 from sympy.combinatorics import Permutation, PermutationGroup
+from sympy.functions.combinatorial.numbers import stirling
 
 from arrangement import Arrangement, InputError, NumberField, counts, families
 from arrangement.counts.classes import automorphisms, images, symmetric
@@ -137,6 +138,21 @@ def test_flats_and_faces_by_classes(some, monkeypatch):
         lattice = counts.intersection_lattice(planes)
         assert found[0] == tuple(map(len, lattice.masks))
         assert found[1] == tuple(map(sum, lattice.whitney_matrix))
+
+
+def test_numbers_beyond_one_prime_are_told_from_their_residues():
+    planes = families.braid(14)
+    numbers = symmetric.first_numbers(planes, configuration(planes), None, None, math.inf)
+    assert numbers == tuple((-1) ** k * stirling(14, 14 - k, kind=1) for k in range(14))
+    assert max(map(abs, numbers)) > 1 << 34
+
+
+@pytest.mark.campaign
+def test_faces_beyond_one_prime_are_told_from_their_residues():
+    planes = families.braid(12)
+    faces = tuple(math.factorial(12 - k) * stirling(12, 12 - k) for k in range(12))
+    assert symmetric.flats_and_faces(planes, configuration(planes), faces=True)[1] == faces
+    assert max(faces) > 1 << 32
 
 
 def test_a_prime_that_divides_a_moebius_value_is_replaced(monkeypatch):
