@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from arrangement import Arrangement, InputError, cli, counts, families
-from arrangement.counts.classes import in_parts as counts_in_parts
+from arrangement.counts.classes import in_parts as counts_in_parts, symmetric
 from arrangement.counts.classes.symmetric import forecast
 from arrangement.counts.configuration import configuration
 from arrangement.errors import OutOfTimeError, UnfinishedError
@@ -46,7 +46,9 @@ def test_parts_give_the_numbers_of_the_whole(planes, tmp_path):
 
 
 def test_flats_are_merged_in_portions_too(tmp_path, monkeypatch):
-    monkeypatch.setattr(counts_in_parts, "_MANY", 2)
+    monkeypatch.setattr(counts_in_parts, "MANY", 2)
+    monkeypatch.setattr(symmetric, "MANY", 2)
+    monkeypatch.setattr(symmetric, "_CHUNK", 100)
     assert in_parts(RESONANCE, tmp_path) == NUMBERS
 
 

@@ -426,24 +426,37 @@ def test_a_time_limit_leaves_what_is_known():
 def test_sets_of_one_plane_have_an_image_for_each_orbit(planes):
     search = Automorphisms(configuration(planes))
     generators = search.generators()
-    small = Images(generators).small(np.eye(len(planes), dtype=np.bool_))
-    assert len(np.unique(small, axis=0)) == search.orbits(generators) < len(planes)
+    low = Images(generators).low(np.eye(len(planes), dtype=np.bool_))
+    assert len(np.unique(low, axis=0)) == search.orbits(generators) < len(planes)
 
 
-def test_sets_of_several_words_are_walked_in_portions(monkeypatch):
+def test_sets_of_several_words_go_down_in_portions(monkeypatch):
     monkeypatch.setattr(images, "_BATCH", 1)
     turn = np.roll(np.arange(70), 1)
-    small = unpack(Images(np.array([turn])).small(np.eye(70, dtype=np.bool_)), 70)
-    assert (small.sum(axis=1) == 1).all()
+    low = unpack(Images(np.array([turn])).low(np.eye(70, dtype=np.bool_)), 70)
+    assert (low.sum(axis=1) == 1).all()
 
 
-def test_small_images_are_images():
+@pytest.mark.parametrize("seed", range(3))
+def test_an_orbit_of_flats_has_few_images_whatever_the_order_of_the_planes(seed):
+    normals = list(families.braid(7).normals)
+    random.Random(seed).shuffle(normals)
+    planes = Arrangement(normals)
+    images_of = Images(np.array(symmetries(planes)))
+    for rank in range(1, 6):
+        masks = counts.intersection_lattice(planes).masks[rank]
+        sets = np.array([[mask >> i & 1 for i in range(len(planes))] for mask in masks], np.bool_)
+        orbits = sympy.functions.combinatorial.numbers.nT(7, 7 - rank)
+        assert orbits <= len(np.unique(images_of.low(sets), axis=0)) <= 2 * orbits
+
+
+def test_low_images_are_images():
     planes = families.resonance(4)
     generators = np.array(symmetries(planes))
     elements = group(planes).elements
     sets = np.random.default_rng(0).integers(0, 2, (150, len(planes))).astype(np.bool_)
-    small = unpack(Images(generators).small(sets), len(planes))
-    for before, after in zip(sets, small, strict=True):
+    low = unpack(Images(generators).low(sets), len(planes))
+    for before, after in zip(sets, low, strict=True):
         orbit = {frozenset(g(i) for i in np.flatnonzero(before)) for g in elements}
         assert frozenset(np.flatnonzero(after)) in orbit
     assert np.array_equal(unpack(pack(sets), len(planes)), sets)

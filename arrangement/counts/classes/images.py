@@ -1,68 +1,90 @@
-"""Sets of planes as bits, and small images of them under permutations.
+"""Low images of sets of planes under permutations: few of them for each orbit of sets.
 
-The image that stands for a set need not be the smallest of its orbit: it is what a walk finds that
-takes every permutation of a list in turn and keeps the smaller one. Sets that get the same image
-lie in one orbit, and nothing else is asked.
+Every plane has a height, and a set the sum of those of its planes. Steps go from a set to the
+lowest of its images under a list of permutations, until none is lower. Sets that end at the same
+image lie in one orbit, and nothing else is asked; but the fewer images an orbit has, the better.
+
+Heights that vary at random have many valleys. So those are taken that permutations change least:
+on each orbit of planes the slowest wave of a walk in which every generator takes a step.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from arrangement.numbers.packing import Bits, Words, grouped, pack, unpack
+from arrangement.counts.modular import Integers
+from arrangement.numbers.packing import Bits, Words, chunks, pack
 
 from .automorphisms import Permutations
 
-#: Sets whose images are compared at once, in words of 64.
-_BATCH = 1 << 9
-#: Permutations that a walk tries.
+#: Sets that go down together.
+_BATCH = 1 << 12
+#: Permutations that are tried in each step.
 _ELEMENTS = 40
+#: Steps of the walk after which the slowest wave is left.
+_ROUNDS = 300
 
 
 class Images:
-    """Small images under a group of permutations.
+    """Low images under a group of permutations.
 
     Args:
         generators: of the group; each takes vector i to entry i.
     """
 
     def __init__(self, generators: Permutations) -> None:
-        self._elements = _products(generators, _ELEMENTS)
+        # a vector more, of height 0, that nothing moves: it fills up small sets
+        size = generators.shape[1]
+        moves = np.vstack([np.arange(size), *_products(generators, _ELEMENTS)])
+        self._moves = np.column_stack([moves, np.full(len(moves), size)])
+        self._heights = np.append(_heights(generators), 0)[self._moves].T.copy()
 
-    def small(self, sets: Bits) -> Words:
-        """Return an image of each set (a row), packed, that no permutation of the list improves."""
-        size = sets.shape[1]
+    def low(self, sets: Bits) -> Words:
+        """Return an image of each set (a row), packed, that no permutation of the list lowers."""
         found = pack(sets)
-        if not len(self._elements):
-            return found
-        names = np.arange(len(found))
-        moving = np.ones(len(found), dtype=np.bool_)
-        while moving.any():
-            order, start = grouped(found)
-            place = np.empty_like(order)
-            place[order] = np.cumsum(start) - 1
-            moving = np.logical_and.reduceat(moving[order], np.flatnonzero(start))
-            found, names = found[order[start]], place[names]
-            batch = 64 * _BATCH
-            for part in np.array_split(np.flatnonzero(moving), -(-int(moving.sum()) // batch) or 1):
-                walked = self._walked(unpack(found[part], size))
-                moving[part] = (walked != found[part]).any(axis=1)
-                found[part] = walked
-        return found[names]
+        if len(self._moves) > 1:
+            order = sets.sum(axis=1).argsort(kind="stable")
+            for part in chunks(len(sets), _BATCH):
+                found[order[part]] = pack(self._lowered(sets[order[part]]))
+        return found
 
-    def _walked(self, sets: Bits) -> Words:
-        """Walk with up to 64 `_BATCH` sets; bit j of row i says whether set j has vector i."""
-        best = pack(np.ascontiguousarray(sets.T))
-        for element in self._elements:
-            image = best[element]
-            better = np.zeros(best.shape[1], dtype=np.uint64)
-            open_ = ~better
-            for here, there in zip(best, image, strict=True):
-                differ = (here ^ there) & open_
-                better |= differ & there
-                open_ ^= differ
-            best ^= (best ^ image) & better
-        return pack(unpack(best, len(sets)).T)
+    def _lowered(self, sets: Bits) -> Bits:
+        """Return images of sets of about the same size."""
+        count, size = sets.shape
+        sizes = sets.sum(axis=1)
+        names, vectors = np.nonzero(sets)
+        members = np.full((sizes.max(), count), size)
+        members[np.arange(len(names)) - (sizes.cumsum() - sizes)[names], names] = vectors
+        found = np.zeros((count, size + 1), dtype=np.bool_)
+        names = np.arange(count)
+        while len(names):
+            heights = np.zeros((len(names), len(self._moves)), dtype=np.int64)
+            for member in members:
+                heights += self._heights[member]
+            lowest = heights.argmin(axis=1)
+            goes = lowest > 0
+            found[names[~goes], members[:, ~goes]] = True
+            names, members = names[goes], self._moves[lowest[goes], members[:, goes]]
+        return found[:, :size]
+
+
+def _heights(generators: Permutations) -> Integers:
+    """Return heights of the vectors, the highest four times the lowest at most."""
+    size = generators.shape[1]
+    steps = np.concatenate([[np.arange(size)], generators, generators.argsort(axis=1)])
+    orbit = np.arange(size)
+    while ((lower := orbit[steps].min(axis=0)) < orbit).any():
+        orbit = lower
+    number = np.bincount(orbit)[orbit]
+    wave = np.random.default_rng(0).random((size,))
+    for _ in range(_ROUNDS):
+        wave = len(steps) * wave + wave[steps].sum(axis=0)
+        wave -= np.bincount(orbit, wave)[orbit] / number
+        top = np.zeros(size)
+        np.maximum.at(top, orbit, np.abs(wave))
+        wave /= np.maximum(top, 1)[orbit]
+    heights: Integers = (2.0 ** (60 - size.bit_length() - wave)).astype(np.int64)
+    return heights
 
 
 def _products(generators: Permutations, count: int) -> Permutations:

@@ -39,14 +39,12 @@ from arrangement.numbers.real import field_of, written
 from arrangement.planes.planes import Planes
 
 from .automorphisms import Automorphisms
-from .symmetric import Classes, Flats, classes
+from .symmetric import MANY, Classes, Flats, classes
 
 #: Parts of a rank in the upper half. More take less memory each; fewer see more repeats at once.
 PARTS = 64
 #: A rank with fewer flats is done in this process.
 _FEW = 20_000
-#: Flats that are put together at once.
-_MANY = 1 << 20
 _LAYOUT = 1
 _FACTOR = np.uint64(0xD6E8FEB86659FD93)
 
@@ -236,7 +234,7 @@ def _below(root: str, rank: int, part: int) -> Flats:
             flats = Flats(bases.astype(np.int64), members, images, values.astype(np.int64))
             gathered = [*gathered, flats] if len(gathered[0]) else [flats]
             waiting += len(flats)
-            if waiting > _MANY:
+            if waiting > MANY:
                 gathered, waiting = [made.classes.merged(Flats.joined(gathered))], 0
     together = Flats.joined(gathered)
     return made.classes.merged(together) if len(together) else together

@@ -35,6 +35,8 @@ from arrangement.planes.planes import Planes
 _CHUNK = 1 << 19
 #: Bytes of the planes in flats at once.
 _COVERED = 1 << 25
+#: Flats that are put together at once.
+MANY = 1 << 20
 
 
 @dataclass(frozen=True)
@@ -192,7 +194,7 @@ class Classes:
         the rank. Flats of the last rank have none above them and are left out, unless to be kept.
         """
         keep = keep or rank < self.rank - 1
-        parts, residues = [], np.zeros(len(self._moduli), dtype=np.int64)
+        parts, waiting, residues = [], 0, np.zeros(len(self._moduli), dtype=np.int64)
         count = self._vectors.count
         step = max(1, min(_CHUNK // count, _COVERED // count**2))
         ranks = range(rank - 1, self.rank - 1 if rank > 2 else rank)
@@ -219,7 +221,7 @@ class Classes:
                 above = members[covers.below]
                 above[covers.cover, covers.member] = True
                 bases = np.column_stack([piece.bases[covers.below], covers.plane])
-                images = self._images.small(above)
+                images = self._images.low(above)
                 parts.append(self.merged(Flats(bases, pack(above), images, values)))
                 if done == min(2, len(pieces) - 1):
                     found, share = Flats.joined(parts), (done + 1) / len(pieces)
@@ -229,6 +231,9 @@ class Classes:
                         "leave out planes, or count in parts (--store FOLDER)",
                         bytes=3 * sum(x.nbytes for x in numbers) / share,
                     )
+                waiting += len(parts[-1])
+                if waiting > MANY:
+                    parts, waiting = [self.merged(Flats.joined(parts))], 0
         return (self.merged(Flats.joined(parts)) if parts else flats[:0]), residues
 
     def merged(self, flats: Flats) -> Flats:
