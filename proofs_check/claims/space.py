@@ -11,7 +11,7 @@ from math import comb
 from random import Random
 from typing import TypeAlias
 
-from arrangement.numbers.linear.programs import Infeasible, feasible_point
+from arrangement.numbers.linear.programs import some_point
 from equilibrium.decide.solver import solve
 from equilibrium.decide.verdict import Verdict as Decision
 from equilibrium.grasps.inputs.random import random_grasp
@@ -92,7 +92,7 @@ def _boxed_by_programs(finger: _Finger) -> _Pair:
             [along * x for x in force[:-1]] + [load]
             for along, load in zip(normal, wrench, strict=True)
         ]
-        found = found or not isinstance(feasible_point(6, rows, balance), Infeasible)
+        found = found or some_point(6, rows, balance) is not None
     return solve(Grasp([contact]), wrench).stable, found
 
 

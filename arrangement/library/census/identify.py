@@ -97,13 +97,12 @@ def identify(arrangement: Planes) -> Identification:
         # Faster than the ranks of all triples, and the same where the space has more dimensions.
         is_simple = t_vector.keys() == {2} and (distinct.dimension == 3 or m == 3)
         if m <= MOST_PLANES:
-            signs = exact_chirotope(distinct)[None]
-            mine = canonical(signs, m)
-            place, orders, turned = found_type(signs, mine, m)
+            signs = exact_chirotope(distinct)
+            place, orders, turned, mine = found_type(signs, m)
             number, automorphisms = place + 1, int(mine.automorphisms[0])
             order = tuple(firsts[k] for k in orders)
             sides = tuple(turned.tolist())
-            listed, (text,) = ic_number(m, place), texts(representatives(signs, m))
+            listed, (text,) = ic_number(m, place), texts(representatives(signs[None], m))
             if is_simplicial:
                 names = tuple(name for name, known in _named(m) if _same(known, mine.codes[0]))
             elif not normals(m)[place].any():
@@ -132,23 +131,30 @@ def _catalogue(m: int) -> tuple[Signs, NDArray[np.intp]]:
     return signs, (signs == 0).sum(1)
 
 
-def found_type(signs: Signs, mine: Coded, m: int) -> tuple[int, NDArray[np.intp], Signs]:
-    """Return the place of a chirotope in the census, and how that type is carried onto it.
+def found_type(signs: Signs, m: int) -> tuple[int, NDArray[np.intp], Signs, Coded]:
+    """Return the place of a chirotope in the census, how that type is carried onto it, its code.
 
-    Element p of the representative is element ``order[p]``, multiplied by ``sides[p]``.
+    Element p of the representative is element ``order[p]``, multiplied by ``sides[p]``. The last
+    answer is kept: a chirotope that is read is asked for twice, by coordinates and by name.
 
     Args:
-        signs: (1, triples) for m elements, 3 to 9.
-        mine: their code.
+        signs: (triples) for m elements, 3 to 9.
 
     Raises:
         LookupError: no planes have these signs.
     """
+    return _found_type(signs.astype(np.int8).tobytes(), m)
+
+
+@lru_cache(maxsize=1)
+def _found_type(text: bytes, m: int) -> tuple[int, NDArray[np.intp], Signs, Coded]:
+    signs = np.frombuffer(text, dtype=np.int8)[None]
+    mine = canonical(signs, m)
     place = int(places(signs)[0]) if m == MOST_PLANES else _place(signs, mine.codes[0], m)
     if place < 0:
         raise LookupError("the code is not in the census")
     order, sides = carried(mine, canonical(chirotopes(m, slice(place, place + 1)), m))
-    return place, order[0], sides[0]
+    return place, order[0], sides[0], mine
 
 
 def _place(signs: Signs, code: NDArray[np.int64], m: int) -> int:

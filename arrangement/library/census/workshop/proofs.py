@@ -17,7 +17,7 @@ from arrangement.library.census.final_polynomials import (
     sorted_bracket,
     terms_of,
 )
-from arrangement.numbers.linear.programs import Infeasible, feasible_point
+from arrangement.numbers.linear.programs import some_point
 
 #: Weights in floats from here down are 0.
 _TINY = 1e-9
@@ -57,8 +57,8 @@ def final_polynomial(signs: Mapping[Triple, int], n: int) -> tuple[OrderedProduc
     used = np.flatnonzero(np.abs(found.x) > _TINY)
     equations = np.unique(np.c_[exponents[:, used], -right].astype(int), axis=0).tolist()
     units = np.eye(len(used), len(used) + 1, dtype=int)
-    weights = feasible_point(len(used), units[[rows[k][1] for k in used]].tolist(), equations)
-    if isinstance(weights, Infeasible):
+    weights = some_point(len(used), units[[rows[k][1] for k in used]].tolist(), equations)
+    if weights is None:
         return None
     scale = lcm(*(weight.denominator for weight in weights))
     proof = tuple(

@@ -31,10 +31,10 @@ from arrangement.arrangement import Arrangement
 from arrangement.counts.oriented_matroid import ORDERS, chirotope, chirotope_string
 from arrangement.errors import InputError
 from arrangement.library.census.catalogue import MOST_PLANES, normals
-from arrangement.library.census.chirotopes import Signs, alternating, canonical, triples
+from arrangement.library.census.chirotopes import Signs, alternating, triples
 from arrangement.library.census.identify import found_type
 from arrangement.numbers.exact import IntegerVector, primitive, rational, shown
-from arrangement.numbers.linear.programs import Infeasible, feasible_point
+from arrangement.numbers.linear.programs import some_point
 from arrangement.numbers.linear.rank import determinant
 
 from .matrix import numbers
@@ -102,9 +102,8 @@ def _attempts(signs: Signs, m: int) -> Iterator[list[IntegerVector] | None]:
 
 
 def _of_census(signs: Signs, m: int) -> list[IntegerVector] | None:
-    mine = canonical(signs[None], m)
     try:
-        place, order, sides = found_type(signs[None], mine, m)
+        place, order, sides, _ = found_type(signs, m)
     except LookupError:
         return None
     if not normals(m)[place].any():
@@ -130,8 +129,8 @@ def _put_back(others: list[IntegerVector], wanted: Signs) -> IntegerVector | Non
                 inequalities.append((*(side * x for x in ray), -1))
             else:
                 equalities.append((*ray, 0))
-    found = feasible_point(3, inequalities, equalities)
-    return None if isinstance(found, Infeasible) else primitive(found)
+    found = some_point(3, inequalities, equalities)
+    return None if found is None else primitive(found)
 
 
 _SIGNS = re.compile(r"[-+0]+")
