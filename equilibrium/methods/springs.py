@@ -16,15 +16,13 @@ from arrangement.numbers.exact import (
     primitive,
     rational,
     rational_vector,
-    shown,
 )
 from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
 from arrangement.numbers.linear.programs import some_point
 from equilibrium.methods.method import Accepting, Decide, Method, Outcome, cut
 from equilibrium.model.contact import Contact
-from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp
 from equilibrium.plane.contact_rows import (
     Pair,
     balance_rows,
@@ -68,33 +66,20 @@ def balanced_wrenches(
 
 
 def springs_of(
-    grasp: Grasp, tangential_stiffness: Any = 1, rest_friction: Iterable[Any] | None = None
+    grasp: Grasp, factor: Any = 1, rest_friction: Iterable[Any] | None = None
 ) -> list[Pair]:
     """Return the normal and the tangential spring of each contact as rows in the motion.
 
     Args:
-        tangential_stiffness: a factor on each normal stiffness, or a value for each contact.
-        rest_friction: the tangential forces at d = 0; none if omitted.
-
-    Raises:
-        GraspError: a wrong number of values, or a stiffness that is not above 0.
+        factor: a tangential spring is so many times as stiff as the normal one; above 0.
+        rest_friction: the tangential forces at d = 0, one for each contact; none if omitted.
     """
-    if isinstance(tangential_stiffness, Iterable) and not isinstance(tangential_stiffness, str):
-        stiffnesses = rational_vector(tangential_stiffness, "tangential_stiffness")
-    else:
-        factor = rational(tangential_stiffness, "tangential_stiffness")
-        stiffnesses = tuple(factor * contact.stiffness for contact in grasp)
+    times = rational(factor, "factor")
     rest = [0] * len(grasp) if rest_friction is None else rest_friction
     forces = rational_vector(rest, "rest_friction")
-    for name, found in (("tangential_stiffness", stiffnesses), ("rest_friction", forces)):
-        if len(found) != len(grasp):
-            raise GraspError(f"{name} has {len(found)} values for {len(grasp)} contacts")
-    for x in stiffnesses:
-        if x <= 0:
-            raise GraspError(f"a tangential stiffness is {shown(x)}; it must be above 0")
     return [
-        (normal_force_row(c), (*(-k * x for x in c.tangential_wrench), t))
-        for c, k, t in zip(grasp, stiffnesses, forces, strict=True)
+        (normal_force_row(c), (*(-times * c.stiffness * x for x in c.tangential_wrench), t))
+        for c, t in zip(grasp, forces, strict=True)
     ]
 
 
@@ -165,11 +150,7 @@ class ComplianceVerdict(Accepting):
 
 
 def linear_compliance(
-    grasp: Grasp,
-    wrench: Iterable[Any],
-    *,
-    tangential_stiffness: Any = 1,
-    rest_friction: Iterable[Any] | None = None,
+    grasp: Grasp, wrench: RationalVector, springs: list[Pair] | None = None
 ) -> ComplianceVerdict:
     """Decide by linear springs in both directions, exactly.
 
@@ -182,14 +163,9 @@ def linear_compliance(
     Args:
         grasp: normal stiffness and preload are those of the contacts.
         wrench: applied.
-        tangential_stiffness: a factor on each normal stiffness, or a value for each contact.
-        rest_friction: tangential forces at d = 0 (see `balancing_friction`); zeros if omitted.
+        springs: of `springs_of`; those without a factor, and without friction at rest, if omitted.
     """
-    springs = springs_of(grasp, tangential_stiffness, rest_friction)
-    return _compliance(grasp, read_wrench(wrench), springs)
-
-
-def _compliance(grasp: Grasp, wrench: RationalVector, springs: list[Pair]) -> ComplianceVerdict:
+    springs = springs or springs_of(grasp)
     motion = some_point(3, [], balance_rows(grasp, springs, wrench)[0])
     if motion is None:
         return ComplianceVerdict(False, None, None, ())
@@ -214,7 +190,7 @@ LINEAR_COMPLIANCE = Method(
     "linear-compliance",
     "linear compliance (Bicchi 1993-95; Cutkosky, Kao 1989)",
     "linear compliance",
-    _with_usual_springs(_compliance),
+    _with_usual_springs(linear_compliance),
     _compliance_region,
 )
 
@@ -242,11 +218,7 @@ class FrictionlessSlipVerdict(Accepting):
 
 
 def frictionless_slip(
-    grasp: Grasp,
-    wrench: Iterable[Any],
-    *,
-    tangential_stiffness: Any = 1,
-    rest_friction: Iterable[Any] | None = None,
+    grasp: Grasp, wrench: RationalVector, springs: list[Pair] | None = None
 ) -> FrictionlessSlipVerdict:
     """Decide by trying all 3^m choices of states, each exactly.
 
@@ -256,21 +228,13 @@ def frictionless_slip(
     system in the motion; the method accepts when some choice has a legal solution.
 
     Args:
-        grasp: at most 12 contacts.
-        wrench: applied.
-        tangential_stiffness, rest_friction: as in `linear_compliance`.
+        grasp, wrench, springs: as in `linear_compliance`.
 
     Raises:
         OutOfReachError: too many contacts.
     """
     budget.keep(len(grasp), "contacts with a choice of three states")
-    springs = springs_of(grasp, tangential_stiffness, rest_friction)
-    return _frictionless(grasp, read_wrench(wrench), springs)
-
-
-def _frictionless(
-    grasp: Grasp, wrench: RationalVector, springs: list[Pair]
-) -> FrictionlessSlipVerdict:
+    springs = springs or springs_of(grasp)
     tried = 0
     for tried, states in enumerate(product(STATES, repeat=len(grasp)), 1):
         forces, rows = _forces_in(states, springs), _legal_rows(grasp, states, springs)
@@ -310,7 +274,7 @@ def _ask(grasp: Grasp) -> None:
 
 def _decide_frictionless(grasp: Grasp, wrench: RationalVector) -> Outcome:
     _ask(grasp)
-    return _with_usual_springs(_frictionless)(grasp, wrench)
+    return _with_usual_springs(frictionless_slip)(grasp, wrench)
 
 
 @cut

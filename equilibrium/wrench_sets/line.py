@@ -62,11 +62,6 @@ class Magnitudes(Documented):
         """Whether every magnitude above some value is resisted."""
         return bool(self.intervals) and self.intervals[-1][1] is None
 
-    @property
-    def from_zero(self) -> bool:
-        """Whether the set is one interval that starts at 0, as a binary search assumes."""
-        return len(self.intervals) == 1 and self.intervals[0][0] == 0
-
     def contains(self, magnitude: Fraction) -> bool:
         """Return whether this magnitude is resisted."""
         return holds(self.intervals, magnitude)

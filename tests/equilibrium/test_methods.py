@@ -32,6 +32,7 @@ from equilibrium.methods.springs import (
     balancing_friction,
     frictionless_slip,
     linear_compliance,
+    springs_of,
 )
 from equilibrium.methods.survey import shrunk, size, smallest_examples, survey
 from equilibrium.methods.weak_strong import weak_strong
@@ -46,7 +47,7 @@ HALF = Fraction(1, 2)
 THREE, FOUR = read_grasp("paper-three-contacts"), read_grasp("paper-four-contacts")
 LOADED = THREE.with_preload(1)
 #: On the edge of the cones, as the paper says.
-REST = {"rest_friction": (-HALF, 0, HALF)}
+REST = (-HALF, 0, HALF)
 
 
 def wrench_space(grasp, wrench):
@@ -62,14 +63,14 @@ def wrench_space(grasp, wrench):
         (wrench_space, Grasp(), [(0, 0, 1)], {}, False),
         # Section III: the pushed object drags the side contacts out of their cones.
         *(
-            (linear_compliance, THREE, [(0, -1, 0)], {"tangential_stiffness": k}, False)
+            (linear_compliance, THREE, [(0, -1, 0)], {"springs": springs_of(THREE, k)}, False)
             for k in ("1/1000", 1, 1000)
         ),
         # Section VI: better than linear compliance, and still too conservative.
         (frictionless_slip, THREE, [(0, -1, 0), (0, -100, 0), (3, -1, 0), (-7, 0, 0)], {}, True),
         # Without friction at rest soft tangential springs hold.
         (frictionless_slip, LOADED, [(0, 1, 0)], {}, False),
-        (frictionless_slip, LOADED, [(0, 1, 0)], {"tangential_stiffness": HALF}, True),
+        (frictionless_slip, LOADED, [(0, 1, 0)], {"springs": springs_of(LOADED, HALF)}, True),
         # Section III: without dissipation an arbitrary wrench is resisted, with friction above 1.
         *(
             (cones, FOUR.with_friction(mu), [(0, 2, 0), (0, -200, 0), (5, 3, -1)], {}, True)
@@ -139,8 +140,8 @@ def test_linear_compliance_tells_motion_and_what_leaves_its_cone():
     verdict = linear_compliance(THREE, (0, -1, 0))
     # Springs of stiffness 1 in parallel, two tangential and one normal: a third each.
     assert (verdict.outside, verdict.motion) == ((0, 2), (0, Fraction(-1, 3), 0))
-    assert balancing_friction(LOADED) == REST["rest_friction"]
-    verdict = linear_compliance(LOADED, (0, 0, 0), **REST)
+    assert balancing_friction(LOADED) == REST
+    verdict = linear_compliance(LOADED, (0, 0, 0), springs_of(LOADED, 1, REST))
     assert verdict.motion == (0, 0, 0)
     assert verdict.forces == ((1, -HALF), (1, 0), (1, HALF))
     # One contact cannot balance a torque.
@@ -151,7 +152,7 @@ def test_linear_compliance_tells_motion_and_what_leaves_its_cone():
 def test_frictionless_slip_tries_all_states():
     assert frictionless_slip(THREE, (0, -2, 0)).forces == ((0, 0), (2, 0), (0, 0))
     for factor in ("1/100", 1, 100):
-        verdict = frictionless_slip(LOADED, (0, 1, 0), tangential_stiffness=factor, **REST)
+        verdict = frictionless_slip(LOADED, (0, 1, 0), springs_of(LOADED, factor, REST))
         assert (verdict.accepts, verdict.tried) == (False, 27)
     with pytest.raises(OutOfReachError, match="13 contacts with a choice of three states"):
         frictionless_slip(Grasp([Contact((0, 0), (1, 0), 1)] * 13), (0, 0, 0))

@@ -132,7 +132,6 @@ def test_a_grasp_whose_magnitudes_have_a_gap():
     found = resisted_magnitudes(grasp, direction)
     assert found.intervals == ((0, 1), (2, None))
     assert found.to_dict() == {"intervals": [["0", "1"], ["2", None]]}
-    assert not found.from_zero
     for t, stable in [(0, 1), (1, 1), (1 + TINY, 0), (2 - TINY, 0), (2, 1), (1000, 1)]:
         assert solve(grasp, scaled(direction, t)).stable == bool(stable)
 

@@ -143,11 +143,6 @@ class RepresentativeHull:
         """The adjacent pairs that are no edges of the hull."""
         return self.adjacencies - self.hull.true_edges
 
-    @property
-    def is_dual(self) -> bool:
-        """Whether the edges of the hull are exactly the adjacencies: the dual is inscribed."""
-        return self.adjacencies == self.hull.true_edges
-
 
 def representative_hull(
     dual: DualPolyhedron, points: Sequence[RationalVector] | None = None

@@ -63,11 +63,6 @@ class Equilibrium(Documented):
         """Whether every solution of the polyhedron has the same contact forces."""
         return all(low == high for pair in self.force_ranges for low, high in pair)
 
-    @property
-    def all_detached(self) -> bool:
-        """Whether no contact touches: the object runs away from all of them."""
-        return all(state == "detached" for state in self.states)
-
     def contains(self, motion: Iterable[Any], forces: Iterable[Iterable[Any]]) -> bool:
         """Return whether a motion with forces is one of these solutions."""
         d = rational_vector(motion, "motion")
