@@ -126,6 +126,7 @@ class Relaxation:
         scale: of the coordinates of a motion.
     """
 
+    @np.errstate(all="ignore")  # what is beyond floats is infinite here, and proves nothing
     def __init__(
         self,
         contacts: FloatContacts,

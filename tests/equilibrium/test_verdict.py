@@ -10,6 +10,7 @@ from hypothesis import given, settings, strategies as st
 
 from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, GraspError, Solver, read_grasp, solve
+from equilibrium.grasps.inputs import random_grasp
 
 from . import oracle
 from .agreement import disagreements
@@ -179,6 +180,16 @@ def test_coincident_contacts_share_the_load():
     one, two = Contact((0, 0), (0, 1), 1), Contact((0, 0), (0, 1), 1, 3)
     (piece,) = solve(Grasp([one, two]), (0, -4, 0)).equilibria
     assert [normal for normal, _ in piece.forces] == [1, 3]
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_numbers_beyond_floats_have_verdicts_and_no_warnings(dimension):
+    tiny = Fraction(10) ** -320
+    grasp = random_grasp(3, 0, dimension=dimension, preload=dimension == 2)
+    soft = Grasp([replace(grasp.contacts[0], stiffness=tiny), *grasp.contacts[1:]])
+    load = [1] * (3 * dimension - 3)
+    for verdict in (solve(soft, load), solve(grasp, [tiny * x for x in load])):
+        assert verdict.stable is not None
 
 
 def test_wrong_wrench_is_refused():

@@ -170,6 +170,7 @@ def _step(left: Floats, sizes: Floats, right: Floats, value: Floats, damping: fl
     return step
 
 
+@np.errstate(all="ignore")  # sizes beyond floats are replaced below
 def motion_scale(contacts: FloatContacts, load: Floats) -> Floats:
     """Return typical sizes of the coordinates of the motion of an equilibrium."""
     turns = 3 if len(load) == 6 else 1
