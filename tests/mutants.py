@@ -126,6 +126,7 @@ TARGETS = {
     "reading": Target("equilibrium.certificate.reading", (*CHECKER, *SPACE, PLANES)),
     "space": Target("equilibrium.certificate.space", SPACE),
     "enclosure": Target("equilibrium.certificate.enclosure", SPACE),
+    "uncertain": Target("equilibrium.certificate.uncertain", ROBUST),
     "robust": Target("equilibrium.certificate.robust", ROBUST),
     "plane": Target("equilibrium.model.grasp", (GRASP, PLANES)),
     "loads": Target("equilibrium.wrench_sets.spatial", LOADS),

@@ -56,8 +56,9 @@ from .reading import (
     read_question,
     read_range,
 )
-from .robust import Bounds, read_bounds, robust_problem
+from .robust import read_bounds, robust_problem
 from .space import SpatialQuestion, State, spatial_leaf_problem, split_states
+from .uncertain import Bounds
 
 #: A grasp and a wrench.
 Question: TypeAlias = tuple[Grasp, RationalVector]

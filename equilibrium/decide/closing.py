@@ -20,7 +20,8 @@ import numpy as np
 
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from arrangement.numbers.float_filter import Floats
-from equilibrium.certificate.robust import Bounds, Box, corners_of, halves
+from equilibrium.certificate.robust import Box, corners_of, halves
+from equilibrium.certificate.uncertain import Bounds
 from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
@@ -254,7 +255,7 @@ class Closing:
     def _slips(self, motions: Floats) -> Floats:
         """Return directions of slip, some for each contact, sample and corner of a cell.
 
-        In space that at the corner alone where slips turn little, as in `certificate.robust`.
+        In space that at the corner alone where slips turn little, as in `certificate.uncertain`.
         """
         slips = np.einsum("mvkn,jn->mvjk", self.tangent, motions[:, 1:])
         if self.d == 2:

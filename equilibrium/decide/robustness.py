@@ -20,7 +20,8 @@ from typing import Any
 from arrangement.console.number_form import Shown, near
 from arrangement.numbers.exact import RationalVector, number_text, to_text
 from equilibrium.certificate.document import Certificate, certificate
-from equilibrium.certificate.robust import Bounds, read_bounds
+from equilibrium.certificate.robust import read_bounds
+from equilibrium.certificate.uncertain import Bounds
 from equilibrium.grasps.inputs.incidences import other_rounding
 from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.errors import GraspError, TimeLimitError

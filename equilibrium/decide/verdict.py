@@ -20,7 +20,7 @@ from arrangement.console.plugins import named
 from arrangement.numbers.exact import RationalVector, dot, to_text, vector_text
 from equilibrium.certificate.checker import Report, check
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
-from equilibrium.certificate.robust import Bounds
+from equilibrium.certificate.uncertain import Bounds
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.errors import TimeLimitError, UndecidedError
 from equilibrium.model.grasp import Grasp

@@ -529,7 +529,7 @@ def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
     values |= {"equilibrium.model.contact", "arrangement.console.number_form"}
     values |= {"equilibrium.model.errors", "equilibrium.model.contact", "collections.abc"}
     values |= {f"equilibrium.model.{name}" for name in ("plane", "range", "solution")}
-    values |= {"enclosure", "law", "reading", "robust", "space"}
+    values |= {"enclosure", "law", "reading", "robust", "space", "uncertain"}
     assert imported <= standard | values
     for node in ast.walk(tree):
         assert not (isinstance(node, ast.Constant) and isinstance(node.value, float))

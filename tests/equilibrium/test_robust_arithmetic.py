@@ -9,14 +9,14 @@ import pytest
 
 from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp, GraspError
-from equilibrium.certificate.robust import (
+from equilibrium.certificate.uncertain import (
     Affine,
     Bounds,
+    Uncertain,
     _form,
     _largest,
     _length,
     _turning,
-    _Uncertain,
 )
 
 from .test_checker import random_leaf
@@ -65,7 +65,7 @@ def test_forms_hold_all_contacts_within_bounds(dimension):
     for _ in range(60):
         c = random_contact(source, dimension)
         motion = tuple(Fraction(source.randint(-9, 9), 3) for _ in range(n + 1))
-        spring, slips = _Uncertain(c, NEAR).corner(motion)
+        spring, slips = Uncertain(c, NEAR).corner(motion)
         for _ in range(6):
             other = at_the_bounds(source, c)
             force = other.preload * motion[0] - other.stiffness * dot(
@@ -74,7 +74,7 @@ def test_forms_hold_all_contacts_within_bounds(dimension):
             moves = [dot(row, motion[1:]) for row in other.tangential_wrenches]
             for form, x in zip([spring, *slips], [force, *moves], strict=True):
                 assert form.low <= x * unit <= form.high
-        exact = _Uncertain(c, Bounds()).corner(motion)[0]
+        exact = Uncertain(c, Bounds()).corner(motion)[0]
         assert exact.high - exact.low < 2**8
 
 
@@ -94,7 +94,7 @@ def test_contacts_within_bounds_do_at_least_what_is_counted(dimension):
         ]
         virtual = tuple(Fraction(source.randint(-3, 3)) for _ in range(n))
         near = source.choice([NEAR, Bounds(degrees=2)])
-        bounded = _Uncertain(c, near)
+        bounded = Uncertain(c, near)
         counted = bounded.works(virtual, [bounded.corner(y) for y in corners])
         for _ in range(4):
             other = at_the_bounds(source, c, near)
@@ -134,7 +134,7 @@ def test_bounds_have_ends_and_forms_their_sizes():
     assert str(half).startswith("normals within 1.5 degrees, points within 0.5, friction within")
     assert str(Bounds()) == "no change"
     assert 0 <= Bounds(degrees=45).angle - math.pi / 4 < 1e-6
-    turned = _Uncertain(Contact([0, 0], [0, 1], 1), Bounds(degrees=2, friction="5%"))
+    turned = Uncertain(Contact([0, 0], [0, 1], 1), Bounds(degrees=2, friction="5%"))
     assert 0 <= turned.lost.low / 2**128 - (1 - math.cos(math.radians(2))) < 1e-6
     assert 0 <= turned.friction.low - 2**128 * Fraction(19, 20) + 2 < 4
     form = Affine(-3, (1, -2))
@@ -281,14 +281,14 @@ def test_uncertain_slips_turn_further():
 
 
 def test_signs_are_read_to_the_last_unit():
-    contact = _Uncertain(Contact((0, 0), (0, 1), "1/2"), Bounds())
+    contact = Uncertain(Contact((0, 0), (0, 1), "1/2"), Bounds())
     none = (0,) * contact.number
     slips = [Affine(ONE, none)]
     assert contact.works((0, -1, 0), [(Affine(1, none), slips)])[0] <= -1
     springs = [Affine(x, none) for x in (-1, 2 * ONE)]
     assert max(contact.works((0, 1, 0), [(e, slips) for e in springs])) <= 0
     # A slip of 0 in space: only the length is rounded, by a unit.
-    contact = _Uncertain(Contact((0, 0, 0), (0, 0, 1), 1), Bounds())
+    contact = Uncertain(Contact((0, 0, 0), (0, 0, 1), 1), Bounds())
     still, one = (Affine(x, (0,) * contact.number) for x in (0, ONE))
     assert contact.works((0, 1, -1, 0, 0, 0), [(one, [still, still])]) == [-2 * ONE - 1]
 
@@ -296,7 +296,7 @@ def test_signs_are_read_to_the_last_unit():
 @pytest.mark.parametrize("small", [0, Fraction(1, 2**200)])
 def test_without_friction_or_preload_no_force_is_at_rest(small):
     for values in ((small, 1, 1), (1, 1, small)):
-        contact = _Uncertain(Contact((0, 0), (0, 1), *values), Bounds())
+        contact = Uncertain(Contact((0, 0), (0, 1), *values), Bounds())
         assert contact.at_rest((Fraction(1, 2**128),)) is None
         assert contact.at_rest((Fraction(0),)) is not None
 
@@ -343,7 +343,7 @@ def test_the_work_of_a_contact_is_what_is_counted(virtual, corners, works):
     """At friction 1/2, worked out by hand; in the plane the tangent is opposite to the x axis."""
     n = len(virtual)
     normal = (*[0] * (n - 1), 1)
-    contact = _Uncertain(Contact([0] * n, normal, "1/2"), Bounds())
+    contact = Uncertain(Contact([0] * n, normal, "1/2"), Bounds())
     none = (0,) * contact.number
     forms = [
         (Affine(e * ONE, none, rest * ONE), [Affine(x * ONE, none) for x in slips])
@@ -378,10 +378,10 @@ def test_contacts_at_rest_do_at_least_what_is_counted(dimension):
     source, n = Random(f"rest {dimension}"), 3 * dimension - 3
     for _ in range(60):
         c = random_contact(source, dimension)
-        bounded = _Uncertain(c, NEAR)
+        bounded = Uncertain(c, NEAR)
         least = c.friction * c.preload * Fraction(19, 20) * Fraction(4, 5)
         force = (least, *[Fraction(0)] * (dimension - 2))
-        assert _Uncertain(c, Bounds()).at_rest((c.friction * c.preload, *force[1:])) is not None
+        assert Uncertain(c, Bounds()).at_rest((c.friction * c.preload, *force[1:])) is not None
         assert bounded.at_rest((least + Fraction(1, 10**6), *force[1:])) is None
         half = tuple(x / 2 for x in force)
         virtual = tuple(Fraction(source.randint(-3, 3)) for _ in range(n))
@@ -436,7 +436,7 @@ def test_directions_of_slips_that_turn_little_are_bounded_linearly(reach):
 
 @pytest.mark.parametrize("motions", [[(1, 0, -1, 0)], [(1, 2, -1, 0), (1, -2, -1, 0)]])
 def test_a_slip_of_unknown_sign_has_friction_both_ways(motions):
-    bounded = _Uncertain(Contact((0, 0), (0, 1), "1/2", 1, 1), Bounds(degrees=2))
+    bounded = Uncertain(Contact((0, 0), (0, 1), "1/2", 1, 1), Bounds(degrees=2))
     corners = [bounded.corner(motion) for motion in motions]
     for way in (1, -1):
         assert max(bounded.works((way, 0, 0), corners)) < 0

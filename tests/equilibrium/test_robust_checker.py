@@ -9,7 +9,8 @@ import pytest
 from arrangement.errors import InputError
 from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp, check, read_grasp, solve
-from equilibrium.certificate.robust import Bounds, Box, corners_of, halves
+from equilibrium.certificate.robust import Box, corners_of, halves
+from equilibrium.certificate.uncertain import Bounds
 
 SPATIAL = [
     Contact(p, [-x for x in p], "1/2", 1, 1) for p in ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0))

@@ -10,7 +10,7 @@ import pytest
 
 from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp, GraspError, Solver, check, read_grasp, solve
-from equilibrium.certificate.robust import Bounds
+from equilibrium.certificate.uncertain import Bounds
 from equilibrium.cli.program import main
 from equilibrium.decide.closing import moved
 from equilibrium.grasps.inputs import from_float_data, read_csv
