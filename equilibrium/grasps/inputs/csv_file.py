@@ -26,7 +26,8 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import ask_contacts
 
 from .conversion import DEFAULT_TOLERANCE, Conversion
-from .incidences import Rounding, converted, rounding
+from .incidences import converted
+from .rounding import Rounding, rounding
 
 if TYPE_CHECKING:
     from arrangement import Arrangement

@@ -17,7 +17,8 @@ from equilibrium.model.grasp import Grasp, read_wrench
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, unit_normals
 from .csv_file import read_csv
-from .incidences import converted, rounding
+from .incidences import converted
+from .rounding import rounding
 
 
 def question_document(grasp: Grasp, wrench: Any, taker: str) -> dict[str, Any]:

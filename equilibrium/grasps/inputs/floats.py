@@ -28,7 +28,8 @@ from equilibrium.model.errors import GraspError
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, contact_values
 from .csv_file import each_line, parts_of
-from .incidences import check_number, converted, equal_numbers, rounding
+from .incidences import check_number, converted
+from .rounding import equal_numbers, rounding
 
 _DECIMAL = re.compile(r"[+-]?([0-9]{1,400}\.?[0-9]{0,400}|\.[0-9]{1,400})([eE][+-]?[0-9]{1,4})?")
 

@@ -28,7 +28,8 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Mesh, coordinates
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, contact_values, snapped
-from .incidences import converted, rounding
+from .incidences import converted
+from .rounding import rounding
 
 Facets: TypeAlias = NDArray[np.intp]
 

@@ -15,7 +15,8 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Circle, Polygon, coordinates
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, contact_values, unit_normals
-from .incidences import converted, rounding
+from .incidences import converted
+from .rounding import rounding
 
 
 def on_circle(
