@@ -127,8 +127,8 @@ def picture_bytes(
     return stream.getvalue()
 
 
-def movie_bytes(suffix: str, pictures: Iterable[bytes], seconds: float = 4.0) -> bytes:
-    """Return pictures in PNG as one GIF, or MP4, that shows them in so many seconds.
+def movie_bytes(suffix: str, pictures: Iterable[bytes]) -> bytes:
+    """Return pictures in PNG as one GIF, or MP4, that shows them in four seconds.
 
     Raises:
         InputError: MP4 is asked for and there is no ffmpeg.
@@ -144,7 +144,7 @@ def movie_bytes(suffix: str, pictures: Iterable[bytes], seconds: float = 4.0) ->
     if suffix == ".gif":
         stream, first = io.BytesIO(), frames[0].quantize(64)
         rest = [frame.quantize(palette=first) for frame in frames]
-        pause = round(1000 * seconds / len(frames))
+        pause = round(4000 / len(frames))
         rest[0].save(stream, "GIF", save_all=True, append_images=rest[1:], duration=pause, loop=0)
         return stream.getvalue()
     import shutil
@@ -156,7 +156,7 @@ def movie_bytes(suffix: str, pictures: Iterable[bytes], seconds: float = 4.0) ->
         raise InputError("MP4 needs ffmpeg, which is not installed; .gif needs nothing more")
     with tempfile.TemporaryDirectory() as folder:
         raw = ["-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{size[0]}x{size[1]}"]
-        words = [program, "-v", "error", *raw, "-r", f"{len(frames) / seconds:g}", "-i", "-"]
+        words = [program, "-v", "error", *raw, "-r", f"{len(frames) / 4:g}", "-i", "-"]
         target = Path(folder) / "turn.mp4"
         words += ["-pix_fmt", "yuv420p", "-fflags", "+bitexact", "-flags", "+bitexact", str(target)]
         data = b"".join(frame.tobytes() for frame in frames)

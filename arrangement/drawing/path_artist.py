@@ -32,7 +32,7 @@ from .output import (
     picture_bytes,
     require_matplotlib,
 )
-from .scene.items import SHADES, Ball, Box, Item, Label, Mark, Path, Place
+from .scene.items import LIGHT, SHADES, Ball, Box, Item, Label, Mark, Path, Place
 from .scene.layout import laid_out
 from .scene.scene import DPI, NarrowError, Scene
 from .themes import themed
@@ -246,7 +246,7 @@ def _shade(axes: Any, item: Ball, style: dict[str, Any]) -> None:
     """Add a ball as a small image under its disc; neighbouring pixels differ by one shade."""
     middle = (np.arange(_PIXELS) + 0.5) / _PIXELS * 2 - 1
     x, y = np.meshgrid(middle, middle)
-    fx, fy = item.focus
+    fx, fy = LIGHT
     # The circle of size t has its centre at (1 - t) focus: |p - (1 - t) f| = t.
     px, py, rest = x - fx, y - fy, 1 - fx * fx - fy * fy
     along = px * fx + py * fy

@@ -160,12 +160,11 @@ def force_given(arguments: argparse.Namespace, dimension: int = 2) -> RationalVe
     return wrench_of(arguments.force or down, arguments.at, dimension)
 
 
-def add_wrench(parser: Any, name: str, text: str, default: Any, required: bool = False) -> None:
+def add_wrench(parser: Any, name: str, text: str, default: Any) -> None:
     """Add three numbers, or six for a grasp in space; whoever reads them knows which."""
     option = parser.add_argument(
         name,
         nargs=3,
-        required=required,
         default=default,
         metavar=_AXES,
         type=terminal.rational_argument,

@@ -75,16 +75,16 @@ def smallest_case(cases: list[Case], fails: Callable[[Any], bool]) -> tuple[Case
     ), searched
 
 
-def smaller_instances(planes: int, most: int = 7) -> Iterator[Arrangement]:
+def smaller_instances(planes: int) -> Iterator[Arrangement]:
     """Yield arrangements with fewer planes than given, smallest numbers of planes first.
 
     For each number: all arrangements with entries -1, 0, 1 (up to 4 planes), then one of each
-    combinatorial type of different planes of rank 3 (up to `most` planes).
+    combinatorial type of different planes of rank 3 (up to seven planes).
     """
     for m in range(1, planes):
         if m <= _ALL_SMALL:
             yield from (case.subject for case in smallest_arrangements(range(m, m + 1), 1))
-        if 3 <= m <= most:
+        if 3 <= m <= 7:
             yield from census(m)
 
 

@@ -66,10 +66,10 @@ def table(rows: Sequence[Sequence[str]], width: int, indent: str = "") -> list[s
     return lines
 
 
-def overview(record: Record, width: int = 100) -> str:
+def overview(record: Record) -> str:
     """Return one verdict a claim, with the tables of the paper row by row, and a summary."""
     results = record["results"]
-    entries = [entry(result, columns(results), width) for result in results]
+    entries = [entry(result, columns(results), 100) for result in results]
     return "\n".join([*entries, "", summary(results)])
 
 
@@ -79,7 +79,7 @@ def columns(claims: Iterable[Record]) -> tuple[int, int]:
     return max((n for n, _ in lengths), default=0), max((n for _, n in lengths), default=0)
 
 
-def entry(result: Record, widths: tuple[int, int], width: int = 100) -> str:
+def entry(result: Record, widths: tuple[int, int], width: int) -> str:
     """Return the verdict and the evidence of one claim, and its cases where it asks for them."""
     id, locator = (result[key].ljust(n) for key, n in zip(("id", "locator"), widths, strict=True))
     head, evidence = f"{id}  {locator}  {verdict(result)}", result["evidence"]
@@ -91,7 +91,7 @@ def entry(result: Record, widths: tuple[int, int], width: int = 100) -> str:
     return "\n".join([head, *lines, *cases])
 
 
-def details(result: Record, width: int = 100, **more: str) -> str:
+def details(result: Record, width: int, **more: str) -> str:
     """Return one result with its statement and hypotheses, and what else there is to say."""
     rows = [
         ("statement", result["statement"]),

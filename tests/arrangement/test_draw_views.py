@@ -438,14 +438,15 @@ def test_arrows_point_to_the_positive_side_of_each_plane(name):
 def test_a_ball_is_lit_at_its_focus_and_darkest_at_the_rim(tmp_path):
     scene = Scene(40, 40)
     centre, radius = scene.width / 2, 50.0
-    scene.ball((centre, centre), radius, "#ffffff", "#404040", focus=(-0.4, 0.3))
+    scene.ball((centre, centre), radius, "#ffffff", "#404040")
     save_figure(tmp_path / "a.png", lambda: figure(scene))
     shades = imread(tmp_path / "a.png")[..., 0]
     row, column = np.unravel_index(np.argmin(shades), shades.shape)
     pixels = len(shades) / scene.height
     out = math.hypot(column / pixels - centre, scene.height - row / pixels - centre)
     assert abs(out - radius) < 1
-    at = (int((centre - 0.3 * radius) * pixels), int((centre - 0.4 * radius) * pixels))
+    left, up = (centre - x * radius for x in (0.35, 0.4))
+    at = int(up * pixels), int(left * pixels)
     assert shades[at] > 0.99
 
 

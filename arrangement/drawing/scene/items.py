@@ -99,15 +99,13 @@ class Ball(Item):
 
     Attributes:
         centre, radius: of the disc, in points.
-        focus: the brightest place, from the centre, in radii.
-        near, far: colours ``#rrggbb`` or ``#rrggbbaa`` there and at the rim. Between them, on a
-            circle with its centre on the way from the centre to the focus, stands the colour of
-            `SHADES`.
+        near, far: colours ``#rrggbb`` or ``#rrggbbaa`` at the focus, where the ball is brightest
+            (`LIGHT`, in radii), and at the rim. Between them, on a circle with its centre on the
+            way from the centre to the focus, stands the colour of `SHADES`.
     """
 
     centre: tuple[float, float]
     radius: float
-    focus: tuple[float, float]
     near: str
     far: str
 

@@ -20,7 +20,7 @@ import numpy as np
 from arrangement.drawing.output import millimetres, require_matplotlib
 from arrangement.errors import InputError
 
-from .items import LIGHT, Ball, Box, Floats, Item, Label, Mark, Path, Place, moved, role_of, scaled
+from .items import Ball, Box, Floats, Item, Label, Mark, Path, Place, moved, role_of, scaled
 
 #: Millimetres to points.
 POINTS = 72 / 25.4
@@ -286,12 +286,11 @@ class Scene:
         radius: float,
         near: str = "#ffffff",
         far: str = "#c0c4cc",
-        focus: tuple[float, float] = LIGHT,
         **style: Any,
     ) -> None:
         """Draw a shaded ball; with colours that let through, such as ``#00000040``, a shadow."""
         place = float(centre[0]), float(centre[1])
-        how = {"radius": radius, "focus": focus, "near": near, "far": far}
+        how = {"radius": radius, "near": near, "far": far}
         self._add(Ball, {"role": "ball", **style}, centre=place, **how)
 
     def marker(self, at: Place, size: float, shape: str, **style: Any) -> None:

@@ -19,6 +19,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from arrangement.drawing.scene.items import (
+    LIGHT,
     SHADES,
     Ball,
     Box,
@@ -337,7 +338,7 @@ class _Writer:
         for size, share in (*SHADES, (1.02, 1.0)):
             colour = ",".join(number(x, 3) for x in near + share * (far - near))
             stops.append(f"rgb({number(size * r)}bp)=({colour})")
-        focus = "".join(f"{{{number(x * r)}bp}}" for x in item.focus)
+        focus = "".join(f"{{{number(x * r)}bp}}" for x in LIGHT)
         self.shadings.append(
             rf"\pgfdeclareradialshading{{{name}}}{{\pgfpoint{focus}}}{{{'; '.join(stops)}}}"
         )

@@ -14,21 +14,20 @@ from arrangement.numbers.linear.rank import cycle_edges
 
 Indices: TypeAlias = npt.NDArray[np.int64]
 
+#: How often the weight of an edge grows with its length and with the areas beside it, which evens
+#: out both.
+_ROUNDS = 80
 #: Weights stay between these, so that rounding cannot move a vertex across an edge.
 _LEAST, _MOST = 1e-4, 1e4
 
 
-def tutte_places(
-    count: int, faces: Sequence[Sequence[int]], outer: Sequence[int], rounds: int = 80
-) -> Floats:
+def tutte_places(count: int, faces: Sequence[Sequence[int]], outer: Sequence[int]) -> Floats:
     """Return places (V, 2) with the outer face as a regular polygon in the unit circle.
 
     Args:
         count: the number of vertices V.
         faces: all faces of a 3-connected planar graph, as cycles.
         outer: one of them; its order decides which way round it is drawn.
-        rounds: how often the weight of an edge grows with its length and with the areas beside
-            it, which evens out both; with 0 all weights are 1.
     """
     at = math.pi / 2 + (2 * np.arange(len(outer)) + 1) * math.pi / len(outer)
     places = np.zeros((count, 2))
@@ -40,15 +39,15 @@ def tutte_places(
     corners = np.concatenate([np.array(cycle) for cycle in inside])
     following = np.concatenate([np.roll(cycle, -1) for cycle in inside])
     starts = np.cumsum([0, *map(len, inside[:-1])])
-    for step in range(rounds + 1):
+    places[inner] = _means(places, pairs, weights, inner)
+    for _ in range(_ROUNDS):
+        steps = places[pairs[:, 0]] - places[pairs[:, 1]]
+        lengths = _even(np.hypot(steps[:, 0], steps[:, 1]))
+        (x, y), (right, up) = places[corners].T, places[following].T
+        areas = _even(np.abs(np.add.reduceat(x * up - y * right, starts)) / 2)
+        mean = np.sqrt(areas[beside[:, 0]] * areas[beside[:, 1]])
+        weights = np.asarray(np.clip(weights * mean**0.15 * lengths**0.05, _LEAST, _MOST))
         places[inner] = _means(places, pairs, weights, inner)
-        if step < rounds:
-            steps = places[pairs[:, 0]] - places[pairs[:, 1]]
-            lengths = _even(np.hypot(steps[:, 0], steps[:, 1]))
-            (x, y), (right, up) = places[corners].T, places[following].T
-            areas = _even(np.abs(np.add.reduceat(x * up - y * right, starts)) / 2)
-            mean = np.sqrt(areas[beside[:, 0]] * areas[beside[:, 1]])
-            weights = np.asarray(np.clip(weights * mean**0.15 * lengths**0.05, _LEAST, _MOST))
     return np.round(places, 9) + 0.0
 
 

@@ -167,11 +167,9 @@ def _mark(scene: Scene, kind: str, x: float) -> None:
     scene.mark((x, 0), sign, size, **style)
 
 
-def mark(
-    scene: Scene, state: str, place: Floats, tangent: Floats, size: float = 6.0, **style: Any
-) -> None:
+def mark(scene: Scene, state: str, place: Floats, tangent: Floats, **style: Any) -> None:
     """Draw the mark of a contact state; the triangle of a slip points where the object slips."""
-    style = {"ec": "black", "lw": 0.8, **style}
+    size, style = 6.0, {"ec": "black", "lw": 0.8, **style}
     if state == "detached":
         scene.circle(place, 0.5 * size, fc="white", **style)
         return
