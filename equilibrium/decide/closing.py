@@ -1,35 +1,33 @@
 """Search for proofs of a verdict for all grasps within bounds.
 
-Their form is in `equilibrium.certificate.robust`. In floats, with sample grasps at corners of the
-bounds. What is left over of all forces in a cell is a hull of finitely many vectors then, and its
-point of least norm is a virtual motion that closes the cell, or there is none and the cell is
-halved. The exact test of each leaf is the checker's.
+Their form is in `equilibrium.certificate.robust`. In floats, with `Samples`. What is left over of
+all forces in a cell is a hull of finitely many vectors then, and its point of least norm is a
+virtual motion that closes the cell, or there is none and the cell is halved. The exact test of each
+leaf is the checker's.
 """
 
 from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from fractions import Fraction
 from itertools import product
-from random import Random
 from typing import Any
 
 import numpy as np
 
-from arrangement.numbers.exact import RationalVector, dot, to_text
+from arrangement.numbers.exact import RationalVector, to_text
 from arrangement.numbers.float_filter import Floats
 from equilibrium.certificate.robust import Box, corners_of, halves
 from equilibrium.certificate.uncertain import Bounds
-from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.unit_normal import unit_normal
 
 from . import RESISTED
+from .samples import Samples
 
-#: Sample grasps, fewer of many contacts; cells of one search; vectors of a hull.
-_SAMPLES, _CELLS, _STEPS = 64, (24, 200, 3000), 30
+#: Cells of one search; vectors of a hull.
+_CELLS, _STEPS = (24, 200, 3000), 30
 #: A cell whose longest edge is shorter, as a share of its face, is given up.
 _LEAST = Fraction(1, 2**14)
 #: Directions of friction that are told apart in space.
@@ -41,25 +39,7 @@ _FACTORS, _AT_REST = (1.15, 1.6, 2.5, 4.0, 8.0), (1.6, 1.8, 2.0, 2.2, 2.5)
 _LEAST_REACH = 1e-4
 
 
-def moved(contact: Contact, signs: Iterable[float], bounds: Bounds) -> Contact:
-    """Return a contact within bounds: shares from -1 to 1 of each turn, coordinate and value."""
-    n, shares = contact.dimension, [Fraction(x).limit_denominator(64) for x in signs]
-    normal, turns = contact.normal, shares[: n - 1]
-    if bounds.angle and any(turns):
-        # In space the two turns together are at most sqrt(2).
-        reach = bounds.angle * (Fraction(49, 50) if n == 2 else Fraction(69, 100))
-        across = [dot(turns, column) for column in zip(*contact.tangents, strict=True)]
-        wanted = [x + reach * y for x, y in zip(normal, across, strict=True)]
-        normal = unit_normal(wanted, bounds.angle / 60).normal
-    place = [x + s * bounds.length for x, s in zip(contact.point, shares[n - 1 :], strict=False)]
-    values = (
-        getattr(contact, name) * (1 + s * getattr(bounds, name))
-        for name, s in zip(VALUES, shares[2 * n - 1 :], strict=True)
-    )
-    return Contact(place, normal, *values)
-
-
-class Closing:
+class Closing(Samples):
     """The search for a proof, and for grasps within bounds that speak against it.
 
     Args:
@@ -72,65 +52,17 @@ class Closing:
     """
 
     def __init__(self, found: Any, bounds: Bounds, seconds: float) -> None:
-        self.found, self.bounds = found, bounds
-        self.deadline = time.process_time() + seconds
-        self.grasp: Grasp = found.grasp
+        super().__init__(found.grasp, bounds)
+        self.found, self.deadline = found, time.process_time() + seconds
         self.against: list[Floats] = []
         self.ways: list[Floats] = []
-        self.d, self.n = self.grasp.dimension, len(found.wrench)
+        self.n = len(found.wrench)
         points = np.array([c.point for c in self.grasp], float).reshape(-1, self.d)
         arm = float(np.ptp(points, axis=0).max(initial=0)) if len(points) else 0.0
         # A power of two, so that rounded virtual motions have short numbers.
         self.arm = 2.0 ** (math.frexp(arm)[1] - 2) if arm else 1.0
         self.units = np.array([1.0] * self.d + [1 / self.arm] * (self.n - self.d))
         self.wrench = np.array(found.wrench, float)
-        self._sample()
-
-    def _sample(self) -> None:
-        m, bounds = len(self.grasp), self.bounds
-        sizes = [*[bounds.angle] * (self.d - 1), *[bounds.length] * self.d]
-        sizes += [getattr(bounds, name) for name in VALUES]
-        free = [k for k, size in enumerate(sizes) if size]
-        most = min(_SAMPLES, 20000 // (m + 1) + 1)
-        if 2 ** len(free) <= most:
-            rows = list(product((1, -1), repeat=len(free)))
-        else:
-            source = Random("samples")
-            rows = [tuple(source.choice((1, -1)) for _ in free) for _ in range(most)]
-        self.signs = np.zeros((len(rows), len(sizes)))
-        self.signs[:, free] = np.array(rows, float).reshape(len(rows), len(free))
-        self.normal, self.tangent = self._wrenches()
-        self.friction, self.stiffness, self.preload = (
-            np.array([[float(getattr(c, name))] for c in self.grasp]).reshape(m, 1)
-            * (1 + float(getattr(bounds, name)) * self.signs[:, k])
-            for k, name in enumerate(VALUES, 2 * self.d - 1)
-        )
-
-    def _wrenches(self) -> tuple[Floats, Floats]:
-        """Return wrenches along the normals and tangents of all samples."""
-        d, m = self.d, len(self.grasp)
-        axes = np.array([[c.normal, *c.tangents] for c in self.grasp], float).reshape(m, 1, d, d)
-        points = np.array([c.point for c in self.grasp], float).reshape(m, 1, 1, d)
-        turns = self.signs[:, : d - 1] * float(self.bounds.angle) * (1 if d == 2 else 0.7)
-        angles = np.linalg.norm(turns, axis=1)[:, None]
-        shares = turns / np.where(angles > 0, angles, 1)
-        ahead, across = axes[:, :, 0], np.einsum("vk,mckd->mvd", shares, axes[:, :, 1:])
-        sine, lost = np.sin(angles), 1 - np.cos(angles)
-        bent = shares[:, :, None] * (sine * ahead + lost * across)[:, :, None]
-        axes = np.concatenate(
-            [((1 - lost) * ahead + sine * across)[:, :, None], axes[:, :, 1:] - bent], 2
-        )
-        points = points + self.signs[:, None, d - 1 : 2 * d - 1] * float(self.bounds.length)
-        if d == 2:
-            torques = points[..., :1] * axes[..., 1:] - points[..., 1:] * axes[..., :1]
-        else:
-            torques = np.cross(points, axes)
-        wrenches = np.concatenate([axes, torques], axis=-1)
-        return wrenches[:, :, 0], wrenches[:, :, 1:]
-
-    def grasp_at(self, shares: Iterable[Iterable[float]]) -> Grasp:
-        """Return the grasp with these shares for `moved`."""
-        return Grasp(moved(c, row, self.bounds) for c, row in zip(self.grasp, shares, strict=True))
 
     def weakest(self) -> list[Floats]:
         """Return virtual motions on which an equilibrium may give in."""

@@ -12,7 +12,7 @@ from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp, GraspError, Solver, check, read_grasp, solve
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.cli.program import main
-from equilibrium.decide.closing import moved
+from equilibrium.decide.samples import moved
 from equilibrium.grasps.inputs import from_float_data, read_csv
 from equilibrium.grasps.inputs.incidences import other_rounding
 from equilibrium.model.labels import DataError
