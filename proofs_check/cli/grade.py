@@ -30,7 +30,7 @@ from proofs_check.reports import text
 
 
 def run_grade(arguments: argparse.Namespace) -> int:
-    """GradedAnswer a file of answers, or a folder of them; without one, list the questions."""
+    """Grade a file of answers, or a folder of them; without one, list the questions."""
     exercises = load_exercises(arguments.exercises)
     if arguments.answers is None:
         return _list(exercises, arguments.json)
