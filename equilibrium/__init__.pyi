@@ -36,6 +36,7 @@ from .wrench_sets import (
     resisted_magnitudes as resisted_magnitudes,
     resisted_region as resisted_region,
     resisted_set as resisted_set,
+    smallest_unresisted_wrench as smallest_unresisted_wrench,
 )
 
 __version__: str

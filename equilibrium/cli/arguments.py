@@ -79,8 +79,10 @@ def add_applied(
     name: str = "--wrench",
     text: str = "applied force (f_x, f_y) and torque tau about the origin",
     required: bool = True,
-) -> None:
+) -> Any:
     """Add a wrench, as such, or as a force or a weight at a point; see `applied`.
+
+    Returns the group of these ways, of which one may be taken.
 
     Args:
         name, text: of the option that takes the wrench as such.
@@ -89,6 +91,7 @@ def add_applied(
     ways: Any = parser.add_mutually_exclusive_group(required=required)
     add_wrench(ways, name, text, None)
     add_force(parser, ways)
+    return ways
 
 
 def add_range(parser: argparse.ArgumentParser) -> None:

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.console import terminal
 from arrangement.console.number_form import bracket, counted, number, vector
-from arrangement.numbers.exact import to_text
+from arrangement.numbers.exact import number_text, to_text
+from equilibrium.model.errors import GraspError
 
 from .arguments import (
     add_applied,
@@ -19,6 +20,7 @@ from .arguments import (
     add_range,
     add_wrench,
     applied,
+    force_given,
     grasp_of,
     range_given,
     show,
@@ -28,7 +30,15 @@ if TYPE_CHECKING:
     from arrangement.numbers.linear.intervals import Interval
     from equilibrium.decide.solver import Solver
     from equilibrium.model.grasp import Grasp
-    from equilibrium.wrench_sets import Gap, Magnitudes, Region, ResistedSet, SearchMap, Segment
+    from equilibrium.wrench_sets import (
+        Gap,
+        Magnitudes,
+        Region,
+        ResistedSet,
+        SearchMap,
+        Segment,
+        SmallestUnresisted,
+    )
     from equilibrium.wrench_sets.spatial import SpatialMagnitudes
 
 _ZERO = (Fraction(0),) * 3
@@ -42,9 +52,13 @@ _MARGIN = 6
 def add_commands(commands: Any) -> None:
     """Add limit, region, polyhedra, margin, map, figure and gaps."""
     some = ("some are resisted", "none is resisted")
-    text = "find the magnitudes resisted along a direction"
+    text = "find the magnitudes resisted along a direction, or in every one"
     limit = add_command(commands, "limit", _limit, text, *some, "undecided")
-    add_applied(limit, "--direction", "which way; not zero")
+    ways = add_applied(limit, "--direction", "which way; not zero")
+    text = "instead: find the smallest wrench that is not resisted, whichever way it points"
+    ways.add_argument("--any-direction", action="store_true", help=text)
+    text = "with --any-direction: divide torques by this to compare them with forces (default: 1)"
+    add_number(limit, "--length", None, text)
     add_wrench(limit, "--base", "a wrench that acts in any case (default: none)", _ZERO)
     add_range(limit)
 
@@ -96,6 +110,10 @@ def _solver(arguments: argparse.Namespace, grasp: Grasp) -> Solver:
 def _limit(arguments: argparse.Namespace) -> int:
     from equilibrium.wrench_sets import resisted_magnitudes
 
+    if arguments.any_direction:
+        return _smallest(arguments)
+    if arguments.length is not None:
+        raise GraspError("--length goes with --any-direction; a direction needs none")
     grasp = grasp_of(arguments)
     direction = applied(arguments, grasp, "direction")
     if grasp.dimension == 3:
@@ -105,6 +123,34 @@ def _limit(arguments: argparse.Namespace) -> int:
     more, again = _rounded(solver, found)
     lines = [f"resisted for t in {_intervals(found.intervals)}", *again]
     return show(arguments, found.to_dict() | more, lines, bool(found.intervals), grasp)
+
+
+def _smallest(arguments: argparse.Namespace) -> int:
+    from equilibrium.wrench_sets import smallest_unresisted_wrench
+
+    force_given(arguments)  # refuses a place without a force
+    grasp = grasp_of(arguments)
+    length = 1 if arguments.length is None else arguments.length
+    found = smallest_unresisted_wrench(_solver(arguments, grasp), arguments.base, length)
+    lines = _smallest_lines(found, grasp)
+    return show(arguments, found.to_dict(), lines, found.size_squared != 0, grasp)
+
+
+def _smallest_lines(found: SmallestUnresisted, grasp: Grasp) -> Iterator[str]:
+    load = "with the base, " if any(found.base) else ""
+    if found.size is None or found.wrench is None or found.beyond is None:
+        yield f"{load}every wrench is resisted, whichever way it points and however large it is"
+        return
+    if found.size_squared:
+        exact = found.size**2 == found.size_squared
+        size = number(found.size) if exact else f"the root of {number(found.size_squared)}"
+        size += ("" if exact else f", {number_text(found.size, longest=0)}") + _force(grasp)
+        yield f"{load}every wrench smaller than {size} is resisted"
+        yield f"  where size^2 = f_x^2 + f_y^2 + (tau / length)^2, length {number(found.length)}"
+        yield f"on the border: {vector(found.wrench)}"
+    else:
+        yield f"{load}no size is resisted in every direction"
+    yield f"not resisted: {vector(found.beyond)}"
 
 
 def _rounded(solver: Solver, found: Magnitudes) -> tuple[dict[str, Any], list[str]]:

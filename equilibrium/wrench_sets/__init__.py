@@ -3,6 +3,7 @@
 * `line`: magnitudes along a direction; `plane`: the union of polygons in a plane of wrenches, with
   its `outline`; `space`: the whole set as polyhedra.
 * `loads`: arrays of loads on one grasp.
+* `any_direction`: the smallest wrench that is not resisted.
 * `margin`: factors and preloads; `friction`: the least coefficient; `search_map`: the paper's map,
   and `gaps`, where such a map fails.
 * `spatial`: brackets of magnitudes of grasps in space.
@@ -10,6 +11,10 @@
 
 from arrangement.numbers.linear.polyhedron import Polyhedron as Polyhedron
 
+from .any_direction import (
+    SmallestUnresisted as SmallestUnresisted,
+    smallest_unresisted_wrench as smallest_unresisted_wrench,
+)
 from .friction import FrictionBracket as FrictionBracket, least_friction as least_friction
 from .line import (
     Gap as Gap,

@@ -89,7 +89,7 @@ def _border(solid: Sequence[Polyhedron]) -> Iterator[Segment]:
     edges: dict[IntegerVector, dict[frozenset[IntegerVector], Polyhedron]] = {}
     for p in solid:
         for row in p.inequalities:
-            edges.setdefault(row, {})[frozenset(_tight(row, p))] = p
+            edges.setdefault(row, {})[frozenset(tight(row, p))] = p
     # An edge with a polygon on either side is inside, and most are.
     alone = {
         row: [p for ends, p in edges[row].items() if ends not in edges.get(negated(row), ())]
@@ -97,7 +97,7 @@ def _border(solid: Sequence[Polyhedron]) -> Iterator[Segment]:
     }
     rows = [row for row in alone if alone[row]]
     carriers = [alone[row] for row in rows]
-    found = zip(rows, carriers, _near(rows, carriers, solid), strict=True)
+    found = zip(rows, carriers, polygons_near(rows, carriers, solid), strict=True)
     for row, carrying, near in watched(found, "lines", len(rows)):
         line = _Line(row)
         covered = [line.part(p) for p in near if row not in p.inequalities]
@@ -108,12 +108,12 @@ def _whiskers(thin: Sequence[Polyhedron], solid: Sequence[Polyhedron]) -> Iterat
     """Yield the parts of flat polygons outside the two-dimensional part."""
     rows = sorted({max(p.equalities[0], negated(p.equalities[0])) for p in thin})
     carriers = [[p for p in thin if p.equalities[0] in (row, negated(row))] for row in rows]
-    for row, edges, near in zip(rows, carriers, _near(rows, carriers, solid), strict=True):
+    for row, edges, near in zip(rows, carriers, polygons_near(rows, carriers, solid), strict=True):
         line = _Line(row)
         yield from line.segments([line.part(p) for p in edges], [line.part(p) for p in near])
 
 
-def _near(
+def polygons_near(
     rows: Sequence[IntegerVector],
     carriers: Sequence[Sequence[Polyhedron]],
     solid: Sequence[Polyhedron],
@@ -124,7 +124,7 @@ def _near(
         carriers: for each line the polygons with an edge in it, or that lie in it.
     """
     above, below = sides(rows, solid)
-    edges = [_tight(row, p) for row, found in zip(rows, carriers, strict=True) for p in found]
+    edges = [tight(row, p) for row, found in zip(rows, carriers, strict=True) for p in found]
     meeting = possibly_meeting(edges, solid)
     start = 0
     for i, found in enumerate(carriers):
@@ -133,7 +133,7 @@ def _near(
         yield [solid[j] for j in np.flatnonzero(near).tolist()]
 
 
-def _tight(row: IntegerVector, polygon: Polyhedron) -> list[IntegerVector]:
+def tight(row: IntegerVector, polygon: Polyhedron) -> list[IntegerVector]:
     """Return the homogeneous generators of the part of a polygon in a line at its border."""
     rays, lines = polygon.homogeneous
     found = [x for x in rays if dot(row, x) == 0]

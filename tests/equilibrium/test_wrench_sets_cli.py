@@ -34,6 +34,37 @@ def test_limit_of_nothing_exits_with_one(capsys):
     assert answer(capsys, "limit", THREE, *arguments) == (1, {"intervals": []})
 
 
+def test_limit_in_any_direction(capsys):
+    code, found = answer(capsys, "limit", THREE, "--any-direction")
+    assert code == 0
+    assert found["size_squared"] == "4/9"
+    assert found["wrench"] == ["2/9", "4/9", "-4/9"]
+    assert answer(capsys, "solve", THREE, "--wrench", *found["beyond"])[0] == 1
+    code, found = answer(capsys, "limit", THREE, "--any-direction", "--preload", "0")
+    assert (code, found["size_squared"]) == (1, "0")
+    code, found = answer(capsys, "limit", "interrupted-push", "--any-direction", "--length", "2")
+    assert (code, found["length"]) == (0, "2")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "reason"),
+    [
+        (["wedge", "--any-direction"], "no proof says that a whole ball"),
+        ([THREE, "--any-direction", "--length", "0"], "must be above 0"),
+        ([THREE, "--direction", "0", "1", "0", "--length", "2"], "--length goes with"),
+        ([THREE, "--any-direction", "--at", "0", "1"], "--at goes with"),
+        ([THREE, "--any-direction", "--weight", "1"], "not allowed with"),
+    ],
+)
+def test_limit_in_any_direction_says_what_is_wrong(capsys, arguments, reason):
+    try:
+        code = main(["limit", *arguments])
+    except SystemExit as stopped:
+        code = stopped.code
+    assert code == 2
+    assert reason in capsys.readouterr().err
+
+
 def test_region_as_json(capsys):
     code, region = answer(capsys, "region", "paper-three-contacts")
     assert code == 0

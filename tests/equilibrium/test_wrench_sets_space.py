@@ -204,7 +204,7 @@ def test_edges_that_do_not_meet_a_polygon_have_no_point_in_it(shapes):
     edges, lines = [], []
     for shape in shapes:
         for row in shape.inequalities:
-            edges.append(outline._tight(row, shape))
+            edges.append(outline.tight(row, shape))
             lines.append((row, shape))
     if not edges:
         return
@@ -236,7 +236,7 @@ def test_the_outline_is_the_same_without_the_quick_tests(shapes):
 def test_the_quick_tests_leave_little_open():
     region = resisted_region(random_grasp(6, seed=1))
     shapes = [piece.polyhedron for piece in region.polygons if piece.polyhedron.dimension == 2]
-    edges = [outline._tight(row, p) for p in shapes for row in p.inequalities]
+    edges = [outline.tight(row, p) for p in shapes for row in p.inequalities]
     assert possibly_meeting(edges, shapes).mean() < 0.4
     assert surely_outside(shapes).mean() > 0.8
 

@@ -1,0 +1,308 @@
+"""The smallest wrench in any direction that a grasp does not resist, exactly.
+
+The resisted wrenches are finitely many closed convex polyhedra. Those without volume have wrenches
+that are not resisted next to all of theirs, so what counts is how far the border of the union of
+the others is. A generic point of a facet is on this border exactly when no polyhedron has it and
+points right behind it. So each facet is a polygon, and the nearest polygon of all is looked at: a
+polyhedron that has its nearest point and reaches behind it is taken away from it, which leaves
+smaller polygons. Where there is none the nearest point is the answer; where no polygon is left,
+every wrench is resisted. No polygon loses the same polyhedron twice, so this ends.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from heapq import heappop, heappush
+from itertools import combinations, count
+from math import isqrt
+from typing import Any, NamedTuple
+
+from arrangement.console.number_form import Documented
+from arrangement.console.progress import watched
+from arrangement.numbers.exact import (
+    IntegerVector,
+    RationalVector,
+    dot,
+    primitive,
+    rational,
+    shown,
+)
+from arrangement.numbers.linear.cones import Cone
+from arrangement.numbers.linear.polyhedron import Polyhedron
+from arrangement.numbers.linear.rank import difference
+from equilibrium.decide.solver import Solver
+from equilibrium.grasps.inputs.conversion import simplest_between
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.plane.contact_rows import negated, sum_row
+from equilibrium.wrench_sets.outline import polygons_near, tight
+from equilibrium.wrench_sets.space import ResistedSet, resisted_set
+
+#: How far `SmallestUnresisted.beyond` is from the border at most, as a share of the size.
+_BEYOND = Fraction(1, 1000)
+
+
+@dataclass(frozen=True, repr=False)
+class SmallestUnresisted(Documented):
+    """How small a wrench that is added to a load may be without being resisted.
+
+    Attributes:
+        base: the load.
+        length: that torques are divided by: the squared size of a wrench is ``f_x^2 + f_y^2 +
+            (tau / length)^2``.
+        size_squared: every smaller wrench is resisted, and of none larger is this true; None if all
+            wrenches are resisted. It is 0 where the load is not resisted, or is on the border.
+        wrench: one of this size on the border, so itself resisted, unless the load is not; None if
+            all are.
+        beyond: one that is not resisted, `solve` proves it; from `wrench` it is away by at most a
+            thousandth of the size (of 1, if the size is 0).
+    """
+
+    in_document = ("base", "length", "size_squared", "wrench", "beyond")
+
+    base: RationalVector
+    length: Fraction
+    size_squared: Fraction | None
+    wrench: RationalVector | None
+    beyond: RationalVector | None
+
+    @property
+    def size(self) -> Fraction | None:
+        """The root of `size_squared`: exact where it is rational, else 64 bits of it."""
+        return None if self.size_squared is None else _root(self.size_squared)
+
+
+def smallest_unresisted_wrench(
+    grasp: Grasp | Solver, base: Iterable[Any] = (0, 0, 0), length: Any = 1
+) -> SmallestUnresisted:
+    """Return how small a wrench may be, in any direction, without being resisted; exact.
+
+    Without preload and base the size is 0, or all wrenches are resisted: with a wrench its
+    multiples are.
+
+    Args:
+        base: a wrench that acts in any case; the smallest one is added to it.
+        length: that torques are divided by, above 0, to compare them with forces.
+
+    Raises:
+        GraspError: a length that is not above 0, a base of wrong length, or a grasp in space.
+
+    Complexity: `resisted_set`, then O(n^2) rounded tests of whether one of n polyhedra is near a
+    facet of another one, and exact cuts of the facets that are nearer than the answer.
+
+    >>> from equilibrium.grasps.files import read_grasp
+    >>> found = smallest_unresisted_wrench(read_grasp("paper-three-contacts-preload-1"))
+    >>> found.size_squared, [str(x) for x in found.wrench]
+    (Fraction(4, 9), ['2/9', '4/9', '-4/9'])
+    """
+    if (grasp.grasp if isinstance(grasp, Solver) else grasp).dimension == 3:
+        raise GraspError(
+            "in space no proof says that a whole ball of wrenches is resisted; "
+            "ask for one direction after the other (resisted magnitudes, `equilibrium limit`)"
+        )
+    sizes = _Sizes(read_wrench(base), rational(length, "length"))
+    if sizes.length <= 0:
+        raise GraspError(f"length is {shown(sizes.length)}; it must be above 0")
+    whole = resisted_set(grasp)
+    solids = [p.polyhedron for p in whole.pieces if p.polyhedron.dimension == 3]
+    part, square = None, Fraction(0)
+    if any(solid.contains(sizes.base) for solid in solids):
+        part = _nearest_border(solids, sizes)
+        if part is None:
+            return SmallestUnresisted(*sizes, None, None, None)
+        square = sizes.square(part.nearest)
+    end = sizes.base if part is None else part.nearest
+    beyond = _beyond(whole, part, sizes, _BEYOND * (_root(square) or 1))
+    added = (difference(load, sizes.base) for load in (end, beyond))
+    return SmallestUnresisted(*sizes, square, *added)
+
+
+_ORIGIN: RationalVector = (Fraction(0),) * 3
+_AXES = tuple(tuple(Fraction(i == j) for j in range(3)) for i in range(3))
+
+
+def _root(square: Fraction) -> Fraction:
+    """Return a root to 64 bits, rounded down; exact where it is rational."""
+    top, bottom = square.as_integer_ratio()
+    return Fraction(isqrt(top * bottom << 128), bottom << 64)
+
+
+class _Sizes(NamedTuple):
+    """How loads are compared: by what they add to a base, torques divided by a length."""
+
+    base: RationalVector
+    length: Fraction
+
+    def product(self, one: RationalVector, other: RationalVector) -> Fraction:
+        x, y, torque = (a * b for a, b in zip(one, other, strict=True))
+        return x + y + torque / self.length**2
+
+    def square(self, load: RationalVector) -> Fraction:
+        added = difference(load, self.base)
+        return self.product(added, added)
+
+    def foot(self, row: IntegerVector) -> RationalVector:
+        """Return the nearest point of a plane."""
+        steepest = (Fraction(row[0]), Fraction(row[1]), row[2] * self.length**2)
+        height = Fraction(dot(row, (*self.base, 1))) / dot(row[:3], steepest)
+        return sum_row(self.base, steepest, -height)
+
+    def nearest(self, generators: Sequence[IntegerVector]) -> RationalVector:
+        """Return the nearest point of all segments and rays between homogeneous generators."""
+        found = []
+        for one, other in combinations(sorted(generators, key=lambda x: -x[3]), 2):
+            if one[3]:
+                start, end = (tuple(Fraction(x, v[3] or 1) for x in v[:3]) for v in (one, other))
+                step = difference(end, start) if other[3] else end
+                away = difference(self.base, start)
+                share = max(self.product(away, step) / self.product(step, step), Fraction(0))
+                found.append(sum_row(start, step, min(share, Fraction(1)) if other[3] else share))
+        return min(found, key=self.square)
+
+
+class _Part(NamedTuple):
+    """A convex polygon in a facet.
+
+    Attributes:
+        row: the condition of the facet.
+        cone: the polygon, homogeneous.
+        nearest: its point nearest to the base.
+        others: polyhedra that may cover some of it.
+    """
+
+    row: IntegerVector
+    cone: Cone
+    nearest: RationalVector
+    others: list[Polyhedron]
+
+    def covering(self) -> Polyhedron | None:
+        """Return a polyhedron with the nearest point that reaches behind; the widest of several."""
+        point, corners = primitive((*self.nearest, Fraction(1))), _generators(self.cone)
+
+        def left(shape: Polyhedron) -> int:
+            return sum(any(dot(row, x) < 0 for row in shape.inequalities) for x in corners)
+
+        holding = (
+            shape
+            for shape in self.others
+            if all(dot(row, point) >= 0 for row in shape.inequalities)
+            and any(dot(self.row, x) < 0 for x in _both_ways(*shape.homogeneous))
+        )
+        return min(holding, default=None, key=left)
+
+    def without(self, shape: Polyhedron, sizes: _Sizes) -> list[_Part]:
+        """Return what a polyhedron with the nearest point leaves, in parts without overlaps."""
+        others = [other for other in self.others if other is not shape]
+        rest, parts = self.cone, []
+        for row in shape.inequalities:
+            values = [dot(row, x) for x in _generators(rest)]
+            if min(values) >= 0:
+                continue
+            if max(values) <= 0:
+                return [self._replace(others=others)]
+            outer, rest = rest.copy(), rest.copy()
+            outer.cut(negated(row), keep_positive=True)
+            rest.cut(row, keep_positive=True)
+            nearest = self.nearest
+            if dot(row, (*nearest, 1)):
+                nearest = sizes.nearest([x for x in _generators(outer) if dot(row, x) == 0])
+            parts.append(_Part(self.row, outer, nearest, others))
+        return parts
+
+
+def _nearest_border(solids: Sequence[Polyhedron], sizes: _Sizes) -> _Part | None:
+    """Return the part of the border of a union nearest to a base in it; None without border."""
+    facets: dict[IntegerVector, dict[frozenset[IntegerVector], Polyhedron]] = {}
+    for solid in solids:
+        for row in solid.inequalities:
+            facets.setdefault(row, {})[frozenset(tight(row, solid))] = solid
+    # A facet with a polyhedron on either side is inside, and most are.
+    alone = [
+        (row, solid)
+        for row in sorted(facets)
+        for ends, solid in facets[row].items()
+        if ends not in facets.get(negated(row), ())
+    ]
+    others = polygons_near([row for row, _ in alone], [[solid] for _, solid in alone], solids)
+    waiting: list[tuple[Fraction, int, _Part]] = []
+    order = count()
+    for (row, solid), found in zip(alone, others, strict=True):
+        part = _facet(row, solid, found, sizes)
+        heappush(waiting, (sizes.square(part.nearest), next(order), part))
+    for part in watched(_nearest_first(waiting), "parts of facets"):
+        shape = part.covering()
+        if shape is None:
+            return part
+        for rest in part.without(shape, sizes):
+            heappush(waiting, (sizes.square(rest.nearest), next(order), rest))
+    return None
+
+
+def _nearest_first(waiting: list[tuple[Fraction, int, _Part]]) -> Iterator[_Part]:
+    while waiting:
+        yield heappop(waiting)[-1]
+
+
+def _facet(row: IntegerVector, solid: Polyhedron, others: list[Polyhedron], sizes: _Sizes) -> _Part:
+    cone = Cone(4)
+    cone.cut((0, 0, 0, 1), keep_positive=True)
+    cone.cut(row, keep_positive=False)
+    for other in solid.inequalities:
+        if other != row:
+            cone.cut(other, keep_positive=True)
+    foot = sizes.foot(row)
+    nearest = foot if solid.contains(foot) else sizes.nearest(_generators(cone))
+    return _Part(row, cone, nearest, others)
+
+
+def _generators(cone: Cone) -> list[IntegerVector]:
+    return _both_ways((ray for ray, _ in cone.rays), cone.lines)
+
+
+def _both_ways(
+    rays: Iterable[IntegerVector], lines: Iterable[IntegerVector]
+) -> list[IntegerVector]:
+    return [*rays, *(x for line in lines for x in (line, negated(line)))]
+
+
+def _beyond(
+    whole: ResistedSet, part: _Part | None, sizes: _Sizes, reach: Fraction
+) -> RationalVector:
+    """Return a load that is not resisted, near the nearest point of a part of the border.
+
+    Those tried come ever nearer, over the inside of the polygon and ever less behind its facet, so
+    no polyhedron with volume has the later ones. They do not stay in one plane, so those without
+    volume do not have them all.
+
+    Args:
+        part: None where the base is in no polyhedron with volume: it is the nearest point then.
+        reach: the distance from the nearest point, at most.
+    """
+    if part is None:
+        end, inward = sizes.base, _ORIGIN
+        corners = [primitive((*sum_row(end, axis, 1), Fraction(1))) for axis in _AXES]
+    else:
+        end, inward = part.nearest, tuple(map(Fraction, part.row[:3]))
+        corners = _generators(part.cone)
+    if not whole.contains(end):
+        return end
+    for k in count(1):
+        *sums, weight = (sum(k**i * x[j] for i, x in enumerate(corners)) for j in range(4))
+        step = difference([Fraction(x, weight) for x in sums], end)
+        far = reach / 2**k
+        load = sum_row(sum_row(end, _short(step), far), _short(inward), -far / k)
+        room = far / (64 * k)
+        simple = tuple(simplest_between(x - room, x + room) for x in load)
+        for found in (simple, load):
+            away = difference(found, end)
+            if sizes.product(away, away) <= reach**2 and not whole.contains(found):
+                return found
+    raise AssertionError  # the loop has no end
+
+
+def _short(vector: RationalVector) -> RationalVector:
+    """Return the multiple with entries of at most 1 in size; zeros stay."""
+    largest = max(abs(x) for x in vector) or 1
+    return tuple(x / largest for x in vector)
