@@ -162,7 +162,7 @@ class _Sizes(NamedTuple):
         return min(found, key=self.square)
 
 
-class _Part(NamedTuple):
+class _FacetPart(NamedTuple):
     """A convex polygon in a facet.
 
     Attributes:
@@ -192,7 +192,7 @@ class _Part(NamedTuple):
         )
         return min(holding, default=None, key=left)
 
-    def without(self, shape: Polyhedron, sizes: _Sizes) -> list[_Part]:
+    def without(self, shape: Polyhedron, sizes: _Sizes) -> list[_FacetPart]:
         """Return what a polyhedron with the nearest point leaves, in parts without overlaps."""
         others = [other for other in self.others if other is not shape]
         rest, parts = self.cone, []
@@ -208,11 +208,11 @@ class _Part(NamedTuple):
             nearest = self.nearest
             if dot(row, (*nearest, 1)):
                 nearest = sizes.nearest([x for x in _generators(outer) if dot(row, x) == 0])
-            parts.append(_Part(self.row, outer, nearest, others))
+            parts.append(_FacetPart(self.row, outer, nearest, others))
         return parts
 
 
-def _nearest_border(solids: Sequence[Polyhedron], sizes: _Sizes) -> _Part | None:
+def _nearest_border(solids: Sequence[Polyhedron], sizes: _Sizes) -> _FacetPart | None:
     """Return the part of the border of a union nearest to a base in it; None without border."""
     facets: dict[IntegerVector, dict[frozenset[IntegerVector], Polyhedron]] = {}
     for solid in solids:
@@ -226,7 +226,7 @@ def _nearest_border(solids: Sequence[Polyhedron], sizes: _Sizes) -> _Part | None
         if ends not in facets.get(negated(row), ())
     ]
     others = polygons_near([row for row, _ in alone], [[solid] for _, solid in alone], solids)
-    waiting: list[tuple[Fraction, int, _Part]] = []
+    waiting: list[tuple[Fraction, int, _FacetPart]] = []
     order = count()
     for (row, solid), found in zip(alone, others, strict=True):
         part = _facet(row, solid, found, sizes)
@@ -240,21 +240,28 @@ def _nearest_border(solids: Sequence[Polyhedron], sizes: _Sizes) -> _Part | None
     return None
 
 
-def _nearest_first(waiting: list[tuple[Fraction, int, _Part]]) -> Iterator[_Part]:
+def _nearest_first(waiting: list[tuple[Fraction, int, _FacetPart]]) -> Iterator[_FacetPart]:
     while waiting:
         yield heappop(waiting)[-1]
 
 
-def _facet(row: IntegerVector, solid: Polyhedron, others: list[Polyhedron], sizes: _Sizes) -> _Part:
+def _facet(
+    row: IntegerVector, solid: Polyhedron, others: list[Polyhedron], sizes: _Sizes
+) -> _FacetPart:
     cone = Cone(4)
     cone.cut((0, 0, 0, 1), keep_positive=True)
     cone.cut(row, keep_positive=False)
     for other in solid.inequalities:
         if other != row:
             cone.cut(other, keep_positive=True)
-    foot = sizes.foot(row)
-    nearest = foot if solid.contains(foot) else sizes.nearest(_generators(cone))
-    return _Part(row, cone, nearest, others)
+    foot, corners = sizes.foot(row), _generators(cone)
+    at = primitive((*foot, Fraction(1)))
+    # Where the foot is outside, the nearest point is on an edge that has it on its other side.
+    beside = (other for other in solid.inequalities if dot(other, at) < 0)
+    edges = ([x for x in corners if dot(other, x) == 0] for other in beside)
+    ends = (sizes.nearest(edge) for edge in edges if len(edge) > 1 and any(x[3] for x in edge))
+    nearest = min(ends, default=foot, key=sizes.square)
+    return _FacetPart(row, cone, nearest, others)
 
 
 def _generators(cone: Cone) -> list[IntegerVector]:
@@ -268,7 +275,7 @@ def _both_ways(
 
 
 def _beyond(
-    whole: ResistedSet, part: _Part | None, sizes: _Sizes, reach: Fraction
+    whole: ResistedSet, part: _FacetPart | None, sizes: _Sizes, reach: Fraction
 ) -> RationalVector:
     """Return a load that is not resisted, near the nearest point of a part of the border.
 

@@ -141,9 +141,9 @@ def test_random_grasps_agree_with_the_surface(contacts, seed):
 
 
 @pytest.mark.campaign
-@pytest.mark.parametrize("seed", range(75))
-def test_hundreds_of_random_grasps_agree_with_rays_and_with_the_surface(seed):
-    for contacts in (2, 3, 4, 5):
+@pytest.mark.parametrize(("contacts", "seeds"), [(2, 80), (3, 80), (4, 30), (5, 10)])
+def test_hundreds_of_random_grasps_agree_with_rays_and_with_the_surface(contacts, seeds):
+    for seed in range(seeds):
         grasp = random_grasp(contacts, seed, preload=True)
         length = Fraction(1 + seed % 3, 2)
         agrees_with_rays_and_verdicts(grasp, length=length)
@@ -151,7 +151,7 @@ def test_hundreds_of_random_grasps_agree_with_rays_and_with_the_surface(seed):
 
 
 @pytest.mark.campaign
-@settings(max_examples=300)
+@settings(max_examples=100)
 @given(wide_grasps(most=5, preload=st.integers(0, 2)), loads, lengths)
 def test_awkward_grasps_agree_with_rays_and_with_the_surface(grasp, base, length):
     agrees_with_rays_and_verdicts(grasp, base, length)
@@ -164,8 +164,19 @@ def test_four_fingers_that_squeeze_sideways_slip_when_pulled_up(preload):
     found = smallest_unresisted_wrench(read_grasp(FOUR).with_preload(preload))
     assert found.size == 2 * preload
     assert found.wrench in [(0, 2 * preload, 0), (0, -2 * preload, 0)]
-    # A torque of 1 takes a force of 1/4 at each contact: with torques in thirds they come first.
-    assert smallest_unresisted_wrench(read_grasp(FOUR), length=1).size == 2
+
+
+@pytest.mark.parametrize("length", [1, 2, 100, Fraction(1, 50)])
+def test_two_fingers_that_squeeze_hold_until_one_of_them_slips(length):
+    """At (+-1, 0), preload 1, friction 1/2: normal forces 1 -+ f_x / 2, whatever f_y and tau are.
+
+    The tangential ones are (f_y +- tau) / 2, so the border is +-f_x / 2 +- f_y +- tau = 1: a long
+    length makes a torque the smallest wrench, a short one a force.
+    """
+    ends = [((-1, 0), (1, 0)), ((1, 0), (-1, 0))]
+    fingers = Grasp(Contact(p, n, Fraction(1, 2), 1, 1) for p, n in ends)
+    found = agrees_with_rays_and_verdicts(fingers, length=length)
+    assert found.size_squared == 1 / (Fraction(5, 4) + Fraction(length) ** 2)
 
 
 def test_a_table_without_friction_holds_a_weight_until_it_is_pushed_sideways():
