@@ -143,9 +143,9 @@ def _smallest_lines(found: SmallestUnresisted, grasp: Grasp) -> Iterator[str]:
         return
     if found.size_squared:
         exact = found.size**2 == found.size_squared
-        size = number(found.size) if exact else f"the root of {number(found.size_squared)}"
-        size += ("" if exact else f", {number_text(found.size, longest=0)}") + _force(grasp)
-        yield f"{load}every wrench smaller than {size} is resisted"
+        size = number(found.size) if exact else number_text(found.size, longest=0)
+        squared = "" if exact else f" (squared {number(found.size_squared)})"
+        yield f"{load}every wrench smaller than {size}{_force(grasp)}{squared} is resisted"
         yield f"  where size^2 = f_x^2 + f_y^2 + (tau / length)^2, length {number(found.length)}"
         yield f"on the border: {vector(found.wrench)}"
     else:
