@@ -52,8 +52,8 @@ def run(text: str) -> list[str]:
 
 #: Pages with long runs, which are read in the campaign.
 LONG = (
-    "own-claim", "checking", "cluster", "mesh", "gallery", "commands", "figure", "families",
-    "formats", "census", "03-arrangements-and-sign-vectors", "10-paper-and-truth",
+    "own-claim", "own-grasp", "checking", "cluster", "mesh", "gallery", "commands", "figure",
+    "families", "formats", "census", "03-arrangements-and-sign-vectors", "10-paper-and-truth",
     "11-model-and-methods",
 )  # fmt: skip
 
