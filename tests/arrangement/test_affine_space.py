@@ -80,7 +80,6 @@ def huge(draw: st.DrawFn) -> Arrangement:
     return Arrangement([row[:3] for row in kept], [row[3] for row in kept], dimension=3)
 
 
-@settings(max_examples=80)
 @given(arrangements(dimensions=(3, 3), planes=(0, 8)))
 def test_faces_equal_those_of_the_general_engine(planes):
     assert_same_as_the_general_engine(planes)
@@ -122,7 +121,7 @@ def random_planes(source: Random, count: int, central: int, bound: int) -> Arran
 
 @pytest.mark.parametrize(
     ("count", "central", "bound"),
-    [(18, 9, 6), (18, 9, 2**18), (18, 9, 2**19), (18, 9, 2**80), (20, 0, 3), (40, 20, 2)],
+    [(18, 9, 6), (18, 9, 2**18), (18, 9, 2**19), (18, 9, 2**80), (20, 0, 3), (24, 12, 2)],
 )
 def test_many_faces_have_points_and_the_number_of_zaslavsky(count, central, bound):
     """Up to 48 B^3 < 2^63 sums stay in int64; beyond, they are Python integers."""
@@ -255,7 +254,7 @@ def wrong_signs(size: int, cases: int = 300) -> int:
     return wrong
 
 
-@pytest.mark.parametrize("size", [LARGEST, LARGEST + 1, 6000, 8000, 10**4, 10**5, 10**8, 10**20])
+@pytest.mark.parametrize("size", [LARGEST, LARGEST + 1, 10**4, 10**5, 10**20])
 def test_dependent_planes_and_their_neighbours_have_the_exact_signs(size):
     assert wrong_signs(size) == 0
 

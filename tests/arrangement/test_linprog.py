@@ -161,7 +161,6 @@ def test_answers_are_those_of_elimination(problem):
         assert expected == type(answer).__name__.lower()
 
 
-@settings(max_examples=100)
 @given(problems(most=10))
 def test_a_feasible_point_exists_or_is_refuted(problem):
     objective, inequalities, equalities = problem

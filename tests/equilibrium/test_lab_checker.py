@@ -127,7 +127,7 @@ def test_changed_proofs_are_refused_by_both_checkers_alike(ask):
     documents = [
         changed
         for k, document in enumerate([*sources, *region_proofs()])
-        for _, change, changed in mutants(document, 24, k)
+        for _, change, changed in mutants(document, 12, k)
         if change != "float"  # 1.0 is read as 1 there
     ]
     _, reports = ask([], documents, "")

