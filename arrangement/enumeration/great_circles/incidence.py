@@ -138,22 +138,3 @@ class Incidence(Shown):
         while (following := int(self.next[cycle[-1]])) != cycle[0]:
             cycle.append(following)
         return np.array(cycle, np.int32)
-
-    def neighbours(self, region: int) -> Indices:
-        """Return the regions across the arcs of `boundary`, in the same order."""
-        across: Indices = self.region[self.boundary(region) ^ 1]
-        return across
-
-    def boundaries(self) -> tuple[Indices, Indices]:
-        """Return offsets (F + 1) and the half-edges of all boundaries, one after another."""
-        offsets = np.zeros(self.region_count + 1, np.int32)
-        np.cumsum(self.region_degree, out=offsets[1:])
-        cycles = np.empty(len(self.next), np.int32)
-        place, stop = offsets[:-1].astype(np.intp), offsets[1:]
-        current = self.leader
-        while len(place):
-            cycles[place] = current
-            current, place = self.next[current], place + 1
-            inside = place < stop
-            current, place, stop = current[inside], place[inside], stop[inside]
-        return offsets, cycles
