@@ -13,7 +13,7 @@ from equilibrium import Contact, Grasp, GraspError, Solver, check, read_grasp, s
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.cli.program import main
 from equilibrium.decide.samples import moved
-from equilibrium.grasps.inputs import from_float_data, read_csv
+from equilibrium.grasps.inputs import from_float_data, random_grasp, random_wrench, read_csv
 from equilibrium.grasps.inputs.incidences import other_rounding
 from equilibrium.model.labels import DataError
 from equilibrium.wrench_sets.line import ends_within_error, resisted_magnitudes
@@ -171,8 +171,6 @@ class TestRobust:
         assert found.certificate.verify().kind == "not resisted"
 
     def test_most_random_grasps_are_decided_within_half_a_degree_and_two_per_cent(self):
-        from equilibrium.grasps.inputs import random_grasp, random_wrench
-
         for seed in (1, 4, 7, 8, 12):
             verdict = solve(random_grasp(5, seed), random_wrench(seed))
             assert verdict.robust(degrees="1/2", friction="2%"), seed
@@ -204,8 +202,6 @@ class TestRobust:
 
     @pytest.mark.parametrize("seed", range(4))
     def test_random_grasps_within_bounds_do_not_contradict_a_proof(self, seed):
-        from equilibrium.grasps.inputs import random_grasp, random_wrench
-
         verdict = solve(random_grasp(4, seed), random_wrench(seed))
         found = verdict.robust(degrees=1, friction="5%", length="1/50", preload="5%")
         source = Random(seed)
@@ -223,8 +219,6 @@ class TestRobust:
         ],
     )
     def test_in_space_contacts_may_slip(self, seed, m, kind, bounds):
-        from equilibrium.grasps.inputs import random_grasp, random_wrench
-
         grasp = random_grasp(m, seed, dimension=3)
         wrench = random_wrench(seed, dimension=3, bound=1)
         verdict = solve(grasp, wrench)
@@ -251,8 +245,6 @@ class TestRobust:
         assert solve(Grasp(), (0, 0, 0)).robust(degrees=1).answer == "undecided"
 
     def test_a_verdict_in_a_range_or_with_pyramids_is_not_asked_for_all(self):
-        from equilibrium.decide.solver import solve
-
         pyramids = solve(Grasp(SPATIAL), (0, 0, 1, 0, 0, 0), pyramid=4)
         for verdict in (pyramids, solve(self.grasp, (0, 1, 0), largest_turn=1)):
             with pytest.raises(GraspError, match="leave these out"):
@@ -310,16 +302,15 @@ def became(shape, seed):
     return found.within_error().verdict
 
 
-@pytest.mark.parametrize("shape", SHAPES[:4])
-def test_converted_grasps_have_the_verdict_of_their_originals(shape):
-    for seed in range(8):
-        assert became(shape, seed) in ("same", "depends on the rounding"), (shape, seed)
-
-
-@pytest.mark.campaign
-@pytest.mark.parametrize("shape", SHAPES)
-def test_many_converted_grasps_have_the_verdict_of_their_originals(shape):
+@pytest.mark.parametrize(
+    ("shape", "seeds", "undecided"),
+    [
+        *((shape, range(8), 0) for shape in SHAPES[:4]),
+        *(pytest.param(shape, range(8, 28), 1, marks=pytest.mark.campaign) for shape in SHAPES),
+    ],
+)
+def test_converted_grasps_have_the_verdict_of_their_originals(shape, seeds, undecided):
     counts = {"same": 0, "depends on the rounding": 0, "undecided": 0}
-    for seed in range(8, 48):
+    for seed in seeds:
         counts[became(shape, seed)] += 1
-    assert counts["undecided"] <= 1, counts
+    assert counts["undecided"] <= undecided, counts
