@@ -877,7 +877,7 @@ def agrees_with_all_states(contacts, seeds):
     return resisted
 
 
-MANY = [(2, range(100, 130)), (3, range(8))]
+MANY = [(2, range(100, 115)), (3, range(4))]
 
 
 @pytest.mark.parametrize(
