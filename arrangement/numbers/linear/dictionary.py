@@ -7,6 +7,7 @@ Bland's rule, so that degenerate input ends too.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from fractions import Fraction
 from typing import Any
 
@@ -21,9 +22,12 @@ class Dictionary:
     Symbols are numbered: variables ``0..n-1``, then inequality slacks, then equality slacks. Row r
     reads ``symbol_r = (sum_j row[j] * column_j + row[-1]) / denominator``. Points are counted in
     the unit of the rows.
+
+    Args:
+        tight: rows that are likely to be tight; from a good guess there are few pivots to go.
     """
 
-    def __init__(self, rows: Rows) -> None:
+    def __init__(self, rows: Rows, tight: Collection[int] = ()) -> None:
         n = rows.variables
         self.given, self.variables = rows, n
         self.first_equality = n + rows.first_equality
@@ -35,7 +39,7 @@ class Dictionary:
         self.denominator = 1
         self.conflict = self.eliminate_equalities()
         if self.conflict is None:
-            self.eliminate_variables()
+            self.eliminate_variables({n + k for k in tight})
             self.conflict = self.make_feasible()
 
     def set_cost(self, objective: Row) -> None:
@@ -90,15 +94,17 @@ class Dictionary:
                 return r
         return None
 
-    def eliminate_variables(self) -> None:
-        """Make rows of all variables that occur in some inequality; the others stay at zero."""
+    def eliminate_variables(self, tight: Collection[int]) -> None:
+        """Make rows of all variables that occur in some inequality; the others stay at zero.
+
+        Inequalities that are likely to be tight become columns first.
+        """
         for c, symbol in enumerate(self.columns):
             if not self.is_variable(symbol):
                 continue
-            usable = (r for r, s in enumerate(self.symbols) if self.rows[r][c] and self.is_slack(s))
-            row = next(usable, None)
-            if row is not None:
-                self.pivot(row, c)
+            usable = [r for r, s in enumerate(self.symbols) if self.rows[r][c] and self.is_slack(s)]
+            if usable:
+                self.pivot(min(usable, key=lambda r: self.symbols[r] not in tight), c)
 
     def make_feasible(self) -> int | None:
         """Dual simplex with zero objective; return a row that can never be >= 0, if any."""

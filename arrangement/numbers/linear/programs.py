@@ -63,6 +63,7 @@ class Program:
         self._refuted: Terms | None = None
         #: The point that was reached, over a common integer.
         self._at: Numbers | None = None
+        self._floats: FloatDictionary | None = None
         if self._rows.work > _SHORT:
             self._floats = FloatDictionary(self._rows.integers, n + 1, len(equalities))
             conflict = self._floats.start()
@@ -71,7 +72,7 @@ class Program:
             elif conflict is not None:
                 self._refuted = self._rows.refutation(conflict, self._floats.tight)
         if self._at is None and self._refuted is None:
-            self._exact = Dictionary(self._rows)
+            self._exact = Dictionary(self._rows, self._tight)
 
     @property
     def feasible(self) -> bool:
@@ -79,6 +80,11 @@ class Program:
         if self._exact is not None:
             return self._exact.conflict is None
         return self._at is not None
+
+    @property
+    def _tight(self) -> list[int]:
+        """The rows that floats guess to be tight."""
+        return [] if self._floats is None else self._floats.tight
 
     def _infeasible(self) -> Infeasible:
         if self._refuted is not None:
@@ -143,7 +149,7 @@ class Program:
         if len(objective) != n:
             raise ArrangementError(f"the objective has {len(objective)} entries; expected {n}")
         weights = primitive(tuple(map(Fraction, objective)))
-        if self._exact is not None:
+        if self._exact is not None or self._floats is None:
             return weights, None
         end = self._floats.minimize(weights)
         tight = self._floats.tight
@@ -158,7 +164,7 @@ class Program:
     def _pivots(self, objective: Row) -> Dictionary:
         """Return the exact dictionary with an objective."""
         if self._exact is None:
-            self._exact = Dictionary(self._rows)
+            self._exact = Dictionary(self._rows, self._tight)
         self._exact.set_cost(objective)
         return self._exact
 
