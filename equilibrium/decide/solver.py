@@ -13,6 +13,8 @@ from collections.abc import Iterable, Iterator
 from functools import cached_property, lru_cache, partial
 from typing import Any
 
+import numpy as np
+
 from arrangement.console.number_form import Shown
 from arrangement.console.progress import watched
 from arrangement.console.workers import done, due
@@ -23,7 +25,7 @@ from equilibrium.model.errors import EquilibriumError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.range import Range
 from equilibrium.model.solution import Solution
-from equilibrium.plane.contacts import FloatContacts, IntegerContacts, are_moderate
+from equilibrium.plane.contacts import FloatContacts, IntegerContacts, are_moderate, nearest
 from equilibrium.plane.search.motion_regions import resistance
 from equilibrium.plane.search.units import SearchUnits
 from equilibrium.plane.states.contact_states import Codes, state_codes, states_at, states_of_code
@@ -172,8 +174,14 @@ class Solver(Shown):
     def _in_space(
         self, wrench: RationalVector, time_limit: float | None, nodes: int | None
     ) -> Verdict:
+        return self._found(wrench, self._search(wrench, time_limit, nodes).decide())
+
+    def _search(
+        self, wrench: RationalVector, time_limit: float | None = None, nodes: int | None = None
+    ) -> Any:
+        """Return the search for one wrench in space."""
         from equilibrium.space.cones import Pyramids
-        from equilibrium.space.tree import NODES, Open, SpatialSearch
+        from equilibrium.space.tree import NODES, SpatialSearch
 
         cones = None if self._edges is None else Pyramids(self._edges)
         deadline = math.inf if time_limit is None else time.process_time() + time_limit
@@ -183,11 +191,28 @@ class Solver(Shown):
 
         contacts, most = FloatContacts(self.grasp), NODES if nodes is None else nodes
         how = deadline, most, self.within, cones, self._in_space_before
-        search = SpatialSearch(contacts, wrench, accept, *how)
-        found = search.decide()
+        return SpatialSearch(contacts, wrench, accept, *how)
+
+    def _found(self, wrench: RationalVector, found: Any) -> Verdict:
+        """Return the verdict of what a search in space found."""
+        from equilibrium.space.tree import Open
+
         if isinstance(found, Open):
             return self._verdict(wrench, None, UNDECIDED, found.reason, found.residual)
         return self._verdict(wrench, found)
+
+    def reach(
+        self, refused: RationalVector, resisted: RationalVector, nodes: int, near: float
+    ) -> Any:
+        """Return how near resisted loads come to one that is not; see `equilibrium.space.reach`."""
+        from equilibrium.space.reach import reach
+
+        change = np.array([nearest(x - y) for x, y in zip(resisted, refused, strict=True)])
+        return reach(self._search(refused), change, nodes, near)
+
+    def close(self, wrench: RationalVector, tree: Any, nodes: int) -> Verdict:
+        """Decide a wrench in space by a tree that is open, and maybe so many further nodes."""
+        return self._found(wrench, self._search(wrench).close(tree, nodes))
 
     def _verdict(
         self,

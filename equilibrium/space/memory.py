@@ -26,6 +26,8 @@ _MOST, _NUMBERS = 20_000, 80_000
 _FIRST = 64
 #: Floats propose so many leaves, of which none may hold.
 _TRIES = 3
+#: So many equilibria are kept, and one.
+_EQUILIBRIA = 999
 #: States without directions.
 _PLAIN = ("undecided", "detached", "attached", "stick")
 #: Relative error of sums in floats, with room.
@@ -136,6 +138,18 @@ class Memory:
         self._splits: dict[Node, OpenSplit] = {}
         self._leaves: dict[Node, ExactLeaf] = {}
         self._known: _Known | None = None
+        #: Loads and motions of equilibria, in floats.
+        self._held: list[tuple[Floats, Floats]] = []
+
+    def hold(self, load: Floats, motion: Floats) -> None:
+        """Remember an equilibrium."""
+        self._held = [*self._held[-_EQUILIBRIA:], (load, motion)]
+
+    def near(self, load: Floats, arms: Floats, size: float) -> Floats | None:
+        """Return the motion of the equilibrium whose load is nearest, up to a distance."""
+        far = [float(np.abs((held - load) * arms).max()) for held, _ in self._held]
+        least = min(far, default=size)
+        return self._held[far.index(least)][1] if least < size else None
 
     def add(self, leaf: ExactLeaf, leaves: Leaves) -> None:
         """Remember a leaf, of a tree that may stay open."""

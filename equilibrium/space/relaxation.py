@@ -233,25 +233,41 @@ class Relaxation:
         blocks, starts, matrix, right, kinds = self._program(states)
         n = matrix.shape[1]
         cost, j = np.zeros(n), 6
-        places = []
         for block, state in zip(blocks, states, strict=True):
-            places.append(j)
             if state == "undecided":
                 cost[j] = 1.0
             j += len(block.counts)
-        found = clarabel.DefaultSolver(
-            _squares(n), cost, matrix, right, kinds, self.settings
-        ).solve()
+        program = _squares(n), cost, matrix, right, kinds
+        found = clarabel.DefaultSolver(*program, self.settings).solve()
         status = str(found.status)
         if status in ("PrimalInfeasible", "AlmostPrimalInfeasible"):
             return self._ray(states, blocks, starts, np.array(found.z))
         if status not in ("Solved", "AlmostSolved"):
             return None
-        x = np.array(found.x)
-        forces = np.zeros((self.m, 3))
-        for i, (block, j) in enumerate(zip(blocks, places, strict=True)):
-            forces[i, : len(block.counts)] = x[j : j + len(block.counts)]
-        return Point(x[:6], forces)
+        return self._point(blocks, np.array(found.x))
+
+    def first(self, states: Sequence[State], change: Floats) -> tuple[float, Point] | None:
+        """Return the least share of a change of the load, up to 1, with a point, if any has one."""
+        blocks, _, matrix, right, kinds = self._program(states)
+        rows, n = matrix.shape
+        data = [matrix.data, -change * self.arms / self.force, [-1.0, 1.0]]
+        index = [matrix.indices, np.arange(6), [rows, rows + 1]]
+        pointer = np.append(matrix.indptr, matrix.indptr[-1] + 8)
+        whole = _Columns(np.concatenate(data), np.concatenate(index), pointer, (rows + 2, n + 1))
+        ends, kinds = np.append(right, [0.0, 1.0]), [*kinds, clarabel.NonnegativeConeT(2)]
+        program = _squares(n + 1, 0.0), np.append(np.zeros(n), 1.0), whole, ends, kinds
+        found = clarabel.DefaultSolver(*program, self.settings).solve()
+        if str(found.status) not in ("Solved", "AlmostSolved"):
+            return None
+        return float(found.x[-1]), self._point(blocks, np.array(found.x))
+
+    def _point(self, blocks: Sequence[_Block], found: Floats) -> Point:
+        """Return the motion and the forces of the unknowns, three for each contact."""
+        forces, j = np.zeros((self.m, 3)), 6
+        for i, block in enumerate(blocks):
+            forces[i, : len(block.counts)] = found[j : j + len(block.counts)]
+            j += len(block.counts)
+        return Point(found[:6], forces)
 
     def _ray(
         self,

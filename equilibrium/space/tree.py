@@ -39,7 +39,7 @@ _FEW, _MORE = 20, 120
 #: After how many nodes without a leaf, at first, an equilibrium is looked for near a relaxation.
 _PATIENCE = 6
 #: Relative size below which a relaxation obeys the law.
-_OBEYS = 1e-7
+OBEYS = 1e-7
 #: The same for trying its states, and normal forces that count as none.
 _ALMOST, _LOOSE = 1e-3, 1e-6
 #: Contacts this close to the law (in shares of the load) are not split; sectors of less than this
@@ -47,6 +47,8 @@ _ALMOST, _LOOSE = 1e-3, 1e-6
 _NOTHING, _THIN = 1e-9, 0.3
 #: The sharpness of contacts for a search that starts near an equilibrium.
 _NEAR = 1e-3
+#: Equilibria of loads that differ by one over this of all forces are near each other.
+_CLOSE = 8
 #: Larger frictions are huge.
 _EVEN = 100.0
 #: States that are not split further.
@@ -94,6 +96,7 @@ class SpatialSearch:
         self.memory = memory or Memory()
         self.within, self.cones = within, cones or RoundCones()
         self.contacts, self.wrench = contacts, wrench
+        self.root: Node = ("undecided",) * len(contacts.grasp)
         self.accept, self.deadline, self.nodes = accept, deadline, nodes
         self.relaxation = Relaxation(contacts, wrench, self.cones, within)
         self.leaves = Leaves(contacts, wrench, self.cones, within)
@@ -126,21 +129,35 @@ class SpatialSearch:
             try:
                 found = self._decide()
                 if isinstance(found, Open):
-                    return self._exact_equilibrium() or found
+                    found = self._exact_equilibrium() or found
+                if isinstance(found, Solution) and any(found.motion):
+                    motion = np.array([nearest(x) for x in found.motion])
+                    self.memory.hold(self.smooth.load, motion)
                 return found
             except TimeoutError as late:
                 return Open(str(late), self.residual)
 
+    def close(self, tree: OpenTree, nodes: int) -> Solution | Any | Open:
+        """Return what a tree with given splits leads to, with so many further nodes."""
+        with np.errstate(all="ignore"):
+            self.exactly = True
+            return self.go_on(tree, tree.nodes + len(tree.waiting) + nodes)
+
     def _decide(self) -> Solution | Any | Open:
-        root: Node = ("undecided",) * len(self.contacts.grasp)
+        root = self.root
         ray = self.relaxation.inner_ray(["loose"] * len(root), 0.0)
         leaf = ray and self.leaves.leaf(root, ray)
         leaf = leaf or self._leaf(root, self.relaxation.solve(root))
         if leaf is not None:
             return leaf
+        smooth = self.smooth
+        motion = self.memory.near(smooth.load, smooth.arms, smooth.size / _CLOSE)
+        near = None if motion is None else self._near(motion, _NEAR)
+        if near is not None:
+            return near
         few, tree = self.nodes <= _FEW, OpenTree(root)
         if self.memory.promises(root, self.leaves):
-            found = self._tree(tree, _FEW)
+            found = self.go_on(tree, _FEW)
             if not isinstance(found, Open):
                 return found
         for i, motion in enumerate(self.smooth.starts(0 if few else _STARTS)):
@@ -148,7 +165,7 @@ class SpatialSearch:
             if near is not None:
                 return near
             if not i:
-                found = self._tree(tree, min(_FEW, self.nodes))
+                found = self.go_on(tree, min(_FEW, self.nodes))
                 if isinstance(found, Open) and isinstance(self.cones, RoundCones):
                     question = self.contacts.grasp, self.wrench, self.deadline, self.within
                     found = decide_in_plane(*question) or found
@@ -156,12 +173,12 @@ class SpatialSearch:
                     found = self._exact_equilibrium() or found
                 if few or not isinstance(found, Open):
                     return found
-                found = self._tree(tree, min(_MORE, self.nodes))
+                found = self.go_on(tree, min(_MORE, self.nodes))
                 if not isinstance(found, Open):
                     return found
                 self.exactly = True
         again = tree.holes or tree.hopeless
-        return self._tree(OpenTree(root) if again else tree, self.nodes)
+        return self.go_on(OpenTree(root) if again else tree, self.nodes)
 
     def _exact_equilibrium(self) -> Solution | None:
         """Return an equilibrium of states looked at since this was asked last, found exactly."""
@@ -247,7 +264,7 @@ class SpatialSearch:
             self.memory.add(self.leaves.found[states], self.leaves)
         return leaf
 
-    def _tree(self, tree: OpenTree, most: int) -> Solution | Any | Open:
+    def go_on(self, tree: OpenTree, most: int) -> Solution | Any | Open:
         """Go on with a search, depth first; nodes that other loads show are not counted."""
         self.idle, self.patience = 0, max(_PATIENCE, 2 * len(self.contacts.grasp))
         while tree.waiting and not tree.hopeless:
@@ -294,7 +311,7 @@ class SpatialSearch:
             if answer is not None:
                 return answer
         soon = self.exactly and (len(states) <= _SMALL or self.idle >= self.patience)
-        split = None if soon else self._any_split(states, found)
+        split = None if soon else self.any_split(states, found)
         if split is not None or not self.exactly:
             return split
         exact = self.exact.part(states, self._towards(found))
@@ -302,7 +319,7 @@ class SpatialSearch:
             return exact
         point = self._point(exact)
         near = exact if self.accept(exact) else self._exact_equilibrium()
-        return near or self._equilibrium_or_cut(states, point) or self._any_split(states, point)
+        return near or self._equilibrium_or_cut(states, point) or self.any_split(states, point)
 
     def _point(self, found: Solution) -> Point:
         """Return a solution in scaled units."""
@@ -314,12 +331,12 @@ class SpatialSearch:
         """Return an equilibrium near a point of a relaxation, or a cut where it fails the law."""
         values = self.relaxation.violations(states, found)
         worst = float(values.max(initial=0.0))
-        obeys = worst <= _OBEYS
+        obeys = worst <= OBEYS
         near = self._near_point(found) if worst <= _ALMOST else None
         if near is None and (obeys or self.idle >= self.patience):
             self.idle, self.patience = 0, 2 * self.patience if not obeys else self.patience
             near = self._near(found.motion * self.relaxation.scale, _NEAR)
-        return near or (None if obeys else self._split(states, values, found))
+        return near or (None if obeys else self.split(states, values, found))
 
     def _towards(self, found: Ray | Point | None) -> Floats:
         """Return for each contact the direction of friction in which its cone matters."""
@@ -330,7 +347,7 @@ class SpatialSearch:
         towards: Floats = -(self.contacts.tangents @ found.virtual)
         return towards
 
-    def _split(self, states: Node, values: Floats, found: Point) -> OpenSplit | None:
+    def split(self, states: Node, values: Floats, found: Point) -> OpenSplit | None:
         """Return the node that splits the contact furthest from the law, its children and parts."""
         order = [int(i) for i in np.argsort(-values) if values[i] > _NOTHING]
         order = [i for i in order if self._splits(states, i)]
@@ -347,7 +364,7 @@ class SpatialSearch:
         """Return whether a contact is not decided: one without friction does not slip."""
         return states[i] != "attached" or bool(self.contacts.grasp.contacts[i].friction)
 
-    def _any_split(self, states: Node, found: Ray | Point | None) -> OpenSplit | None:
+    def any_split(self, states: Node, found: Ray | Point | None) -> OpenSplit | None:
         """Return a split of the contact that is decided least; of a ray, with the least room."""
         room = found.room[:, 0] if isinstance(found, Ray) else np.zeros(len(states))
         towards = self._towards(found)

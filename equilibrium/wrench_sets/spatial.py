@@ -1,168 +1,40 @@
-"""What a grasp in space resists: loads that are known, and magnitudes along a direction.
+"""The magnitudes along a direction that a grasp in space resists.
 
-The load enters a tree in one place: the works of its leaves, ``lambda . w + sum alpha q``. So a
-tree refutes every load for which all of them are above 0, an open convex set. And where two exact
-equilibria have contacts that do the same, all between them are equilibria too: springs and cones
-are convex, and a slip in one direction has one friction force.
-
-The set of resisted magnitudes need not be an interval, and in space its ends are algebraic numbers
-of no small degree. So verdicts are asked for at sampled magnitudes, and where they change the
-change is enclosed by bisection between two proofs. What lies between samples of the same verdict is
-not looked at.
+Their set need not be an interval, and in space its ends are algebraic numbers of no small degree.
+So verdicts are asked for at sampled magnitudes, and where they change the change is enclosed
+between two proofs: floats tell where, and what they leave is bisected. What lies between samples of
+the same verdict is not looked at.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any, TypeAlias
 
-from arrangement.numbers.exact import RationalVector, dot, to_text
-from equilibrium.certificate.leaves import spatial_leaves
+from arrangement.numbers.exact import RationalVector, to_text
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
-from equilibrium.decide.solver import Solver
-from equilibrium.decide.verdict import Verdict
 from equilibrium.grasps.inputs.conversion import simplest_between
-from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.model.range import NO_RANGE, Range
-from equilibrium.model.solution import Solution
+from equilibrium.model.range import Range
 
-#: The works of the leaves of a tree: of each a virtual motion, and what the preloads add.
-Works: TypeAlias = tuple[tuple[RationalVector, Fraction], ...]
-#: Magnitudes, without the ends; None where there is no end.
-Ends: TypeAlias = tuple[Fraction | None, Fraction | None]
+from .known_loads import KnownLoads, KnownMagnitudes
 
-
-class KnownLoads:
-    """What is proved of the loads of one grasp.
-
-    Args:
-        nodes: of the tree of each verdict, at most.
-        within: the range in which equilibria count; all between two of them are in it, too.
-
-    Attributes:
-        trees: the works of the leaves of each proof of a "no".
-    """
-
-    def __init__(self, grasp: Grasp, nodes: int, within: Range = NO_RANGE) -> None:
-        self.grasp, self.nodes, self.within = grasp, nodes, within
-        self.solver = Solver(grasp, **within.bounds)
-        self.trees: list[Works] = []
-        #: Without preload all multiples of a load have its verdict: the law scales.
-        self.scales = within == NO_RANGE and not any(contact.preload for contact in grasp)
-        self._verdicts: dict[RationalVector, Verdict] = {}
-
-    def ask(self, wrench: RationalVector) -> Verdict:
-        """Decide one load, and remember the answer and its proof."""
-        if (known := self._verdicts.get(wrench)) is not None:
-            return known
-        found = self.solver.solve(wrench, nodes=self.nodes)
-        if found.verdict == NOT_RESISTED:
-            self.trees.append(tuple((x.motion, x.least) for x in spatial_leaves(found.proof)))
-        self._verdicts[wrench] = found
-        return found
-
-
-class KnownMagnitudes:
-    """What is proved of the loads ``base + t along``, t >= 0."""
-
-    def __init__(self, known: KnownLoads, along: RationalVector, base: RationalVector) -> None:
-        self.known, self.along, self.base = known, along, base
-        self.scales = known.scales and not any(base)
-        self.refuted = [found for tree in known.trees if (found := self._range(tree)) is not None]
-        self.held: list[tuple[Fraction, Fraction]] = []
-        self._equilibria: list[tuple[Fraction, Solution]] = []
-
-    def verdict(self, t: Fraction) -> str:
-        """Return what follows from earlier proofs, or decide."""
-        if t and self.scales:
-            t = Fraction(1)
-        if self.refuting(t) is not None:
-            return NOT_RESISTED
-        if any(low <= t <= high for low, high in self.held):
-            return RESISTED
-        wrench = tuple(b + t * x for b, x in zip(self.base, self.along, strict=True))
-        found = self.known.ask(wrench)
-        if found.verdict == NOT_RESISTED and (around := self._range(self.known.trees[-1])):
-            self.refuted.append(around)
-        if found.solution is not None and found.solution.box is None:
-            self._hold(t, found.solution)
-        return found.verdict
-
-    def _hold(self, t: Fraction, solution: Solution) -> None:
-        """Remember an equilibrium, and what lies between it and its neighbours."""
-        new = (t, solution)
-        self._equilibria = sorted([*self._equilibria, new], key=lambda x: x[0])
-        k = self._equilibria.index(new)
-        for low, high in pairwise(self._equilibria[max(0, k - 1) : k + 2]):
-            if blends(self.known.grasp, low[1], high[1]):
-                self.held.append((low[0], high[0]))
-
-    def refuting(self, t: Fraction) -> Ends | None:
-        """Return the magnitudes that a tree refutes together with this one, if one does."""
-        return next(
-            (
-                (low, high)
-                for low, high in self.refuted
-                if (low is None or low < t) and (high is None or t < high)
-            ),
-            None,
-        )
-
-    def _range(self, works: Works) -> Ends | None:
-        """Return for which magnitudes all works are above 0; None if for none.
-
-        Of a proof in the plane, which has no such leaves, nothing is known.
-        """
-        if not works:
-            return None
-        low: Fraction | None = None
-        high: Fraction | None = None
-        for motion, rest in works:
-            start, slope = dot(motion, self.base) + rest, dot(motion, self.along)
-            if not slope:
-                if start <= 0:
-                    return None
-                continue
-            end = Fraction(-start) / slope
-            if slope > 0:
-                low = end if low is None else max(low, end)
-            else:
-                high = end if high is None else min(high, end)
-        return None if low is not None and high is not None and low >= high else (low, high)
-
-
-def blends(grasp: Grasp, one: Solution, other: Solution) -> bool:
-    """Return whether all that is between two equilibria is one, as each contact does the same."""
-    return all(
-        _same(contact, [(x.motion, x.forces[i]) for x in (one, other)])
-        for i, contact in enumerate(grasp)
-    )
-
-
-def _same(contact: Contact, both: Sequence[tuple[RationalVector, RationalVector]]) -> bool:
-    """Return whether a contact is on one side of its spring, and slips in one direction or not."""
-    springs = [
-        contact.preload - contact.stiffness * dot(contact.normal_wrench, motion)
-        for motion, _ in both
-    ]
-    if max(springs) <= 0:
-        return True
-    (a, b), (c, d) = (
-        tuple(dot(row, motion) for row in contact.tangential_wrenches) for motion, _ in both
-    )
-    one_way = a * d == b * c and a * c + b * d >= 0 and any((a, b)) == any((c, d))
-    return min(springs) >= 0 and one_way
-
+#: A magnitude and its verdict.
+Sample: TypeAlias = tuple[Fraction, str]
 
 #: Powers of two of the sampled magnitudes, times the largest preload or 1.
 _POWERS = range(-6, 9)
 #: The ends of what stays undecided are found to a share of one over this.
 _SHARP = 4
+#: From the edge that floats tell a "no" is asked for at one over the first of how far before it a
+#: load is resisted, and moved by one over the second; simple magnitudes are up to the third as far.
+_BEYOND, _FINE, _ABOUT = 16, 64, Fraction(9, 8)
+#: A bracket is wide if it is more than one over this of its larger end.
+_WIDE = 100
 #: After so many steps that leave an end of a bracket where it is one looks close to it.
 _STAYS = 4
 #: A bracket this many times narrower than its relative width at the samples is left as it is.
@@ -274,7 +146,7 @@ def spatial_magnitudes(
     samples = [(t, found[k]) for k, t in enumerate(tried)]
     decided = [(t, answer) for t, answer in samples if answer != UNDECIDED]
     borders = tuple(
-        _bracket(known, first, second, Fraction(width))
+        _bracket(known, *_closer(known, first, second, Fraction(width)), Fraction(width))
         for first, second in pairwise(decided)
         if first[1] != second[1]
     )
@@ -292,15 +164,61 @@ def _ends_first(count: int) -> list[int]:
     return found
 
 
+def _closer(
+    known: KnownMagnitudes, first: Sample, second: Sample, width: Fraction
+) -> tuple[Sample, Sample, list[Fraction]]:
+    """Return proved magnitudes on both sides of a border, near it, and those left open between.
+
+    Floats tell up to where loads may be resisted. Before that edge equilibria are looked for,
+    without trees; the tree of the floats is closed a little beyond it.
+    """
+    (held, _), (refused, _) = (first, second) if first[1] == RESISTED else (second, first)
+    gap, widest = abs(refused - held), width * second[0]
+    if known.scales or gap <= widest:
+        return first, second, []
+    share, tree, stuck = known.reach(refused, held, float(widest / gap))
+    edge, way = refused + Fraction(share) * (held - refused), (refused - held) / gap
+    enough = max(width * max(held, edge), widest / _FLOOR)
+    undecided = set[Fraction]()
+    # How far before the edge there is an equilibrium, and none was found; how far that began.
+    far, near, begun, asked = abs(edge - held), Fraction(0), Fraction(0), enough / 3
+    while far - near > max(enough / 2, far / _SHARP):
+        t = simplest_between(*sorted((edge - way * asked, edge - way * asked * _ABOUT)))
+        if known.verdict(t, nodes=0) == RESISTED:
+            held, far = t, abs(edge - t)
+            # From so much nearer more is found.
+            near = near if far * _SHARP > begun else Fraction(0)
+        else:
+            undecided.add(t)
+            near, begun = abs(edge - t), far
+        asked = max(far / _SHARP, (near + far) / 2 if near >= far / _SHARP else Fraction(0))
+    beyond = max(enough / 4, far / _BEYOND)
+    for how in ({"tree": tree}, {}, {}):
+        if abs(refused - edge) <= 2 * beyond:
+            break
+        t = simplest_between(*sorted((edge + way * beyond, edge + way * beyond * 3 / 2)))
+        if known.verdict(t, **how) == NOT_RESISTED:
+            low, high = sorted((held, t))
+            ends = _to_the_edge(known, t, low, high, max(enough / 4, far / _FINE))
+            refused = ends[0] if way < 0 else ends[1]
+            break
+        beyond *= _BEYOND
+    one, other = sorted([(held, RESISTED), (refused, NOT_RESISTED)])
+    if stuck and other[0] - one[0] > other[0] / _WIDE:
+        # The edge is none: what stayed open without a tree is asked again.
+        undecided = set()
+    return one, other, sorted(t for t in undecided if one[0] < t < other[0])
+
+
 def _bracket(
     known: KnownMagnitudes,
-    first: tuple[Fraction, str],
-    second: tuple[Fraction, str],
+    first: Sample,
+    second: Sample,
+    undecided: list[Fraction],
     width: Fraction,
 ) -> Border:
     """Return a narrow bracket between two magnitudes of different verdicts."""
     low, high = first[0], second[0]
-    undecided: list[Fraction] = []
     # Where the verdict changes at 0 no width is small beside the larger end.
     floor = width * high / _FLOOR
     stays = [0, 0]

@@ -30,14 +30,9 @@ from equilibrium.plane.contacts import FloatContacts
 from equilibrium.space.plane import decide_in_plane
 from equilibrium.space.relaxation import Relaxation
 from equilibrium.space.tree import SpatialSearch
-from equilibrium.wrench_sets.spatial import (
-    KnownLoads,
-    KnownMagnitudes,
-    _bracket,
-    _same,
-    blends,
-    spatial_magnitudes,
-)
+from equilibrium.wrench_sets import spatial
+from equilibrium.wrench_sets.known_loads import KnownLoads, KnownMagnitudes, _same, blends
+from equilibrium.wrench_sets.spatial import _bracket, _closer, spatial_magnitudes
 
 from . import awkward, exotic, sectors
 
@@ -280,7 +275,7 @@ def bracket_of(rule, low, high, tree):
         refuting=lambda t: edges if tree and rule(t) == "not resisted" else None,
     )
     ends = ((Fraction(t), rule(Fraction(t))) for t in (low, high))
-    return _bracket(known, *ends, Fraction(1, 1000)), tried
+    return _bracket(known, *ends, [], Fraction(1, 1000)), tried
 
 
 @pytest.fixture
@@ -360,9 +355,55 @@ class TestBrackets:
         assert tried[0] == found.refused == Fraction(3, 2)
         assert (rule(found.refused), found.undecided) == ("undecided", ())
 
-    def test_magnitudes_are_sampled_from_both_ends_and_borders_lie_between_them(self):
+    @pytest.mark.parametrize("up", [True, False])
+    @pytest.mark.parametrize(
+        ("edge", "closes", "stuck", "left", "asked", "opens"),
+        [
+            ("4/3", True, False, "1/600", 2, False),
+            ("1.35", True, False, "1/40", 8, True),
+            ("1.35", False, False, "1/20", 9, True),
+            (2, True, False, "5/6", 4, True),
+            ("1.35", True, True, "1/40", 8, False),
+        ],
+    )
+    def test_ends_move_to_the_edge_of_floats(self, edge, closes, stuck, left, asked, opens, up):
+        """Of equilibria only up to the border 4/3, and of trees where they close."""
+        tried, border = [], "4/3"
+
+        def mirrored(t):
+            return Fraction(t) if up else 3 - Fraction(t)
+
+        def verdict(t, **how):
+            tried.append(how)
+            held = answers(border, border)(mirrored(t))
+            tree = "nodes" not in how and (closes or "tree" not in how)
+            return held if held == "resisted" or tree else "undecided"
+
+        known = SimpleNamespace(
+            scales=False,
+            verdict=verdict,
+            refuting=lambda t: None,
+            reach=lambda refused, held, near: (
+                float((refused - mirrored(edge)) / (refused - held)),
+                7,
+                stuck,
+            ),
+        )
+        ends = sorted((mirrored(t), answers(border, border)(Fraction(t))) for t in (1, 2))
+        low, high, open_ = _closer(known, *ends, Fraction(1, 1000))
+        print(border, edge, closes, up, low, high, open_, len(tried), float(high[0] - low[0]))
+        assert [low[1], high[1]] == [answer for _, answer in ends]
+        for t, answer in (low, high):
+            assert answers(border, border)(mirrored(t)) == answer
+        assert bool(open_) == opens
+        assert all(low[0] < t < high[0] for t in open_)
+        assert high[0] - low[0] <= Fraction(left)
+        assert len(tried) <= asked
+
+    def test_magnitudes_are_sampled_from_both_ends_and_borders_lie_between_them(self, monkeypatch):
         """Resisted up to 1/2 and from 3 to 5; of 64 and beyond nothing is found."""
         tried = []
+        monkeypatch.setattr(spatial, "_closer", lambda known, low, high, width: (low, high, []))
 
         def ask(wrench):
             tried.append(wrench[1])

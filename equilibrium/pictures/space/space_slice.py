@@ -20,7 +20,8 @@ from equilibrium.model.unit_normal import unit_normal
 from equilibrium.pictures.parts.panel import SQUARE, row_of_panels
 from equilibrium.pictures.parts.style import SHADE, symbol
 from equilibrium.pictures.parts.window import ZERO, Window, clipped
-from equilibrium.wrench_sets.spatial import KnownLoads, SpatialMagnitudes, spatial_magnitudes
+from equilibrium.wrench_sets.known_loads import KnownLoads
+from equilibrium.wrench_sets.spatial import SpatialMagnitudes, spatial_magnitudes
 
 NAMES = ("fx", "fy", "fz", "tx", "ty", "tz")
 _LABELS = ("$f_x$", "$f_y$", "$f_z$", r"$\tau_x$", r"$\tau_y$", r"$\tau_z$")

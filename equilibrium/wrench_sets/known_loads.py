@@ -1,0 +1,169 @@
+"""What is proved of the loads of one grasp in space, and of the magnitudes along a direction.
+
+The load enters a tree in one place: the works of its leaves, ``lambda . w + sum alpha q``. So a
+tree refutes every load for which all of them are above 0, an open convex set. And where two exact
+equilibria have contacts that do the same, all between them are equilibria too: springs and cones
+are convex, and a slip in one direction has one friction force.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import pairwise
+from typing import Any, TypeAlias
+
+from arrangement.numbers.exact import RationalVector, dot
+from equilibrium.certificate.leaves import spatial_leaves
+from equilibrium.decide import NOT_RESISTED, RESISTED
+from equilibrium.decide.solver import Solver
+from equilibrium.decide.verdict import Verdict
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
+from equilibrium.model.range import NO_RANGE, Range
+from equilibrium.model.solution import Solution
+
+#: The works of the leaves of a tree: of each a virtual motion, and what the preloads add.
+Works: TypeAlias = tuple[tuple[RationalVector, Fraction], ...]
+#: Magnitudes, without the ends; None where there is no end.
+Ends: TypeAlias = tuple[Fraction | None, Fraction | None]
+#: So many nodes tell in floats where a border is.
+_REACH = 800
+
+
+class KnownLoads:
+    """What is proved of the loads of one grasp.
+
+    Args:
+        nodes: of the tree of each verdict, at most.
+        within: the range in which equilibria count; all between two of them are in it, too.
+
+    Attributes:
+        trees: the works of the leaves of each proof of a "no".
+    """
+
+    def __init__(self, grasp: Grasp, nodes: int, within: Range = NO_RANGE) -> None:
+        self.grasp, self.nodes, self.within = grasp, nodes, within
+        self.solver = Solver(grasp, **within.bounds)
+        self.trees: list[Works] = []
+        #: Without preload all multiples of a load have its verdict: the law scales.
+        self.scales = within == NO_RANGE and not any(contact.preload for contact in grasp)
+        self._verdicts: dict[RationalVector, Verdict] = {}
+
+    def ask(self, wrench: RationalVector, nodes: int | None = None, tree: Any = None) -> Verdict:
+        """Decide one load, and remember the answer and its proof.
+
+        Args:
+            nodes: of the tree, where they are fewer than otherwise.
+            tree: that is open, to be closed.
+        """
+        if (known := self._verdicts.get(wrench)) is not None:
+            return known
+        if tree is not None:
+            found = self.solver.close(wrench, tree, self.nodes)
+        else:
+            found = self.solver.solve(wrench, nodes=self.nodes if nodes is None else nodes)
+        if found.verdict == NOT_RESISTED:
+            self.trees.append(tuple((x.motion, x.least) for x in spatial_leaves(found.proof)))
+        if found.decided or (nodes is None and tree is None):
+            self._verdicts[wrench] = found
+        return found
+
+
+class KnownMagnitudes:
+    """What is proved of the loads ``base + t along``, t >= 0."""
+
+    def __init__(self, known: KnownLoads, along: RationalVector, base: RationalVector) -> None:
+        self.known, self.along, self.base = known, along, base
+        self.scales = known.scales and not any(base)
+        self.refuted = [found for tree in known.trees if (found := self._range(tree)) is not None]
+        self.held: list[tuple[Fraction, Fraction]] = []
+        self._equilibria: list[tuple[Fraction, Solution]] = []
+
+    def load(self, t: Fraction) -> RationalVector:
+        """Return the load of a magnitude."""
+        return tuple(b + t * x for b, x in zip(self.base, self.along, strict=True))
+
+    def reach(self, refused: Fraction, resisted: Fraction, near: float) -> Any:
+        """Return how near resisted loads come to one that is not; see `Solver.reach`."""
+        return self.known.solver.reach(self.load(refused), self.load(resisted), _REACH, near)
+
+    def verdict(self, t: Fraction, **how: Any) -> str:
+        """Return what follows from earlier proofs, or decide; see `KnownLoads.ask`."""
+        if t and self.scales:
+            t = Fraction(1)
+        if self.refuting(t) is not None:
+            return NOT_RESISTED
+        if any(low <= t <= high for low, high in self.held):
+            return RESISTED
+        found = self.known.ask(self.load(t), **how)
+        if found.verdict == NOT_RESISTED and (around := self._range(self.known.trees[-1])):
+            self.refuted.append(around)
+        if found.solution is not None and found.solution.box is None:
+            self._hold(t, found.solution)
+        return found.verdict
+
+    def _hold(self, t: Fraction, solution: Solution) -> None:
+        """Remember an equilibrium, and what lies between it and its neighbours."""
+        new = (t, solution)
+        self._equilibria = sorted([*self._equilibria, new], key=lambda x: x[0])
+        k = self._equilibria.index(new)
+        for low, high in pairwise(self._equilibria[max(0, k - 1) : k + 2]):
+            if blends(self.known.grasp, low[1], high[1]):
+                self.held.append((low[0], high[0]))
+
+    def refuting(self, t: Fraction) -> Ends | None:
+        """Return the magnitudes that a tree refutes together with this one, if one does."""
+        return next(
+            (
+                (low, high)
+                for low, high in self.refuted
+                if (low is None or low < t) and (high is None or t < high)
+            ),
+            None,
+        )
+
+    def _range(self, works: Works) -> Ends | None:
+        """Return for which magnitudes all works are above 0; None if for none.
+
+        Of a proof in the plane, which has no such leaves, nothing is known.
+        """
+        if not works:
+            return None
+        low: Fraction | None = None
+        high: Fraction | None = None
+        for motion, rest in works:
+            start, slope = dot(motion, self.base) + rest, dot(motion, self.along)
+            if not slope:
+                if start <= 0:
+                    return None
+                continue
+            end = Fraction(-start) / slope
+            if slope > 0:
+                low = end if low is None else max(low, end)
+            else:
+                high = end if high is None else min(high, end)
+        return None if low is not None and high is not None and low >= high else (low, high)
+
+
+def blends(grasp: Grasp, one: Solution, other: Solution) -> bool:
+    """Return whether all that is between two equilibria is one, as each contact does the same."""
+    return all(
+        _same(contact, [(x.motion, x.forces[i]) for x in (one, other)])
+        for i, contact in enumerate(grasp)
+    )
+
+
+def _same(contact: Contact, both: Sequence[tuple[RationalVector, RationalVector]]) -> bool:
+    """Return whether a contact is on one side of its spring, and slips in one direction or not."""
+    springs = [
+        contact.preload - contact.stiffness * dot(contact.normal_wrench, motion)
+        for motion, _ in both
+    ]
+    if max(springs) <= 0:
+        return True
+    (a, b), (c, d) = (
+        tuple(dot(row, motion) for row in contact.tangential_wrenches) for motion, _ in both
+    )
+    one_way = a * d == b * c and a * c + b * d >= 0 and any((a, b)) == any((c, d))
+    return min(springs) >= 0 and one_way
