@@ -20,9 +20,10 @@ from arrangement.console.progress import watched
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, reduced
 from arrangement.numbers.float_filter import SMALLEST, Booleans, error_bound, scaled
-from arrangement.numbers.linear.cones import Cone, both_ways
+from arrangement.numbers.linear.cones import Cone
 from arrangement.numbers.linear.intervals import Interval, intersection, union
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
+from arrangement.numbers.linear.rank import difference
 from arrangement.numbers.linear.separation import surely_outside
 from arrangement.numbers.packing import pack
 from equilibrium.decide.solver import Solver, prepare
@@ -37,7 +38,7 @@ from equilibrium.plane.contact_rows import (
 )
 from equilibrium.plane.states.state_system import States
 
-#: Above this number, redundant images are removed before the next sticking contact.
+#: Above this number, images that are no vertices are left out.
 _MANY = 40
 #: The states with a normal force, and the number of each state in arrays.
 _TOUCHING = ("stick", "slip+", "slip-")
@@ -216,26 +217,31 @@ class StateImages:
 
     def _images(self, states: Sequence[str], motion: IntegerVector) -> Iterator[IntegerVector]:
         """Yield the homogeneous wrenches that balance the extreme forces at a motion."""
-        wrenches: list[IntegerVector] = [(0, 0, 0)]
+        balancing = []
         for contact, state in zip(self._contacts, states, strict=True):
-            force = 0 if state == "detached" else dot(contact.spring, motion)
-            if force == 0:
-                continue
-            wrenches = [
-                (w[0] + force * b[0], w[1] + force * b[1], w[2] + force * b[2])
-                for w in wrenches
-                for b in contact.balances[state]
-            ]
-            if len(wrenches) > _MANY:
-                wrenches = _extreme(wrenches)
-        homogeneous = ((*wrench, self._scale * motion[3]) for wrench in wrenches)
+            if state != "detached" and (force := dot(contact.spring, motion)):
+                ends = contact.balances[state]
+                balancing.append([(force * b[0], force * b[1], force * b[2]) for b in ends])
+        homogeneous = ((*wrench, self._scale * motion[3]) for wrench in _extreme_sums(balancing))
         yield from (reduced(wrench) for wrench in homogeneous if any(wrench))
 
 
-def _extreme(points: list[IntegerVector]) -> list[IntegerVector]:
-    """Return the vertices of the convex hull of integer points."""
-    _, (rays, _) = both_ways([(*point, 1) for point in points], (), 4)
-    return [ray[:3] for ray in rays]
+def _extreme_sums(ends: Sequence[Sequence[IntegerVector]]) -> Sequence[Sequence[int]]:
+    """Return the sums of one end of each segment or point; of many only the vertices of the hull.
+
+    A vertex is the farthest sum in the directions of a cell of the planes across the segments.
+    """
+    segments = [pair for pair in ends if len(pair) > 1]
+    if 1 << len(segments) > _MANY:
+        steps = [difference(second, first) for first, second in segments]
+        forward = (Arrangement(steps).faces(3).signs > 0).astype(object)
+        starts = np.array([first for first, *_ in ends], object).sum(axis=0)
+        sums: list[list[int]] = (starts + forward @ np.array(steps, object)).tolist()
+        return sums
+    found: list[IntegerVector] = [(0, 0, 0)]
+    for choice in ends:
+        found = [(w[0] + b[0], w[1] + b[1], w[2] + b[2]) for w in found for b in choice]
+    return found
 
 
 @dataclass(frozen=True, repr=False)
