@@ -30,6 +30,7 @@ from equilibrium.plane.contact_rows import (
     cone_rows,
     negated,
     normal_force_row,
+    over_unit,
     range_rows,
     slip_row,
     unit_row,
@@ -129,7 +130,10 @@ def state_system(
 
 def value(row: RationalVector, point: RationalVector) -> Fraction:
     """Return the value of a row (constant last) at a point."""
-    return Fraction(dot(row[:-1], point) + row[-1])
+    # No fraction is reduced on the way.
+    entries, unit = over_unit(row)
+    place, scale = over_unit((*point, Fraction(1)))
+    return Fraction(dot(entries, place), unit * scale)
 
 
 def each_force(system: StateSystem) -> Iterator[RationalVector]:
