@@ -130,6 +130,7 @@ TARGETS = {
     "robust": Target("equilibrium.certificate.robust", ROBUST),
     "plane": Target("equilibrium.model.grasp", (GRASP, PLANES)),
     "loads": Target("equilibrium.wrench_sets.spatial", LOADS),
+    "known": Target("equilibrium.wrench_sets.known_loads", LOADS),
     "final": Target("arrangement.library.census.final_polynomials", FINAL),
     "proofs": Target("arrangement.library.census.workshop.proofs", FINAL),
     "inscribed": Target("arrangement.duals.inscribed.certificates", (INSCRIBED,)),
