@@ -9,6 +9,7 @@ friction there has a rational direction.
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Sequence
 from fractions import Fraction
@@ -17,6 +18,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.programs import Infeasible, Program
@@ -119,7 +121,9 @@ class StateProgram:
 
     def solve(self) -> tuple[RationalVector, tuple[RationalVector, ...]] | Any:
         """Return the motion and all forces, three each, or the leaf that shows there are none."""
-        found = Program(self.size, self.least, self.equal, self.deadline).point()
+        left = self.deadline - time.process_time()
+        limit = Deadline(None if left == math.inf else max(left, 1e-9))
+        found = Program(self.size, self.least, self.equal, limit).point()
         if not isinstance(found, Infeasible):
             forces = (found[place] for place in self.places)
             return found[:6], tuple((*force, *[Fraction(0)] * (3 - len(force))) for force in forces)

@@ -57,7 +57,7 @@ class Dictionary:
 
     def pivot(self, r: int, c: int) -> None:
         """Exchange row r and column c."""
-        self.given.keep_to_time()
+        self.given.deadline.check()
         pivot_row = self.rows[r]
         p, d = pivot_row[c], self.denominator
         flip = 1 if p > 0 else -1

@@ -6,12 +6,12 @@ A guess needs one or two small systems, where exact pivots would write all rows 
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, TypeAlias
 
+from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
@@ -65,14 +65,14 @@ class Rows:
 
     Args:
         n: the number of variables.
-        deadline: on the clock `time.process_time`, which other work does not hasten.
+        deadline: looked at before each step that may take long.
 
     Attributes:
         scales: what the given rows are divided by.
     """
 
     def __init__(
-        self, n: int, inequalities: Sequence[Row], equalities: Sequence[Row], deadline: float
+        self, n: int, inequalities: Sequence[Row], equalities: Sequence[Row], deadline: Deadline
     ) -> None:
         self.variables, self.deadline = n, deadline
         self.first_equality = len(inequalities)
@@ -96,13 +96,8 @@ class Rows:
         return self.variables**2 * len(self.integers) * (1 + bits / 30)
 
     def _whole(self, row: Row) -> IntegerVector:
-        self.keep_to_time()
+        self.deadline.check()
         return primitive(row[:-1])
-
-    def keep_to_time(self) -> None:
-        """Raise TimeoutError after the deadline."""
-        if time.process_time() > self.deadline:
-            raise TimeoutError("the time is over")
 
     def point(self, tight: Sequence[int]) -> Numbers | None:
         """Return where rows are tight as integers over a common one, if all rows hold there.
@@ -189,7 +184,7 @@ class Rows:
         """Return the solution of n rows, constant last, over a common integer above 0."""
         from flint import fmpz_mat
 
-        self.keep_to_time()
+        self.deadline.check()
         n = len(rows)
         if n != self.variables:
             return None

@@ -11,11 +11,11 @@ the certificates make each answer checkable.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from fractions import Fraction
 
 from arrangement.errors import ArrangementError
+from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive
 
 from .dictionary import Dictionary
@@ -41,7 +41,7 @@ class Program:
         n: the number of variables.
         inequalities: rows of n + 1 rationals, constant last, each ``>= 0``.
         equalities: rows of n + 1 rationals, constant last, each ``= 0``.
-        deadline: on the clock `time.process_time`, which other work does not hasten.
+        deadline: looked at before each pivot; None for no limit.
 
     Raises:
         ArrangementError: a row has the wrong length.
@@ -53,12 +53,12 @@ class Program:
         n: int,
         inequalities: Sequence[Row],
         equalities: Sequence[Row] = (),
-        deadline: float = math.inf,
+        deadline: Deadline | None = None,
     ) -> None:
         for row in (*inequalities, *equalities):
             if len(row) != n + 1:
                 raise ArrangementError(f"a row has {len(row)} entries; {n} variables need {n + 1}")
-        self._rows = Rows(n, inequalities, equalities, deadline)
+        self._rows = Rows(n, inequalities, equalities, deadline or Deadline())
         self._exact: Dictionary | None = None
         self._refuted: Terms | None = None
         #: The point that was reached, over a common integer.

@@ -9,6 +9,7 @@ state (Farkas).
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -18,6 +19,7 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, to_text
 from arrangement.numbers.linear import programs
 from equilibrium.model.solution import Solution
@@ -245,9 +247,11 @@ class PartProgram:
         # So is the work, by what the rows could give: a smaller bound would leave leaves no room.
         largest = max(sum(map(abs, row)) for row in rows)
         self.box.append(self._row({self.size - 1: -1}, largest))
+        seconds = None if deadline == math.inf else max(deadline - time.process_time(), 1e-9)
+        limit = Deadline(seconds)
         while True:
             every = [*self.box, *self.bounds, *rows]
-            answer = programs.Program(len(objective), every, (), deadline).minimize(objective)
+            answer = programs.Program(len(objective), every, (), limit).minimize(objective)
             assert isinstance(answer, programs.Optimal)
             point = answer.point
             if point[-1] == 0:
