@@ -64,6 +64,16 @@ class Parser(argparse.ArgumentParser):
         self.growing: list[argparse.Action] = []
         #: What is parsed.
         self.words: Sequence[str] = ()
+        #: Commands and options of earlier releases and of other programs, with what to write now.
+        self.renamed: Mapping[str, str] = {}
+        #: Subcommands under the headings of ``--help``: names with what they do.
+        self.headings: dict[str, list[tuple[str, str]]] = {}
+
+    def add_subparsers(self, **options: Any) -> Any:
+        """Return the commands, to which `add_command` adds one."""
+        commands: Any = super().add_subparsers(**options)
+        commands.program = self
+        return commands
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         """Parse, with all options; ``--help`` comes through here too."""
@@ -104,13 +114,31 @@ class Parser(argparse.ArgumentParser):
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         """Name the nearest choices of a misspelt one."""
         if action.choices is not None and value not in action.choices:
+            if isinstance(action, argparse._SubParsersAction) and value in self.renamed:
+                raise argparse.ArgumentError(None, self._renamed(value))
             known = list(action.choices)
             text = f"there is no {shown(value)}; known are {', '.join(known)}{_meant(value, known)}"
             raise argparse.ArgumentError(action, text)
 
+    def _renamed(self, word: str) -> str:
+        return f"{word!r} is now {self.renamed[word]!r}"
+
     def _unknown(self, word: str) -> str:
+        if (name := word.partition("=")[0]) in self.renamed:
+            return self._renamed(name)
         kind = "option" if word.startswith("-") else "place for"
         return f"there is no {kind} {shown(word)}{_meant(word, self._option_string_actions)}"
+
+    def format_help(self) -> str:
+        """Return the help; a program with headings lists its commands under them."""
+        if not self.headings:
+            return super().format_help()
+        parts = [f"usage: {self.prog} [--version] COMMAND ...", self.description or ""]
+        width = max(len(name) for rows in self.headings.values() for name, _ in rows) + 2
+        for heading, rows in self.headings.items():
+            parts.append("\n".join([f"{heading}:", *(f"  {n:<{width}}{text}" for n, text in rows)]))
+        parts += [f"{self.prog} COMMAND --help describes a command.", self.epilog or ""]
+        return "\n\n".join(parts) + "\n"
 
     def error(self, message: str) -> NoReturn:
         """Print one line with the error to stderr; exit with 2.
@@ -158,25 +186,37 @@ class _Version(argparse.Action):
         parser.exit(YES)
 
 
-def command_parser(prog: str, description: str) -> Parser:
-    """Return the parser of one program, with ``--version`` and no subcommand yet."""
+def command_parser(prog: str, description: str, renamed: Mapping[str, str] | None = None) -> Parser:
+    """Return the parser of one program, with ``--version`` and no subcommand yet.
+
+    Args:
+        renamed: commands and options of earlier releases and of other programs, with what to
+            write now.
+    """
     every = ("yes or done", "no or refuted", "undecided", "a fault of the program")
     more = " `COMMAND --help` says what they mean there."
     parser = Parser(prog=prog, description=description, epilog=_exit_codes(every) + more)
     parser.add_argument("--version", action=_Version)
+    parser.renamed = renamed or {}
     return parser
 
 
-def add_command(commands: Any, name: str, text: str, *answers: str) -> Any:
+def add_command(commands: Any, name: str, text: str, *answers: str, heading: str = "") -> Any:
     """Add a subcommand; its help says what it does, and what its exit codes mean.
 
     Args:
+        commands: what `Parser.add_subparsers` returned.
         text: what it does: a verb first, in lower case, no full stop.
         answers: what the codes 0, 1 and 3 mean, as far as it has them; if omitted, 0 is "done".
+        heading: under which the help of the program lists it.
     """
     whole = f"{text[0].upper()}{text[1:]}."
     codes = _exit_codes(answers or ("done",))
-    return commands.add_parser(name, help=text, description=whole, epilog=codes)
+    if heading:
+        commands.program.headings.setdefault(heading, []).append((name, text))
+    added = commands.add_parser(name, help=text, description=whole, epilog=codes)
+    added.renamed = commands.program.renamed
+    return added
 
 
 def _exit_codes(answers: Sequence[str]) -> str:

@@ -32,6 +32,30 @@ def parsed(*arguments: str) -> argparse.Namespace:
     return parser_for(None).parse_args(["go", *arguments])
 
 
+def test_old_names_are_answered_with_the_new(capsys):
+    renamed = {"walk": "demo go --fast", "--speed": "--wrench"}
+    parser = terminal.command_parser("demo", "A demonstration.", renamed)
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    terminal.add_command(commands, "go", "go there", heading="common")
+    for words, answer in (
+        (["walk"], "error: 'walk' is now 'demo go --fast' ("),
+        (["go", "--speed", "3"], "error: '--speed' is now '--wrench' ("),
+        (["go", "--speed=3"], "error: '--speed' is now '--wrench' ("),
+    ):
+        with pytest.raises(SystemExit) as stopped:
+            parser.parse_args(words)
+        assert stopped.value.code == 2
+        assert capsys.readouterr().err.startswith(answer)
+
+
+def test_help_lists_commands_under_their_headings():
+    parser = terminal.command_parser("demo", "A demonstration.")
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    terminal.add_command(commands, "go", "go there", heading="common")
+    terminal.add_command(commands, "return", "come back", heading="more")
+    assert "common:\n  go      go there\n\nmore:\n  return  come back\n" in parser.format_help()
+
+
 @pytest.mark.parametrize(
     ("words", "numbers"),
     [
