@@ -24,4 +24,12 @@ class SweepError(ClaimError, InputError):
 
 
 class DamagedStoreError(SweepError):
-    """A store of a sweep whose file has been changed by something else."""
+    """A store of a sweep whose file has been changed by something else.
+
+    Attributes:
+        damage: what is damaged.
+    """
+
+    def __init__(self, damage: str, remedy: str) -> None:
+        super().__init__(f"{damage}. {remedy}")
+        self.damage = damage

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from arrangement.console import terminal
+from arrangement.console.number_form import counted
 from arrangement.console.progress import Bar, duration, shown
 from arrangement.errors import InputError
 from arrangement.library.files.json_files import read_document
@@ -37,7 +38,7 @@ def run_sweep(arguments: argparse.Namespace) -> int:
 
     try:
         with shown(False):  # the bar tells
-            sweep(
+            due = sweep(
                 plan,
                 arguments.store,
                 jobs=arguments.jobs,
@@ -51,9 +52,13 @@ def run_sweep(arguments: argparse.Namespace) -> int:
         record = sweepreport.record(opened)
     if arguments.json:
         terminal.print_json(record)
-    else:
+    elif due:
         print(_summary(record))
-    return terminal.YES if record["as_expected"] else terminal.NO
+    else:
+        part, parts = arguments.shard
+        chunks = counted(plan.chunks, "chunk")
+        print(f"shard {part}/{parts} has nothing to do: the sweep has {chunks}")
+    return terminal.YES if record["as_expected"] or not due else terminal.NO
 
 
 def _summary(record: dict[str, Any]) -> str:

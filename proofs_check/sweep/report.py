@@ -13,8 +13,9 @@ from proofs_check.reports.report import instance_text, record_of
 from proofs_check.statements.evidence import verdict_from
 from proofs_check.statements.statement import Kind, Verdict
 
+from .plan import Plan
 from .store import Store
-from .sweep import EACH, Plan, Total, read_plan, total
+from .sweep import EACH, Total, total
 
 
 def consistent(found: Verdict | None, expected: Verdict) -> bool:
@@ -31,7 +32,7 @@ def consistent(found: Verdict | None, expected: Verdict) -> bool:
 
 def record(opened: Store) -> dict[str, Any]:
     """Return the JSON record of a sweep, complete or not."""
-    plan, claim, sums = read_plan(opened), opened.claim, total(opened.chunks())
+    plan, claim, sums = opened.plan, opened.claim, total(opened.chunks())
     found = verdict_from(sums.outcomes)
     expected = Verdict(claim["record"]["expected"])
     worst = next((k for k in ("broken", "fails", "excused") if k in sums.smallest), None)
@@ -113,7 +114,7 @@ def _entry(kind: str, entry: dict[str, Any]) -> dict[str, Any]:
 
 def status(opened: Store) -> dict[str, Any]:
     """Return how far a sweep is, also while it runs."""
-    plan, sums = read_plan(opened), total(opened.chunks())
+    plan, sums = opened.plan, total(opened.chunks())
     return {
         "claim": plan.claim,
         "plan": plan.record(),

@@ -3,6 +3,9 @@
 Work is split in numbered chunks. The result of a chunk is written in one transaction under its
 number, so that a chunk is there whole or not at all, and never twice. The file is in WAL mode:
 others can read it while it is being written.
+
+The plan and each chunk have a checksum. It finds what something else changed in the file; who
+works out new checksums as well is not found.
 """
 
 from __future__ import annotations
@@ -10,30 +13,37 @@ from __future__ import annotations
 import json
 import sqlite3
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
 from proofs_check.errors import DamagedStoreError, SweepError
 
+from .plan import Plan
+
 #: Marks the file as a store of this kind ("SLPS"), and its layout.
 APPLICATION = 0x534C5053
-LAYOUT = 1
+LAYOUT = 2
 _TABLES = (
-    "CREATE TABLE plan (record TEXT NOT NULL, claim TEXT NOT NULL)",
+    "CREATE TABLE plan (record TEXT NOT NULL, claim TEXT NOT NULL, checksum TEXT NOT NULL)",
     "CREATE TABLE environments (id INTEGER PRIMARY KEY, record TEXT NOT NULL UNIQUE)",
     "CREATE TABLE chunks (number INTEGER PRIMARY KEY, environment INTEGER NOT NULL, "
-    "milliseconds INTEGER NOT NULL, result TEXT NOT NULL)",
+    "milliseconds INTEGER NOT NULL, result TEXT NOT NULL, checksum TEXT NOT NULL)",
     f"PRAGMA application_id = {APPLICATION}",
     f"PRAGMA user_version = {LAYOUT}",
 )
-
-
+#: Blobs can be read whatever is in them.
 _CHUNKS = (
-    "SELECT number, result, record, milliseconds FROM chunks "
-    "JOIN environments ON environments.id = chunks.environment"
+    "SELECT CAST(number AS INTEGER), CAST(milliseconds AS BLOB), CAST(record AS BLOB), "
+    "CAST(result AS BLOB), CAST(checksum AS BLOB) "
+    "FROM chunks LEFT JOIN environments ON environments.id = chunks.environment"
 )
+#: Where the table cannot be read in order, so many numbers are looked up one by one.
+_LOOKED_UP = 1_000_000
+#: Damaged chunks that a message names.
+_NAMED = 8
 
 
 @dataclass(frozen=True)
@@ -45,10 +55,11 @@ class Chunk:
     environment: Mapping[str, Any]
     milliseconds: int
 
-
-def _chunk(row: tuple[int, str, str, int]) -> Chunk:
-    number, result, environment, milliseconds = row
-    return Chunk(number, json.loads(result), json.loads(environment), milliseconds)
+    def of(self, plan: Plan) -> bool:
+        """Whether it has a number of the plan, and counts the instances of this number."""
+        rows = self.result["counts"].values()
+        samples = sum(map(sum, rows))
+        return 0 <= self.number < plan.chunks and samples == len(plan.indices(self.number))
 
 
 class Store:
@@ -69,55 +80,77 @@ class Store:
         self._connection.close()
 
     @property
-    def plan(self) -> dict[str, Any]:
-        """The record of the plan that the chunks belong to."""
-        return self._document("record")
+    def plan(self) -> Plan:
+        """The plan that the chunks belong to."""
+        with self._undamaged():
+            return Plan.from_record(json.loads(self._plan()[0]))
 
     @property
     def claim(self) -> dict[str, Any]:
         """What the claim says, so that a report needs nothing but the store."""
-        return self._document("claim")
-
-    def _document(self, column: str) -> dict[str, Any]:
-        remedy = "nothing of it can be saved without its plan; begin a new store"
-        with self._undamaged(remedy):
-            (text,) = self._connection.execute(f"SELECT {column} FROM plan").fetchone()
-            found: dict[str, Any] = json.loads(text)
+        with self._undamaged():
+            found: dict[str, Any] = json.loads(self._plan()[1])
         return found
 
+    def _plan(self) -> tuple[bytes, bytes]:
+        """Return the texts of the plan and of what the claim says."""
+        columns = ", ".join(f"CAST({name} AS BLOB)" for name in ("record", "claim", "checksum"))
+        rows = self._connection.execute(f"SELECT {columns} FROM plan").fetchall()
+        if len(rows) != 1:
+            raise ValueError(f"it has {len(rows)} plans, not one")
+        *texts, checksum = rows[0]
+        if checksum != _checksum(*texts).encode():
+            raise ValueError("its plan is not as a sweep wrote it")
+        record, claim = texts
+        return record, claim
+
     @contextmanager
-    def _undamaged(self, remedy: str = "") -> Iterator[None]:
-        """Say that the file is damaged, and what to do, when what is in it cannot be read."""
-        remedy = remedy or (
-            f"proofs-check merge NEW.sqlite {self.path} saves what can be read, and a sweep with "
-            "--store NEW.sqlite does the rest"
-        )
+    def _undamaged(self) -> Iterator[None]:
+        """Say that the plan is damaged when it cannot be read."""
         try:
             yield
         except (sqlite3.Error, ValueError, TypeError) as error:
-            raise DamagedStoreError(f"{self.path} is damaged ({error}); {remedy}") from None
-
-    def numbers(self) -> set[int]:
-        """Return the numbers of the chunks that are there."""
-        with self._undamaged():
-            return {row[0] for row in self._connection.execute("SELECT number FROM chunks")}
+            remedy = "Nothing of it can be saved without its plan; begin a new store"
+            raise DamagedStoreError(f"{self.path} is damaged ({error})", remedy) from None
 
     def chunks(self) -> Iterator[Chunk]:
-        """Yield every chunk in order of number, as of one moment.
+        """Yield every intact chunk in order of number, as of one moment.
 
         Raises:
-            DamagedStoreError: some cannot be read.
+            DamagedStoreError: at the end, if there are others.
         """
-        with self._undamaged():
-            for row in self._connection.execute(f"{_CHUNKS} ORDER BY number"):
-                yield _chunk(row)
+        plan, last = self.plan, -1
+        damaged, errors = list[int](), list[sqlite3.Error]()
+        for number, *cells in self._rows(plan.chunks, errors):
+            chunk = _chunk(plan, number, *cells)
+            if chunk and number > last:
+                last = number
+                yield chunk
+            else:
+                damaged.append(number)
+        if damaged or errors:
+            what = [f"{_listed(damaged)} not as written"] if damaged else []
+            remedy = (
+                f"proofs-check merge NEW.sqlite {self.path} saves the others, and a sweep with "
+                "--store NEW.sqlite computes the rest"
+            )
+            text = ", ".join([*map(str, errors), *what])
+            raise DamagedStoreError(f"{self.path} is damaged ({text})", remedy)
 
-    def readable(self, due: int) -> Iterator[Chunk]:
-        """Yield the chunks that can be read, of the first `due` ones, each on its own."""
-        for number in range(due):
-            with suppress(sqlite3.Error, ValueError, TypeError):
-                query = self._connection.execute(f"{_CHUNKS} WHERE number = ?", (number,))
-                yield from map(_chunk, query.fetchall())
+    def _rows(self, due: int, errors: list[sqlite3.Error]) -> Iterator[tuple[Any, ...]]:
+        """Yield the rows of all chunks; of one that cannot be read, the number and None."""
+        last = -1
+        try:
+            for row in self._connection.execute(f"{_CHUNKS} ORDER BY number"):
+                last = row[0]
+                yield row
+        except sqlite3.Error as error:
+            errors.append(error)
+            for number in range(last + 1, min(due, last + 1 + _LOOKED_UP)):
+                try:
+                    yield from self._connection.execute(f"{_CHUNKS} WHERE number = ?", (number,))
+                except sqlite3.Error:
+                    yield number, None
 
     def add(self, chunk: Chunk) -> bool:
         """Write a chunk, whole and safely on the disk; return whether it was new.
@@ -126,6 +159,8 @@ class Store:
             SweepError: another result is there under this number, or the file cannot be written.
         """
         result, environment = _text(chunk.result), _text(chunk.environment)
+        cells = (chunk.milliseconds, environment, result)
+        checksum = _checksum(_text(self.plan.record()), chunk.number, *cells)
         try:
             with self._connection as transaction:
                 transaction.execute("BEGIN IMMEDIATE")
@@ -139,8 +174,8 @@ class Store:
                     "INSERT OR IGNORE INTO environments (record) VALUES (?)", (environment,)
                 )
                 transaction.execute(
-                    "INSERT INTO chunks SELECT ?, id, ?, ? FROM environments WHERE record = ?",
-                    (chunk.number, chunk.milliseconds, result, environment),
+                    "INSERT INTO chunks SELECT ?, id, ?, ?, ? FROM environments WHERE record = ?",
+                    (chunk.number, chunk.milliseconds, result, checksum, environment),
                 )
         except sqlite3.Error as error:
             raise SweepError(f"cannot write {self.path}: {error}") from None
@@ -154,7 +189,7 @@ class Store:
             )
 
 
-def create(path: str, plan: Mapping[str, Any], claim: Mapping[str, Any]) -> Store:
+def create(path: str, plan: Plan, claim: Mapping[str, Any]) -> Store:
     """Open the store of a plan for writing; make it when there is none.
 
     Args:
@@ -173,7 +208,7 @@ def create(path: str, plan: Mapping[str, Any], claim: Mapping[str, Any]) -> Stor
         connection.execute("PRAGMA synchronous = FULL")
         _fill(connection, plan, claim)
         store = _checked(path, connection)
-        _compare_plans(path, store.plan, plan)
+        _compare_plans(path, store.plan.record(), plan.record())
         return store
 
 
@@ -205,9 +240,7 @@ def _opened(path: str, place: str) -> Iterator[sqlite3.Connection]:
         raise
 
 
-def _fill(
-    connection: sqlite3.Connection, plan: Mapping[str, Any], claim: Mapping[str, Any]
-) -> None:
+def _fill(connection: sqlite3.Connection, plan: Plan, claim: Mapping[str, Any]) -> None:
     """Make the tables of a new file, all in one transaction."""
     with connection:
         connection.execute("BEGIN IMMEDIATE")
@@ -215,15 +248,19 @@ def _fill(
             return
         for statement in _TABLES:
             connection.execute(statement)
-        connection.execute("INSERT INTO plan VALUES (?, ?)", (_text(plan), _text(claim)))
+        texts = (_text(plan.record()), _text(claim))
+        connection.execute("INSERT INTO plan VALUES (?, ?, ?)", (*texts, _checksum(*texts)))
 
 
 def _checked(path: str, connection: sqlite3.Connection) -> Store:
     application = connection.execute("PRAGMA application_id").fetchone()[0]
     layout = connection.execute("PRAGMA user_version").fetchone()[0]
-    if application != APPLICATION or layout != LAYOUT:
+    if application != APPLICATION:
+        raise SweepError(f"{path} is not a store of a sweep; name another file")
+    if layout != LAYOUT:
         raise SweepError(
-            f"{path} is not a store of a sweep (or of another version); name another file"
+            f"{path} has layout {layout}; expected {LAYOUT}, with a checksum for each chunk. "
+            "Begin a new store: what another version wrote cannot be checked"
         )
     return Store(path, connection)
 
@@ -237,3 +274,28 @@ def _compare_plans(path: str, old: Mapping[str, Any], new: Mapping[str, Any]) ->
 
 def _text(record: Mapping[str, Any]) -> str:
     return json.dumps(record, sort_keys=True, separators=(",", ":"))
+
+
+def _checksum(*cells: str | int | bytes) -> str:
+    """Return the SHA-256 of cells of a row in hexadecimal; no cell has a line break."""
+    texts = (cell if isinstance(cell, bytes) else str(cell).encode() for cell in cells)
+    return sha256(b"\n".join(texts)).hexdigest()
+
+
+def _chunk(plan: Plan, number: int, *cells: Any) -> Chunk | None:
+    """Return the chunk in a row, or None if it is not one that a sweep wrote."""
+    *texts, checksum = cells
+    if None in cells or checksum != _checksum(_text(plan.record()), number, *texts).encode():
+        return None
+    milliseconds, environment, result = map(json.loads, texts)
+    chunk = Chunk(number, result, environment, milliseconds)
+    try:
+        return chunk if chunk.of(plan) else None
+    except (AttributeError, KeyError, TypeError):
+        return None
+
+
+def _listed(numbers: list[int]) -> str:
+    shown = ", ".join(map(str, numbers[:_NAMED]))
+    more = f" and {len(numbers) - _NAMED} more" if len(numbers) > _NAMED else ""
+    return f"{'chunk' if len(numbers) == 1 else 'chunks'} {shown}{more}"

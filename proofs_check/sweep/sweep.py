@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -29,7 +29,8 @@ from proofs_check.reports.report import claim_record, environment, plain
 from proofs_check.statements.evidence import OUTCOMES, check
 from proofs_check.statements.statement import Case, Claim, Domain
 from proofs_check.sweep import store
-from proofs_check.sweep.store import Chunk, Store
+from proofs_check.sweep.plan import CHUNK, MOST, Plan
+from proofs_check.sweep.store import Chunk
 
 
 def target(name: str) -> Claim:
@@ -71,58 +72,10 @@ def about(claim: Claim) -> dict[str, Any]:
     return found | ({"many_types": claim.many_types.name} if claim.many_types else {})
 
 
-#: Instances in a chunk, unless another number is given.
-CHUNK = 200
 #: Of types that are decided many at once, one in so many is checked by the claim's routes too.
 EACH = 10_000
-#: Most samples of one sweep.
-MOST = 10**9
 #: Outcomes of which the smallest instance is kept.
 _KEPT = ("fails", "excused", "broken")
-
-
-@dataclass(frozen=True)
-class Plan:
-    """What a sweep is to do. Equal plans give equal results.
-
-    Attributes:
-        claim: its id.
-        digest: SHA-256 of the file of an own claim, "" for the registry.
-        low, high: smallest and largest number of planes (or contacts).
-        samples: number of instances.
-        seed: of all of them.
-        chunk: instances in one chunk.
-        types: the instances are all types of the census, not random ones.
-        source: the name under which the claim is found here: ID, or FILE.py:ID.
-    """
-
-    claim: str
-    digest: str
-    low: int
-    high: int
-    samples: int
-    seed: int
-    chunk: int = CHUNK
-    types: bool = False
-    source: str = field(default="", compare=False)
-
-    @property
-    def chunks(self) -> int:
-        """The number of chunks."""
-        return -(-self.samples // self.chunk)
-
-    def indices(self, number: int) -> range:
-        """The numbers of the instances of one chunk."""
-        start = number * self.chunk
-        return range(start, min(start + self.chunk, self.samples))
-
-    def record(self) -> dict[str, Any]:
-        """Return the plan for JSON; where the claim is found is no part of it."""
-        entries = asdict(self)
-        del entries["source"]
-        if not self.types:
-            del entries["types"]
-        return entries
 
 
 def plan_sweep(
@@ -295,7 +248,7 @@ def sweep(
     shard: tuple[int, int] = (1, 1),
     dask: str | None = None,
     progress: Callable[[int, int], None] | None = None,
-) -> None:
+) -> int:
     """Do the chunks that the store does not have yet; each is kept as soon as it is done.
 
     Args:
@@ -305,14 +258,17 @@ def sweep(
         dask: address of a scheduler, instead of processes on this machine.
         progress: called with the numbers of instances done and due.
 
+    Returns:
+        The number of chunks of this shard.
+
     Raises:
-        SweepError: a store of another plan.
+        SweepError: a store of another plan, or a damaged one.
         InputError: a bad argument, workers that keep dying.
         MissingExtraError: `dask` is given and not installed.
     """
     due = workers.due(plan.chunks, shard, jobs)
-    with store.create(path, plan.record(), about(_target(plan))) as opened:
-        there = opened.numbers()
+    with store.create(path, plan, about(_target(plan))) as opened:
+        there = {chunk.number for chunk in opened.chunks()}
         pending = [number for number in due if number not in there]
         samples = sum(len(plan.indices(number)) for number in due)
         done = samples - sum(len(plan.indices(number)) for number in pending)
@@ -323,27 +279,31 @@ def sweep(
             done += len(plan.indices(chunk.number))
             if progress:
                 progress(done, samples)
+    return len(due)
 
 
 def merge(path: str, parts: Iterable[str]) -> int:
     """Put the chunks of stores of one plan into one store; return how many were new.
 
+    Of a damaged store, the chunks that are intact are taken before it is refused.
+
     Raises:
         SweepError: the stores belong to different plans, or disagree on a chunk.
-
-    Of a damaged store, the chunks that can be read are taken.
+        DamagedStoreError: some store is damaged.
     """
-    new = 0
-    for part in parts:
+    new, damage = 0, list[str]()
+    for place, part in enumerate(parts):
         with store.read(part) as source, store.create(path, source.plan, source.claim) as opened:
+            if not place:
+                total(opened.chunks())
             try:
-                chunks = list(source.chunks())
-            except DamagedStoreError:
-                chunks = list(source.readable(read_plan(source).chunks))
-            new += sum(map(opened.add, chunks))
+                for chunk in source.chunks():
+                    new += opened.add(chunk)
+            except DamagedStoreError as error:
+                damage.append(error.damage)
+    if damage:
+        raise DamagedStoreError(
+            "; ".join(damage),
+            f"The others are in {path}; a sweep with --store {path} computes the rest",
+        )
     return new
-
-
-def read_plan(opened: Store) -> Plan:
-    """Return the plan of a store."""
-    return Plan(**opened.plan)
