@@ -16,6 +16,8 @@ from typing import TypeVar
 
 from arrangement.numbers import budget
 
+from .safe_text import one_line, safe_lines
+
 Item = TypeVar("Item")
 
 _WIDTH = 24
@@ -59,7 +61,7 @@ def shown(wanted: bool = True) -> Iterator[None]:
 def note(text: str) -> None:
     """Say on stderr, inside `shown`, what was left out or replaced."""
     if _line.get().free:
-        print(text, file=sys.stderr)
+        print(safe_lines(text), file=sys.stderr)
 
 
 def watched(items: Iterable[Item], unit: str, total: int | None = None) -> Iterable[Item]:
@@ -153,7 +155,7 @@ class Bar:
 
     def text(self) -> str:
         """Return the line: a bar, numbers, the rate, the remaining time, what is at work."""
-        return f"{self._numbers()}: {self.note}" if self.note else self._numbers()
+        return f"{self._numbers()}: {one_line(self.note)}" if self.note else self._numbers()
 
     def _numbers(self) -> str:
         passed = self._clock() - self._start

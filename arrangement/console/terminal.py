@@ -29,6 +29,7 @@ from arrangement.numbers.real import Irrational, written
 
 from . import number_form, progress
 from .entry import fault
+from .safe_text import printable, safe_stdout
 
 YES = 0
 NO = 1
@@ -336,12 +337,18 @@ def run(parser: Parser, argv: Sequence[str] | None = None) -> int:
 
     Bad input ends with one line ``error: ...`` on stderr and exit code 2, without a traceback;
     whatever is not expected, with one line and exit code 70. A reader that closes the pipe
-    (``| head``) ends the command quietly.
+    (``| head``) ends the command quietly. Answers are complete whatever the encoding of stdout is,
+    and no text of a file changes the terminal (`safe_text`).
     """
     if sys.stderr is None:  # closed by the shell; print would write to stdout instead
         sys.stderr = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115
     if sys.stdout is None:
         return _refuse("standard output is closed, so there is nowhere to answer; open it")
+    with safe_stdout():
+        return _run(parser, argv)
+
+
+def _run(parser: Parser, argv: Sequence[str] | None) -> int:
     try:
         arguments = parser.parse_args(argv)
         exact = any(getattr(arguments, name, False) for name in ("json", "exact"))
@@ -399,11 +406,6 @@ def print_names(described: Mapping[str, str], as_json: bool) -> int:
     for name, text in described.items():
         print(f"{name:<{width}}  {text}".rstrip())
     return YES
-
-
-def printable(text: str) -> str:
-    """Return text that is safe on a terminal: control characters and stray bytes are escaped."""
-    return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
 
 
 def _encode(value: Any) -> str | list[str]:

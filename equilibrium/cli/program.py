@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.console import terminal
 from arrangement.console.number_form import counted
+from arrangement.console.safe_text import printable
 from arrangement.numbers import budget
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.range import Range
@@ -236,7 +237,7 @@ def _verify(arguments: argparse.Namespace) -> int:
     proof = report.kind + f", {counted(report.leaves, 'leaf', 'leaves')}" * bool(report.leaves)
     proof += pyramid_words(report.pyramid, before=", with ") + str(report.within)
     proof += f", for all {report.bounds}" if report.bounds is not None else ""
-    said = f"valid: {proof}" if report else f"not valid: {terminal.printable(report.problem)}"
+    said = f"valid: {proof}" if report else f"not valid: {printable(report.problem)}"
     lines = [f"{said} (by the {speaker} checker)", *report.question[: _MOST_LINES * known]]
     more = len(report.grasp) + 1 - _MOST_LINES
     lines += [f"... and {counted(more, 'contact')} more; --json has all"] * (more > 0)

@@ -153,11 +153,12 @@ _WORDS = {True: "agree", False: "differ", None: "not computed"}
 def run_table(arguments: argparse.Namespace) -> int:
     """Print each row of a table with both values; exit 1 if two differ.
 
-    Rows of one quantity that print different numbers are in conflict, computed or not.
+    Rows of one quantity that print different numbers are in conflict, computed or not. Nothing is
+    printed of a table that cannot be read to its end.
     """
     total: Counter[str] = Counter()
     first: dict[tuple[str, str], Row] = {}
-    for row in check_table(arguments.table):
+    for row in list(check_table(arguments.table)):
         other = first.setdefault((row.arrangement, row.quantity), row)
         verdict = "conflict" if row.printed != other.printed else _WORDS[row.agrees]
         total[verdict] += 1

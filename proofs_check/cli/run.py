@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 
 from arrangement.console import terminal, workers
 from arrangement.console.progress import Bar, shown
+from arrangement.console.safe_text import safe_lines
 from arrangement.console.writing import write_text_atomically
 from proofs_check import claims
 from proofs_check.errors import OwnClaimError
@@ -149,7 +150,7 @@ def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
 
 
 def _tell_lost(found: dict[str, Any]) -> None:
-    print(f"{found['id']}: no verdict: {found['error']}", file=sys.stderr)
+    print(safe_lines(f"{found['id']}: no verdict: {found['error']}"), file=sys.stderr)
 
 
 def file_record(name: str, arguments: argparse.Namespace) -> tuple[dict[str, Any], str]:

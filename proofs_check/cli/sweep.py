@@ -6,6 +6,8 @@ import argparse
 from pathlib import Path
 from typing import Any
 
+from jinja2 import UndefinedError
+
 from arrangement.console import terminal
 from arrangement.console.number_form import counted
 from arrangement.console.progress import Bar, duration, shown
@@ -14,6 +16,7 @@ from arrangement.library.files.json_files import read_document
 from proofs_check.errors import OwnClaimError, SweepError
 from proofs_check.own_claims.claim_file import split
 from proofs_check.reports import forms
+from proofs_check.reports.report import check_record
 from proofs_check.reports.text import verdict
 from proofs_check.sweep import report as sweepreport, store
 from proofs_check.sweep.sweep import merge, plan_sweep, sweep
@@ -133,11 +136,18 @@ def _read(source: str) -> dict[str, Any]:
 
 def _made(make: Any, record: dict[str, Any], source: str) -> str | bytes:
     try:
+        check_record(record)
         text: str | bytes = make(record)
-        _ = record["as_expected"]
     except InputError:
         raise
-    except (AttributeError, IndexError, KeyError, TypeError, ValueError, RecursionError):
+    except (
+        AttributeError,
+        LookupError,
+        TypeError,
+        ValueError,
+        RecursionError,
+        UndefinedError,
+    ):
         raise InputError(
             f"{source} is not a complete record; proofs-check run --report FILE.json writes one"
         ) from None

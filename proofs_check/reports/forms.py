@@ -10,6 +10,7 @@ import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
+from arrangement.console.safe_text import printable, safe_lines
 from arrangement.console.writing import write_bytes_atomically, write_text_atomically
 from arrangement.errors import InputError
 
@@ -51,7 +52,7 @@ def _markdown_table(columns: Sequence[str], rows: Iterable[Sequence[str]]) -> li
 
 def _markdown_text(text: str) -> str:
     """Return text for one line of Markdown: no line breaks, no column ends, no raw HTML."""
-    escaped = " ".join(text.split()).replace("\\", "\\\\").replace("|", "\\|")
+    escaped = printable(" ".join(text.split())).replace("\\", "\\\\").replace("|", "\\|")
     return escaped.replace("<", "&lt;").replace("*", "\\*").replace("_", "\\_").replace("`", "\\`")
 
 
@@ -115,7 +116,7 @@ FORMS: dict[str, Callable[[Record], str | bytes]] = {
     ".htm": html_page,
     ".tex": latex,
     ".pdf": pdf,
-    ".txt": lambda record: overview(record) + "\n",
+    ".txt": lambda record: safe_lines(overview(record)) + "\n",
 }
 
 

@@ -347,6 +347,34 @@ def json_record(
     return {**record, "title": title, "about": about, "command": command, "date": date()}
 
 
+#: What every result of a record has, in each form of a report.
+_OF_RESULT: Mapping[str, type | tuple[type, ...]] = {
+    **dict.fromkeys(("id", "locator", "statement", "quantity", "expected", "evidence"), str),
+    **dict.fromkeys(("hypotheses", "routes", "records"), list),
+    "meaning": (str, type(None)),
+    "verdict": (str, type(None)),
+    "as_expected": bool,
+    "rows": bool,
+}
+
+
+def check_record(record: Mapping[str, Any]) -> None:
+    """Check that a record from a file has what every form of a report needs.
+
+    Raises:
+        LookupError, TypeError: it is not complete.
+    """
+    entries = [record[name] for name in ("results", "environments")]
+    if not all(isinstance(entry, list) for entry in entries) or type(record["seed"]) is not int:
+        raise TypeError("the results and environments are lists, and the seed is an integer")
+    if type(record["as_expected"]) is not bool:
+        raise TypeError("whether all is as expected is true or false")
+    for result in record["results"]:
+        for name, kind in _OF_RESULT.items():
+            if not isinstance(result[name], kind):
+                raise TypeError(f"{name} is a {type(result[name]).__name__}")
+
+
 def record_of(
     results: list[dict[str, Any]], seed: int, environments: list[dict[str, Any]]
 ) -> dict[str, Any]:

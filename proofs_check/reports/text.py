@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from arrangement.console.number_form import counted, number
+from arrangement.console.safe_text import one_line
 from arrangement.numbers.exact import rational
 
 Record = Mapping[str, Any]
@@ -49,6 +50,7 @@ def table(rows: Sequence[Sequence[str]], width: int, indent: str = "") -> list[s
     if not rows:
         return []
     columns = len(rows[0])
+    rows = [[one_line(cell) for cell in row] for row in rows]
     widths = [max(len(row[j]) for row in rows) for j in range(columns - 1)]
     start = len(indent) + sum(widths) + 2 * (columns - 1)
     beside = width - start >= 24
@@ -81,10 +83,11 @@ def columns(claims: Iterable[Record]) -> tuple[int, int]:
 
 def entry(result: Record, widths: tuple[int, int], width: int) -> str:
     """Return the verdict and the evidence of one claim, and its cases where it asks for them."""
-    id, locator = (result[key].ljust(n) for key, n in zip(("id", "locator"), widths, strict=True))
+    names = (one_line(result[key]) for key in ("id", "locator"))
+    id, locator = (name.ljust(width) for name, width in zip(names, widths, strict=True))
     head, evidence = f"{id}  {locator}  {verdict(result)}", result["evidence"]
     if len(head) > width:
-        head, evidence = f"{id}  {verdict(result)}", f"[{result['locator']}] {evidence}"
+        head, evidence = f"{id}  {verdict(result)}", f"[{locator.rstrip()}] {evidence}"
     indent = " " * 4
     lines = textwrap.wrap(evidence, width, initial_indent=indent, subsequent_indent=indent)
     cases = ["", *_rows(result, width), ""] if result["rows"] else []
@@ -100,7 +103,8 @@ def details(result: Record, width: int, **more: str) -> str:
         *(("evidence", entry) for entry in result["evidence"].split("; ")),
         *((name, entry) for name, entry in more.items() if entry),
     ]
-    return "\n".join([f"{result['id']} ({result['locator']})", *table(rows, width, "  ")])
+    head = one_line(f"{result['id']} ({result['locator']})")
+    return "\n".join([head, *table(rows, width, "  ")])
 
 
 def _rows(result: Record, width: int) -> list[str]:

@@ -1,11 +1,13 @@
 """The plumbing that all commands share."""
 
 import argparse
+import io
 import json
 import signal
 import subprocess
 import sys
 from fractions import Fraction
+from importlib import import_module
 from typing import Any
 
 import pytest
@@ -338,3 +340,56 @@ def test_a_loop_that_is_given_up_shows_no_line_of_others(capsys):
     with progress.shown():
         assert list(watched(items, "things")) == items
     assert "2/2 things" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "cp1252", "cp850", "utf-8"])
+def test_answers_are_complete_under_any_encoding(encoding, monkeypatch):
+    stream = io.TextIOWrapper(io.BytesIO(), encoding=encoding)
+    monkeypatch.setattr(sys, "stdout", stream)
+
+    def answers(_):
+        print("≈0.5 \u2212 λ m² \x1b[2J\u202e\udcff", end=" ")
+        print("end")
+        return terminal.YES
+
+    assert terminal.run(parser_for(answers), ["go"]) == 0
+    stream.flush()
+    text = stream.buffer.getvalue().decode(encoding)
+    assert text.endswith("end\n")
+    assert r"\x1b[2J\u202e\udcff" in text
+    assert ("≈0.5 − λ m²" in text) == (encoding == "utf-8")
+    assert ("~0.5 - " in text) == (encoding in ("ascii", "cp1252", "cp850"))
+
+
+#: A command of each kind, of each program, whose answers have signs beyond ASCII or may have them.
+COMMANDS = [
+    "arrangement count braid-a3",
+    "arrangement polynomial braid-a3 --forecast",
+    "arrangement faces braid-a3 --dimension 1",
+    "arrangement identify braid-a3",
+    "arrangement list",
+    "arrangement list --families",
+    "arrangement --help",
+    "equilibrium solve paper-three-contacts --wrench 0 -1 0 --digits 3",
+    "equilibrium limit paper-three-contacts --direction 0 -1 1/7",
+    "equilibrium list",
+    "proofs-check list",
+    "proofs-check show regions-in-print",
+    "proofs-check try regions>0 --of generic(m=3..5)",
+    "proofs-check fit regions --of generic(m=2..9)",
+]
+
+
+@pytest.mark.parametrize("line", COMMANDS)
+def test_commands_answer_in_ascii(line, monkeypatch, capsys):
+    stream = io.TextIOWrapper(io.BytesIO(), encoding="ascii")
+    monkeypatch.setattr(sys, "stdout", stream)
+    name, *words = line.split()
+    main = import_module(f"{name.replace('-', '_')}.cli").main
+    try:
+        code = main(words)
+    except SystemExit as left:  # after --help
+        code = left.code
+    stream.flush()
+    assert (code, capsys.readouterr().err) == (0, "")
+    assert stream.buffer.getvalue().endswith(b"\n")

@@ -60,6 +60,14 @@ def test_both_values_are_printed_and_the_exit_code_is_no(tmp_path, capsys):
     assert main(["table", path]) == 0
 
 
+def test_table_with_a_bad_row_prints_nothing(tmp_path, capsys):
+    path = table(tmp_path, "24,braid-a3,regions", "24,braid-a3,regoins")
+    assert main(["table", path]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert "line 3" in err
+
+
 def test_there_are_seven_and_ten_rows_and_eight_counts():
     assert len(printed.THREE_CONTACTS) == 7
     assert len(printed.FOUR_CONTACTS) == 10

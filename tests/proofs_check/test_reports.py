@@ -40,6 +40,30 @@ def record() -> dict[str, Any]:
     return report.json_record([report.result_record(evaluate(registry()[id], 3)) for id in IDS], 3)
 
 
+@pytest.mark.parametrize("form", ["txt", "md", "html", "json", "tex"])
+@pytest.mark.parametrize("missing", ["id", "records", "routes"])
+def test_record_without_a_key_is_refused(form, missing, record, tmp_path, capsys):
+    broken = copy.deepcopy(record)
+    del broken["results"][0][missing]
+    path = tmp_path / "broken.json"
+    path.write_text(json.dumps(broken), encoding="utf-8")
+    assert main(["report", str(path), "--format", form]) == 2
+    out, err = capsys.readouterr()
+    assert (out, err.count("\n")) == ("", 1)
+
+
+@pytest.mark.parametrize("form", ["txt", "md"])
+def test_text_forms_have_no_control_characters(form, tmp_path, capsys):
+    text = "a\x1b[31m\u202e\x9b\u2066b"
+    path, made = tmp_path / "record.json", tmp_path / f"report.{form}"
+    path.write_text(json.dumps(hostile(text)), encoding="utf-8")
+    assert main(["report", str(path), "--format", form]) == 1
+    assert main(["report", str(path), "-o", str(made)]) == 1
+    for shown in (capsys.readouterr().out, made.read_text(encoding="utf-8")):
+        assert r"\x1b" in shown
+        assert all(c == "\n" or c.isprintable() for c in shown)
+
+
 def hostile(text: str) -> dict[str, Any]:
     """A record in which every text that a run takes from elsewhere is the given one."""
     case = {"label": text, "values": [text, [1, text]], "holds": False, "covered": True}

@@ -1,0 +1,72 @@
+"""Text that any terminal and any reader of text files can take, whatever file it came from.
+
+Control characters, bidirectional marks and stray bytes are escaped; where the encoding of the
+output lacks a sign, it is written in ASCII.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager, redirect_stdout
+from typing import Any, TextIO, cast
+from unicodedata import category
+
+#: Categories of Unicode: controls, formats (bidirectional marks), surrogates, separators of lines.
+_UNSAFE = {"Cc", "Cf", "Cs", "Cn", "Co", "Zl", "Zp"}
+_ASCII = {"≈": "~", "−": "-", "±": "+-", "×": "x", "≤": "<=", "≥": ">=", "…": "..."}
+
+
+def printable(text: str, keep: str = "") -> str:
+    r"""Return text in which unsafe characters are escaped, but for those of `keep`.
+
+    >>> printable("a\x1b[1m\u202eb\n")
+    'a\\x1b[1m\\u202eb\\n'
+    """
+    if text.isascii() and text.isprintable():
+        return text
+    return "".join(c if c in keep or category(c) not in _UNSAFE else ascii(c)[1:-1] for c in text)
+
+
+def one_line(text: str) -> str:
+    """Return text without line breaks, as `printable`."""
+    return printable(" ".join(text.splitlines()))
+
+
+def safe_lines(text: str) -> str:
+    """Return a text of several lines, as `printable`."""
+    return printable(text, "\n\t")
+
+
+def encodable(text: str, encoding: str) -> str:
+    """Return text that an encoding has every sign of; others are replaced or escaped.
+
+    >>> encodable("≈0.5 m²", "ascii")
+    '~0.5 m\\\\xb2'
+    """
+    try:
+        text.encode(encoding)
+    except UnicodeEncodeError:
+        plain = "".join(_ASCII.get(c, c) for c in text)
+        return plain.encode(encoding, "backslashreplace").decode(encoding)
+    return text
+
+
+class _Answers:
+    """A stream that is written to as `safe_lines` and `encodable` say."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._stream, name)
+
+    def write(self, text: str) -> int:
+        return self._stream.write(encodable(safe_lines(text), self._stream.encoding or "utf-8"))
+
+
+@contextmanager
+def safe_stdout() -> Iterator[None]:
+    """Let all that is printed inside be safe and complete, on every terminal and in every file."""
+    with redirect_stdout(cast(TextIO, _Answers(sys.stdout))):
+        yield
