@@ -43,6 +43,7 @@ MOST = {
     "regions in a picture": 1200,
     "contacts with a choice of three states": 12,
     "contacts in a picture": 200,
+    "open ranges of friction coefficients": 2000,
     "directions in a picture": 720,
     "wrenches in a picture": 24,
 }

@@ -6,7 +6,8 @@ the others is. A generic point of a facet is on this border exactly when no poly
 points right behind it. So each facet is a polygon, and the nearest polygon of all is looked at: a
 polyhedron that has its nearest point and reaches behind it is taken away from it, which leaves
 smaller polygons. Where there is none the nearest point is the answer; where no polygon is left,
-every wrench is resisted. No polygon loses the same polyhedron twice, so this ends.
+every wrench is resisted. No polygon loses the same polyhedron twice, so this ends: see "Proofs" in
+the documentation.
 """
 
 from __future__ import annotations
@@ -279,9 +280,12 @@ def _beyond(
 ) -> RationalVector:
     """Return a load that is not resisted, near the nearest point of a part of the border.
 
-    Those tried come ever nearer, over the inside of the polygon and ever less behind its facet, so
-    no polyhedron with volume has the later ones. They do not stay in one plane, so those without
-    volume do not have them all.
+    The k-th of the loads tried is ``p + f (u - v / 2^k)``: p is the nearest point, f halves with k,
+    u leads into the polygon (anywhere, without a part), v in front of its facet. The sign of each
+    condition of a polyhedron is the same at all of them from some k on: that at p if it is not 0,
+    else that along u, which is chosen so that it is not 0 either, or the condition's plane is that
+    of the polygon. So a polyhedron has all later loads or none, and "Proofs" in the documentation
+    shows that none has them.
 
     Args:
         part: None where the base is in no polyhedron with volume: it is the nearest point then.
@@ -295,18 +299,39 @@ def _beyond(
         corners = _generators(part.cone)
     if not whole.contains(end):
         return end
+    inner = _generic(end, corners, [piece.polyhedron for piece in whole.pieces])
+    step, back = _short(difference(inner, end)), _short(inward)
     for k in count(1):
-        *sums, weight = (sum(k**i * x[j] for i, x in enumerate(corners)) for j in range(4))
-        step = difference([Fraction(x, weight) for x in sums], end)
         far = reach / 2**k
-        load = sum_row(sum_row(end, _short(step), far), _short(inward), -far / k)
-        room = far / (64 * k)
+        load = sum_row(sum_row(end, step, far), back, -far / 2**k)
+        room = far / 4**k
         simple = tuple(simplest_between(x - room, x + room) for x in load)
         for found in (simple, load):
             away = difference(found, end)
             if sizes.product(away, away) <= reach**2 and not whole.contains(found):
                 return found
-    raise AssertionError  # the loop has no end
+    raise AssertionError  # a load is found: see above
+
+
+def _generic(
+    end: RationalVector, corners: Sequence[IntegerVector], shapes: Iterable[Polyhedron]
+) -> RationalVector:
+    """Return a point between generators that is in no plane at a point but in those of all of them.
+
+    On the curve of the points with weights ``1, k, k^2, ...`` a plane has fewer than there are
+    generators, or all, as its row is a polynomial in k. So a wrong k is followed by a right one.
+    """
+    at = primitive((*end, Fraction(1)))
+    planes = [
+        row
+        for row in {row for shape in shapes for row in (*shape.inequalities, *shape.equalities)}
+        if dot(row, at) == 0 and any(dot(row, corner) for corner in corners)
+    ]
+    for k in range(1, len(planes) * len(corners) + 2):
+        point = tuple(sum(k**i * x[j] for i, x in enumerate(corners)) for j in range(4))
+        if all(dot(row, point) for row in planes):
+            return tuple(Fraction(x, point[3]) for x in point[:3])
+    raise AssertionError  # each plane has fewer points of the curve than there are corners
 
 
 def _short(vector: RationalVector) -> RationalVector:

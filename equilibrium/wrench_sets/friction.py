@@ -16,6 +16,7 @@ from typing import Any
 
 from arrangement.console.number_form import Documented
 from arrangement.console.progress import watched
+from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, rational, shown
 from arrangement.numbers.linear import programs
 from equilibrium.decide.solver import Solver, prepare
@@ -83,6 +84,7 @@ def least_friction(
 
     Raises:
         GraspError: a width below 2^-100.
+        OutOfReachError: too many ranges of that width are neither refuted nor resisted.
 
     Complexity: one exact linear program for each choice of contact states and each range that is
     looked at; after the first few ranges few states are left. Without any program where 0 is
@@ -107,6 +109,7 @@ class _Search:
         self.grasp, self.within = solver.grasp, solver.within
         self.wrench, self.width = wrench, width
         self.first_open: Fraction | None = None
+        self.open = 0
 
     def run(self) -> FrictionBracket:
         """Look at ever larger ranges until one holds a sufficient coefficient."""
@@ -136,6 +139,8 @@ class _Search:
             return self.lowest(alive, middle, high) if lower is None else lower
         if self.first_open is None:
             self.first_open = low
+        self.open += 1
+        budget.keep(self.open, "open ranges of friction coefficients", f"width {shown(self.width)}")
         if not self.resists(high):
             return None
         simple = simplest_between(low, high)

@@ -14,7 +14,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any, TypeAlias
 
-from arrangement.numbers.exact import RationalVector, to_text
+from arrangement.numbers.exact import RationalVector, rational, shown, to_text
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
 from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.errors import GraspError
@@ -41,6 +41,8 @@ _STAYS = 4
 _FLOOR = 10**6
 #: Of the tree of a verdict.
 _NODES = 400
+#: Least width of a bracket: verdicts take longer numbers with each halving.
+_LEAST_WIDTH = Fraction(1, 2**100)
 
 
 @dataclass(frozen=True)
@@ -127,7 +129,7 @@ def spatial_magnitudes(
         largest_turn, largest_force: see `equilibrium.solve`; without `loads`.
 
     Raises:
-        GraspError: the direction is zero.
+        GraspError: the direction is zero, or a width below 2^-100.
 
     >>> from equilibrium.grasps.files import read_grasp
     >>> fingers = read_grasp("two-opposed-fingers")
@@ -137,7 +139,9 @@ def spatial_magnitudes(
     along, start = (read_wrench(w, grasp.dimension) for w in (direction, base))
     if not any(along):
         raise GraspError("the direction is zero; give one that is not")
-
+    share = rational(width, "width")
+    if share < _LEAST_WIDTH:
+        raise GraspError(f"width is {shown(share)}; it must be at least 2^-100")
     within = Range.of(largest_turn, largest_force)
     known = KnownMagnitudes(loads or KnownLoads(grasp, nodes, within), along, start)
     unit = max((c.preload for c in grasp), default=Fraction(0)) or Fraction(1)
@@ -146,7 +150,7 @@ def spatial_magnitudes(
     samples = [(t, found[k]) for k, t in enumerate(tried)]
     decided = [(t, answer) for t, answer in samples if answer != UNDECIDED]
     borders = tuple(
-        _bracket(known, *_closer(known, first, second, Fraction(width)), Fraction(width))
+        _bracket(known, *_closer(known, first, second, share), share)
         for first, second in pairwise(decided)
         if first[1] != second[1]
     )
@@ -171,6 +175,10 @@ def _closer(
 
     Floats tell up to where loads may be resisted. Before that edge equilibria are looked for,
     without trees; the tree of the floats is closed a little beyond it.
+
+    The search before the edge ends: an equilibrium makes `far`, which stays above half of what is
+    enough, smaller by a 64th at least; between two of them `near` grows past 3/4 of it in three
+    steps.
     """
     (held, _), (refused, _) = (first, second) if first[1] == RESISTED else (second, first)
     gap, widest = abs(refused - held), width * second[0]
@@ -217,7 +225,12 @@ def _bracket(
     undecided: list[Fraction],
     width: Fraction,
 ) -> Border:
-    """Return a narrow bracket between two magnitudes of different verdicts."""
+    """Return a narrow bracket between two magnitudes of different verdicts.
+
+    This ends. A verdict takes a third off one of the parts that end the bracket, and the part is
+    more than a quarter of it, or, near an end that stays, half of what is enough. What stays open
+    takes a third off this part; near an end that stays it is asked once.
+    """
     low, high = first[0], second[0]
     # Where the verdict changes at 0 no width is small beside the larger end.
     floor = width * high / _FLOOR

@@ -218,6 +218,30 @@ def test_without_preload_it_is_zero_or_there_is_none():
     assert agrees_with_rays_and_verdicts(closed).size_squared is None
 
 
+#: The nearest point is on an edge of two facets.
+SKEW = [
+    ((Fraction(-3, 2), Fraction(-3, 2)), (5, -12), Fraction(7, 10), 2, Fraction(1, 2)),
+    ((2, 2), (-5, 12), 1, 2, 1),
+    ((-1, -3), (-5, 12), Fraction(1, 3), 1, 1),
+]
+
+
+def test_search_behind_a_facet_ends():
+    unit = [(p, tuple(Fraction(x, 13) for x in n), *rest) for p, n, *rest in SKEW]
+    agrees_with_rays_and_verdicts(Grasp(Contact(*given) for given in unit))
+
+
+def test_generic_point_is_in_no_plane_at_the_point():
+    corners = [(0, 0, 0, 1), (1, 0, 0, 1), (0, 1, 0, 0)]
+    wrong = from_conditions([(-2, 1, 0, 0), (1, 0, 0, 0)], [], 3)
+    point = any_direction._generic((Fraction(0),) * 3, corners, [wrong])
+    # With weights 1, k, k^2 it is (k, k^2, 0) / (1 + k), and k = 2 is in the plane 2 x = y.
+    assert point == (Fraction(1, 2), Fraction(1, 2), 0)
+    above = from_conditions([(-1, 1, 0, 0)], [], 3)
+    point = any_direction._generic((Fraction(0),) * 3, corners, [above])
+    assert point == (Fraction(2, 3), Fraction(4, 3), 0)
+
+
 def test_of_no_contacts_nothing_but_zero_is_resisted():
     found = agrees_with_rays_and_verdicts(Grasp())
     assert (found.size_squared, found.wrench) == (0, (0, 0, 0))

@@ -434,6 +434,9 @@ class TestBrackets:
             assert replace(found, samples=samples).verdict == last
         with pytest.raises(GraspError, match="direction is zero"):
             spatial_magnitudes(grasp, [0] * 6)
+        for width in (0, -1, Fraction(1, 2**101)):
+            with pytest.raises(GraspError, match=r"width is .*; it must be at least 2\^-100"):
+                spatial_magnitudes(grasp, across(1, 0), width=width)
         written = found.to_dict()
         assert (written["direction"][1], written["base"]) == ("1", ["0"] * 6)
         assert written["borders"][1] == {

@@ -4,6 +4,8 @@ from itertools import pairwise
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from arrangement.errors import OutOfReachError
+from arrangement.numbers import budget
 from arrangement.numbers.linear.intervals import holds, remainder, union
 from arrangement.numbers.linear.polyhedron import from_conditions
 from equilibrium import Contact, Grasp, least_friction, read_grasp, solve
@@ -250,6 +252,17 @@ def test_least_friction_of_the_paper_grasps(name, wrench, least):
     found = least_friction(read_grasp(name), wrench, "1/1000")
     assert found.low <= least == found.high
     assert found.width <= Fraction(1, 1000)
+
+
+def test_least_friction_with_many_open_ranges_is_refused(monkeypatch):
+    contacts = [((-1, -1), (12, 5)), ((1, "1/2"), (12, -5)), (("-5/2", 1), (-5, 12))]
+    grasp = Grasp(
+        Contact(p, [Fraction(x, 13) for x in n], 0, "1/2" if k < 2 else 1, ["1", "1/2", "1"][k])
+        for k, (p, n) in enumerate(contacts)
+    )
+    monkeypatch.setitem(budget.MOST, "open ranges of friction coefficients", 1)
+    with pytest.raises(OutOfReachError, match="width 1/4: 2 open ranges of friction coefficients"):
+        least_friction(grasp, (2, -2, 0), "1/4")
 
 
 @settings(max_examples=12)
