@@ -124,14 +124,14 @@ def test_symmetries_of_a_plan_are_checked(tmp_path, generators):
         in_parts(families.braid(4), tmp_path)
 
 
-@pytest.mark.parametrize("plan", ["[]", "3", {"layout": 2}, {"parts": 0}, {"parts": "3"}])
+@pytest.mark.parametrize("plan", ["[]", "3", {"layout": 1}, {"parts": 0}, {"parts": "3"}])
 def test_a_plan_of_another_kind_is_refused(tmp_path, plan):
     in_parts(families.braid(4), tmp_path)
     place = tmp_path / "plan.json"
     known = json.loads(place.read_text())
-    assert known["layout"] == 1
+    assert known["layout"] == 2
     place.write_text(plan if isinstance(plan, str) else json.dumps(known | plan))
-    with pytest.raises(InputError, match=r"other planes|other parts"):
+    with pytest.raises(InputError, match=r"other planes|other parts|has layout 1; expected 2"):
         in_parts(families.braid(4), tmp_path)
 
 
@@ -147,6 +147,61 @@ def test_a_damaged_part_is_named(tmp_path, damage):
     with pytest.raises(InputError, match="no part of a count"):
         in_parts(RESONANCE, tmp_path)
     part.unlink()
+    assert in_parts(RESONANCE, tmp_path) == NUMBERS
+
+
+def refused(folder: Path, place: str = "") -> None:
+    with pytest.raises(InputError, match=rf"{place}.* cannot be read .*delete it") as error:
+        in_parts(RESONANCE, folder)
+    assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("source", ["rank-04/part-02", "rank-03/part-01", "other/rank-04/part-01"])
+def test_another_part_in_its_place_is_refused(tmp_path, source):
+    other = families.threshold_functions(4)
+    assert other.rank == RESONANCE.rank
+    in_parts(other, tmp_path / "other")
+    in_parts(RESONANCE, tmp_path)
+    place = tmp_path / "rank-04" / "part-01.npz"
+    place.write_bytes((tmp_path / f"{source}.npz").read_bytes())
+    refused(tmp_path, "part-01.npz")
+    place.unlink()
+    assert in_parts(RESONANCE, tmp_path) == NUMBERS
+
+
+def test_parts_of_another_division_are_refused(tmp_path):
+    in_parts(RESONANCE, tmp_path)
+    plan = tmp_path / "plan.json"
+    plan.write_text(json.dumps(json.loads(plan.read_text()) | {"parts": 2}))
+    counts_in_parts._made.cache_clear()
+    refused(tmp_path)
+
+
+def changed(array: np.ndarray, value: Any) -> np.ndarray:
+    """Return an array with another first entry, or another array."""
+    if not isinstance(value, int) or not array.size:
+        return np.asarray(value)
+    new = array.copy()
+    new.flat[0] += np.asarray(value).astype(array.dtype)
+    return new
+
+
+@pytest.mark.parametrize("value", [1, 0.5, None, "x", b"", np.zeros((2, 2)), np.zeros(0)], ids=repr)
+def test_no_changed_array_is_believed(tmp_path, value):
+    in_parts(RESONANCE, tmp_path)
+    for rank, part in ((2, 0), (4, 1)):
+        place = tmp_path / f"rank-0{rank}" / f"part-0{part}.npz"
+        with np.load(place) as file:
+            arrays = dict(file)
+        for name in arrays:
+            others = {key: array for key, array in arrays.items() if key != name}
+            for later in tmp_path.glob(f"rank-0{rank + 1}/*"):
+                later.unlink()
+            for content in (others | {name: changed(arrays[name], value)}, others):
+                place.unlink()
+                np.savez(place, **content)
+                refused(tmp_path, place.name)
+        place.unlink()
     assert in_parts(RESONANCE, tmp_path) == NUMBERS
 
 

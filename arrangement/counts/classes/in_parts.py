@@ -6,7 +6,9 @@ rank after. So a part needs its share of every file of the rank before and nothi
 has one part, and it does not matter which process makes which file, or how often all are stopped.
 
 A folder has the file ``plan.json`` and a folder for each rank. Files appear whole or not at all.
-The files that others made of the same arrangement can be copied to it.
+The files that others made of the same arrangement can be copied to it. What is in them has a
+checksum over the plan, the rank, the part and the numbers, so that those of other planes, parts or
+ranks are refused; the checksum is no signature.
 """
 
 from __future__ import annotations
@@ -16,10 +18,11 @@ import json
 import math
 import time
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 from zipfile import BadZipFile
@@ -45,8 +48,12 @@ from .symmetric import MANY, Classes, Flats, classes
 PARTS = 64
 #: A rank with fewer flats is done in this process.
 _FEW = 20_000
-_LAYOUT = 1
+_LAYOUT = 2
 _FACTOR = np.uint64(0xD6E8FEB86659FD93)
+#: Arrays of a file: what is added up, with how many flats come up to which parts of the rank after,
+#: and these flats, for each of the parts.
+_SUMS = ("residues", "counts")
+_FLATS = ("bases", "members", "images", "values")
 
 
 def first_whitney_numbers_in_parts(
@@ -97,8 +104,8 @@ def first_whitney_numbers_in_parts(
                 raise _MissingPartsError(
                     f"{parts - len(missing)} of the {parts} parts of rank {rank}"
                 )
-            files = [_read(root, rank, part, "residues", "flats") for part in range(parts)]
-            flats = sum(int(file["flats"]) for file in files)
+            files = [_read(root, rank, part) for part in range(parts)]
+            flats = sum(int(file["counts"][1].sum()) for file in files)
             yield np.sum([file["residues"] for file in files], axis=0)
 
     known: list[int] = []
@@ -151,6 +158,11 @@ def _prepare(root: Path, config: Configuration, parts: int) -> None:
         found = json.loads(plan.read_bytes())
     except (OSError, ValueError) as error:
         raise InputError(f"cannot use the folder {root}: {reason(error)}; name another") from None
+    if isinstance(found, dict) and found.get("layout") != _LAYOUT:
+        raise InputError(
+            f"{plan} has layout {shown(found.get('layout'))}; expected {_LAYOUT}, with checksums. "
+            "Name another folder: what another version wrote cannot be checked"
+        )
     if not isinstance(found, dict) or any(found.get(key) != record[key] for key in record):
         raise InputError(f"{root} has parts of other planes; name another folder")
     try:  # a file may come from anywhere
@@ -167,6 +179,7 @@ def _prepare(root: Path, config: Configuration, parts: int) -> None:
 class _Made:
     classes: Classes
     most: int
+    plan: bytes
 
     def parts(self, rank: int) -> int:
         """Return how many parts the flats below a rank have."""
@@ -194,7 +207,8 @@ def _made(root: str) -> _Made:
     config = Configuration(vectors, infinity, plan["rank"])
     size = len(vectors) + (infinity is not None)
     generators = np.array(plan["generators"], dtype=np.intp).reshape(-1, size)
-    return _Made(classes(config, generators, math.inf), plan["parts"])
+    digest = sha256(json.dumps(plan, sort_keys=True).encode()).digest()
+    return _Made(classes(config, generators, math.inf), plan["parts"], digest)
 
 
 def _run(plan: tuple[str, int], part: int) -> None:
@@ -203,19 +217,26 @@ def _run(plan: tuple[str, int], part: int) -> None:
     made = _made(root)
     with budget.limit(math.inf):
         found, residues = made.classes.above(_below(root, rank, part), rank)
-    content: dict[str, Any] = {"residues": residues, "flats": np.array(len(found))}
+    bucket = np.empty(0, dtype=np.uint64)
     if len(found):
         factors = np.cumprod(np.full(found.images.shape[1], _FACTOR))
         parts = np.uint64(made.parts(rank + 1))
         bucket = ((found.images * factors).sum(axis=1) >> np.uint64(32)) % parts
-        for number in np.unique(bucket):
-            one = bucket == number
-            content |= {
-                f"bases-{number}": found.bases[one].astype(np.int32),
-                f"members-{number}": found.members[one],
-                f"images-{number}": found.images[one],
-                f"values-{number}": found.values[:, one].astype(np.uint32),
-            }
+    numbers, sizes = np.unique(bucket, return_counts=True)
+    content: dict[str, Any] = {
+        "residues": np.asarray(residues),
+        "counts": np.array([numbers, sizes], dtype=np.int64),
+    }
+    content |= _checksum(made.plan, rank, part, content)
+    for number in numbers:
+        one = bucket == number
+        flats = {
+            f"bases-{number}": found.bases[one].astype(np.int32),
+            f"members-{number}": found.members[one],
+            f"images-{number}": found.images[one],
+            f"values-{number}": found.values[:, one].astype(np.uint32),
+        }
+        content |= flats | _checksum(made.plan, rank, part, flats)
     stream = io.BytesIO()
     np.savez_compressed(stream, **content)
     write_bytes_atomically(_place(root, rank, part), stream.getvalue())
@@ -228,9 +249,8 @@ def _below(root: str, rank: int, part: int) -> Flats:
         return made.classes.bottom()
     gathered, waiting = [made.classes.bottom()[:0]], 0
     for number in range(made.parts(rank - 1)):
-        names = [f"{name}-{part}" for name in ("bases", "members", "images", "values")]
-        if found := _read(root, rank - 1, number, *names):
-            bases, members, images, values = (found[name] for name in names)
+        if found := _read(root, rank - 1, number, part):
+            bases, members, images, values = (found[f"{name}-{part}"] for name in _FLATS)
             flats = Flats(bases.astype(np.int64), members, images, values.astype(np.int64))
             gathered = [*gathered, flats] if len(gathered[0]) else [flats]
             waiting += len(flats)
@@ -248,15 +268,38 @@ def _missing(root: str, rank: int, parts: int) -> set[int]:
     return {part for part in range(parts) if not _place(root, rank, part).exists()}
 
 
-def _read(root: str, rank: int, part: int, *names: str) -> dict[str, NDArray[Any]]:
-    """Return those arrays of a file that it has."""
-    place = _place(root, rank, part)
+def _checksum(
+    plan: bytes, rank: int, part: int, arrays: Mapping[str, NDArray[Any]]
+) -> dict[str, NDArray[np.uint8]]:
+    """Return the SHA-256 of some arrays of a file, under a name of its own."""
+    digest = sha256(plan)
+    for name, array in arrays.items():
+        digest.update(repr((rank, part, name, array.dtype.str, array.shape)).encode())
+        digest.update(array.tobytes())
+    return {f"checksum-{min(arrays)}": np.frombuffer(digest.digest(), dtype=np.uint8)}
+
+
+def _read(root: str, rank: int, part: int, above: int | None = None) -> dict[str, NDArray[Any]]:
+    """Return what is added up of a file, or the flats that come up to a part of the rank after."""
+    place, plan = _place(root, rank, part), _made(root).plan
+
+    def checked(file: Any, *names: str) -> dict[str, NDArray[Any]]:
+        arrays = {name: file[name] for name in names}
+        ((name, checksum),) = _checksum(plan, rank, part, arrays).items()
+        if not np.array_equal(file[name], checksum):
+            raise ValueError(f"it is not part {part} of rank {rank} of these planes, as written")
+        return arrays
+
     try:
         with np.load(place, allow_pickle=False) as file:
-            if "residues" not in file:
-                raise ValueError("it is no part of a count")
-            return {name: file[name] for name in names if name in file}
+            names = _SUMS if above is None else tuple(f"{name}-{above}" for name in _FLATS)
+            if names[0] in file:
+                return checked(file, *names)
+            if above in checked(file, *_SUMS)["counts"][0]:
+                raise KeyError(names[0])
+            return {}
+    except (AttributeError, KeyError, TypeError):
+        why = "it is no part of a count"
     except (OSError, ValueError, EOFError, BadZipFile, zlib.error) as error:
-        raise InputError(
-            f"{place} cannot be read ({reason(error)}); delete it and run the command again"
-        ) from None
+        why = reason(error)
+    raise InputError(f"{place} cannot be read ({why}); delete it and run the command again")
