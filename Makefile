@@ -101,7 +101,7 @@ install: $(VENV)/.stamp-install
 
 verify: $(VENV)/.stamp-install
 	@mkdir -p report
-	$(BIN)/proofs-check run --jobs $(CORES) --report report/verdicts.html
+	$(BIN)/proofs-check run --jobs $(CORES) --output report/verdicts.html
 
 test: $(VENV)/.stamp-test
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal $(ARGS)

@@ -45,7 +45,7 @@ COMMANDS = (
     Command("arrangement convert braid-a3 -o braid.m2", 0, writes="braid.m2"),
     Command("arrangement identify braid.m2", 0, "6.3, braid A3"),
     Command("arrangement import chirotope five.chi", 0, "type 5.3"),
-    Command("proofs-check table printed.csv", 0, "agree"),
+    Command("proofs-check run printed.csv", 0, "agree"),
     Command("arrangement list --families", 0, "threshold-functions"),
     Command("arrangement bounds --largest 4", 0, "m 4  rays 12  facets 24  regions 14  states 51"),
     _needs("figures", "arrangement bounds -o no.pdf"),
@@ -87,20 +87,20 @@ COMMANDS = (
         for more in ("", "--wrench 0 -1 0", "--view resist", "--view compare")
     ),
     Command("proofs-check list", 0, "single-solution"),
-    Command("proofs-check show euler", 0, "statement"),
-    Command("proofs-check run euler --report euler.html", 0, "as expected", "euler.html"),
+    Command("proofs-check list euler", 0, "statement"),
+    Command("proofs-check run euler --output euler.html", 0, "as expected", "euler.html"),
     Command("proofs-check run table-three-contacts --json", 0, '"verdict"'),
-    Command('proofs-check try "m >= 3" --samples 2 --census 3', 0, "holds"),
+    Command('proofs-check try "m >= 3" --samples 2 --classes 3..3', 0, "holds"),
     Command("proofs-check fit regions --of generic(m=2..6)", 0, "m**2 - m + 2"),
     Command("proofs-check new mine", 0, writes="mine.py"),
     Command("proofs-check grade lecture.py answers.json", 0, "1 of 1"),
-    Command("proofs-check sweep euler --planes 3..4 --samples 9 --store s.sqlite", 0, "euler"),
-    Command("proofs-check status s.sqlite", 0, "euler"),
+    Command("proofs-check sweep euler --elements 3..4 --samples 9 --store s.sqlite", 0, "euler"),
+    Command("proofs-check sweep --store s.sqlite --status", 0, "euler"),
     Command("proofs-check report s.sqlite --output s.html", 0, writes="s.html"),
-    Command("proofs-check merge all.sqlite s.sqlite", 0, "chunks"),
+    Command("proofs-check sweep --store all.sqlite --merge s.sqlite", 0, "chunks"),
     _needs(
         "dask",
-        "proofs-check sweep euler --planes 3..4 --samples 9 --store t.sqlite "
+        "proofs-check sweep euler --elements 3..4 --samples 9 --store t.sqlite "
         "--dask tcp://127.0.0.1:1",
     ),
 )

@@ -52,7 +52,7 @@ def test_a_syllabus_names_lessons_exercises_and_claims_that_are_there(name):
     claims = [
         claim
         for part in re.findall(r"\*Claims\.\*(.*?)(?:\.$|: |; | Lecture |$)", text)
-        for claim in re.findall(r"`(?:proofs-check show )?([\w-]+)`", part)
+        for claim in re.findall(r"`(?:proofs-check list )?([\w-]+)`", part)
     ]
     assert claims
     assert set(claims) <= {claim.id for claim in registry()}

@@ -280,7 +280,7 @@ CLAIMS = [
     ),
     ('@claim("")\ndef f(p): return True\n', "in words"),
     ('@claim("s", of="cubes")\ndef f(p): return True\n', "no domain is called 'cubes'; there are"),
-    ('@claim("s", census=9)\ndef f(p): return True\n', "census is 9"),
+    ('@claim("s", classes=9)\ndef f(p): return True\n', "classes is 3..9"),
     ('@claim("s", samples=-1)\ndef f(p): return True\n', "samples is -1"),
     ('@claim("s", planes=(2, 5))\ndef f(p): return True\n', "at least 3"),
     ('@claim("s", planes=[3])\ndef f(p): return True\n', "smallest and a largest"),
@@ -508,12 +508,12 @@ CASES += [
     ),
 ]
 SWEEP = "sweep step-1-square-bound"
-SIZE = "--planes 3..4 --samples 9 --store s.sqlite"
+SIZE = "--elements 3..4 --samples 9 --store s.sqlite"
 CASES += [
     (proofs_check, words, said, {})
     for words, said in (
-        *((f"{c} table-three", "no claim has the id 'table-three'") for c in ("run", "show")),
-        (f"show {'x' * 5000}", "no id is near"),
+        *((f"{c} table-three", "no claim has the id 'table-three'") for c in ("run", "list")),
+        (f"list {'x' * 5000}", "no id is near"),
         ("run nowhere.py", "cannot read nowhere.py"),
         (f"sweep nothing {SIZE}", "no claim has the id 'nothing'"),
         (f"sweep table-three-contacts {SIZE}", "not of random instances"),
@@ -521,16 +521,16 @@ CASES += [
         (f"{SWEEP} {SIZE} --samples 0", "samples is 0"),
         (f"{SWEEP} {SIZE} --jobs 0", "jobs is 0"),
         (f"{SWEEP} {SIZE} --chunk 0", "chunk is 0"),
-        (f"{SWEEP} {SIZE} --planes 4..3", "smaller number stands first"),
-        (f"{SWEEP} {SIZE} --planes 3-4", "'3-4' is not a range"),
+        (f"{SWEEP} {SIZE} --elements 4..3", "smaller number stands first"),
+        (f"{SWEEP} {SIZE} --elements 3-4", "'3-4' is not a range"),
         (f"{SWEEP} {SIZE} --shard 3/2", "'3/2' is not a shard"),
         (f"{SWEEP} {SIZE} --store nowhere/s.sqlite", "cannot open nowhere/s.sqlite"),
         (f"{SWEEP} {SIZE} --store ''", "it is empty"),
         (f"{SWEEP} {SIZE} --store :memory:", "no file"),
-        ("sweep euler --types 3..5 --samples 3 --store s.sqlite", "samples"),
-        ("sweep euler --types 8..10 --store s.sqlite", "10"),
-        ("status nowhere.sqlite", "there is no store nowhere.sqlite"),
-        ("merge out.sqlite nowhere.sqlite", "there is no store nowhere.sqlite"),
+        ("sweep euler --classes 3..5 --samples 3 --store s.sqlite", "samples"),
+        ("sweep euler --classes 8..10 --store s.sqlite", "10"),
+        ("sweep --store nowhere.sqlite --status", "there is no store nowhere.sqlite"),
+        ("sweep --store out.sqlite --merge nowhere.sqlite", "there is no store nowhere.sqlite"),
         ("report nowhere.json", "cannot read"),
         ("try 'm > 1' --of grasp", "planes"),
         ("try 'm > 1' --of nothing", "there are central"),
@@ -541,13 +541,13 @@ CASES += [
 CASES += [(proofs_check, "run mine.py", said, {"mine.py": claims(body)}) for body, said in CLAIMS]
 CASES += [(proofs_check, "report r.json", "", {"r.json": text}) for text in RECORDS]
 CASES += [
-    (proofs_check, "table t.csv", said, {"t.csv": f"printed,arrangement,quantity\n{row}\n"})
+    (proofs_check, "run t.csv", said, {"t.csv": f"printed,arrangement,quantity\n{row}\n"})
     for row, said in PRINTED
 ]
 CASES += [
     (proofs_check, words, said, files)
     for words, said, files in (
-        ("table t.csv", "no column quantity", {"t.csv": "arrangement,printed\n"}),
+        ("run t.csv", "no column quantity", {"t.csv": "arrangement,printed\n"}),
         ("new mine", "is there already", {"mine.py": ""}),
         ("run euler mine.py", "ids and files", {"mine.py": claims(CLAIMS[8][0].replace("9", "3"))}),
         (
@@ -556,7 +556,7 @@ CASES += [
             {"mine.py": claims('@claim("s", of=[1, 2])\ndef f(k): return k < 3\n')},
         ),
         ("grade q.py", "has no exercises", {"q.py": "x = 1"}),
-        ("run --proved own.py", "--proved is for the claims of the paper", {"own.py": ""}),
+        ("run --verified own.py", "--verified is for the claims of the paper", {"own.py": ""}),
         (
             "grade q.py",
             "two exercises with one id",
@@ -579,7 +579,7 @@ CASES += [
     )
 ]
 CASES += [
-    (proofs_check, f"try {shlex.quote(words)} --census 0 --samples 2", said, {})
+    (proofs_check, f"try {shlex.quote(words)} --classes 3..3 --samples 2", said, {})
     for words, said in TRIED
 ]
 CASES += [

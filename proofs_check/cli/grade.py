@@ -1,4 +1,4 @@
-"""The commands of a course: answers graded, and numbers in print compared with computed ones."""
+"""The command grade: answers to exercises."""
 
 from __future__ import annotations
 
@@ -6,9 +6,7 @@ import argparse
 import csv
 import io
 import shutil
-from collections import Counter
 from collections.abc import Mapping
-from dataclasses import asdict
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -25,7 +23,6 @@ from proofs_check.course.exercise import (
     grade_folder,
     load_exercises,
 )
-from proofs_check.course.printed_table import Row, check_table, value_text
 from proofs_check.reports import text
 
 
@@ -145,34 +142,3 @@ def _list(exercises: Mapping[str, Exercise], as_json: bool) -> int:
 
 def _table(rows: list[tuple[str, str, str]]) -> None:
     print("\n".join(text.table(rows, shutil.get_terminal_size().columns)))
-
-
-_WORDS = {True: "agree", False: "differ", None: "not computed"}
-
-
-def run_table(arguments: argparse.Namespace) -> int:
-    """Print each row of a table with both values; exit 1 if two differ.
-
-    Rows of one quantity that print different numbers are in conflict, computed or not. Nothing is
-    printed of a table that cannot be read to its end.
-    """
-    total: Counter[str] = Counter()
-    first: dict[tuple[str, str], Row] = {}
-    for row in list(check_table(arguments.table)):
-        other = first.setdefault((row.arrangement, row.quantity), row)
-        verdict = "conflict" if row.printed != other.printed else _WORDS[row.agrees]
-        total[verdict] += 1
-        if arguments.json:
-            terminal.print_json({**asdict(row), "verdict": verdict})
-        else:
-            note = f", line {other.line} prints {value_text(other.printed)}"
-            print(f"{verdict:<12}  {_line(row)}{note if verdict == 'conflict' else ''}")
-    if not arguments.json:
-        print(", ".join(f"{number} {verdict}" for verdict, number in total.items()))
-    return terminal.NO if total["differ"] or total["conflict"] else terminal.YES
-
-
-def _line(row: Row) -> str:
-    what = f"{row.arrangement}, {row.quantity}: printed {value_text(row.printed)}"
-    found = row.reason if row.computed is None else f"computed {value_text(row.computed)}"
-    return f"{what}, {found}"

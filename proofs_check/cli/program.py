@@ -1,4 +1,4 @@
-"""The ``proofs-check`` command: its arguments; what the commands do is imported when they run."""
+"""The ``proofs-check`` program: its arguments; commands are imported when they run."""
 
 from __future__ import annotations
 
@@ -8,6 +8,21 @@ from collections.abc import Callable, Sequence
 from importlib import import_module
 
 from arrangement.console import terminal
+
+#: Names of earlier releases, and guesses, with what to write now.
+_RENAMED = {
+    "check": "proofs-check run",
+    "verify": "proofs-check run",
+    "show": "proofs-check list ID",
+    "table": "proofs-check run FILE.csv",
+    "status": "proofs-check sweep --store FILE --status",
+    "merge": "proofs-check sweep --store FILE --merge PART ...",
+    "--report": "--output",
+    "--census": "--classes",
+    "--types": "--classes",
+    "--planes": "--elements",
+    "--proved": "--verified",
+}
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -20,29 +35,75 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def _parser() -> terminal.Parser:
     parser = terminal.command_parser(
-        "proofs-check", "Claims about slip states, each checked by two routes that share no code."
+        "proofs-check",
+        "Verify counting claims about arrangements and grasps by independent implementations.",
+        _RENAMED,
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    def command(name: str, function: str, help: str, *answers: str) -> argparse.ArgumentParser:
-        added: argparse.ArgumentParser = terminal.add_command(commands, name, help, *answers)
-        added.set_defaults(command=_later(function), long=True)  # it tells how far it is
+    def command(
+        name: str, function: str, help: str, *answers: str, heading: str = "more"
+    ) -> argparse.ArgumentParser:
+        added: argparse.ArgumentParser = terminal.add_command(
+            commands, name, help, *answers, heading=heading
+        )
+        added.set_defaults(command=_later(function), long=True)  # it reports its progress
         terminal.add_common_options(added)
         if name in ("run", "try", "fit", "sweep", "report"):
             terminal.add_number_options(added)
         return added
 
     expected = ("every verdict is the expected one", "some verdict differs")
-    listed = command("list", "run.list_claims", "list the claims")
-    listed.add_argument("file", nargs="?", metavar="FILE.py", help="(default: those of the paper)")
-    show = command("show", "run.show_claim", "say what one claim states and how it is checked")
-    show.add_argument("id", metavar="ID", help="a claim of the paper, or FILE.py:ID")
-    _add_run(command("run", "run.run_claims", "check claims and print the verdicts", *expected))
-    _add_try(command("try", "run.try_claim", "check a claim in one line", "not refuted", "refuted"))
+    _add_run(
+        command(
+            "run",
+            "run.run_claims",
+            "check claims and print the verdicts",
+            *expected,
+            heading="common",
+        )
+    )
+    _add_try(
+        command(
+            "try",
+            "run.try_claim",
+            "check a claim stated in one line",
+            "not refuted",
+            "refuted",
+            heading="common",
+        )
+    )
+    listed = command("list", "run.list_claims", "list claims, or describe one", heading="common")
+    listed.add_argument(
+        "source",
+        nargs="?",
+        metavar="ID|FILE.py",
+        help="a claim to describe, or a file (default: the claims of the paper)",
+    )
+    new = command("new", "run.new_file", "write a file of claims to start from", heading="common")
+    new.add_argument("name", metavar="NAME", help="of the file; .py is added")
+    report = command(
+        "report",
+        "sweep.run_report",
+        "write a report of claims, of a sweep, or of a JSON record",
+        *expected,
+        heading="common",
+    )
+    report.add_argument(
+        "source", metavar="SOURCE", help="FILE.py, a store of a sweep, or FILE.json of run"
+    )
+    _add_output(report, remark="(default: Markdown on stdout)")
+    report.add_argument(
+        "--format",
+        choices=("html", "json", "md", "pdf", "tex", "txt"),
+        help="(default: by the suffix of the output)",
+    )
+    _add_seed(report)
+    _add_own(report)
     fitted = command(
         "fit",
         "fit.run_fit",
-        "say what polynomial a count of a family fits",
+        "fit a quasi-polynomial to the counts of a family",
         "one fits",
         "none fits",
     )
@@ -54,42 +115,16 @@ def _parser() -> terminal.Parser:
         command(
             "sweep",
             "sweep.run_sweep",
-            "check one claim on very many instances; can be interrupted",
+            "check one claim on very many instances, resumably",
             *expected,
         )
     )
-    status = command(
-        "status",
-        "sweep.run_status",
-        "say how far a sweep is, also while it runs",
-        "complete",
-        "not yet",
-    )
-    status.add_argument("store", metavar="STORE")
-    merge = command(
-        "merge", "sweep.run_merge", "put the chunks of several stores of one sweep into one"
-    )
-    merge.add_argument("store", metavar="STORE", help="where to; made when missing")
-    merge.add_argument("parts", nargs="+", metavar="PART", help="stores to read")
-    report = command(
-        "report",
-        "sweep.run_report",
-        "make a report of your claims, of a store or of a JSON record",
-        *expected,
-    )
-    report.add_argument(
-        "source", metavar="SOURCE", help="FILE.py, a store of a sweep, or FILE.json of run"
-    )
-    _add_report(report, "-o", "--output", remark="(default: Markdown on stdout)")
-    report.add_argument(
-        "--format",
-        choices=("html", "json", "md", "pdf", "tex", "txt"),
-        help="(default: what the ending of the output says)",
-    )
-    _add_seed(report)
-    _add_own(report)
     grade = command(
-        "grade", "grade.run_grade", "grade answers to exercises", "all are right", "one is wrong"
+        "grade",
+        "grade.run_grade",
+        "grade answers to exercises",
+        "all are right",
+        "one is wrong",
     )
     grade.add_argument("exercises", metavar="FILE.py", help="the exercises; it is run as a program")
     grade.add_argument(
@@ -99,18 +134,6 @@ def _parser() -> terminal.Parser:
         help="or a folder with such a file for each student (default: list the questions)",
     )
     grade.add_argument("-o", "--output", metavar="POINTS.csv", help="the points of a folder")
-    table = command(
-        "table",
-        "grade.run_table",
-        "compare numbers in print with what is computed",
-        "none differs",
-        "some differ",
-    )
-    table.add_argument(
-        "table", metavar="FILE.csv", help="columns arrangement, quantity, printed; - for stdin"
-    )
-    new = command("new", "run.new_file", "write a file with claims of your own to begin with")
-    new.add_argument("name", metavar="NAME", help="of the file; .py is added")
     return parser
 
 
@@ -127,16 +150,20 @@ def _later(function: str) -> Callable[[argparse.Namespace], int]:
 
 def _add_run(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
-        "ids", nargs="*", metavar="ID", help="claims to check (default: all), FILE.py or FILE.py:ID"
+        "ids",
+        nargs="*",
+        metavar="ID|FILE",
+        help="claims to check (default: those of the paper), FILE.py, FILE.py:ID, or FILE.csv: "
+        "printed numbers in columns arrangement, quantity, printed (- for stdin)",
     )
     _add_seed(parser)
-    _add_report(parser, "-o", "--report", remark="to write as well")
+    _add_output(parser, remark="to write as well")
     terminal.add_jobs_option(parser)
     parser.add_argument("--large", action="store_true", help="the claims that take minutes, too")
     parser.add_argument(
-        "--proved",
+        "--verified",
         action="store_true",
-        help="count by the program that is proved in Coq, too (built by `make formal`)",
+        help="count by the formally verified program, too (built by `make formal`)",
     )
     _add_save(_add_own(parser))
 
@@ -155,14 +182,14 @@ def _add_try(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--when", metavar="STATEMENT", help="a hypothesis")
     _add_seed(parser)
-    _add_report(parser, "-o", "--report", remark="to write as well")
+    _add_output(parser, remark="to write as well")
     _add_numbers(parser)
     _add_save(parser)
 
 
 def _add_own(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
     group = parser.add_argument_group(
-        "claims of your own (FILE.py)",
+        "user-defined claims (FILE.py)",
         "The file is run as a Python program, with all your rights.",
     )
     _add_numbers(group)
@@ -177,7 +204,10 @@ def _add_numbers(parser: argparse._ActionsContainer) -> None:
         help="random instances of each claim",
     )
     parser.add_argument(
-        "--census", type=terminal.integer_argument, metavar="M", help="all types of up to M planes"
+        "--classes",
+        type=_range,
+        metavar="LOW..HIGH",
+        help="every isomorphism class of rank 3 with that many planes",
     )
 
 
@@ -191,30 +221,36 @@ def _add_save(parser: argparse._ActionsContainer) -> None:
 
 
 def _add_sweep(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("claim", metavar="ID", help="a claim, FILE.py, or FILE.py:ID")
-    instances = parser.add_mutually_exclusive_group(required=True)
+    parser.add_argument("claim", nargs="?", metavar="ID", help="a claim, FILE.py, or FILE.py:ID")
+    parser.add_argument(
+        "--store", required=True, metavar="FILE", help="keeps what is done; made when missing"
+    )
+    instead = parser.add_mutually_exclusive_group()
+    instead.add_argument(
+        "--status",
+        action="store_true",
+        help="print how far the sweep of the store is: exit code 0 complete, 1 not yet",
+    )
+    instead.add_argument(
+        "--merge", nargs="+", metavar="PART", help="add the chunks of these stores of one sweep"
+    )
+    instances = parser.add_mutually_exclusive_group()
     instances.add_argument(
-        "--planes",
+        "--elements",
         type=_range,
         metavar="LOW..HIGH",
         help="numbers of planes, or of contacts, of random instances",
     )
     instances.add_argument(
-        "--types",
+        "--classes",
         type=_range,
         metavar="LOW..HIGH",
-        help="numbers of planes, 3 to 9: every combinatorial type of rank 3, no random ones",
+        help="every isomorphism class of rank 3 with that many planes (3 to 9), none at random",
     )
     parser.add_argument(
-        "--samples",
-        type=terminal.integer_argument,
-        metavar="N",
-        help="random instances in all",
+        "--samples", type=terminal.integer_argument, metavar="N", help="random instances in all"
     )
     _add_seed(parser)
-    parser.add_argument(
-        "--store", required=True, metavar="FILE", help="keeps what is done; made when missing"
-    )
     terminal.add_worker_options(parser)
     parser.add_argument(
         "--chunk",
@@ -234,9 +270,9 @@ def _add_seed(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _add_report(parser: argparse.ArgumentParser, *names: str, remark: str) -> None:
+def _add_output(parser: argparse.ArgumentParser, *, remark: str) -> None:
     endings = "FILE.json, FILE.md, FILE.html, FILE.tex, FILE.pdf or FILE.txt"
-    parser.add_argument(*names, metavar="FILE", help=f"{endings} {remark}")
+    parser.add_argument("-o", "--output", metavar="FILE", help=f"{endings} {remark}")
 
 
 def _range(text: str) -> tuple[int, int]:

@@ -1,4 +1,4 @@
-"""The commands on claims: list, show, and run, for the paper's and for those in files."""
+"""The commands list, run, try and new: claims of the paper and of files."""
 
 from __future__ import annotations
 
@@ -25,6 +25,8 @@ from proofs_check.reports import forms, report, text
 from proofs_check.statements.evidence import evaluate
 from proofs_check.statements.statement import Claim, Kind, Route
 
+from . import printed
+
 
 class _Request(NamedTuple):
     """What a command line asks for: claims by id, or those of files with the numbers for them."""
@@ -32,9 +34,9 @@ class _Request(NamedTuple):
     names: tuple[str, ...]
     seed: int
     samples: int | None
-    census: int | None
+    classes: tuple[int, int] | None
     large: bool
-    proved: bool
+    verified: bool
     own: Claim | None = None
 
     @property
@@ -44,36 +46,27 @@ class _Request(NamedTuple):
 
 
 def _asked(names: Iterable[str], arguments: argparse.Namespace) -> _Request:
-    options = (arguments.seed, arguments.samples, arguments.census)
-    large, proved = (getattr(arguments, option, False) for option in ("large", "proved"))
-    return _Request(tuple(dict.fromkeys(names)), *options, large, proved)
+    options = (arguments.seed, arguments.samples, arguments.classes)
+    large, verified = (getattr(arguments, option, False) for option in ("large", "verified"))
+    return _Request(tuple(dict.fromkeys(names)), *options, large, verified)
 
 
 def list_claims(arguments: argparse.Namespace) -> int:
-    """List the claims of the paper, or of a file."""
-    known = list(claim_file.named(arguments.file) if arguments.file else claims.registry())
+    """List the claims of the paper or of a file, or describe one claim."""
+    file, id = claim_file.split(arguments.source) if arguments.source else (None, "")
+    if id:
+        found = claim_file.named(arguments.source)[0] if file else claims.registry()[id]
+        if arguments.json:
+            terminal.print_json(report.claim_record(found))
+        else:
+            print(_described(found, width()))
+        return terminal.YES
+    known = list(claim_file.named(arguments.source) if file else claims.registry())
     if arguments.json:
         terminal.print_json({"claims": [report.claim_record(claim) for claim in known]})
     else:
         rows = [(claim.id, claim.locator, claim.statement) for claim in known]
         print("\n".join(text.table(rows, width())))
-    return terminal.YES
-
-
-def show_claim(arguments: argparse.Namespace) -> int:
-    """Say what one claim states and how it is checked."""
-    if claim_file.split(arguments.id)[0]:
-        claim, *others = claim_file.named(arguments.id)
-        if others:
-            raise OwnClaimError(
-                f"{arguments.id} has {1 + len(others)} claims; name one after a colon"
-            )
-    else:
-        claim = claims.registry()[arguments.id]
-    if arguments.json:
-        terminal.print_json(report.claim_record(claim))
-    else:
-        print(_described(claim, width()))
     return terminal.YES
 
 
@@ -105,8 +98,15 @@ def _described(claim: Claim, width: int) -> str:
 
 
 def run_claims(arguments: argparse.Namespace) -> int:
-    """Check claims: those of the paper with the given ids, or all claims of the given files."""
-    return _run(_asked(arguments.ids, arguments), arguments, arguments.jobs)
+    """Check claims of the paper by id, all claims of files, or numbers of printed tables."""
+    tables = [name for name in arguments.ids if name == "-" or name.endswith(".csv")]
+    if not tables:
+        return _run(_asked(arguments.ids, arguments), arguments, arguments.jobs)
+    if len(tables) < len(arguments.ids) or arguments.output:
+        raise OwnClaimError(
+            f"{tables[0]} is a table of printed numbers; check it alone, without claims and -o"
+        )
+    return max(printed.run_table(table, arguments.json) for table in tables)
 
 
 def try_claim(arguments: argparse.Namespace) -> int:
@@ -118,7 +118,7 @@ def try_claim(arguments: argparse.Namespace) -> int:
 
 
 def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
-    make = forms.form(Path(arguments.report).suffix) if arguments.report else None
+    make = forms.form(Path(arguments.output).suffix) if arguments.output else None
     chosen = _chosen(asked)
     widths = text.columns(map(report.claim_record, chosen))
     results: list[dict[str, Any]] = []
@@ -139,7 +139,7 @@ def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
         results.append(found)
     record = report.json_record(results, asked.seed, **_about(asked))
     if make:
-        forms.write(arguments.report, make(record))
+        forms.write(arguments.output, make(record))
     if arguments.json:
         terminal.print_json(record)
     elif not asked.from_files:
@@ -169,14 +169,11 @@ def file_record(name: str, arguments: argparse.Namespace) -> tuple[dict[str, Any
 
 def _about(asked: _Request) -> dict[str, str]:
     """Return what a record says of its claims: title, source, and the command for the same run."""
-    options = [
-        word
-        for option in ("seed", "samples", "census")
-        if (number := getattr(asked, option)) is not None and (number or option != "seed")
-        for word in (f"--{option}", str(number))
-    ]
+    options = ["--seed", str(asked.seed)] if asked.seed else []
+    options += ["--samples", str(asked.samples)] if asked.samples is not None else []
+    options += ["--classes", "{}..{}".format(*asked.classes)] if asked.classes else []
     names = asked.names
-    options += [f"--{word}" for word in ("large", "proved") if getattr(asked, word)]
+    options += [f"--{word}" for word in ("large", "verified") if getattr(asked, word)]
     verb = "try" if asked.own else "run"
     command = shlex.join(["proofs-check", verb, *names, *options])
     if asked.own:
@@ -258,13 +255,13 @@ def _record(claim: Claim, seed: int, tick: Callable[[int], None] | None = None) 
 def _chosen(asked: _Request) -> list[Claim]:
     """Return the claims of the paper with the given ids, or all claims of the given files."""
     if asked.from_files:
-        if asked.proved:
-            raise OwnClaimError("--proved is for the claims of the paper; omit it, or the files")
+        if asked.verified:
+            raise OwnClaimError("--verified is for the claims of the paper; omit it, or the files")
         return list(_own_claims(asked))
     known = claims.registry()
     every = (claim for claim in known if asked.large or not claim.large)
     chosen = [known[id] for id in asked.names] or list(every)
-    return list(map(_with_proved_route, chosen)) if asked.proved else chosen
+    return list(map(_with_proved_route, chosen)) if asked.verified else chosen
 
 
 def _with_proved_route(claim: Claim) -> Claim:
@@ -282,7 +279,7 @@ def _with_proved_route(claim: Claim) -> Claim:
 
 def _own_claims(asked: _Request) -> Iterator[Claim]:
     """Yield the claims of files, with the numbers that the command line names."""
-    names, samples, census = asked.names, asked.samples, asked.census
+    names, samples, classes = asked.names, asked.samples, asked.classes
     if not asked.own and not all(claim_file.split(name)[0] for name in names):
         raise OwnClaimError("ids and files are both given; run the claims of files on their own")
     if samples is not None and samples < 0:
@@ -292,9 +289,9 @@ def _own_claims(asked: _Request) -> Iterator[Claim]:
         changed = claim
         if samples is not None and claim.domain:
             changed = replace(claim, samples=samples)
-        if census is not None and claim.domain:
+        if classes is not None and claim.domain:
             others = [source for source in claim.sources if source.kind is not Kind.EXHAUSTIVE]
-            types = user_claim.type_sources(claim.domain, census)
+            types = user_claim.type_sources(claim.domain, *classes)
             changed = replace(changed, sources=(*types, *others))
         yield changed
 

@@ -1,4 +1,4 @@
-"""The commands of sweeps: sweep, status, merge, and report (of files, stores and records)."""
+"""The commands sweep and report (of files, stores and records)."""
 
 from __future__ import annotations
 
@@ -27,11 +27,23 @@ _SQLITE = b"SQLite format 3\x00"
 
 
 def run_sweep(arguments: argparse.Namespace) -> int:
-    """Do what is left of a sweep, then say what it found."""
-    if (arguments.types is None) == (arguments.samples is None):
-        raise SweepError("give --samples N with --planes; with --types every type is one instance")
-    planes = arguments.types or arguments.planes
-    plan = plan_sweep(arguments.claim, planes, arguments.samples, arguments.seed, arguments.chunk)
+    """Do what is left of a sweep and print what it found; or its status, or merge stores."""
+    if arguments.status or arguments.merge:
+        if arguments.claim or arguments.classes or arguments.elements or arguments.samples:
+            raise SweepError(
+                "--status and --merge take --store alone; omit the claim and instances"
+            )
+        return _status(arguments) if arguments.status else _merge(arguments)
+    sizes = arguments.classes or arguments.elements
+    if arguments.claim is None or sizes is None:
+        raise SweepError(
+            "name a claim with --elements LOW..HIGH --samples N or --classes LOW..HIGH"
+        )
+    if (arguments.classes is None) == (arguments.samples is None):
+        raise SweepError(
+            "give --samples N with --elements; with --classes every class is one instance"
+        )
+    plan = plan_sweep(arguments.claim, sizes, arguments.samples, arguments.seed, arguments.chunk)
     bar = Bar(None, "samples")
 
     def show(done: int, due: int) -> None:
@@ -71,8 +83,8 @@ def _summary(record: dict[str, Any]) -> str:
     return "\n".join(lines)
 
 
-def run_status(arguments: argparse.Namespace) -> int:
-    """Say how far a sweep is; exit code 0 when it is complete."""
+def _status(arguments: argparse.Namespace) -> int:
+    """Print how far a sweep is; exit code 0 when it is complete."""
     with store.read(arguments.store) as opened:
         found = sweepreport.status(opened)
     if arguments.json:
@@ -86,9 +98,9 @@ def run_status(arguments: argparse.Namespace) -> int:
     return terminal.YES if found["complete"] else terminal.NO
 
 
-def run_merge(arguments: argparse.Namespace) -> int:
+def _merge(arguments: argparse.Namespace) -> int:
     """Put the chunks of several stores into one."""
-    new = merge(arguments.store, arguments.parts)
+    new = merge(arguments.store, arguments.merge)
     with store.read(arguments.store) as opened:
         found = sweepreport.status(opened)
     if arguments.json:
@@ -149,6 +161,6 @@ def _made(make: Any, record: dict[str, Any], source: str) -> str | bytes:
         UndefinedError,
     ):
         raise InputError(
-            f"{source} is not a complete record; proofs-check run --report FILE.json writes one"
+            f"{source} is not a complete record; proofs-check run -o FILE.json writes one"
         ) from None
     return text

@@ -44,7 +44,7 @@ def by_determinants(planes: Arrangement) -> int:
     when=lambda planes: len(planes) >= 4,
     hypotheses=["m >= 4", "general position"],
     routes=[by_dual, by_determinants],
-    census=7,
+    classes=7,
     planes=(4, 8),
     samples=40,
     locator="Grünbaum 1972",

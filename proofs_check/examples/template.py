@@ -49,7 +49,7 @@ def by_theorem(planes: Arrangement) -> int:
 @claim(
     "Different planes through the origin of R^3 cut it into at most m^2 - m + 2 regions.",
     routes=[enumerated, by_theorem],
-    census=5,
+    classes=5,
     samples=50,
 )
 def at_most(planes: Arrangement, regions: int) -> bool:

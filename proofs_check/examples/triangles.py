@@ -23,7 +23,7 @@ def triangles(dual: DualPolyhedron) -> int:
     of="dual",
     when=lambda dual: len(dual.arrangement) >= 4 and dual.arrangement.is_simple,
     hypotheses=["at least four planes", "general position"],
-    census=7,
+    classes=7,
     planes=(4, 7),
     samples=50,
     expected="refuted",
@@ -39,7 +39,7 @@ def twice_as_many_triangles(dual: DualPolyhedron) -> bool | str:
     of="dual",
     when=lambda dual: dual.arrangement.is_simple,
     hypotheses=["general position"],
-    census=7,
+    classes=7,
     samples=50,
     locator="F. Levi, 1926",
 )

@@ -148,10 +148,10 @@ def _nine(together: int = 1000) -> Iterator[list[int]]:
         yield from chirotopes(MOST_PLANES, slice(start, start + together)).tolist()
 
 
-def type_sources(most: int) -> tuple[Source, ...]:
-    """Return the sources of all types of 3 to so many, and of those that no lines have."""
-    over = f"every type of 3 to {most} pseudolines" + (
-        " that lines have" if most == MOST_PLANES else ""
+def type_sources(low: int, high: int) -> tuple[Source, ...]:
+    """Return the sources of all classes of so many, and of those that no lines have."""
+    over = f"every isomorphism class of {low} to {high} pseudolines" + (
+        " that lines have" if high == MOST_PLANES else ""
     )
     count = len(not_stretchable())
     special = [
@@ -159,7 +159,7 @@ def type_sources(most: int) -> tuple[Source, ...]:
         for k, found in enumerate(not_stretchable(), 1)
     ]
     return (
-        Source(Kind.EXHAUSTIVE, over, lambda _: types(range(3, most + 1))),
+        Source(Kind.EXHAUSTIVE, over, lambda _: types(range(low, high + 1))),
         Source(
             Kind.EXHAUSTIVE, "the types of nine pseudolines that no lines have", lambda _: special
         ),

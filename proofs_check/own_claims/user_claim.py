@@ -55,7 +55,7 @@ def claim(
     id: str | None = None,
     planes: Sequence[int] | None = None,
     samples: int = 200,
-    census: int = 6,
+    classes: int = 6,
     families: bool = True,
     when: Callable[[Any], bool] | None = None,
     hypotheses: Iterable[str] = (),
@@ -78,7 +78,7 @@ def claim(
         planes: smallest and largest number of planes or contacts of random instances; if omitted,
             from the domain's least (at least 3) to 8 planes, or 1 to 4 contacts.
         samples: number of random instances.
-        census: run over every combinatorial type of up to so many planes (at most 8; of
+        classes: run over every isomorphism class of 3 to so many planes (at most 8; of
             pseudolines 9; 0 for none).
         families: run over the named families.
         when: a hypothesis; instances on which it is false are passed over.
@@ -98,7 +98,7 @@ def claim(
     as_dual = of == "dual"
     listed = None if isinstance(of, str) else _listed(of)
     chosen = domain("distinct" if as_dual else of) if isinstance(of, str) else None
-    types = () if chosen is None else type_sources(chosen, census)
+    types = () if chosen is None or classes == 0 else type_sources(chosen, 3, classes)
     limits = _limits(chosen, planes) if chosen else (0, 0)
 
     def given(subject: Any) -> Any:
@@ -255,22 +255,25 @@ def _value(way: Callable[[Any], Any], subject: Any) -> Any:
     return int(value) if isinstance(value, Integral) and not isinstance(value, bool) else value
 
 
-def type_sources(chosen: Domain, most: int) -> tuple[Source, ...]:
-    """Return the sources with all types of 3 to so many planes or pseudolines; none for 0.
+def type_sources(chosen: Domain, low: int, high: int) -> tuple[Source, ...]:
+    """Return the sources with every isomorphism class of so many planes or pseudolines.
 
     Raises:
-        OwnClaimError: the census has no such number.
+        OwnClaimError: the census has no such numbers.
     """
     largest = chosen.most or 8
-    if type(most) is not int or most not in (0, *range(3, largest + 1)):
+    sizes = (low, high)
+    if any(type(m) is not int for m in sizes) or not 3 <= low <= high <= largest:
         unit = chosen.unit if chosen.most else "planes"
-        raise OwnClaimError(f"census is {most!r}; give 3 to {largest} {unit}, or 0 for no census")
-    if not most or chosen.unit == "contacts":
+        raise OwnClaimError(
+            f"classes is {low}..{high}; expected numbers of {unit} from 3 to {largest}"
+        )
+    if chosen.unit == "contacts":
         return ()
     if chosen.unit == "pseudolines":
-        return pseudoline_sources(most)
-    over = f"one arrangement of every combinatorial type of 3 to {most} planes"
-    return (Source(Kind.EXHAUSTIVE, over, lambda _: census_cases(range(3, most + 1))),)
+        return pseudoline_sources(low, high)
+    over = f"one arrangement of every isomorphism class of {low} to {high} planes"
+    return (Source(Kind.EXHAUSTIVE, over, lambda _: census_cases(range(low, high + 1))),)
 
 
 def _answer(name: str, function: Callable[..., Any], *arguments: Any) -> bool | str:

@@ -131,8 +131,8 @@ class Store:
         if damaged or errors:
             what = [f"{_listed(damaged)} not as written"] if damaged else []
             remedy = (
-                f"proofs-check merge NEW.sqlite {self.path} saves the others, and a sweep with "
-                "--store NEW.sqlite computes the rest"
+                f"proofs-check sweep --store NEW.sqlite --merge {self.path} saves the others, "
+                "and a sweep with --store NEW.sqlite computes the rest"
             )
             text = ", ".join([*map(str, errors), *what])
             raise DamagedStoreError(f"{self.path} is damaged ({text})", remedy)

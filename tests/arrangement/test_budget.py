@@ -84,7 +84,7 @@ def question(number: int, folder: Path) -> list[str]:
     if kind == 4:
         size = str(10 ** source.randint(1, 9) * source.randint(1, 9))
         kept = str(folder / f"{number}.store")
-        sweep = ["--planes", f"3..{size}", "--samples", "2", "--store", kept]
+        sweep = ["--elements", f"3..{size}", "--samples", "2", "--store", kept]
         asked = (
             [
                 "proofs-check",

@@ -46,7 +46,7 @@ def test_processes_change_nothing_of_what_is_said(tmp_path, capsys):
     for jobs in ("1", "2"):
         path = tmp_path / f"{jobs}.json"
         names = ("bound-not-attained", *QUICKEST)
-        assert main(["run", *names, "--jobs", jobs, "--report", str(path)]) == 0
+        assert main(["run", *names, "--jobs", jobs, "--output", str(path)]) == 0
         said.append(capsys.readouterr().out)
         record = json.loads(path.read_text(encoding="utf-8"))
         found.append([{**result, "milliseconds": 0} for result in record["results"]])

@@ -159,7 +159,7 @@ def test_the_types_that_no_lines_have_are_oriented_matroids_with_the_right_count
 
 
 def test_a_claim_on_pseudolines_meets_those_that_no_lines_have():
-    @claim("s", of="pseudolines", census=5, samples=20, expected="refuted")
+    @claim("s", of="pseudolines", classes=5, samples=20, expected="refuted")
     def lines_have_it(lines):
         return lines.stretchable
 
@@ -170,7 +170,7 @@ def test_a_claim_on_pseudolines_meets_those_that_no_lines_have():
     assert (special.checked, special.failures) == (274, 274)
     assert samples.checked == 20
     assert result.evidence.counterexample.document["pseudolines"] == 9
-    assert "that lines have" in type_sources(9)[0].over
+    assert "that lines have" in type_sources(3, 9)[0].over
 
 
 def test_a_failure_on_pseudolines_is_made_small():
@@ -188,12 +188,12 @@ def test_samples_of_pseudolines_are_types_and_more_than_nine_are_refused(capsys)
     assert isinstance(DOMAINS["pseudolines"].draw(Random(0), 9), Pseudolines)
     with pytest.raises(OwnClaimError, match="at most 9"):
         claim("s", of="pseudolines", planes=(3, 10))
-    assert main(["try", "m > 2", "--of", "pseudolines", "--census", "10"]) == 2
-    assert "give 3 to 9 pseudolines" in capsys.readouterr().err
+    assert main(["try", "m > 2", "--of", "pseudolines", "--classes", "3..10"]) == 2
+    assert "expected numbers of pseudolines from 3 to 9" in capsys.readouterr().err
 
 
 def test_instances_outside_the_domain_are_told_from_those_outside_the_hypotheses():
-    @claim("s", of="simple", when=lambda p: len(p) > 4, census=5, families=False, samples=0)
+    @claim("s", of="simple", when=lambda p: len(p) > 4, classes=5, families=False, samples=0)
     def simple(planes):
         return planes.is_simple
 

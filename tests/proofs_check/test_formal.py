@@ -76,11 +76,11 @@ def test_claims_and_theorems_name_one_another():
 
 
 def test_a_theorem_is_shown_with_its_claim(capsys):
-    assert main(["show", "euler"]) == 0
+    assert main(["list", "euler"]) == 0
     shown = capsys.readouterr().out
     assert "vertices - edges + faces = 2." in shown
     assert "Proof" not in shown
-    assert main(["show", "dual-planar-3-connected"]) == 0
+    assert main(["list", "dual-planar-3-connected"]) == 0
     assert "in prose    the whole proof" in capsys.readouterr().out
 
 

@@ -27,7 +27,7 @@ def test_the_simplicial_catalogue_agrees_with_its_vectors_in_print():
 
 @pytest.mark.campaign
 def test_numbers_of_types_agree_and_the_conflict_in_print_is_found(capsys):
-    assert main(["table", str(EXAMPLES / "oeis.csv"), "--json"]) == 1
+    assert main(["run", str(EXAMPLES / "oeis.csv"), "--json"]) == 1
     rows = [json.loads(line) for line in capsys.readouterr()[0].splitlines()]
     verdicts = [row["verdict"] for row in rows]
     assert verdicts.count("conflict") == 1
@@ -43,7 +43,7 @@ def table(tmp_path: Path, *rows: str, first: str = "printed,arrangement,quantity
 
 def test_both_values_are_printed_and_the_exit_code_is_no(tmp_path, capsys):
     path = table(tmp_path, "25,braid-a3,regions", '"51,840",coxeter type=E6,regions')
-    assert main(["table", path]) == 1
+    assert main(["run", path]) == 1
     out, _ = capsys.readouterr()
     assert out.splitlines() == [
         "differ        braid-a3, regions: printed 25, computed 24",
@@ -57,12 +57,12 @@ def test_both_values_are_printed_and_the_exit_code_is_no(tmp_path, capsys):
         "43,lines n=6,affine-simple-types",
         "4,pseudolines n=6,simple-types",
     )
-    assert main(["table", path]) == 0
+    assert main(["run", path]) == 0
 
 
 def test_table_with_a_bad_row_prints_nothing(tmp_path, capsys):
     path = table(tmp_path, "24,braid-a3,regions", "24,braid-a3,regoins")
-    assert main(["table", path]) == 2
+    assert main(["run", path]) == 2
     out, err = capsys.readouterr()
     assert out == ""
     assert "line 3" in err

@@ -58,7 +58,7 @@ def test_a_sweep_over_types_takes_each_of_them_once(tmp_path, capsys):
     assert [len(instance(every, k).distinct) for k in (0, 1, 5056, 5057, every.samples - 1)] == [
         *(3, 4, 8, 9, 9)
     ]
-    record = ["sweep", "euler", "--types", "3..5", "--store", str(tmp_path / "s.sqlite")]
+    record = ["sweep", "euler", "--classes", "3..5", "--store", str(tmp_path / "s.sqlite")]
     assert main(record) == 0
     assert "7 all types of 3 to 5 distinct planes of rank 3: 7 that hold" in capsys.readouterr().out
 
@@ -142,7 +142,7 @@ def test_a_claim_that_is_false_of_random_instances_is_refuted_with_its_smallest_
     tmp_path, capsys
 ):
     path = own_file(tmp_path, 'return planes.rank == 3 or "low rank"')
-    plan = ["--planes", "3..5", "--samples", "300", "--store", str(tmp_path / "s.sqlite")]
+    plan = ["--elements", "3..5", "--samples", "300", "--store", str(tmp_path / "s.sqlite")]
     assert main(["sweep", path, *plan]) == 1
     assert "refuted (expected: holds)" in capsys.readouterr().out
     with store.read(str(tmp_path / "s.sqlite")) as opened:
@@ -216,20 +216,20 @@ def test_files_that_are_no_stores_are_refused(tmp_path):
 
 def test_status_says_how_far_it_is(tmp_path, capsys):
     path = str(tmp_path / "s.sqlite")
-    options = ["--planes", "2..3", "--samples", "20", "--chunk", "5", "--store", path]
+    options = ["--elements", "2..3", "--samples", "20", "--chunk", "5", "--store", path]
     assert main(["sweep", CLAIM, *options, "--shard", "1/2"]) == 0
     capsys.readouterr()
-    assert main(["status", path, "--json"]) == 1
+    assert main(["sweep", "--store", path, "--status", "--json"]) == 1
     found = json.loads(capsys.readouterr().out)
     assert (found["chunks"], found["chunks_due"], found["samples"]) == (2, 4, 10)
     assert main(["sweep", CLAIM, *options]) == 0
-    assert main(["status", path]) == 0
+    assert main(["sweep", "--store", path, "--status"]) == 0
     assert "20 of 20" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("missing", ["joblib", "distributed"])
 def test_without_the_extra_the_message_names_it(tmp_path, monkeypatch, capsys, missing):
     monkeypatch.setitem(sys.modules, missing, None)
-    options = ["--planes", "2..3", "--samples", "9", "--store", str(tmp_path / "s.sqlite")]
+    options = ["--elements", "2..3", "--samples", "9", "--store", str(tmp_path / "s.sqlite")]
     assert main(["sweep", CLAIM, *options, "--dask", "tcp://127.0.0.1:1"]) == 2
     assert "slipstates[dask]" in capsys.readouterr().err

@@ -20,7 +20,7 @@ from proofs_check.sweep.sweep import merge, sweep
 from .test_sweep import CLAIM, report, small_plan
 
 PLAN = small_plan(60, 10)
-SWEEP = [*("sweep", CLAIM, "--planes", "1..4"), *("--samples", "60", "--chunk", "10")]
+SWEEP = [*("sweep", CLAIM, "--elements", "1..4"), *("--samples", "60", "--chunk", "10")]
 COLUMNS = [
     *(("plan", name) for name in ("record", "claim", "checksum")),
     *(("environments", name) for name in ("id", "record")),
@@ -68,10 +68,10 @@ def commands(path: Path) -> Iterator[tuple[int, str, str]]:
     """Run each command that reads a store."""
     new = path.with_suffix(".new")
     new.unlink(missing_ok=True)
-    yield run("status", path)
+    yield run("sweep", "--store", path, "--status")
     yield run("report", path)
-    yield run("merge", new, path)
-    yield run("merge", path, path)
+    yield run("sweep", "--store", new, "--merge", path)
+    yield run("sweep", "--store", path, "--merge", path)
     yield run(*SWEEP, "--store", path)
 
 
@@ -113,14 +113,17 @@ def test_damage_of_many_chunks_is_told_in_short(tmp_path):
     sweep(small_plan(60, 3), str(path))
     with closing(sqlite3.connect(path)) as connection, connection:
         connection.execute("UPDATE chunks SET result = '{}'")
-    assert "(chunks 0, 1, 2, 3, 4, 5, 6, 7 and 12 more not as written)" in run("status", path)[2]
+    assert (
+        "(chunks 0, 1, 2, 3, 4, 5, 6, 7 and 12 more not as written)"
+        in run("sweep", "--store", path, "--status")[2]
+    )
 
 
 def test_what_is_intact_is_saved_and_the_rest_computed_again(changed, whole, tmp_path):
     path, new = changed("UPDATE chunks SET number = 99 WHERE number = 3"), tmp_path / "new.sqlite"
     with pytest.raises(DamagedStoreError, match=r"--store .*new.sqlite computes the rest"):
         merge(str(new), [str(path)])
-    assert run("status", new)[1].splitlines()[1] == "chunks   5 of 6"
+    assert run("sweep", "--store", new, "--status")[1].splitlines()[1] == "chunks   5 of 6"
     seen: list[tuple[int, int]] = []
     sweep(PLAN, str(new), progress=lambda done, due: seen.append((done, due)))
     assert seen == [(50, 60), (60, 60)]
@@ -129,14 +132,14 @@ def test_what_is_intact_is_saved_and_the_rest_computed_again(changed, whole, tmp
 
 def test_a_chunk_that_is_gone_is_missing(changed, whole):
     path = changed("DELETE FROM chunks WHERE number = 3")
-    assert run("status", path)[:2][0] == 1
+    assert run("sweep", "--store", path, "--status")[:2][0] == 1
     sweep(PLAN, str(path))
     assert report(path) == report(whole)
 
 
 def test_good_stores_are_merged_beside_a_damaged_one(changed, whole, tmp_path):
     path, new = changed("UPDATE chunks SET result = '[]' WHERE number = 3"), tmp_path / "new.sqlite"
-    code, _, err = run("merge", new, path, whole)
+    code, _, err = run("sweep", "--store", new, "--merge", path, whole)
     assert (code, str(path) in err) == (2, True)
     assert report(new) == report(whole)
 
@@ -154,7 +157,7 @@ def test_counts_that_are_not_of_the_plan_are_found_with_any_checksum(changed):
         with closing(sqlite3.connect(path)) as connection, connection:
             change = "UPDATE chunks SET result = ?, checksum = ? WHERE number = 0"
             connection.execute(change, (cells[2], checksum))
-        assert "chunk 0 not as written" in run("status", path)[2]
+        assert "chunk 0 not as written" in run("sweep", "--store", path, "--status")[2]
 
 
 def test_a_store_without_checksums_is_refused(changed):
@@ -170,7 +173,7 @@ def test_a_shard_without_chunks_has_nothing_to_do(tmp_path):
     assert (code, out, err) == (0, "shard 7/9 has nothing to do: the sweep has 6 chunks\n", "")
     code, out, _ = run(*SWEEP, "--store", path, "--shard", "7/9", "--json")
     assert (code, json.loads(out)["results"][0]["complete"]) == (0, False)
-    assert run("status", path)[0] == 1
+    assert run("sweep", "--store", path, "--status")[0] == 1
 
 
 @pytest.mark.parametrize("first", [100, 4096, 8192, 12288])

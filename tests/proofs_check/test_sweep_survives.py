@@ -40,7 +40,7 @@ def command(*arguments: str) -> list[str]:
 
 
 def swept(path: Path, samples: int, *more: str) -> list[str]:
-    options = ["--planes", "3..4", "--samples", str(samples), "--chunk", "10", "--seed", "5"]
+    options = ["--elements", "3..4", "--samples", str(samples), "--chunk", "10", "--seed", "5"]
     return command("sweep", "great-circle-regions", *options, "--store", str(path), *more)
 
 

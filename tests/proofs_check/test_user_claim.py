@@ -114,7 +114,7 @@ def test_an_error_in_the_function_gives_no_verdict(write, capsys):
 
 
 def test_instances_outside_the_hypothesis_are_passed_over_and_counted():
-    @claim("s", when=lambda p: p.is_simple, census=5, families=False, samples=0)
+    @claim("s", when=lambda p: p.is_simple, classes=5, families=False, samples=0)
     def all_simple(planes):
         return planes.is_simple
 
@@ -131,14 +131,14 @@ def test_instances_outside_the_hypothesis_are_passed_over_and_counted():
 
 
 def test_a_claim_that_is_checked_on_nothing_has_no_verdict(write, capsys):
-    path = write('@claim("s", census=0, families=False, samples=0)\ndef f(p): return True\n')
+    path = write('@claim("s", classes=0, families=False, samples=0)\ndef f(p): return True\n')
     assert main(["run", path, "--json"]) == 1
     (result,) = json.loads(capsys.readouterr().out)["results"]
     assert (result["verdict"], result["evidence"]) == (None, "no case was checked")
 
 
 def test_the_same_seed_gives_the_same_result_and_another_seed_other_instances():
-    @claim("s", of="central", census=0, families=False, samples=20)
+    @claim("s", of="central", classes=0, families=False, samples=20)
     def small(planes):
         return max(abs(x) for p in planes.integer_planes for x in p) < 9
 
@@ -267,7 +267,7 @@ def test_routes_that_disagree_or_raise_give_no_verdict_and_show_the_case(write, 
     ],
 )
 def test_a_false_comparison_shows_both_sides(write, capsys, returned, text):
-    path = write(f'@claim("s", census=3, samples=0)\ndef f(p):\n    return {returned}\n')
+    path = write(f'@claim("s", classes=3, samples=0)\ndef f(p):\n    return {returned}\n')
     assert main(["run", path, "--json"]) == 1
     (result,) = json.loads(capsys.readouterr().out)["results"]
     assert result["verdict"] == "refuted"
@@ -277,7 +277,7 @@ def test_a_false_comparison_shows_both_sides(write, capsys, returned, text):
 def test_comparisons_outside_of_claims_stay_what_they_are(write, capsys):
     path = write(
         "def small(p):\n    return len(p) < 3\n"
-        '@claim("s", census=3, samples=0, families=False)\n'
+        '@claim("s", classes=3, samples=0, families=False)\n'
         "def f(p):\n"
         "    def inner():\n        return len(p) < 3\n"
         "    return small(p) is False and type(inner()) is bool\n"
@@ -290,7 +290,7 @@ def test_integers_of_libraries_are_integers(write):
         "import numpy, sympy\n"
         "def a(p): return numpy.int64(len(p))\n"
         "def b(p): return sympy.Integer(len(p))\n"
-        '@claim("s", routes=[a, b], census=3, samples=0, families=False)\n'
+        '@claim("s", routes=[a, b], classes=3, samples=0, families=False)\n'
         "def f(p, m): return type(m) is int\n"
     )
     assert main(["run", path]) == 0
@@ -312,7 +312,7 @@ def test_integers_of_libraries_are_integers(write):
     ],
 )
 def test_a_claim_in_one_line_has_its_verdict(statement, options, code, write, capsys):
-    numbers = ["--census", "5", "--samples", "12"]
+    numbers = ["--classes", "3..5", "--samples", "12"]
     assert main(["try", statement, *options, *numbers, "--json"]) == code
     found = json.loads(capsys.readouterr().out)["results"][0]
     assert found["verdict"] == ("refuted" if code else "holds")
@@ -321,7 +321,7 @@ def test_a_claim_in_one_line_has_its_verdict(statement, options, code, write, ca
 
 
 def test_one_claim_of_a_file_can_be_named_and_one_that_fails_keeps_the_others(write, capsys):
-    head = '@claim("?", of="simple", samples=2, census=3'
+    head = '@claim("?", of="simple", samples=2, classes=3'
     body = (
         f"{head})\ndef nothing(p): return None\n{head})\ndef good(p): return len(p) > 0\n"
         f"{head}, when=lambda p: p.none)\ndef vain(p): return True\n"
@@ -335,7 +335,7 @@ def test_one_claim_of_a_file_can_be_named_and_one_that_fails_keeps_the_others(wr
     assert printed.err.endswith("error: 2 of 3 claims have no verdict\n")
     assert main(["run", f"{path}:good", "--json"]) == 0
     assert [one["id"] for one in json.loads(capsys.readouterr().out)["results"]] == ["good"]
-    assert main(["show", f"{path}:good"]) == 0
+    assert main(["list", f"{path}:good"]) == 0
     assert main(["list", path, "--json"]) == 0
     capsys.readouterr()
     assert main(["report", path]) == 2
@@ -348,8 +348,7 @@ def test_one_claim_of_a_file_can_be_named_and_one_that_fails_keeps_the_others(wr
         ("run", f"{path}:nothing"): "error: nothing returned None",
         ("report", f"{path}:nothing"): "error: nothing returned None",
         ("run", f"{path}:god"): "did you mean good?",
-        ("show", path): "has 3 claims",
-        ("list", "good"): "is no file of claims",
+        ("list", "good"): "no claim has the id 'good'",
     }.items():
         assert main(list(words)) == 2
         assert message in capsys.readouterr().err

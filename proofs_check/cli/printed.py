@@ -1,0 +1,42 @@
+"""Printed numbers of a table, compared with computed ones."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import asdict
+
+from arrangement.console import terminal
+from proofs_check.course.printed_table import Row, check_table, value_text
+
+_WORDS = {True: "agree", False: "differ", None: "not computed"}
+
+
+def run_table(path: str, as_json: bool) -> int:
+    """Print each row of a table with both values; exit 1 if two differ.
+
+    Rows of one quantity that print different numbers are in conflict, computed or not. Nothing is
+    printed of a table that cannot be read to its end.
+
+    Args:
+        path: of a CSV file, or "-" for standard input.
+    """
+    total: Counter[str] = Counter()
+    first: dict[tuple[str, str], Row] = {}
+    for row in list(check_table(path)):
+        other = first.setdefault((row.arrangement, row.quantity), row)
+        verdict = "conflict" if row.printed != other.printed else _WORDS[row.agrees]
+        total[verdict] += 1
+        if as_json:
+            terminal.print_json({**asdict(row), "verdict": verdict})
+        else:
+            note = f", line {other.line} prints {value_text(other.printed)}"
+            print(f"{verdict:<12}  {_line(row)}{note if verdict == 'conflict' else ''}")
+    if not as_json:
+        print(", ".join(f"{number} {verdict}" for verdict, number in total.items()))
+    return terminal.NO if total["differ"] or total["conflict"] else terminal.YES
+
+
+def _line(row: Row) -> str:
+    what = f"{row.arrangement}, {row.quantity}: printed {value_text(row.printed)}"
+    found = row.reason if row.computed is None else f"computed {value_text(row.computed)}"
+    return f"{what}, {found}"
