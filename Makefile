@@ -25,7 +25,7 @@ help:
 	@echo "make lint types  the quick part of the checks"
 	@echo "make scripts  types and lint of the JavaScript of the pages, with tools from npm"
 	@echo "make check    all that must be true of a commit: lint, types, tests, docs"
-	@echo "make mutants  plant small faults in checker, predicates and solver; list those no test notices"
+	@echo "make mutants  mutation testing of what decides an answer; list the mutants that survive"
 	@echo "make census   make the lists of types again: ARGS='9 -o types9.npz'"
 	@echo "make bench    measure speed"
 	@echo "make docs     build the documentation in docs/_build/html"

@@ -1,19 +1,19 @@
-"""Plants small faults in the code, one at a time, and lists those that no test notices.
+"""Mutation testing: changes the code in one place at a time, and lists what no test notices.
 
     python tests/mutants.py                   all targets
     python tests/mutants.py checker law       some of them
     python tests/mutants.py --seed 5          another sample of the targets that are sampled
     python tests/mutants.py --jobs 1          one target at a time
-    python tests/mutants.py law --first 20    from the 20th fault on
-    python tests/mutants.py law --argued      also those that are said to change nothing
+    python tests/mutants.py law --first 20    from the 20th mutant on
+    python tests/mutants.py law --argued      also those that are said to be equivalent
 
-A fault changes one comparison, constant, sign, "and" or "or" of the syntax tree, drops a condition
-or an entry, or takes one function or end of an interval for its opposite. The tests of its target
-run in a process of their own, to the first that fails, or takes more than `LIMIT`: it has noticed
-the fault. First the code of functions is exchanged after all is imported, and tests that noticed
-faults nearby run first; what survives, or is no code of a function, is there from the import on.
-Exit 1 if faults survive that are not among `EQUIVALENT`, or an entry there is no fault, or is
-noticed: each of these takes all tests of its target, so they are planted when asked.
+A mutant has one comparison, constant, sign, "and" or "or" of the syntax tree changed, a condition
+or an entry dropped, or one function or end of an interval taken for its opposite. The tests of its
+target run in a process of their own, to the first that fails, or takes more than `LIMIT`: it has
+killed the mutant. First the code of functions is exchanged after all is imported, and tests that
+killed mutants nearby run first; what survives, or is no code of a function, is there from the
+import on. Exit 1 if mutants survive that are not among `EQUIVALENT`, or an entry there is no
+mutant, or is killed: each of these takes all tests of its target, so they run when asked.
 """
 
 from __future__ import annotations
@@ -42,14 +42,14 @@ from types import CodeType, FunctionType
 from typing import Any, NamedTuple
 
 ROOT = Path(__file__).resolve().parent.parent
-#: Seconds of processor time after which a test has noticed a fault. No test takes half of it.
+#: CPU seconds after which a test has killed a mutant. No test takes half of it.
 LIMIT = 10
 #: Bytes that they may take: without its limit on depth the checker would follow any document.
 MEMORY = 4 * 2**30
 
 
 class Target(NamedTuple):
-    """A module, the tests that cover it, fast ones first, and how many faults to plant (0: all)."""
+    """A module, the tests that cover it, fast ones first, and how many mutants to run (0: all)."""
 
     module: str
     tests: tuple[str, ...]
@@ -169,13 +169,13 @@ TARGETS = {
     "oracle": Target("proofs_check.routes.oracle", ("tests/proofs_check/test_oracle.py",), 12),
 }
 
-#: Faults that change no answer: for each target lines of code, and below each line its faults and
-#: the reason, with " | " between. "(2)" is the second fault of this kind in the line.
+#: Mutants that change no answer: for each target lines of code, and below each line its mutants
+#: and the reason, with " | " between. "(2)" is the second of its kind in the line.
 EQUIVALENT = "\n" + (ROOT / "tests" / "mutants_equivalent.txt").read_text(encoding="utf-8")
 
 
 def _reasons(target: str) -> dict[tuple[str, str], str]:
-    """Return the entries of `EQUIVALENT` for a target, by line of code and fault."""
+    """Return the entries of `EQUIVALENT` for a target, by line of code and change."""
     found, text = dict[tuple[str, str], str](), ""
     for line in EQUIVALENT.partition(f"\n[{target}]\n")[2].partition("\n[")[0].splitlines():
         if line.startswith("    "):
@@ -215,17 +215,17 @@ _NAMES |= {other: name for name, other in _NAMES.items()}
 _SILENT = (ast.JoinedStr, ast.AnnAssign, ast.arg, ast.Raise)
 
 
-class Fault(NamedTuple):
-    """A fault of a source text: the line, its text, what is changed, the changed tree."""
+class Mutant(NamedTuple):
+    """A mutant of a source text: the line, its text, what is changed, the changed tree."""
 
     line: int
     text: str
     change: str
-    plant: Callable[[], ast.Module]
+    tree: Callable[[], ast.Module]
 
 
-def faults(source: str) -> Iterator[Fault]:
-    """Yield every fault of a source text."""
+def mutants(source: str) -> Iterator[Mutant]:
+    """Yield every mutant of a source text."""
     tree, lines, seen = ast.parse(source), source.splitlines(), Counter[tuple[int, str]]()
     nodes = list(ast.walk(tree))
     silent = [getattr(n, "annotation", None) or n for n in nodes if isinstance(n, _SILENT)]
@@ -235,7 +235,7 @@ def faults(source: str) -> Iterator[Fault]:
             continue
         for change, alter in chain(_alterations(node), _omissions(node)):
 
-            def plant(place: int = place, alter: Any = alter) -> ast.Module:
+            def mutated(place: int = place, alter: Any = alter) -> ast.Module:
                 changed = copy.deepcopy(tree)
                 alter(list(ast.walk(changed))[place])
                 return ast.fix_missing_locations(changed)
@@ -243,7 +243,7 @@ def faults(source: str) -> Iterator[Fault]:
             line = getattr(node, "lineno", 0)
             seen[line, change] += 1
             again = f" ({seen[line, change]})" if seen[line, change] > 1 else ""
-            yield Fault(line, lines[line - 1].strip(), change + again, plant)
+            yield Mutant(line, lines[line - 1].strip(), change + again, mutated)
 
 
 def _alterations(node: ast.AST) -> Iterator[tuple[str, Any]]:
@@ -300,7 +300,7 @@ def _remover(field: str, index: int) -> Any:
     return alter
 
 
-class _Planted(importlib.abc.MetaPathFinder, importlib.abc.Loader):
+class _Mutated(importlib.abc.MetaPathFinder, importlib.abc.Loader):
     """Loads one module from a changed tree."""
 
     def __init__(self, target: Target, tree: ast.Module) -> None:
@@ -316,11 +316,11 @@ class _Planted(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         exec(self.code, module.__dict__)  # noqa: S102
 
 
-def survives(target: Target, fault: Fault) -> bool:
-    """Run the tests of a target with a fault from the import on, in a process of their own."""
+def survives(target: Target, mutant: Mutant) -> bool:
+    """Run the tests of a target with a mutant from the import on, in a process of their own."""
 
     def run() -> int:
-        sys.meta_path.insert(0, _Planted(target, fault.plant()))
+        sys.meta_path.insert(0, _Mutated(target, mutant.tree()))
         # Now, for pytest itself would load a module that is called something_test.
         importlib.import_module(target.module)
         return _tests(target, _Confined())
@@ -363,15 +363,15 @@ class _Confined:
 
 
 class _InPlace(_Confined):
-    """Runs the tests with one fault after the other, in children of a process that has them all."""
+    """Runs the tests with one mutant after another, in children of a process that has them all."""
 
-    def __init__(self, target: Target, listed: Sequence[Fault], asked: Connection) -> None:
+    def __init__(self, target: Target, listed: Sequence[Mutant], asked: Connection) -> None:
         self.target, self.listed, self.asked = target, listed, asked
         self.lines, self.costs = dict[Any, list[int]](), dict[Any, float]()
 
     def pytest_runtestloop(self, session: Any) -> bool:
-        """Answer for each number of a fault whether a test notices it; -1 is none."""
-        # Its children are confined; it plants as many faults as there are.
+        """Answer for each number of a mutant whether a test kills it; -1 is none."""
+        # Its children are confined; it makes as many mutants as there are.
         most = resource.getrlimit(resource.RLIMIT_CPU)[1]
         resource.setrlimit(resource.RLIMIT_CPU, (most, most))
         path, module = str(self.target.path), self.target.module
@@ -384,8 +384,8 @@ class _InPlace(_Confined):
             changed, items = code, list(session.items)
             line = self.listed[number].line if number >= 0 else 0
             if number >= 0:
-                changed = _codes(compile(self.listed[number].plant(), path, "exec"))
-            # First those that noticed a fault nearby, and quick ones: a line is worth 0.01 s.
+                changed = _codes(compile(self.listed[number].tree(), path, "exec"))
+            # First those that killed a mutant nearby, and quick ones: a line is worth 0.01 s.
             far = {x: min([abs(y - line) for y in self.lines.get(x, [100])]) for x in items}
             items.sort(key=lambda x: 0.01 * far[x] + self.costs.get(x, 0))
             costs = RawArray("d", len(items))
@@ -435,11 +435,11 @@ def _preload() -> None:
     )
 
 
-def plant(name: str, seed: int, first: int = 1, argued: bool = False) -> int:
-    """Plant the faults of a target and print those that survive; return how many should not."""
+def run_target(name: str, seed: int, first: int = 1, argued: bool = False) -> int:
+    """Run the mutants of a target and print those that survive; return how many should not."""
     target, reasons, start = TARGETS[name], _reasons(name), time.monotonic()
-    listed = list(faults(target.path.read_text(encoding="utf-8")))
-    wrong = set(reasons) - {(fault.text, fault.change) for fault in listed}
+    listed = list(mutants(target.path.read_text(encoding="utf-8")))
+    wrong = set(reasons) - {(mutant.text, mutant.change) for mutant in listed}
     if target.sample:
         listed = Random(f"mutants {seed}").sample(listed, min(target.sample, len(listed)))
     fork, alike, alive = get_context("fork"), 0, 0
@@ -450,40 +450,40 @@ def plant(name: str, seed: int, first: int = 1, argued: bool = False) -> int:
     worker.start()
     there.close()  # Else nothing would be heard of a worker that ends.
 
-    def noticed(number: int) -> bool:
+    def killed(number: int) -> bool:
         here.send(number)
         return bool(here.recv())
 
-    if noticed(-1):
-        raise SystemExit(f"the tests of {name} fail without a fault, or take too long")
-    for number, fault in enumerate(listed[first - 1 :], first - 1):
-        known = (fault.text, fault.change) in reasons
+    if killed(-1):
+        raise SystemExit(f"the tests of {name} fail without a mutant, or take too long")
+    for number, mutant in enumerate(listed[first - 1 :], first - 1):
+        known = (mutant.text, mutant.change) in reasons
         if known and not argued:
             alike += 1
-        elif noticed(number):
-            wrong |= {(fault.text, fault.change)} if known else set()
+        elif killed(number):
+            wrong |= {(mutant.text, mutant.change)} if known else set()
         elif known:
             alike += 1
-        elif survives(target, fault):
+        elif survives(target, mutant):
             alive += 1
-            print(f"  {name} {number + 1}, line {fault.line}: {fault.text}")
-            print(f"    {fault.change}: SURVIVES", flush=True)
+            print(f"  {name} {number + 1}, line {mutant.line}: {mutant.text}")
+            print(f"    {mutant.change}: SURVIVES", flush=True)
     here.send(None)
     worker.join()
     for text, change in sorted(wrong):
         print(f"  {name}: {text}\n    {change}: does not survive, and is among EQUIVALENT")
-    counts = f"{len(listed) - first + 1} faults, {alike} change nothing, {alive} survive"
+    counts = f"{len(listed) - first + 1} mutants, {alike} equivalent, {alive} survive"
     print(f"{name}: {counts}, {time.monotonic() - start:.0f} s", flush=True)
     return alive + len(wrong)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run; return 1 if a fault survives that is not known to change nothing, or one does not."""
+    """Run; return 1 if a mutant survives that is not known as equivalent, or one such does not."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("targets", nargs="*", metavar="TARGET", help=", ".join(TARGETS))
     parser.add_argument("--seed", type=int, default=0, help="of the samples")
     parser.add_argument("--jobs", type=int, default=2, help="targets at a time")
-    parser.add_argument("--argued", action="store_true", help="plant what is argued, too")
+    parser.add_argument("--argued", action="store_true", help="run those argued, too")
     parser.add_argument("--first", type=int, default=1, help="begin with this one of each list")
     given = parser.parse_args(arguments)
     for name in given.targets:
@@ -495,7 +495,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     with ThreadPoolExecutor(given.jobs) as pool:
         names = given.targets or list(TARGETS)
         wrong = list(
-            pool.map(lambda name: plant(name, given.seed, given.first, given.argued), names)
+            pool.map(lambda name: run_target(name, given.seed, given.first, given.argued), names)
         )
     return 1 if any(wrong) else 0
 
