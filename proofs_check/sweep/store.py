@@ -36,8 +36,9 @@ _TABLES = (
 )
 #: Blobs can be read whatever is in them.
 _CHUNKS = (
-    "SELECT CAST(number AS INTEGER), CAST(milliseconds AS BLOB), CAST(record AS BLOB), "
-    "CAST(result AS BLOB), CAST(checksum AS BLOB) "
+    "SELECT CASE typeof(number) WHEN 'integer' THEN number ELSE -1 END, "
+    "CAST(milliseconds AS BLOB), CAST(record AS BLOB), CAST(result AS BLOB), "
+    "CAST(checksum AS BLOB) "
     "FROM chunks LEFT JOIN environments ON environments.id = chunks.environment"
 )
 #: Where the table cannot be read in order, so many numbers are looked up one by one.

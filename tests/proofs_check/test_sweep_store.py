@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import example, given, settings, strategies as st
 
 from proofs_check.cli.program import main
 from proofs_check.errors import DamagedStoreError
@@ -233,6 +233,7 @@ def never_believed(whole: Path, place: tuple[str, str], row: int, value: Any) ->
     st.integers(0, 5),
     st.sampled_from(VALUES) | st.tuples(st.integers(0, 5)),
 )
+@example(("chunks", "number"), 0, "")
 def test_a_changed_cell_is_never_believed(whole, place, row, value):
     never_believed(whole, place, row, value)
 
@@ -241,6 +242,6 @@ def test_a_changed_cell_is_never_believed(whole, place, row, value):
 @pytest.mark.campaign
 @pytest.mark.parametrize("place", COLUMNS, ids=".".join)
 def test_no_changed_cell_is_believed(whole, place):
-    for row in range(6 if place[0] == "chunks" else 1):
+    for row in (0, 3) if place[0] == "chunks" else (0,):
         for value in (*VALUES, *((k,) for k in range(6))):
             never_believed(whole, place, row, value)
