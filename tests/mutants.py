@@ -3,6 +3,7 @@
     python tests/mutants.py                   all targets
     python tests/mutants.py checker law       some of them
     python tests/mutants.py --seed 5          another sample of the targets that are sampled
+    python tests/mutants.py --sample 4        four of each target at most
     python tests/mutants.py --jobs 1          one target at a time
     python tests/mutants.py law --first 20    from the 20th mutant on
     python tests/mutants.py law --argued      also those that are said to be equivalent
@@ -41,133 +42,16 @@ from random import Random
 from types import CodeType, FunctionType
 from typing import Any, NamedTuple
 
-ROOT = Path(__file__).resolve().parent.parent
+if __package__ is None:
+    sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+from tests.mutant_targets import ROOT, TARGETS, Target
+
 #: CPU seconds after which a test has killed a mutant. No test takes half of it.
 LIMIT = 10
 #: Bytes that they may take: without its limit on depth the checker would follow any document.
 MEMORY = 4 * 2**30
 
-
-class Target(NamedTuple):
-    """A module, the tests that cover it, fast ones first, and how many mutants to run (0: all)."""
-
-    module: str
-    tests: tuple[str, ...]
-    sample: int = 0
-
-    @property
-    def path(self) -> Path:
-        """The file of the module."""
-        return ROOT / Path(*self.module.split(".")).with_suffix(".py")
-
-
-CHECKER = ("tests/equilibrium/test_checker.py",)
-GRASP = "tests/equilibrium/test_grasp.py::TestValues"
-PLANES = "tests/equilibrium/test_space.py::TestPlanes"
-PYRAMIDS = "tests/equilibrium/test_space.py::TestPyramids"
-SOLVER = ("tests/equilibrium/test_verdict.py",)
-SEARCH = ("tests/equilibrium/test_leaves.py", "tests/equilibrium/test_resistance.py")
-SPACE = (
-    "tests/equilibrium/test_space_checker.py",
-    "tests/equilibrium/test_space.py::TestChecker",
-)
-FIELD = "tests/arrangement/test_number_field.py"
-CIRCLES = ("tests/arrangement/test_great_circles_exactness.py", FIELD)
-LOADS = tuple(
-    f"tests/equilibrium/test_space.py::Test{name}" for name in ("KnownLoads", "Brackets", "Borders")
-)
-ROBUST = (
-    "tests/equilibrium/test_robust_arithmetic.py",
-    "tests/equilibrium/test_robust_checker.py",
-)
-FINAL = tuple(
-    f"tests/arrangement/test_identify.py::test_{name}"
-    for name in (
-        "pappus_has_coordinates_and_non_pappus_a_proof_that_it_has_none",
-        "a_changed_proof_is_refused",
-        "forged_proofs_are_refused_though_their_products_cancel",
-        "no_type_with_coordinates_has_a_proof_that_it_has_none",
-        "three_comparisons_of_signs_that_are_none_of_vectors_prove_it",
-        "comparisons_are_those_that_signs_of_vectors_force",
-        "the_proved_program_is_asked_of_these_signs_and_this_proof",
-    )
-)
-COUNTS, LATTICE, OPERATIONS, SYMMETRIC, IN_PARTS = (
-    f"tests/arrangement/test_counts{name}.py"
-    for name in ("", "_lattice", "_operations", "_symmetric", "_in_parts")
-)
-#: What is counted without its flats, or is not begun.
-FORECASTS = tuple(
-    f"tests/arrangement/test_budget.py::test_{name}"
-    for name in (
-        "planes_of_independent_parts_are_counted_part_by_part",
-        "a_basis_of_many_rows_is_found_where_they_span_little",
-        "one_plane_off_the_others_is_a_factor_of_its_own",
-        "factors_that_only_a_prime_shows_are_none",
-        "planes_in_general_position_are_counted_without_their_flats",
-        "flats_are_refused_as_soon_as_their_second_rank_is_known",
-        "flats_of_a_high_rank_are_refused_before_any_is_made",
-    )
-)
-#: What is counted by symmetries, or until a time is over.
-GIVEN = tuple(
-    f"{SYMMETRIC}::test_{name}"
-    for name in (
-        "given_symmetries_are_checked",
-        "a_time_limit_leaves_what_is_known",
-        "few_symmetries_leave_flats_to_the_lattice",
-    )
-)
-ENGINES = "tests/arrangement/test_engines.py"
-INSCRIBED = "tests/arrangement/test_inscribed.py"
-TARGETS = {
-    "checker": Target("equilibrium.certificate.checker", (*CHECKER, PLANES, PYRAMIDS)),
-    "law": Target("equilibrium.certificate.law", (*CHECKER, SPACE[0])),
-    "reading": Target("equilibrium.certificate.reading", (*CHECKER, *SPACE, PLANES)),
-    "space": Target("equilibrium.certificate.space", SPACE),
-    "enclosure": Target("equilibrium.certificate.enclosure", SPACE),
-    "uncertain": Target("equilibrium.certificate.uncertain", ROBUST),
-    "robust": Target("equilibrium.certificate.robust", ROBUST),
-    "plane": Target("equilibrium.model.grasp", (GRASP, PLANES)),
-    "loads": Target("equilibrium.wrench_sets.spatial", LOADS),
-    "known": Target("equilibrium.wrench_sets.known_loads", LOADS),
-    "final": Target("arrangement.library.census.final_polynomials", FINAL),
-    "proofs": Target("arrangement.library.census.workshop.proofs", FINAL),
-    "inscribed": Target("arrangement.duals.inscribed.certificates", (INSCRIBED,)),
-    "modular": Target("arrangement.counts.modular", (SYMMETRIC, FIELD)),
-    "lowrank": Target("arrangement.counts.low_rank", (COUNTS,)),
-    "lattice": Target("arrangement.counts.lattice", (LATTICE, COUNTS, *FORECASTS)),
-    "cone": Target("arrangement.counts.in_cone", ("tests/arrangement/test_fan.py",)),
-    "operations": Target("arrangement.counts.operations", (OPERATIONS, *FORECASTS)),
-    "whitney": Target("arrangement.counts.whitney", (COUNTS, *FORECASTS, *GIVEN)),
-    "points": Target("arrangement.counts.points", (COUNTS,)),
-    "configuration": Target("arrangement.counts.configuration", (OPERATIONS, *FORECASTS)),
-    "matroid": Target("arrangement.counts.oriented_matroid", (LATTICE,)),
-    "complete": Target("arrangement.counts.completeness", (ENGINES,)),
-    "classes": Target("arrangement.counts.classes.symmetric", (SYMMETRIC, IN_PARTS)),
-    "images": Target("arrangement.counts.classes.images", (SYMMETRIC,)),
-    "maps": Target("arrangement.counts.classes.automorphisms", (SYMMETRIC,)),
-    "parts": Target("arrangement.counts.classes.in_parts", (IN_PARTS,)),
-    "field": Target("arrangement.numbers.fields.number_field", (FIELD,)),
-    "real": Target("arrangement.numbers.real", (FIELD,)),
-    "algebraic": Target("arrangement.numbers.fields.algebraic_number", (FIELD,)),
-    "circles": Target("arrangement.enumeration.great_circles.predicates", CIRCLES),
-    "crossings": Target("arrangement.enumeration.great_circles.crossings", CIRCLES[:1]),
-    "predicates": Target(
-        "arrangement.enumeration.affine_space.predicates",
-        ("tests/arrangement/test_affine_space.py",),
-        24,
-    ),
-    "states": Target("equilibrium.plane.states.state_system", SOLVER, 12),
-    "elimination": Target("arrangement.numbers.linear.rank", SOLVER, 12),
-    "pieces": Target("equilibrium.plane.states.equilibrium", SOLVER, 12),
-    "leaves": Target("equilibrium.plane.search.virtual_motions", SEARCH, 12),
-    "guess": Target("equilibrium.plane.search.state_equilibrium", SEARCH, 12),
-    "splits": Target("equilibrium.plane.search.state_splits", SEARCH, 12),
-    "program": Target("equilibrium.plane.search.part_program", SEARCH, 12),
-    "part": Target("equilibrium.plane.search.part_guess", SEARCH, 12),
-    "oracle": Target("proofs_check.routes.oracle", ("tests/proofs_check/test_oracle.py",), 12),
-}
 
 #: Mutants that change no answer: for each target lines of code, and below each line its mutants
 #: and the reason, with " | " between. "(2)" is the second of its kind in the line.
@@ -435,13 +319,13 @@ def _preload() -> None:
     )
 
 
-def run_target(name: str, seed: int, first: int = 1, argued: bool = False) -> int:
+def run_target(name: str, seed: int, first: int = 1, argued: bool = False, sample: int = 0) -> int:
     """Run the mutants of a target and print those that survive; return how many should not."""
     target, reasons, start = TARGETS[name], _reasons(name), time.monotonic()
     listed = list(mutants(target.path.read_text(encoding="utf-8")))
     wrong = set(reasons) - {(mutant.text, mutant.change) for mutant in listed}
-    if target.sample:
-        listed = Random(f"mutants {seed}").sample(listed, min(target.sample, len(listed)))
+    if most := sample or target.sample:
+        listed = Random(f"mutants {seed}").sample(listed, min(most, len(listed)))
     fork, alike, alive = get_context("fork"), 0, 0
     here, there = fork.Pipe()
     worker = fork.Process(
@@ -482,6 +366,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("targets", nargs="*", metavar="TARGET", help=", ".join(TARGETS))
     parser.add_argument("--seed", type=int, default=0, help="of the samples")
+    parser.add_argument("--sample", type=int, default=0, help="at most so many of each target")
     parser.add_argument("--jobs", type=int, default=2, help="targets at a time")
     parser.add_argument("--argued", action="store_true", help="run those argued, too")
     parser.add_argument("--first", type=int, default=1, help="begin with this one of each list")
@@ -490,12 +375,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if name not in TARGETS:
             parser.error(f"{name!r} is no target; known are {', '.join(TARGETS)}")
     os.chdir(ROOT)
-    sys.path.insert(0, str(ROOT))
     _preload()
+    options = (given.seed, given.first, given.argued, given.sample)
     with ThreadPoolExecutor(given.jobs) as pool:
-        names = given.targets or list(TARGETS)
         wrong = list(
-            pool.map(lambda name: run_target(name, given.seed, given.first, given.argued), names)
+            pool.map(lambda name: run_target(name, *options), given.targets or list(TARGETS))
         )
     return 1 if any(wrong) else 0
 

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 import arrangement
+from tests import mutant_targets
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = ("arrangement", "equilibrium", "proofs_check")
@@ -90,3 +91,27 @@ def test_every_cited_work_is_in_the_bibliography():
         for found in key.findall(path.read_text(encoding="utf-8"))
     }
     assert {found: path for found, path in cited.items() if found not in listed} == {}
+
+
+def test_each_deciding_module_has_mutants_or_a_reason():
+    modules = {
+        ".".join(path.relative_to(ROOT).with_suffix("").parts)
+        for package in mutant_targets.DECIDING
+        for path in (ROOT / package.replace(".", "/")).rglob("*.py")
+        if path.name != "__init__.py"
+    }
+    targets = {target.module for target in mutant_targets.TARGETS.values()}
+    exceptions = set(mutant_targets.EXCEPTIONS)
+    assert modules - targets - exceptions == set()
+    assert exceptions - modules == exceptions & targets == set()
+
+
+def test_mutants_name_tests_and_targets_that_exist():
+    for target in mutant_targets.TARGETS.values():
+        assert target.path.is_file()
+        for name in target.tests:
+            file, *path = name.split("::")
+            words = (ROOT / file).read_text(encoding="utf-8")
+            assert all(re.search(rf"(def|class) {word}\b", words) for word in path), name
+    argued = (ROOT / "tests" / "mutants_equivalent.txt").read_text(encoding="utf-8")
+    assert set(re.findall(r"^\[([\w.]+)\]$", argued, re.M)) <= set(mutant_targets.TARGETS)

@@ -1,0 +1,374 @@
+"""What mutation testing changes, with the tests that are to notice it (see `mutants`)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NamedTuple
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+class Target(NamedTuple):
+    """A module, the tests that cover it, fast ones first, and how many mutants to run (0: all)."""
+
+    module: str
+    tests: tuple[str, ...]
+    sample: int = 0
+
+    @property
+    def path(self) -> Path:
+        """The file of the module."""
+        return ROOT / Path(*self.module.split(".")).with_suffix(".py")
+
+
+CHECKER = ("tests/equilibrium/test_checker.py",)
+GRASP = "tests/equilibrium/test_grasp.py::TestValues"
+PLANES = "tests/equilibrium/test_space.py::TestPlanes"
+PYRAMIDS = "tests/equilibrium/test_space.py::TestPyramids"
+SOLVER = ("tests/equilibrium/test_verdict.py",)
+SEARCH = ("tests/equilibrium/test_leaves.py", "tests/equilibrium/test_resistance.py")
+SPACE = (
+    "tests/equilibrium/test_space_checker.py",
+    "tests/equilibrium/test_space.py::TestChecker",
+)
+FIELD = "tests/arrangement/test_number_field.py"
+SPACE_SEARCH = (
+    *(
+        f"tests/equilibrium/test_space.py::Test{name}"
+        for name in ("KnownLeaves", "Borders", "Planes")
+    ),
+    "tests/equilibrium/test_space.py::test_without_friction_a_load_is_resisted_if_normals_alone_balance_it",
+    PYRAMIDS,
+)
+CIRCLES = ("tests/arrangement/test_great_circles_exactness.py", FIELD)
+LOADS = tuple(
+    f"tests/equilibrium/test_space.py::Test{name}" for name in ("KnownLoads", "Brackets", "Borders")
+)
+ROBUST = (
+    "tests/equilibrium/test_robust_arithmetic.py",
+    "tests/equilibrium/test_robust_checker.py",
+)
+FINAL = tuple(
+    f"tests/arrangement/test_identify.py::test_{name}"
+    for name in (
+        "pappus_has_coordinates_and_non_pappus_a_proof_that_it_has_none",
+        "a_changed_proof_is_refused",
+        "forged_proofs_are_refused_though_their_products_cancel",
+        "no_type_with_coordinates_has_a_proof_that_it_has_none",
+        "three_comparisons_of_signs_that_are_none_of_vectors_prove_it",
+        "comparisons_are_those_that_signs_of_vectors_force",
+        "the_proved_program_is_asked_of_these_signs_and_this_proof",
+    )
+)
+COUNTS, LATTICE, OPERATIONS, SYMMETRIC, IN_PARTS = (
+    f"tests/arrangement/test_counts{name}.py"
+    for name in ("", "_lattice", "_operations", "_symmetric", "_in_parts")
+)
+#: What is counted without its flats, or is not begun.
+FORECASTS = tuple(
+    f"tests/arrangement/test_budget.py::test_{name}"
+    for name in (
+        "planes_of_independent_parts_are_counted_part_by_part",
+        "a_basis_of_many_rows_is_found_where_they_span_little",
+        "one_plane_off_the_others_is_a_factor_of_its_own",
+        "factors_that_only_a_prime_shows_are_none",
+        "planes_in_general_position_are_counted_without_their_flats",
+        "flats_are_refused_as_soon_as_their_second_rank_is_known",
+        "flats_of_a_high_rank_are_refused_before_any_is_made",
+    )
+)
+#: What is counted by symmetries, or until a time is over.
+GIVEN = tuple(
+    f"{SYMMETRIC}::test_{name}"
+    for name in (
+        "given_symmetries_are_checked",
+        "a_time_limit_leaves_what_is_known",
+        "few_symmetries_leave_flats_to_the_lattice",
+    )
+)
+ENGINES = "tests/arrangement/test_engines.py"
+INSCRIBED = "tests/arrangement/test_inscribed.py"
+TARGETS = {
+    "checker": Target("equilibrium.certificate.checker", (*CHECKER, PLANES, PYRAMIDS)),
+    "law": Target("equilibrium.certificate.law", (*CHECKER, SPACE[0])),
+    "reading": Target("equilibrium.certificate.reading", (*CHECKER, *SPACE, PLANES)),
+    "space": Target("equilibrium.certificate.space", SPACE),
+    "enclosure": Target("equilibrium.certificate.enclosure", SPACE),
+    "uncertain": Target("equilibrium.certificate.uncertain", ROBUST),
+    "robust": Target("equilibrium.certificate.robust", ROBUST),
+    "plane": Target("equilibrium.model.grasp", (GRASP, PLANES)),
+    "loads": Target("equilibrium.wrench_sets.spatial", LOADS),
+    "known": Target("equilibrium.wrench_sets.known_loads", LOADS),
+    "final": Target("arrangement.library.census.final_polynomials", FINAL),
+    "proofs": Target("arrangement.library.census.workshop.proofs", FINAL),
+    "inscribed": Target("arrangement.duals.inscribed.certificates", (INSCRIBED,)),
+    "modular": Target("arrangement.counts.modular", (SYMMETRIC, FIELD)),
+    "lowrank": Target("arrangement.counts.low_rank", (COUNTS,)),
+    "lattice": Target("arrangement.counts.lattice", (LATTICE, COUNTS, *FORECASTS)),
+    "cone": Target("arrangement.counts.in_cone", ("tests/arrangement/test_fan.py",)),
+    "operations": Target("arrangement.counts.operations", (OPERATIONS, *FORECASTS)),
+    "whitney": Target("arrangement.counts.whitney", (COUNTS, *FORECASTS, *GIVEN)),
+    "points": Target("arrangement.counts.points", (COUNTS,)),
+    "configuration": Target("arrangement.counts.configuration", (OPERATIONS, *FORECASTS)),
+    "matroid": Target("arrangement.counts.oriented_matroid", (LATTICE,)),
+    "complete": Target("arrangement.counts.completeness", (ENGINES,)),
+    "classes": Target("arrangement.counts.classes.symmetric", (SYMMETRIC, IN_PARTS)),
+    "images": Target("arrangement.counts.classes.images", (SYMMETRIC,)),
+    "maps": Target("arrangement.counts.classes.automorphisms", (SYMMETRIC,)),
+    "parts": Target("arrangement.counts.classes.in_parts", (IN_PARTS,)),
+    "field": Target("arrangement.numbers.fields.number_field", (FIELD,)),
+    "real": Target("arrangement.numbers.real", (FIELD,)),
+    "algebraic": Target("arrangement.numbers.fields.algebraic_number", (FIELD,)),
+    "circles": Target("arrangement.enumeration.great_circles.predicates", CIRCLES),
+    "crossings": Target("arrangement.enumeration.great_circles.crossings", CIRCLES[:1]),
+    "predicates": Target(
+        "arrangement.enumeration.affine_space.predicates",
+        ("tests/arrangement/test_affine_space.py",),
+        24,
+    ),
+    "states": Target("equilibrium.plane.states.state_system", SOLVER, 12),
+    "elimination": Target("arrangement.numbers.linear.rank", SOLVER, 12),
+    "pieces": Target("equilibrium.plane.states.equilibrium", SOLVER, 12),
+    "leaves": Target("equilibrium.plane.search.virtual_motions", SEARCH, 12),
+    "guess": Target("equilibrium.plane.search.state_equilibrium", SEARCH, 12),
+    "splits": Target("equilibrium.plane.search.state_splits", SEARCH, 12),
+    "program": Target("equilibrium.plane.search.part_program", SEARCH, 12),
+    "part": Target("equilibrium.plane.search.part_guess", SEARCH, 12),
+    "oracle": Target("proofs_check.routes.oracle", ("tests/proofs_check/test_oracle.py",), 12),
+}
+
+#: Mutants that are run of each module below.
+SAMPLE = 12
+#: The same for whole modules, each called by its path without the package: sampled.
+SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
+    ("tests/arrangement/test_dual.py",): (
+        "arrangement.duals.zonohedron",
+        "arrangement.duals.zonotope",
+    ),
+    ("tests/arrangement/test_inscribed.py",): (
+        "arrangement.duals.inscribed.hull",
+        "arrangement.duals.inscribed.report",
+        "arrangement.duals.inscribed.search",
+    ),
+    (
+        "tests/arrangement/test_engines.py",
+        "tests/arrangement/test_rank_four.py",
+    ): (
+        "arrangement.enumeration.any_dimension",
+        "arrangement.enumeration.reduction",
+        "arrangement.enumeration.sequence",
+        "arrangement.enumeration.choose",
+    ),
+    ("tests/arrangement/test_fan.py",): ("arrangement.enumeration.fan",),
+    ("tests/arrangement/test_paper_steps.py",): ("arrangement.enumeration.paper_steps",),
+    ("tests/arrangement/test_regions.py",): ("arrangement.enumeration.regions",),
+    ("tests/arrangement/test_affine_space.py",): (
+        "arrangement.enumeration.affine_space.faces",
+        "arrangement.enumeration.affine_space.lines",
+    ),
+    (
+        "tests/arrangement/test_great_circles.py",
+        "tests/arrangement/test_great_circles_exactness.py",
+    ): (
+        "arrangement.enumeration.great_circles.arrangement",
+        "arrangement.enumeration.great_circles.incidence",
+        "arrangement.enumeration.great_circles.signs",
+        "arrangement.enumeration.great_circles.tracing",
+        "arrangement.enumeration.great_circles.validation",
+    ),
+    ("tests/arrangement/test_budget.py",): ("arrangement.numbers.budget",),
+    ("tests/arrangement/test_number_field.py",): (
+        "arrangement.numbers.coefficients",
+        "arrangement.numbers.fields.polynomials",
+        "arrangement.numbers.fields.sympy_numbers",
+    ),
+    (
+        "tests/arrangement/test_symbolic.py",
+        "tests/arrangement/test_number_field.py",
+    ): ("arrangement.numbers.entries",),
+    ("tests/arrangement/test_exact.py",): ("arrangement.numbers.exact",),
+    (
+        "tests/arrangement/test_great_circles_exactness.py",
+        "tests/arrangement/test_affine_space.py",
+    ): (
+        "arrangement.numbers.float_filter",
+        "arrangement.numbers.packing",
+    ),
+    ("tests/arrangement/test_symbolic.py",): ("arrangement.numbers.symbolic",),
+    ("tests/equilibrium/test_wrench_sets_space.py",): (
+        "arrangement.numbers.linear.cones",
+        "arrangement.numbers.linear.separation",
+        "equilibrium.wrench_sets.space",
+    ),
+    ("tests/arrangement/test_linprog.py",): (
+        "arrangement.numbers.linear.dictionary",
+        "arrangement.numbers.linear.float_dictionary",
+        "arrangement.numbers.linear.float_program",
+        "arrangement.numbers.linear.program_rows",
+        "arrangement.numbers.linear.programs",
+    ),
+    ("tests/equilibrium/test_wrench_sets_plane.py",): (
+        "arrangement.numbers.linear.intervals",
+        "equilibrium.wrench_sets.friction",
+        "equilibrium.wrench_sets.margin",
+        "equilibrium.wrench_sets.outline",
+        "equilibrium.wrench_sets.plane",
+        "equilibrium.wrench_sets.search_map",
+    ),
+    (
+        "tests/equilibrium/test_wrench_sets_plane.py",
+        "tests/equilibrium/test_wrench_sets_space.py",
+    ): ("arrangement.numbers.linear.polyhedron",),
+    (
+        "tests/arrangement/test_planes.py",
+        "tests/arrangement/test_regions.py",
+    ): (
+        "arrangement.planes.faces",
+        "arrangement.planes.planes",
+    ),
+    (
+        "tests/equilibrium/test_checker.py",
+        "tests/equilibrium/test_space_checker.py",
+    ): ("equilibrium.certificate.document",),
+    (
+        "tests/equilibrium/test_proof_view.py",
+        "tests/equilibrium/test_range.py",
+    ): ("equilibrium.certificate.leaves",),
+    ("tests/equilibrium/test_robustness.py",): (
+        "equilibrium.decide.closing",
+        "equilibrium.decide.robustness",
+        "equilibrium.decide.samples",
+    ),
+    (
+        "tests/equilibrium/test_verdict.py",
+        "tests/equilibrium/test_range.py",
+    ): (
+        "equilibrium.decide.solver",
+        "equilibrium.decide.verdict",
+    ),
+    (
+        "tests/equilibrium/test_methods.py",
+        "tests/equilibrium/test_methods_laws.py",
+    ): (
+        "equilibrium.methods.compare",
+        "equilibrium.methods.cones",
+        "equilibrium.methods.form_closure",
+        "equilibrium.methods.grasp_wrench_space",
+        "equilibrium.methods.method",
+        "equilibrium.methods.printed_model",
+        "equilibrium.methods.springs",
+        "equilibrium.methods.survey",
+        "equilibrium.methods.weak_strong",
+    ),
+    (
+        "tests/equilibrium/test_grasp.py",
+        "tests/equilibrium/test_space.py::TestModel",
+    ): ("equilibrium.model.contact",),
+    ("tests/equilibrium/test_range.py",): ("equilibrium.model.range",),
+    (
+        "tests/equilibrium/test_verdict.py",
+        "tests/equilibrium/test_space_checker.py",
+    ): ("equilibrium.model.solution",),
+    (
+        "tests/equilibrium/test_space.py::TestModel",
+        "tests/equilibrium/test_grasp.py",
+    ): ("equilibrium.model.unit_normal",),
+    ("tests/equilibrium/test_methods.py",): ("equilibrium.plane.contact_rows",),
+    (
+        "tests/equilibrium/test_leaves.py",
+        "tests/equilibrium/test_verdict.py",
+    ): ("equilibrium.plane.contacts",),
+    (
+        "tests/equilibrium/test_leaves.py",
+        "tests/equilibrium/test_resistance.py",
+    ): (
+        "equilibrium.plane.search.continuation",
+        "equilibrium.plane.search.motion_regions",
+        "equilibrium.plane.search.units",
+    ),
+    ("tests/equilibrium/test_contact_states.py",): (
+        "equilibrium.plane.states.contact_states",
+        "equilibrium.plane.states.interval_filter",
+        "equilibrium.plane.states.min_norm_point",
+    ),
+    SPACE_SEARCH: (
+        "equilibrium.space.cones",
+        "equilibrium.space.enclosures",
+        "equilibrium.space.equilibria",
+        "equilibrium.space.exact_parts",
+        "equilibrium.space.leaves",
+        "equilibrium.space.memory",
+        "equilibrium.space.plane",
+        "equilibrium.space.reach",
+        "equilibrium.space.relaxation",
+        "equilibrium.space.states",
+        "equilibrium.space.tree",
+    ),
+    ("tests/equilibrium/test_any_direction.py",): ("equilibrium.wrench_sets.any_direction",),
+    (
+        "tests/equilibrium/test_contact_states.py",
+        "tests/equilibrium/test_wrench_sets_plane.py",
+    ): ("equilibrium.wrench_sets.line",),
+    (
+        "tests/equilibrium/test_space.py::TestManyLoads",
+        "tests/equilibrium/test_inputs.py",
+    ): ("equilibrium.wrench_sets.loads",),
+    ("tests/equilibrium/test_modes.py",): ("proofs_check.routes.contact_modes",),
+    ("tests/proofs_check/test_dual_graph.py",): ("proofs_check.routes.dual_graph",),
+    ("tests/proofs_check/test_certificates.py",): ("proofs_check.routes.leaves",),
+    ("tests/proofs_check/test_many_types.py",): ("proofs_check.routes.many_types",),
+    ("tests/proofs_check/test_rivin.py",): ("proofs_check.routes.rivin",),
+    (
+        "tests/proofs_check/test_claim.py",
+        "tests/proofs_check/test_planted_bugs.py",
+    ): (
+        "proofs_check.statements.evidence",
+        "proofs_check.statements.statement",
+    ),
+    (
+        "tests/proofs_check/test_sweep_store.py",
+        "tests/proofs_check/test_sweep.py",
+    ): (
+        "proofs_check.sweep.plan",
+        "proofs_check.sweep.report",
+        "proofs_check.sweep.store",
+        "proofs_check.sweep.sweep",
+    ),
+}
+TARGETS |= {
+    module.partition(".")[2]: Target(module, tests, SAMPLE)
+    for tests, modules in SAMPLED.items()
+    for module in modules
+}
+
+#: Packages whose modules decide an answer.
+DECIDING = (
+    "arrangement.counts",
+    "arrangement.duals",
+    "arrangement.enumeration",
+    "arrangement.numbers",
+    "arrangement.planes",
+    "equilibrium.certificate",
+    "equilibrium.decide",
+    "equilibrium.methods",
+    "equilibrium.model",
+    "equilibrium.plane",
+    "equilibrium.space",
+    "equilibrium.wrench_sets",
+    "proofs_check.routes",
+    "proofs_check.statements",
+    "proofs_check.sweep",
+)
+#: Modules of these that are no target, and why.
+EXCEPTIONS = {
+    "arrangement.duals.body": "shapes of pictures",
+    "arrangement.duals.cells": "shapes of pictures",
+    "arrangement.duals.schlegel": "shapes of pictures",
+    "arrangement.numbers.deadline": "a clock, which decides no answer but that the time is over",
+    "arrangement.planes.proved": "runs the program proved in Coq, which is not built everywhere",
+    "proofs_check.routes.proved": "runs the program proved in Coq, which is not built everywhere",
+    "equilibrium.methods.registry": "a table of names",
+    "equilibrium.model.errors": "messages",
+    "equilibrium.model.labels": "units and errors that results repeat",
+    "equilibrium.model.outline": "shapes of pictures",
+}
