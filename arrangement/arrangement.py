@@ -1,20 +1,27 @@
-"""The facade: planes together with their faces, counts and great circles."""
+"""The facade: hyperplanes together with their faces, counts, duals and pictures."""
 
 from __future__ import annotations
 
+import json
+import os
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+import numpy.typing as npt
+
+from . import counts
 from .console.plugins import InlinePage, named
+from .console.writing import write_text_atomically
 from .counts import completeness
 from .counts.whitney import f_vector
 from .enumeration import regions
 from .enumeration.choose import enumerate_faces
 from .enumeration.great_circles import SphereArrangement, sphere_arrangement
 from .enumeration.sequence import FaceSequence
-from .errors import InputError
+from .errors import InputError, missing_attribute
 from .numbers.exact import shown, vector_text
 from .planes.faces import Face
 from .planes.planes import Planes
@@ -24,10 +31,30 @@ if TYPE_CHECKING:
     import sympy
 
     from .drawing.path_artist import Drawing
+    from .duals.zonohedron import DualPolyhedron
+    from .duals.zonotope import DualPolygon, DualSegment
+    from .library.census import Identification
+
+#: Other names of the field for what an arrangement has.
+_SYNONYMS = {
+    "chi": "characteristic_polynomial()",
+    "hyperplanes": "len(A), A.normals and A.offsets",
+    "lattice": "intersection_lattice()",
+    "moebius": "counts.moebius(A)",
+    "n_bounded_regions": "bounded_region_count()",
+    "n_hyperplanes": "len(A)",
+    "n_regions": "region_count()",
+    "number_of_regions": "region_count()",
+    "plot": "draw()",
+    "poincare_polynomial": "characteristic_polynomial() or whitney_numbers()",
+    "show": "draw()",
+    "tutte_polynomial": "characteristic_polynomial()",
+    "zonotope": "dual()",
+}
 
 
 class Arrangement(Planes):
-    """Finitely many planes ``n_i . x = b_i`` in R^d, and the faces into which they cut it.
+    """A hyperplane arrangement: finitely many planes ``n_i . x = b_i`` in R^d, and its faces.
 
     Each plane keeps its own orientation and its place in the input. It is stored as the positive
     multiple with coprime integer entries, so that equal planes compare equal: ``[2, 0, 0]`` and
@@ -143,6 +170,137 @@ class Arrangement(Planes):
         """
         return regions.distance_enumerator(self, self.regions(), base)
 
+    def chambers(self) -> FaceSequence:
+        """Return the regions, which are also called chambers; see `regions`."""
+        return self.regions()
+
+    def vertices(self) -> FaceSequence:
+        """Return the faces of dimension 0: the points in which hyperplanes meet."""
+        return self.faces(0)
+
+    def sign_vectors(self, dimension: int | None = None) -> npt.NDArray[np.int8]:
+        """Return the sign vectors (covectors) of the faces as rows of an array of -1, 0 and 1.
+
+        Args:
+            dimension: of the faces, 0 to d; if omitted, those of every dimension.
+
+        >>> Arrangement([[1, 0], [0, 1]]).sign_vectors(0)
+        array([[0, 0]], dtype=int8)
+        """
+        rows = [face.signs for face in self.faces(dimension)]
+        return np.array(rows, np.int8).reshape(len(rows), len(self))
+
+    def region_count(self) -> int:
+        """Return the number of regions by Zaslavsky's theorem, enumerating none.
+
+        >>> Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1]).region_count()
+        7
+        """
+        return counts.region_count(self)
+
+    def bounded_region_count(self, *, relative: bool = False) -> int:
+        """Return the number of bounded regions by Zaslavsky's theorem, enumerating none.
+
+        Args:
+            relative: count the relatively bounded ones (in the span of the normals).
+        """
+        return counts.bounded_region_count(self, relative=relative)
+
+    def characteristic_polynomial(self, time_limit: float | None = None) -> sympy.Poly:
+        """Return the characteristic polynomial chi(t); see `counts.characteristic_polynomial`.
+
+        >>> Arrangement([[1, 0], [0, 1], [1, 1]]).characteristic_polynomial()
+        Poly(t**2 - 3*t + 2, t, domain='ZZ')
+        """
+        return counts.characteristic_polynomial(self, time_limit=time_limit)
+
+    def whitney_numbers(self) -> counts.WhitneyNumbers:
+        """Return the Whitney numbers of both kinds; see `counts.whitney_numbers`."""
+        return counts.whitney_numbers(self)
+
+    def intersection_lattice(self) -> counts.IntersectionLattice:
+        """Return the flats, ordered by reverse inclusion; see `counts.intersection_lattice`."""
+        return counts.intersection_lattice(self)
+
+    def t_vector(self) -> Mapping[int, int]:
+        """Return how many flats of rank 2 lie on k hyperplanes, by k; see `counts.t_vector`."""
+        return counts.t_vector(self)
+
+    def covectors(self) -> frozenset[tuple[int, ...]]:
+        """Return the covectors of the oriented matroid; see `counts.covectors`."""
+        return counts.covectors(self)
+
+    def topes(self) -> frozenset[tuple[int, ...]]:
+        """Return the covectors of the regions; see `counts.topes`."""
+        return counts.topes(self)
+
+    def circuits(self) -> frozenset[tuple[int, ...]]:
+        """Return the signed minimal dependencies of the normals; see `counts.circuits`."""
+        return counts.circuits(self)
+
+    def cocircuits(self) -> frozenset[tuple[int, ...]]:
+        """Return the covectors of the rays; see `counts.cocircuits`."""
+        return counts.cocircuits(self)
+
+    def chirotope(self) -> Mapping[tuple[int, ...], int]:
+        """Return the signs of the maximal minors, by bases; see `counts.chirotope`."""
+        return counts.chirotope(self)
+
+    def identify(self) -> Identification:
+        """Return the isomorphism class of the oriented matroid, and facts about it.
+
+        >>> Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]]).identify().planes
+        3
+        """
+        found: Identification = named("arrangement.library.census:identify")(self)
+        return found
+
+    def deletion(self, *planes: int) -> Arrangement:
+        """Return the arrangement without the given hyperplanes; see `counts.deletion`."""
+        return counts.deletion(self, planes)
+
+    def restriction(self, *planes: int) -> Arrangement:
+        """Return the arrangement that the others cut on a flat; see `counts.restriction`."""
+        return counts.restriction(self, planes)
+
+    def localization(self, *planes: int) -> Arrangement:
+        """Return the hyperplanes that contain a flat; see `counts.localization`."""
+        return counts.localization(self, planes)
+
+    def essentialization(self) -> Arrangement:
+        """Return the arrangement in the span of its normals; see `counts.essentialization`."""
+        return counts.essentialization(self)
+
+    def cone(self) -> Arrangement:
+        """Return the central arrangement one dimension higher; see `counts.cone`."""
+        return counts.cone(self)
+
+    def dual(
+        self, lengths: Iterable[Any] | None = None
+    ) -> DualPolyhedron | DualPolygon | DualSegment:
+        """Return the dual zonotope of a central arrangement of rank 1 to 3.
+
+        Args:
+            lengths: a positive exact factor for each normal; 1 if omitted.
+
+        Raises:
+            InputError: an affine arrangement, or another rank.
+
+        >>> len(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]]).dual().vertices)
+        8
+        """
+        made: DualPolyhedron | DualPolygon | DualSegment
+        made = named("arrangement.duals.zonohedron:dual_zonotope")(self, lengths)
+        return made
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the arrangement as a JSON file, whole or not at all; `read_arrangement` reads it.
+
+        Raises:
+            InputError: the place cannot be written.
+        """
+        write_text_atomically(path, json.dumps(self.to_dict(), indent=1) + "\n")
+
     @property
     def p_vector(self) -> dict[int, int]:
         """How many regions have k facets, by k. In the projective plane there are half as many.
@@ -228,3 +386,10 @@ class Arrangement(Planes):
         """Return what a notebook shows where there is no picture: a table of counts."""
         text: str | None = named("arrangement.pictures.views:arrangement_html")(self)
         return text
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            if hasattr(type(self), name):  # an error inside a property is not a missing name
+                return object.__getattribute__(self, name)
+            raise missing_attribute(self, name, _SYNONYMS)

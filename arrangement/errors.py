@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 
 class ArrangementError(ValueError):
@@ -57,3 +57,21 @@ def refusal(
     near = get_close_matches(str(value), names, 3)
     meant = f"did you mean {' or '.join(near)}? " if near else ""
     return InputError(f"{mistake}; {meant}{remedy} {', '.join(names) or 'none'}")
+
+
+def missing_attribute(owner: object, name: str, synonyms: Mapping[str, str]) -> AttributeError:
+    """Return the error for an attribute that an object or a module does not have.
+
+    Args:
+        synonyms: other names of the field, each with what to write here.
+    """
+    from difflib import get_close_matches
+    from types import ModuleType
+
+    what = f"{type(owner).__name__!r} object"
+    if isinstance(owner, ModuleType):
+        what = f"module {owner.__name__!r}"
+    near = get_close_matches(name, [one for one in dir(owner) if one[0] != "_"], 2)
+    use = synonyms.get(name, " or ".join(near))
+    hint = "" if not use or name.startswith("_") else f"; use {use}"
+    return AttributeError(f"{what} has no attribute {name!r}{hint}", name=name)

@@ -228,11 +228,11 @@ class Drawings:
 
     @_within_floats()
     def draw(self, subject: Any, view: str | None = None, **options: Any) -> Drawing:
-        """Draw a view as a figure of matplotlib; the first one if none is named.
+        """Draw a view, or several as panels, as a figure of matplotlib; by default the first view.
 
         Args:
             subject: as in `write`.
-            view: its name.
+            view: its name; or names separated by commas, for panels side by side.
             options: those of its function; ``ax`` to draw into axes, a figure or a subfigure.
 
         Raises:
@@ -242,8 +242,14 @@ class Drawings:
         name = next(iter(self.views)) if view is None else view
         own = {option: value for option, value in options.items() if option != "ax"}
         self._check_options("view", name, own)
-        made: Drawing = self._named("view", name)(subject, **options)
-        return made
+        if "," not in name:
+            made: Drawing = self._named("view", name)(subject, **options)
+            return made
+        from .figure import drawing
+
+        if len(own) < len(options):
+            raise InputError("ax takes one view; draw each of several into axes of its own")
+        return drawing(self._scene(subject, name, None, {"width": WHOLE, **own}))
 
     def svg(self, subject: Any, view: str, **options: Any) -> str | None:
         """Return a picture as SVG text; None without matplotlib, or when `write` would refuse."""
