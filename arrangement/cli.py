@@ -254,22 +254,23 @@ def _whitney_numbers(arrangement: Arrangement, arguments: argparse.Namespace) ->
 
 
 def _forecast(arrangement: Arrangement, arguments: argparse.Namespace) -> int:
-    from .console.progress import duration
     from .counts.classes.symmetric import forecast
 
     ranks = list(forecast(arrangement))
-    total = sum(entry.seconds for entry in ranks)
+    total = sum(entry.steps for entry in ranks)
     if arguments.json:
-        terminal.print_json({"ranks": [asdict(entry) for entry in ranks], "seconds": total})
+        terminal.print_json({"ranks": [asdict(entry) for entry in ranks], "steps": total})
         return terminal.YES
-    print("rank   classes of flats   processor time       memory")
+    print("rank   classes of flats            steps       memory")
     for entry in ranks:
         about = " " if entry.exact else "≈"
         print(
-            f"{entry.rank:>4} {about}{entry.classes:>17,} {duration(entry.seconds):>16}"
+            f"{entry.rank:>4} {about}{entry.classes:>17,} {budget.about(entry.steps):>16}"
             f" {entry.megabytes:>9,.1f} MB"
         )
-    print(f"in all {duration(total):>33}, from samples where the number of classes has the sign ≈")
+    print(
+        f"in all {budget.about(total):>33}, from samples where the number of classes has the sign ≈"
+    )
     return terminal.YES
 
 
@@ -278,8 +279,8 @@ def _faces(arguments: argparse.Namespace) -> int:
     if arrangement.field is not None and not arguments.json:
         print(f"points in {arrangement.field!r}")
     found = arrangement.faces(arguments.dimension)
-    seconds = len(found) * (20 + 2 * len(arrangement)) * 1e-6
-    budget.ask(f"{len(found):,} faces, printed", "count them (arrangement count)", seconds=seconds)
+    steps = len(found) * (200 + 20 * len(arrangement))
+    budget.ask(f"{len(found):,} faces, printed", "count them (arrangement count)", steps=steps)
     for face in found:
         if arguments.json:
             terminal.print_json(

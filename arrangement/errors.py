@@ -22,7 +22,7 @@ class WorkerError(InputError):
 
 
 class OutOfReachError(InputError):
-    """More faces, bytes or seconds than the budget has (`arrangement.numbers.budget`).
+    """More faces, bytes or steps than the budget has (`arrangement.numbers.budget`).
 
     Attributes:
         f_vector: the numbers of faces that were to be listed, where they are known.

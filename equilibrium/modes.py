@@ -12,8 +12,6 @@ number of sliding-sticking modes depends on their choice.
 
 from __future__ import annotations
 
-import math
-import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -23,10 +21,10 @@ import numpy as np
 
 from arrangement.console.number_form import Documented, Shown
 from arrangement.console.progress import watched
-from arrangement.counts.whitney import deadline_after
 from arrangement.enumeration.fan import Fan
 from arrangement.errors import InputError, OutOfTimeError
 from arrangement.library.files.json_files import check_keys, check_list
+from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import IntegerVector, primitive, rational_vector
 from equilibrium.model.grasp import Grasp
 
@@ -63,7 +61,7 @@ class ContactModes(Shown):
         normals: m integer rows of length n: contact i does not move in where ``row . d >= 0``.
         tangents: for each contact the rows of its tangent planes, any number of them.
         n: the dimension of motions d: 3 for a body in the plane, 6 in space, more for more bodies.
-        deadline: of the monotonic clock; looked at before each cut by a plane.
+        deadline: looked at before each cut by a plane.
 
     Raises:
         TimeLimitError: by any property, the deadline is over.
@@ -73,7 +71,7 @@ class ContactModes(Shown):
     normals: tuple[IntegerVector, ...]
     tangents: tuple[tuple[IntegerVector, ...], ...]
     n: int
-    deadline: float = math.inf
+    deadline: Deadline = Deadline()  # noqa: RUF009
 
     @classmethod
     def of_grasp(cls, grasp: Grasp, *, time_limit: float | None = None) -> ContactModes:
@@ -91,7 +89,7 @@ class ContactModes(Shown):
             tuple(primitive(c.normal_wrench) for c in grasp),
             tuple(tuple(primitive(row) for row in c.tangential_wrenches) for c in grasp),
             3 if grasp.dimension == 2 else 6,
-            deadline_after(time_limit),
+            Deadline(time_limit),
         )
 
     @classmethod
@@ -121,7 +119,7 @@ class ContactModes(Shown):
         lengths = {len(row) for row in (*read, *(row for rows in slips for row in rows))}
         if len(lengths) != 1 or 0 in lengths:
             raise InputError(f"rows have the lengths {sorted(lengths)}; give rows of one length")
-        return cls(tuple(read), tuple(slips), lengths.pop(), deadline_after(time_limit))
+        return cls(tuple(read), tuple(slips), lengths.pop(), Deadline(time_limit))
 
     @cached_property
     def contacting_separating(self) -> tuple[Mode[Contacts], ...]:
@@ -147,9 +145,9 @@ class ContactModes(Shown):
         return cone.at(np.lexsort((*reversed(cone.signs.T), cone.dimensions)))
 
     def _in_time(self, fan: Fan) -> Fan:
-        if time.monotonic() > self.deadline:
+        if self.deadline.passed:
             raise OutOfTimeError(
-                f"the time is over before the modes of {len(self.normals)} contacts are all known; "
+                f"{self.deadline}: the modes of {len(self.normals)} contacts are not all known; "
                 "give more time, or fewer contacts",
                 (),
             )

@@ -22,8 +22,8 @@ Item = TypeVar("Item")
 
 _WIDTH = 24
 _PAUSE = 0.2
-#: Seconds of the processor after which a loop of some items is asked how long it will take.
-_MEASURED = 0.3
+#: Steps after which a loop of some items is asked how many it will take.
+_MEASURED = 3_000_000
 #: Loops that end sooner show no line.
 _PATIENCE = 1.0
 #: Seconds to the first line in a pipe, and the longest time between two.
@@ -31,10 +31,10 @@ _FIRST, _LONGEST = 2.0, 60.0
 
 
 class _Watch:
-    """The line of `shown`: whether loops are measured, and whether none tells on it now."""
+    """The line of `shown`: whether loops are counted, and whether none tells on it now."""
 
     def __init__(self, wanted: bool) -> None:
-        self.measured = self.free = wanted
+        self.counted = self.free = wanted
 
 
 #: Where `watched` loops show their line. One that is given up may end after `shown`, and then
@@ -68,14 +68,14 @@ def watched(items: Iterable[Item], unit: str, total: int | None = None) -> Itera
     """Return the items; inside `shown` a line tells how many are done, if it takes a while.
 
     Of nested loops the outermost tells. One that will not end within the budget, nested or not, is
-    refused as soon as its pace is known.
+    refused as soon as the steps of its first items are known.
 
     Args:
         unit: of what, in the plural.
         total: their number, if they have no length.
     """
     line = _line.get()
-    if not line.measured:
+    if not line.counted:
         return items
     known = len(items) if isinstance(items, Sized) else total
     return _telling(items, Bar(known, unit, patience=_PATIENCE), line)
@@ -83,21 +83,21 @@ def watched(items: Iterable[Item], unit: str, total: int | None = None) -> Itera
 
 def _telling(items: Iterable[Item], bar: Bar, line: _Watch) -> Iterator[Item]:
     outermost, line.free = line.free, False
-    began, asked = 0.0, False
+    began, asked = -1.0, False
     try:
         for done, item in enumerate(items, start=1):
             yield item
             if outermost:
                 bar.update(done)
-            # Without the first, which may import what others find.
-            began = began or time.process_time()
+            # Without the first, which may find what others use.
+            began = budget.spent() if began < 0 else began
             if asked or not bar.total or not max(2, min(20, bar.total / 4)) <= done < bar.total:
                 continue
-            passed = time.process_time() - began
-            if passed > _MEASURED:
+            taken = budget.spent() - began
+            if taken > _MEASURED:
                 asked = True
                 text = f"{bar.total:,} {bar.unit}, of which {done:,} are done"
-                budget.ask(text, "ask for less", told=passed / (done - 1) * bar.total)
+                budget.ask(text, "ask for less", long_steps=taken / (done - 1) * bar.total)
     finally:
         bar.close()
         line.free = line.free or outermost

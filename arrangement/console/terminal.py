@@ -236,7 +236,7 @@ def add_common_options(parser: argparse.ArgumentParser) -> None:
         type=times_argument,
         default=1.0,
         metavar="TIMES",
-        help="let it take so many times the usual faces, bytes and seconds",
+        help="let it take so many times the usual faces, bytes and steps",
     )
     parser.add_argument(
         "--traceback", action="store_true", help="after a fault of the program, show where it was"
@@ -353,13 +353,13 @@ def _run(parser: Parser, argv: Sequence[str] | None) -> int:
         arguments = parser.parse_args(argv)
         exact = any(getattr(arguments, name, False) for name in ("json", "exact"))
         form = number_form.Form(exact, getattr(arguments, "digits", None) or number_form.DIGITS)
-        with budget.limit(getattr(arguments, "limit", 1.0)), progress.shown(), form.used():
-            budget.watch(_seconds(arguments))
+        limit, allowed = getattr(arguments, "limit", 1.0), _steps(arguments)
+        with budget.limit(limit), budget.metered(allowed), progress.shown(), form.used():
             code: int = arguments.command(arguments)
         sys.stdout.flush()
     except (InputError, MissingExtraError) as error:
         return _refuse(str(error))
-    except budget.TimeOver as error:
+    except budget.WorkOver as error:
         _discard_stdout()
         return _refuse(str(error))
     except MemoryError:
@@ -376,20 +376,15 @@ def _run(parser: Parser, argv: Sequence[str] | None) -> int:
     except Exception as error:
         _discard_stdout()
         return fault(error, argv)
-    finally:
-        budget.watch(0)
     return code
 
 
-def _seconds(arguments: argparse.Namespace) -> float:
-    """Return what a command may take; 0, without end, where more is asked for in so many words."""
+def _steps(arguments: argparse.Namespace) -> float:
+    """Return the steps that a command may take; any number where more is asked for explicitly."""
     named = vars(arguments)
     films = str(named.get("output")).endswith((".gif", ".mp4"))
-    asked = any(named.get(name) for name in ("long", "store", "benchmark"))
-    if films or asked or named.get("jobs", 1) > 1:
-        return 0
-    # Behind the time that is given, so that a search can say what it knows.
-    return budget.STOPPED + 2 * float(named.get("time_limit") or 0)
+    asked = any(named.get(name) for name in ("long", "store", "benchmark", "time_limit"))
+    return math.inf if films or asked or named.get("jobs", 1) > 1 else budget.COMMAND_STEPS
 
 
 def print_json(value: Any) -> None:

@@ -276,18 +276,18 @@ class _Quotients:
         if self.rank == 1:  # each is counted as often as planes contain it
             sizes = (Counter(vectors.values()).values() for vectors in self.vectors)
             found = sum(1 / (size + 1) for row in sizes for size in row)
-        vectors = seconds = bytes = 0.0
+        vectors = steps = bytes = 0.0
         for k in range(self.rank, self.top - 1 if self.rank else 1):
             flats = flats_foreseen(planes, k, known, found)
             kept = flats_foreseen(planes, k + 1, known, found) * (planes - k - 1)
             kept *= k + 2 < self.top
             before, vectors = vectors, kept * (160 + (self.top - k) * self.bits * (k + 1) / 4)
-            seconds += 1e-6 * (flats * (planes - k) / 2 + kept * (2 + 0.06 * self.bits))
+            steps += flats * (planes - k) * 5 + kept * (20 + 0.6 * self.bits)
             bytes = max(bytes, before + vectors + 20 * flats * (planes - k))
         budget.ask(
             f"the flats of rank {self.rank + 1} and more of {planes:,} planes",
             "count without the lattice (arrangement polynomial)",
-            seconds=seconds,
+            steps=steps,
             bytes=bytes,
         )
 

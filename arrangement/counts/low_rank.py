@@ -183,8 +183,8 @@ def _about_rank_two(config: Configuration) -> float:
 def _ask(what: str, config: Configuration, pairs: float, bytes: float) -> None:
     """Refuse to compare too many planes with too many flats."""
     slow = 10 if largest(config.vectors) == math.inf else 1
-    seconds = pairs * 2.5e-7 * slow * work_factor(config.vectors)
-    budget.ask(what, "leave out planes", seconds=seconds, bytes=bytes)
+    steps = pairs * 2.5 * slow * work_factor(config.vectors)
+    budget.ask(what, "leave out planes", steps=steps, bytes=bytes)
 
 
 def _matrix(config: Configuration) -> Integers | ModularVectors:

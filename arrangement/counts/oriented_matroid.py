@@ -52,7 +52,7 @@ def chirotope(arrangement: Planes) -> Mapping[tuple[int, ...], int]:
     budget.ask(
         f"{budget.about(number)} determinants of {len(columns)} of {len(rows):,} normals",
         "take fewer planes",
-        seconds=number * max(1, len(columns)) ** 3 * 4e-7,
+        steps=4 * number * max(1, len(columns)) ** 3,
         bytes=number * 200,
     )
     return {

@@ -95,7 +95,7 @@ def points_off(arrangement: Planes, prime: int) -> int:
     budget.ask(
         f"the points of F_{prime}^{d} off {len(arrangement)} planes",
         "use characteristic_polynomial",
-        seconds=budget.power(prime, d - 1) * max(1, len(arrangement)) * 1e-8,
+        steps=budget.power(prime, d - 1) * max(1, len(arrangement)) / 10,
     )
     planes = np.array(residues(arrangement.integer_planes, prime)).reshape(-1, d + 1)
     along, across = planes[planes[:, d - 1] == 0], planes[planes[:, d - 1] != 0]
@@ -127,7 +127,7 @@ def _minors(arrangement: Planes) -> Iterator[tuple[list[Any], tuple[int, ...]]]:
     budget.ask(
         f"a test of the bases of {len(arrangement)} planes of rank {arrangement.rank}",
         "use characteristic_polynomial",
-        seconds=comb(len(rows), order) * (order + 2) ** 3 * 4e-7,
+        steps=4 * comb(len(rows), order) * (order + 2) ** 3,
     )
     columns = [c for c in range(arrangement.dimension + 1) if any(row[c] for row in rows)]
     for chosen in combinations(range(len(rows)), order):

@@ -6,7 +6,6 @@ Everything here is read off one table: the sums of |mu(X, Y)| over flats X <= Y 
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Sequence
 from functools import partial
 from importlib import import_module
@@ -15,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from arrangement.console.number_form import table
 from arrangement.errors import InputError
-from arrangement.numbers.exact import shown
+from arrangement.numbers.deadline import Deadline
 from arrangement.planes.planes import Planes
 
 from .configuration import Configuration, configuration, is_generic
@@ -118,28 +117,25 @@ def first_whitney_numbers(
     >>> first_whitney_numbers(families.resonance(6))
     (1, -63, 1652, -22435, 159460, -510524, 371909)
     """
-    deadline = deadline_after(time_limit)
+    return _first_numbers(arrangement, symmetry, Deadline(time_limit))
+
+
+def _first_numbers(
+    arrangement: Planes, symmetry: Sequence[Sequence[int]] | None, deadline: Deadline
+) -> tuple[int, ...]:
     if symmetry is None:
-        found = over_factors(arrangement, partial(first_whitney_numbers, time_limit=time_limit))
+        one = partial(_first_numbers, symmetry=None, deadline=deadline)
+        found = over_factors(arrangement, one)
         if found is not None:
             return found
     config = configuration(arrangement)
     if symmetry is None and config.rank > MAX_RANK and (generic := _generic_matrix(config)):
         return tuple((-1) ** k * value for k, value in enumerate(generic[0]))
     if (config.rank > MAX_RANK or (config.rank and symmetry is not None)) and (annex := _annex()):
-        found = annex.first_numbers(arrangement, config, symmetry, time_limit, deadline)
+        found = annex.first_numbers(arrangement, config, symmetry, deadline)
         return tuple(found)
     row = doubly_indexed_whitney_numbers(arrangement)[0]
     return tuple((-1) ** k * value for k, value in enumerate(row))
-
-
-def deadline_after(time_limit: float | None) -> float:
-    """Return when so many seconds are over, by the monotonic clock."""
-    if time_limit is None:
-        return math.inf
-    if not time_limit > 0:
-        raise InputError(f"time_limit is {shown(time_limit)}; give a positive number of seconds")
-    return time.monotonic() + time_limit
 
 
 def _annex() -> Any:

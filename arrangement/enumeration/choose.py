@@ -24,14 +24,14 @@ class Engine:
         list_faces: from planes to their faces of dimension 0, 1, ..., d.
         ranks: the ranks, of the planes or of the cone over affine ones, that it can do.
         can: the same in words.
-        seconds, bytes: that a face takes.
+        steps, bytes: that a face takes.
         order: it takes as much as m^order faces in any case, for m distinct planes.
     """
 
     list_faces: Callable[[Planes], tuple[Level, ...]]
     ranks: Callable[[Planes], bool]
     can: str
-    seconds: float
+    steps: float
     bytes: float
     order: int = 0
 
@@ -47,7 +47,7 @@ ENGINES = {
         great_circles.list_faces,
         lambda planes: cone_rank(planes) <= 3,
         "rank up to 3, or up to 2 with planes that miss the origin",
-        1e-7,
+        1,
         20,
         2,
     ),
@@ -55,11 +55,11 @@ ENGINES = {
         affine_space.list_faces,
         lambda planes: planes.rank == 3 or cone_rank(planes) == 4,
         "rank 3, or 4 if all planes contain the origin",
-        1e-6,
+        10,
         120,
         2,
     ),
-    "any-dimension": Engine(any_dimension.list_faces, lambda planes: True, "every rank", 4e-6, 300),
+    "any-dimension": Engine(any_dimension.list_faces, lambda planes: True, "every rank", 40, 300),
 }
 
 
@@ -114,8 +114,8 @@ def _ask(planes: Planes, engine: Engine, count: Callable[[Planes], Sequence[int]
 
     def takes() -> dict[str, float]:
         work = max(faces, len(planes.distinct) ** engine.order)
-        seconds = work * engine.seconds * factor
-        return {"faces": faces, "seconds": seconds, "bytes": work * engine.bytes}
+        steps = work * engine.steps * factor
+        return {"faces": faces, "steps": steps, "bytes": work * engine.bytes}
 
     exact, instead = None, "count them (arrangement count, counts.f_vector)"
     if budget.excess(**takes()) > 1 and count is not None:

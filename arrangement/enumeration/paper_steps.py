@@ -122,7 +122,7 @@ def ask_steps(planes: int) -> None:
     budget.ask(
         f"the published enumeration of {planes} planes",
         "list their faces",
-        seconds=1.5e-6 * planes**6,
+        steps=15 * planes**6,
     )
 
 

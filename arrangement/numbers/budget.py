@@ -1,27 +1,30 @@
-"""What one question may cost, in faces, bytes and seconds: the one room for limits of size.
+"""What one question may cost, in faces, bytes and steps: the one room for limits of size.
 
 Whoever is about to list, count, make or read something says here first what that will take. What is
-out of reach is refused before it begins, with the forecast. Forecasts are of one processor of
-2025; they may be wrong by a factor of three. `limit` raises the budget, the option ``--limit`` too.
+out of reach is refused before it begins, with the forecast. What nobody can foresee counts its
+steps as it goes (`spend`), and a command ends after so many (`metered`). No clock is read, so that
+an answer is the same on every machine; a processor of 2025 does some ten million steps a second.
+`limit` raises the budget, the option ``--limit`` too.
 """
 
 from __future__ import annotations
 
 import math
-import signal
-import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from typing import Any
+from dataclasses import dataclass
 
 from arrangement.errors import InputError, OutOfReachError
 
-#: What a question may take; and the seconds of work for which more were asked, where it tells how
-#: far it is.
-FACES, BYTES, SECONDS, TOLD = 20_000_000, 400 * 2**20, 2, 300
-#: Seconds after which a command ends whose time nobody foresaw: slow machines get there, too.
-STOPPED = 10
+#: What a question may take.
+FACES = 20_000_000
+BYTES = 400 * 2**20
+STEPS = 20_000_000
+#: Steps of work that shows how far it is.
+LONG_STEPS = 3_000_000_000
+#: Steps after which a command ends that did not say before how many it takes.
+COMMAND_STEPS = 300_000_000
 #: What is read, shown or tried at most.
 MOST = {
     "bytes of a file": 4 * 2**20,
@@ -47,17 +50,25 @@ MOST = {
     "directions in a picture": 720,
     "wrenches in a picture": 24,
 }
-#: A pace is measured, also on slow and busy machines: so many times as long as what is foreseen.
-_BUSY = 3
 #: So many times.
 _times: ContextVar[float] = ContextVar("_times", default=1.0)
-#: The seconds of work that tells how far it is.
-_told: ContextVar[float] = ContextVar("_told", default=TOLD)
+
+
+@dataclass
+class _Meter:
+    """The steps that a command may take, and took."""
+
+    allowed: float
+    spent: float = 0
+
+
+#: Of the command that runs; there is none in Python.
+_meter: ContextVar[_Meter | None] = ContextVar("_meter", default=None)
 
 
 @contextmanager
 def limit(times: float) -> Iterator[None]:
-    """Let what is inside take so many times the faces, bytes and seconds; `math.inf`: anything.
+    """Let what is inside take so many times the faces, bytes and steps; `math.inf`: anything.
 
     >>> with limit(2):
     ...     ask("a list of all of them", faces=35_000_000)
@@ -93,15 +104,20 @@ def keep(number: int, kind: str, where: str = "") -> None:
     if number > most(kind):
         raise OutOfReachError(
             f"{where}{': ' * bool(where)}{number:,} {kind}; at most {most(kind):,} are allowed, or "
-            f"more with --limit {math.ceil(number / MOST[kind])}"
+            f"more with {_larger(math.ceil(number / MOST[kind]))}"
         )
 
 
-def excess(*, faces: float = 0, bytes: float = 0, seconds: float = 0, told: float = 0) -> float:
+def excess(*, faces: float = 0, bytes: float = 0, steps: float = 0, long_steps: float = 0) -> float:
     """Return how many times the budget that would take, the one that is most exceeded."""
-    shares = ((faces, FACES), (bytes, BYTES), (seconds, SECONDS), (told, _told.get()))
+    shares = ((faces, FACES), (bytes, BYTES), (steps, STEPS), (long_steps, _most_long()))
     # integers may be too long for floats
     return max(n / most if n < 1e300 else math.inf for n, most in shares) / _times.get()
+
+
+def _most_long() -> float:
+    meter = _meter.get()
+    return LONG_STEPS if meter is None else min(meter.allowed, LONG_STEPS)
 
 
 def ask(
@@ -110,61 +126,91 @@ def ask(
     *,
     faces: float = 0,
     bytes: float = 0,
-    seconds: float = 0,
-    told: float = 0,
+    steps: float = 0,
+    long_steps: float = 0,
 ) -> None:
     """Refuse what is out of reach.
 
     Args:
         what: it is, such as "a list of 5 planes".
         instead: what to ask, without a full stop.
-        told: seconds of work that tells how far it is.
+        steps: what is done without a word; they count as taken.
+        long_steps: steps of work that shows how far it is.
 
     Raises:
         OutOfReachError: with the forecast.
     """
-    over = excess(faces=faces, bytes=bytes, seconds=seconds, told=told)
+    over = excess(faces=faces, bytes=bytes, steps=steps, long_steps=long_steps)
     if over <= 1:
+        spend(steps)
         return
     takes = (
         (faces, FACES, f"{about(faces)} faces"),
         (bytes, BYTES, f"{about(bytes / 2**20 if bytes < 1e300 else bytes)} MB"),
-        (seconds, SECONDS, f"{about(seconds)} seconds"),
-        (told, _told.get(), f"{about(told)} seconds"),
+        (steps, STEPS, f"{about(steps)} steps"),
+        (long_steps, _most_long(), f"{about(long_steps)} steps"),
     )
     forecast = " and ".join(text for n, most, text in takes if n > most * _times.get())
     times = over * _times.get()
     remedies = [instead] if instead else []
     if times < 1e6:
-        remedies.append(f"--limit {math.ceil(1.2 * times)} allows it")
+        remedies.append(f"{_larger(math.ceil(1.2 * times))} allows it")
     raise OutOfReachError(
         f"{what}: this would take about {forecast}; " + (", or ".join(remedies) or "ask for less")
     )
 
 
-class TimeOver(BaseException):
-    """A command has taken its time; no handler of errors on the way may take it for bad input."""
+def _larger(times: int) -> str:
+    """Return what raises the limit: an option of a command, a call in Python."""
+    return f"with arrangement.limit({times})" if _meter.get() is None else f"--limit {times}"
 
 
-def watch(seconds: float) -> None:
-    """Raise `TimeOver` when the processor has worked so long, times the limit; 0: no more.
+class WorkOver(BaseException):
+    """A command has done its work; no handler of errors on the way may take it for bad input."""
 
-    For commands whose time nobody can foresee. Only in the main thread, and not on Windows.
+
+@contextmanager
+def metered(steps: float = COMMAND_STEPS) -> Iterator[None]:
+    """Count the steps of a command, which ends after so many, times the limit."""
+    token = _meter.set(_Meter(steps))
+    try:
+        yield
+    finally:
+        _meter.reset(token)
+
+
+def allow(steps: float) -> None:
+    """Let the command that runs, if any, take so many steps."""
+    if (meter := _meter.get()) is not None:
+        meter.allowed = steps
+
+
+def spent() -> float:
+    """Return the steps that the command took so far; 0 in Python."""
+    meter = _meter.get()
+    return 0 if meter is None else meter.spent
+
+
+def spend(steps: float) -> None:
+    """Count steps of work whose end nobody can foresee; outside `metered` they are free.
+
+    >>> with metered(1000):
+    ...     spend(600)
+    ...     spent()
+    600
+
+    Raises:
+        WorkOver: the command took more than it may.
     """
-    most = min(seconds * times(), 1e9)
-    # What takes longer than usual is to be asked for in so many words.
-    _told.set(_BUSY * SECONDS if 0 < seconds <= STOPPED else min(seconds or TOLD, TOLD))
-
-    def over(*_: Any) -> None:
-        raise TimeOver(
-            f"it has taken {about(most)} seconds of the processor, without an end; ask for less, "
-            f"or --limit {math.ceil(2 * times())} allows more"
+    meter = _meter.get()
+    if meter is None:
+        return
+    meter.spent += steps
+    if meter.spent > meter.allowed * _times.get():
+        raise WorkOver(
+            f"it has taken {about(meter.spent)} steps, without an end; ask for less, or "
+            f"--limit {math.ceil(2 * times())} allows more"
         )
-
-    if hasattr(signal, "setitimer") and threading.current_thread() is threading.main_thread():
-        signal.signal(signal.SIGVTALRM, over)
-        # Again every second: what is raised while an object is deleted is lost.
-        signal.setitimer(signal.ITIMER_VIRTUAL, most, min(most, 1))
 
 
 def about(number: float) -> str:

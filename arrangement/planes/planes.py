@@ -106,7 +106,7 @@ class Planes:
         budget.ask(
             f"planes of {len(bits)} numbers of up to {max(bits, default=0)} bits",
             "round them",
-            seconds=sum(n * n for n in bits) * 1e-11,
+            steps=sum(n * n for n in bits) / 10_000,
         )
         joined = [(*row, b) for row, b in zip(rows, constants, strict=True)]
         planes = tuple(all_reduced(joined if whole else list(map(without_denominators, joined))))

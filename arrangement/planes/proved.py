@@ -24,8 +24,10 @@ from arrangement.numbers.exact import IntegerVector, to_text, unoriented
 from .faces import Face
 from .planes import Planes
 
-#: Branches that a forecast follows, the longest list that it takes, and microseconds of a step.
+#: Branches that a forecast follows, the longest list that it takes, and what a step of them takes.
 _PROBES, _LARGEST, _STEP = 100, 2000, 0.2
+#: More steps than these are named before they are taken; so many take about a second.
+_MANY = 10_000_000
 
 
 def proved_f_vector(planes: Planes) -> tuple[int, ...]:
@@ -60,15 +62,15 @@ def proved_complete(planes: Planes, faces: Iterable[Face]) -> bool:
     Raises:
         InputError: as `proved_f_vector`; or a witness in another space.
     """
-    seconds = _forecast(planes, planes.rank)
+    steps = _forecast(planes, planes.rank)
     listed = [[sign_text(face.signs), list(map(to_text, face.witness))] for face in faces]
     document = {"certificate": "all faces", "planes": _document(planes), "faces": listed}
     text = json.dumps({"schema_version": 1, **document})
-    return ask_proved("-", text=text, seconds=seconds) == ("accepted", "all faces")
+    return ask_proved("-", text=text, seconds=steps / _MANY) == ("accepted", "all faces")
 
 
 def _numbers(option: str, planes: Planes, last: int, deepest: int) -> tuple[int, ...]:
-    text, seconds = json.dumps(_document(planes)), _forecast(planes, deepest)
+    text, seconds = json.dumps(_document(planes)), _forecast(planes, deepest) / _MANY
     return _filled(ask_proved(option, "-", text=text, seconds=seconds)[1], last)
 
 
@@ -93,7 +95,7 @@ def _document(planes: Planes) -> dict[str, Any]:
 
 
 def _forecast(planes: Planes, deepest: int) -> float:
-    """Refuse what takes too long; return how many seconds the rest takes, and say it if many.
+    """Refuse what takes too long; return how many steps the rest takes, and say it if many.
 
     Args:
         deepest: codimension of the faces that are counted.
@@ -101,22 +103,22 @@ def _forecast(planes: Planes, deepest: int) -> float:
     m, rank, central = len(planes), planes.rank, planes.has_common_point
     rows = [unoriented(plane) for plane in reversed(planes.integer_planes)]
     bits = max((x.bit_length() for row in rows for x in row), default=0)
-    # Measured on one processor: a face of planes in general position, and a step on a plane.
-    pace = (1 + bits * rank / 500) * 1e-6
+    # A face of planes in general position, and what is done on a plane.
+    pace = 10 + bits * rank / 50
     faces = float(_most(0, m, rank, central) if deepest else _most(m, 0, rank, central))
-    seconds = faces * (1 + 0.1 * m) * pace
-    if seconds > 1 and m * rank <= _LARGEST:
+    steps = faces * (1 + 0.1 * m) * pace
+    if steps > _MANY and m * rank <= _LARGEST:
         source = Random(0)
         found = [_probe(rows, rank, central, deepest > 0, source) for _ in range(_PROBES)]
         likely = [fmean(n) + 2 * stdev(n) / math.sqrt(_PROBES) for n in zip(*found, strict=True)]
-        faces, seconds = min(faces, likely[0]), min(seconds, likely[1] * _STEP * pace)
-    budget.ask(f"counting {budget.about(faces)} faces by the proved program", told=seconds)
-    if seconds > 1:
+        faces, steps = min(faces, likely[0]), min(steps, likely[1] * _STEP * pace)
+    budget.ask(f"counting {budget.about(faces)} faces by the proved program", long_steps=steps)
+    if steps > _MANY:
         progress.note(
             f"the proved program counts about {budget.about(faces)} faces; it takes about "
-            f"{budget.about(seconds)} seconds"
+            f"{budget.about(steps)} steps"
         )
-    return seconds
+    return steps
 
 
 @lru_cache(maxsize=100_000)

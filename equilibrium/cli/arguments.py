@@ -211,14 +211,13 @@ def read(arguments: argparse.Namespace) -> Grasp:
     tell_rounding(found)
     # In space proofs are long, and of converted data many roundings are asked.
     if found.grasp.dimension == 3 or found.grasp.data_error is not None:
-        searching = getattr(arguments, "time_limit", None) or 0
-        budget.watch(1.2 * usual_seconds(found.grasp) + 2 * searching)
+        budget.allow(10 * budget.COMMAND_STEPS)
     return found.grasp
 
 
 def usual_seconds(grasp: Grasp) -> float:
     """Return the seconds of a search; in space a minute, since proofs are long."""
-    return budget.STOPPED * (1 if grasp.dimension == 2 else 6)
+    return 10 * (1 if grasp.dimension == 2 else 6)
 
 
 def tell_rounding(found: Conversion) -> None:

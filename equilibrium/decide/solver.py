@@ -84,8 +84,8 @@ def solve(
 
 #: How many wrenches a process takes at once; up to how many contacts all states are tried.
 _PART, _FEW = 50, 12
-#: Seconds of the exact system of a choice of states, for each contact.
-_EXACT = 7e-5
+#: Steps of the exact system of a choice of states, for each contact.
+_EXACT = 700
 
 
 class Solver(Shown):
@@ -143,7 +143,7 @@ class Solver(Shown):
             budget.ask(
                 f"{count:,} choices of states of {contacts} contacts with huge or tiny numbers",
                 "decide one load (solve)",
-                told=_EXACT * contacts * count * times,
+                long_steps=_EXACT * contacts * count * times,
             )
 
     def solve(

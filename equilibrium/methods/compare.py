@@ -113,11 +113,11 @@ def ask(method: str, grasp: Grasp, wrench: RationalVector) -> bool | None:
 def ask_all(grasp: Grasp) -> None:
     """Refuse more contacts than all methods can take."""
     # Programs with huge or tiny numbers are solved without floats.
-    each = 1e-7 if FloatContacts(grasp).moderate else 1e-5
+    each = 1 if FloatContacts(grasp).moderate else 100
     budget.ask(
         f"all methods on {len(grasp)} contacts",
         "ask the complete one (solve)",
-        seconds=each * len(grasp) ** 3,
+        steps=each * len(grasp) ** 3,
     )
 
 

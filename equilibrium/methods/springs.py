@@ -268,7 +268,7 @@ def _legal_rows(
 
 def _ask(grasp: Grasp) -> None:
     budget.ask(
-        f"three states of each of {len(grasp)} contacts", seconds=1e-3 * budget.power(3, len(grasp))
+        f"three states of each of {len(grasp)} contacts", steps=10_000 * budget.power(3, len(grasp))
     )
 
 

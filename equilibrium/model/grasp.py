@@ -38,7 +38,7 @@ _PLACES = {2: "the plane", 3: "space"}
 
 def ask_contacts(count: int) -> None:
     """Refuse to read so many contacts that no question about them could be answered."""
-    budget.ask(f"{count:,} contacts", "leave out contacts", seconds=5e-4 * count)
+    budget.ask(f"{count:,} contacts", "leave out contacts", steps=5000 * count)
 
 
 @dataclass(frozen=True)

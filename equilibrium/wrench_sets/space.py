@@ -311,7 +311,7 @@ def images_of(
     budget.ask(
         f"all resisted wrenches of {contacts} contacts, {len(listed):,} choices of states",
         "decide one load after the other (solve)",
-        told=3e-5 * contacts * len(listed),
+        long_steps=300 * contacts * len(listed),
     )
     if plane is not None:
         listed = tuple(compress(listed, images.may_reach(listed, plane)))

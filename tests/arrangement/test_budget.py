@@ -258,7 +258,9 @@ def test_factors_that_only_a_prime_shows_are_none():
 
 
 def test_a_larger_limit_allows_larger_pictures():
-    with pytest.raises(OutOfReachError, match=r"61 great circles in a picture; .* --limit 2"):
+    with pytest.raises(
+        OutOfReachError, match=r"61 great circles in a picture; .* with arrangement.limit\(2\)"
+    ):
         budget.keep(61, "great circles in a picture")
     with budget.limit(2):
         budget.keep(61, "great circles in a picture")

@@ -13,6 +13,7 @@ from arrangement.counts.classes import in_parts as counts_in_parts, symmetric
 from arrangement.counts.classes.symmetric import forecast
 from arrangement.counts.configuration import configuration
 from arrangement.errors import OutOfTimeError, UnfinishedError
+from arrangement.numbers import deadline
 
 RESONANCE = families.resonance(5)
 NUMBERS = (1, -31, 375, -2130, 5270, -3485)
@@ -52,9 +53,12 @@ def test_flats_are_merged_in_portions_too(tmp_path, monkeypatch):
     assert in_parts(RESONANCE, tmp_path) == NUMBERS
 
 
-def test_a_count_that_was_stopped_goes_on(tmp_path):
-    with pytest.raises(OutOfTimeError, match="run the same command again") as caught:
-        in_parts(RESONANCE, tmp_path / "stopped", time_limit=1e-9)
+def test_a_count_that_was_stopped_goes_on(tmp_path, monkeypatch):
+    monkeypatch.setattr(deadline, "clock", iter(range(1000)).__next__)
+    with pytest.raises(
+        OutOfTimeError, match=r"^time limit of 0.5 s: .* run the same command again"
+    ) as caught:
+        in_parts(RESONANCE, tmp_path / "stopped", time_limit=0.5)
     assert caught.value.known == (1,)
     kept = files(tmp_path / "stopped")
     assert kept
@@ -226,10 +230,11 @@ def run(*words: str, capsys: pytest.CaptureFixture[str]) -> tuple[int, Any, str]
     return code, printed.out, printed.err
 
 
-def test_the_command_counts_in_parts(tmp_path, capsys):
+def test_the_command_counts_in_parts(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(deadline, "clock", iter(range(1000)).__next__)
     path, store = tmp_path / "r.json", str(tmp_path / "store")
     path.write_text(json.dumps(RESONANCE.to_dict()))
-    code, out, err = run(str(path), "--store", store, "--time-limit", "1/1000000", capsys=capsys)
+    code, out, err = run(str(path), "--store", store, "--time-limit", "1/2", capsys=capsys)
     assert (code, out) == (2, "")
     assert "Whitney numbers 1 are final; run the same command again" in err
     code, out, err = run(str(path), "--store", store, capsys=capsys)

@@ -3,7 +3,7 @@
 import argparse
 import io
 import json
-import signal
+import math
 import subprocess
 import sys
 from fractions import Fraction
@@ -124,22 +124,39 @@ def test_what_memory_does_not_hold_is_refused(capsys):
     assert said.count("\n") == 1
 
 
-@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="the system has no such clock")
-def test_a_command_that_is_watched_ends_when_its_time_is_over(capsys):
+def test_command_ends_when_its_steps_are_spent(capsys):
+    done = []
+
     def never_ends(_):
-        budget.watch(0.1)
+        budget.allow(1000)
         while True:
             try:
-                for _ in range(10**6):
-                    pass
+                budget.spend(300)
+                done.append(300)
             except Exception:
                 pass  # what takes errors for bad input does not go on
 
     assert terminal.run(parser_for(never_ends), ["go", "--limit", "2"]) == 2
     said = capsys.readouterr().err
-    assert said.startswith("error: it has taken 0.2 seconds of the processor")
+    assert said.startswith("error: it has taken 2,100 steps, without an end; ask for less")
     assert said.endswith("or --limit 4 allows more\n")
-    assert signal.getitimer(signal.ITIMER_VIRTUAL) == (0, 0)
+    assert len(done) == 6
+    budget.spend(10**12)  # not a command
+
+
+@pytest.mark.parametrize(
+    ("options", "ends"), [([], True), (["--store", "x"], False), (["--time-limit", "1"], False)]
+)
+def test_command_takes_any_steps_only_where_asked_explicitly(options, ends, capsys):
+    def long(_):
+        budget.spend(2 * budget.COMMAND_STEPS)
+        return terminal.YES
+
+    parser = terminal.command_parser("program", "Go on.")
+    parser.add_argument("--store")
+    parser.add_argument("--time-limit", type=float)
+    parser.set_defaults(command=long)
+    assert terminal.run(parser, options) == 2 * ends
 
 
 def test_json_is_one_line_with_rationals_as_strings(capsys):
@@ -287,15 +304,15 @@ def test_a_program_that_does_not_ask_sees_no_line(capsys):
 
 
 @pytest.mark.parametrize("nested", [False, True])
-def test_a_loop_that_will_not_end_within_the_budget_is_refused_by_its_pace(
-    nested, monkeypatch, capsys
-):
-    seconds, done = iter(range(10**6)), []
-    monkeypatch.setattr(progress.time, "process_time", lambda: 2 * next(seconds))
+def test_loop_over_budget_is_refused_from_the_steps_of_its_first_items(nested, capsys):
+    done = []
 
     def command(arguments):
+        budget.allow(60_000_000)
         for _ in watched(range(1 + nested), "outer"):
-            done.extend(watched(range(100), "steps"))
+            for item in watched(range(100), "things"):
+                budget.spend(1_000_000)
+                done.append(item)
         return terminal.YES
 
     parser = terminal.command_parser("program", "Go on.")
@@ -303,16 +320,15 @@ def test_a_loop_that_will_not_end_within_the_budget_is_refused_by_its_pace(
     parser.set_defaults(command=command)
     assert terminal.run(parser, []) == 2
     said = capsys.readouterr().err
-    assert "100 steps, of which 20 are done: this would take about 10.5 seconds; ask" in said
-    assert len(done) < 25
-    assert terminal.run(parser, ["--limit", "3"]) == 0
+    assert "100 things, of which 20 are done: this would take about 100,000,000 steps; ask" in said
+    assert len(done) == 20
+    assert terminal.run(parser, ["--limit", "4"]) == 0
 
 
-def test_a_loop_that_is_done_is_not_refused(monkeypatch):
-    seconds = iter(range(0, 10**6, 100))
-    monkeypatch.setattr(progress.time, "process_time", lambda: next(seconds))
-    with progress.shown(), budget.limit(1e-3):
-        assert list(watched("ab", "letters")) == ["a", "b"]
+def test_a_loop_that_is_done_is_not_refused():
+    with progress.shown(), budget.metered(math.inf), budget.limit(1e-3):
+        for _ in watched("ab", "letters"):
+            budget.spend(10**12)
 
 
 @pytest.mark.usefixtures("on_a_terminal")

@@ -246,14 +246,14 @@ def counted(place: int) -> Work:
 
 
 def foretold(n: int) -> Work:
-    """Ours: the forecast of a count, of the resonance arrangement in R^n; its seconds."""
+    """Ours: the forecast of a count, of the resonance arrangement in R^n; its steps."""
     import sympy  # noqa: F401
 
     from arrangement.counts.classes.symmetric import forecast
     from arrangement.library.families import resonance
 
     planes = resonance(n)
-    return lambda: round(sum(entry.seconds for entry in forecast(planes)))
+    return lambda: round(sum(entry.steps for entry in forecast(planes)))
 
 
 def loads_in_the_plane(loads: int) -> Work:

@@ -122,7 +122,7 @@ def test_the_command_writes_scenes(tmp_path, capsys):
 def test_the_benchmark_may_take_its_time_and_has_the_same_bytes_each_time(tmp_path, monkeypatch):
     chosen = [(str(load), EngineScene(PAPER, [load])) for load in ((0, 1, 0), (0, 0, 1))]
     monkeypatch.setattr(equilibrium.scenes, "benchmark", lambda: iter(chosen))
-    monkeypatch.setattr(budget, "STOPPED", 0.01)  # of other commands
+    monkeypatch.setattr(budget, "COMMAND_STEPS", 1)  # of other commands
     folders = [tmp_path / name for name in ("one", "two")]
     for folder in folders:
         assert main(["export", "--benchmark", str(folder)]) == 0

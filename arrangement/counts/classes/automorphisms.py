@@ -49,7 +49,7 @@ class Automorphisms:
         budget.ask(
             f"the symmetries of {self.size:,} planes of rank {config.rank}",
             "leave out planes",
-            seconds=(2e-7 * self.size**2 + 2e-6 * config.rank**2) * config.rank * work_factor(rows),
+            steps=(2 * self.size**2 + 20 * config.rank**2) * config.rank * work_factor(rows),
             bytes=60 * self.size**2,
         )
         matrix = exact_matrix(rows, config.rank)

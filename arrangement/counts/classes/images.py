@@ -48,6 +48,10 @@ class Images:
                 found[order[part]] = pack(self._lowered(sets[order[part]]))
         return found
 
+    def steps(self, sets: Bits) -> float:
+        """Return about how many steps their images take."""
+        return np.count_nonzero(sets) * len(self._moves) / 20
+
     def _lowered(self, sets: Bits) -> Bits:
         """Return images of sets of about the same size."""
         count, size = sets.shape

@@ -16,7 +16,6 @@ from __future__ import annotations
 import io
 import json
 import math
-import time
 import zlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -34,9 +33,9 @@ from arrangement.console import workers
 from arrangement.console.progress import note, watched
 from arrangement.console.writing import reason, write_bytes_atomically
 from arrangement.counts.configuration import Configuration, configuration
-from arrangement.counts.whitney import deadline_after
 from arrangement.errors import InputError, OutOfTimeError, UnfinishedError
 from arrangement.numbers import budget
+from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import shown
 from arrangement.numbers.real import field_of, written
 from arrangement.planes.planes import Planes
@@ -82,7 +81,7 @@ def first_whitney_numbers_in_parts(
             `known` has the numbers that are final.
         MissingExtraError: `dask` is given and not installed.
     """
-    deadline = deadline_after(time_limit)
+    deadline = Deadline(time_limit)
     root = str(Path(folder).absolute())
     if not workers.due(parts, shard, jobs):
         raise InputError(f"parts is {shown(parts)} and shard {shard}; give a part to each shard")
@@ -98,8 +97,7 @@ def first_whitney_numbers_in_parts(
             todo = [part for part in due if part in missing]
             done = workers.done(_run, (root, rank), todo, *((jobs, dask) if flats > _FEW else ()))
             for _ in watched(done, f"parts of rank {rank}", len(todo)):
-                if time.monotonic() > deadline:
-                    raise TimeoutError
+                deadline.check()
             if missing := _missing(root, rank, parts):
                 raise _MissingPartsError(
                     f"{parts - len(missing)} of the {parts} parts of rank {rank}"
@@ -116,7 +114,7 @@ def first_whitney_numbers_in_parts(
                 known.append(number)
     except TimeoutError:
         raise OutOfTimeError(
-            f"after {time_limit} seconds {_final(known)}; run the same command again to go on",
+            f"{deadline}: {_final(known)}; run the same command again to go on",
             tuple(known),
         ) from None
     except _MissingPartsError as error:
@@ -208,7 +206,7 @@ def _made(root: str) -> _Made:
     size = len(vectors) + (infinity is not None)
     generators = np.array(plan["generators"], dtype=np.intp).reshape(-1, size)
     digest = sha256(json.dumps(plan, sort_keys=True).encode()).digest()
-    return _Made(classes(config, generators, math.inf), plan["parts"], digest)
+    return _Made(classes(config, generators, Deadline()), plan["parts"], digest)
 
 
 def _run(plan: tuple[str, int], part: int) -> None:

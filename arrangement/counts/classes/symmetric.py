@@ -10,7 +10,6 @@ are right together: what each holds may then be a fraction, and is kept modulo p
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from math import comb, prod
@@ -27,6 +26,7 @@ from arrangement.counts.operations import localization, restriction
 from arrangement.counts.whitney import first_whitney_numbers
 from arrangement.errors import InputError, OutOfTimeError
 from arrangement.numbers import budget
+from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import shown
 from arrangement.numbers.packing import Words, grouped, pack, unpack
 from arrangement.planes.planes import Planes
@@ -35,6 +35,8 @@ from arrangement.planes.planes import Planes
 _CHUNK = 1 << 19
 #: Bytes of the planes in flats at once.
 _COVERED = 1 << 25
+#: Steps for a pair of a flat and a plane, and for a flat that comes up.
+_PAIR, _COVER = 5, 8
 #: Flats that are put together at once.
 MANY = 1 << 20
 
@@ -76,8 +78,7 @@ def first_numbers(
     arrangement: Planes,
     config: Configuration,
     symmetry: Sequence[Sequence[int]] | None,
-    time_limit: float | None,
-    deadline: float,
+    deadline: Deadline,
 ) -> tuple[int, ...]:
     """Return the first Whitney numbers of `config`; arguments: `counts.first_whitney_numbers`."""
     automorphisms = Automorphisms(config)
@@ -87,13 +88,16 @@ def first_numbers(
         generators = automorphisms.verified(_of_classes(arrangement, symmetry))
     numbers: list[int] = []
     try:
-        with budget.limit(budget.times() if time_limit is None else math.inf):
+        with budget.limit(budget.times() if deadline.seconds is None else math.inf):
             for number in classes(config, generators, deadline).numbers():
                 numbers.append(number)
     except TimeoutError:
         known = ", ".join(map(str, numbers))
-        message = f"after {time_limit} seconds the first Whitney numbers {known} are final"
-        raise OutOfTimeError(f"{message}; give more time for the others", tuple(numbers)) from None
+        raise OutOfTimeError(
+            f"{deadline}: the first Whitney numbers {known} are final; give more time for the "
+            "others",
+            tuple(numbers),
+        ) from None
     return tuple(numbers)
 
 
@@ -125,12 +129,12 @@ class Classes:
 
     Args:
         images: what tells flats apart.
-        deadline: of the monotonic clock.
+        deadline: looked at before each part of a rank.
         moduli: primes; their product exceeds what is to be told from its residues.
     """
 
     def __init__(
-        self, config: Configuration, images: Images, deadline: float, moduli: Sequence[int]
+        self, config: Configuration, images: Images, deadline: Deadline, moduli: Sequence[int]
     ) -> None:
         self._planes, self.rank = len(config.vectors), config.rank
         self._central = config.infinity is None
@@ -141,6 +145,8 @@ class Classes:
             deadline,
         )
         self._moduli = moduli
+        #: Counted so far.
+        self.steps = 0.0
         self._modulus = np.array(self._moduli)[:, None]
         self._inverses = np.array(
             [[0, *(pow(k, -1, q) for k in range(1, self._planes + 1))] for q in self._moduli]
@@ -203,12 +209,11 @@ class Classes:
         budget.ask(
             f"what covers {len(flats):,} classes of flats of rank {rank - 1}, and so on",
             "leave out planes, or count in parts (--store FOLDER)",
-            told=pairs * 5e-8 * self.rank,
+            long_steps=pairs * self.rank / 2,
         )
         pieces = [flats[i : i + step] for i in range(0, len(flats), step)]
         for done, piece in enumerate(watched(pieces, f"parts of rank {rank}", len(pieces))):
-            if time.monotonic() > self._deadline:
-                raise TimeoutError
+            self._deadline.check()
             members = unpack(piece.members, self._vectors.count)
             covers = self._vectors.covers(piece.bases, members)
             if not self._central:
@@ -217,10 +222,12 @@ class Classes:
             values = piece.values[:, covers.below] * -covers.added % self._modulus
             values = values * self._inverses[:, sizes] % self._modulus
             residues = (residues + values.sum(axis=1)) % self._modulus[:, 0]
+            self._count(_PAIR * members.size)
             if keep:
                 above = members[covers.below]
                 above[covers.cover, covers.member] = True
                 bases = np.column_stack([piece.bases[covers.below], covers.plane])
+                self._count(len(above) * _COVER + self._images.steps(above))
                 images = self._images.low(above)
                 parts.append(self.merged(Flats(bases, pack(above), images, values)))
                 if done == min(2, len(pieces) - 1):
@@ -236,6 +243,10 @@ class Classes:
                     parts, waiting = [self.merged(Flats.joined(parts))], 0
         return (self.merged(Flats.joined(parts)) if parts else flats[:0]), residues
 
+    def _count(self, steps: float) -> None:
+        self.steps += steps
+        budget.spend(steps)
+
     def merged(self, flats: Flats) -> Flats:
         """Return one flat of each class, with the sum of the values of all."""
         order, start = grouped(flats.images)
@@ -245,7 +256,7 @@ class Classes:
         return Flats(flats.bases[one], flats.members[one], flats.images[one], values)
 
 
-def classes(config: Configuration, generators: Permutations, deadline: float) -> Classes:
+def classes(config: Configuration, generators: Permutations, deadline: Deadline) -> Classes:
     """Return the classes under some automorphisms, with moduli for the Whitney numbers."""
     # their sizes are at most binomial coefficients
     moduli = moduli_above(max(comb(len(config.vectors), rank) for rank in range(config.rank)))
@@ -295,7 +306,7 @@ def flats_and_faces(
     regions = [sum(comb(count, i) for i in range(config.rank - k + 1)) for k in range(config.rank)]
     moduli = moduli_above(max(comb(count, k) * number for k, number in enumerate(regions)), below)
     sums = []
-    for rank, flats in enumerate(Classes(config, Images(generators), math.inf, moduli).levels()):
+    for rank, flats in enumerate(Classes(config, Images(generators), Deadline(), moduli).levels()):
         residues = [[0] * len(moduli), [0] * len(moduli)]
         sets = unpack(flats.members, automorphisms.size)
         for place, members in enumerate(watched(sets, f"classes of rank {rank}")):
@@ -335,19 +346,19 @@ class RankForecast:
         rank: of the flats.
         classes: of them; those above which are looked for.
         exact: whether they were all counted.
-        seconds: of one processor, for all flats above them.
+        steps: for all flats above them; see `arrangement.numbers.budget`.
         megabytes: of memory, for one flat of each class.
     """
 
     rank: int
     classes: int
     exact: bool
-    seconds: float
+    steps: int
     megabytes: float
 
 
 def forecast(arrangement: Planes, sample: int = SAMPLE) -> Iterator[RankForecast]:
-    """Yield what each rank will take in `first_whitney_numbers`, as soon as it is measured.
+    """Yield what each rank will take in `first_whitney_numbers`, as soon as it is known.
 
     Ranks with few classes are done; of others a random sample is. Each half of a sample leads to
     some classes of the next rank. If it were by chance whether a class comes up, their number would
@@ -363,17 +374,19 @@ def forecast(arrangement: Planes, sample: int = SAMPLE) -> Iterator[RankForecast
     [(0, True), (1, True), (2, True), (3, True)]
     """
     config = configuration(arrangement)
-    made = classes(config, Automorphisms(config).generators(), math.inf)
+    made = classes(config, Automorphisms(config).generators(), Deadline())
     generator = np.random.default_rng(0)
     flats, number, exact = made.bottom(), 1.0, True
     for rank in watched(range(1, made.rank), "ranks"):
         chosen = flats
         if len(flats) > sample:
             chosen = flats[generator.permutation(len(flats))[:sample]]
-        began = time.process_time()
+        before = made.steps
         halves = [made.above(chosen[k::2], rank)[0] for k in (0, 1)]
-        seconds = (time.process_time() - began) / len(chosen) * number
-        yield RankForecast(rank - 1, round(number), exact, seconds, number * _bytes(flats) / 2**20)
+        steps = (made.steps - before) / len(chosen) * number
+        yield RankForecast(
+            rank - 1, round(number), exact, round(steps), number * _bytes(flats) / 2**20
+        )
         if rank == made.rank - 1:
             return
         flats = made.merged(Flats.joined([half for half in halves if len(half)]))

@@ -28,6 +28,6 @@ def planned(planes: float, dimension: float, bits: float = 0) -> None:
     budget.ask(
         f"{budget.about(planes)} planes in dimension {budget.about(dimension)}",
         "take a smaller member",
-        seconds=6e-6 * planes + entries * (2e-7 + 1e-11 * bits**2 if bits < 1e100 else math.inf),
+        steps=60 * planes + entries * (2 + bits**2 / 10_000 if bits < 1e100 else math.inf),
         bytes=350 * planes + entries * (90 + bits / 8),
     )

@@ -93,7 +93,7 @@ def echelon(rows: Sequence[Sequence[int]], *, reduced: bool = True) -> tuple[Any
 
     budget.ask(
         f"elimination in a matrix of {len(rows)} rows",
-        seconds=len(rows) * len(rows[0]) * min(len(rows), len(rows[0])) * 2e-9,
+        steps=len(rows) * len(rows[0]) * min(len(rows), len(rows[0])) / 50,
     )
     if largest(rows) < 2**63:
         left = np.array(rows, dtype=np.int64) % PRIME
@@ -133,7 +133,7 @@ def ask_elimination(rows: Sequence[Sequence[Any]], width: int) -> None:
     budget.ask(
         f"elimination in a matrix of {len(rows)} rows with {width} entries",
         "leave out planes or coordinates",
-        seconds=6e-7 * digits * filled**2 * order / max(1, len(rows) * width),
+        steps=6 * digits * filled**2 * order / max(1, len(rows) * width),
     )
 
 

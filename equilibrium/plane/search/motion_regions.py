@@ -128,7 +128,7 @@ class MotionRegions:
             budget.ask(
                 f"exact programs for {count} contacts with huge or tiny numbers",
                 "round them to the range from 1e-30 to 1e30",
-                seconds=3e-6 * count**3,
+                steps=30 * count**3,
             )
         while active:
             if time.process_time() > self.deadline:

@@ -27,8 +27,8 @@ from arrangement.numbers.exact import rational, shown
 
 #: Digits of numbers that Python reads at once.
 _SHORT = 1000
-#: Seconds for a comma or bracket.
-_MARK = 2e-6
+#: Steps for a comma or bracket.
+_MARK = 20
 _NUMBER = r"[0-9]+(?:/[0-9]+)?"
 _NAME = r"[A-Za-z]\w*"
 _TERM = re.compile(
@@ -120,7 +120,7 @@ def read_sage(text: str) -> Arrangement:
     budget.ask(
         f"a text of Sage with {marks:,} commas and brackets",
         "write the planes as JSON, or one row of numbers for each",
-        seconds=_MARK * marks,
+        steps=_MARK * marks,
     )
     space = _SPACE.search(plain)
     if space is None:
