@@ -41,8 +41,12 @@ class Deadline:
         """Seconds that are left, infinite without a limit."""
         return self._end - clock() if self._end < math.inf else math.inf
 
-    def check(self) -> None:
-        """Raise `TimeoutError` when the time limit is over."""
+    def check(self, work: float = 1) -> None:
+        """Raise `TimeoutError` when the time limit is over.
+
+        Args:
+            work: done since the last look, for limits that count it.
+        """
         if self.passed:
             raise TimeoutError(str(self))
 

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 from arrangement.console import terminal
 from arrangement.console.number_form import counted
 from arrangement.console.safe_text import printable
-from arrangement.numbers import budget
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.range import Range
 
@@ -26,7 +25,6 @@ from .arguments import (
     range_given,
     seconds,
     show,
-    usual_seconds,
 )
 from .verdict_words import piece_lines, verdict_lines
 
@@ -78,7 +76,7 @@ def _parser() -> terminal.Parser:
         "--time-limit",
         metavar="SECONDS",
         type=seconds,
-        help="of the processor; give up then: exit code 2, in space 3",
+        help="give up then: exit code 2, in space 3",
     )
     add_cone(solve)
     add_range(solve)
@@ -166,9 +164,8 @@ def _solve(arguments: argparse.Namespace) -> int:
         literal = solve_literal(grasp, wrench, arguments.literal)
         lines = piece_lines(literal.equilibria, grasp)
         return show(arguments, literal.to_dict(), lines, literal.stable, grasp)
-    limit = arguments.time_limit or usual_seconds(grasp) * budget.times()
     asked = {"shorten": arguments.shorten, "pyramid": arguments.cone, **bounds}
-    found = solve(grasp, wrench, time_limit=limit, **asked)
+    found = solve(grasp, wrench, time_limit=arguments.time_limit, **asked)
     if arguments.certificate is not None and found.certificate is not None:
         write_certificate(arguments.certificate, found.certificate)
     every = arguments.all or None

@@ -36,9 +36,7 @@ def verdict_lines(
     within = pyramid_words(found.pyramid, before=", with ") + str(found.within)
     solution = found.solution
     if not found.decided:
-        yield f"undecided{within}: neither an equilibrium nor a proof that there is none; " + (
-            found.reason
-        )
+        yield f"undecided{within}: {found.reason}; no equilibrium and no proof was found"
         yield f"best motion found: {found.residual:.2g} of the largest force is left over"
     elif solution is None:
         yield from _refusal(found, within, path)

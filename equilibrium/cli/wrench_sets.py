@@ -42,9 +42,9 @@ if TYPE_CHECKING:
     from equilibrium.wrench_sets.spatial import SpatialMagnitudes
 
 _ZERO = (Fraction(0),) * 3
-#: Of converted grasps in space: how many borders are asked about, at which share from them, and for
-#: how long the first verdict may take.
-_BORDERS, _NEAR, _SECONDS = 2, Fraction(1, 1000), 5.0
+#: Of converted grasps in space: how many borders are asked about, at which share from them, and with
+#: how many steps.
+_BORDERS, _NEAR, _STEPS = 2, Fraction(1, 1000), 50_000_000
 #: How often a margin tries all states, about: for the wrench, for preloads, for friction.
 _MARGIN = 6
 
@@ -173,7 +173,7 @@ def _rounded(solver: Solver, found: Magnitudes) -> tuple[dict[str, Any], list[st
 def _spatial_limit(
     arguments: argparse.Namespace, grasp: Grasp, direction: Sequence[Fraction], base: Any
 ) -> int:
-    from equilibrium.decide.solver import solve
+    from equilibrium.model.effort import Effort
     from equilibrium.model.grasp import read_wrench
     from equilibrium.plane.contact_rows import sum_row
     from equilibrium.wrench_sets.spatial import spatial_magnitudes
@@ -190,7 +190,7 @@ def _spatial_limit(
         document["within_error"] = []
         for t in inside:
             wrench = sum_row(read_wrench(start, 6), tuple(direction), t)
-            asked = solve(grasp, wrench, time_limit=_SECONDS, **range_given(arguments))
+            asked = _solver(arguments, grasp).decide(wrench, Effort(_STEPS))
             document["within_error"].append({"t": to_text(t), "verdict": asked.answer})
             words = asked.doubt or f"{asked.answer}, also for others within the error of the data"
             lines.append(f"at {number(t)}: {words}")

@@ -8,7 +8,6 @@ not proved some grasps within the error are asked about, and what turns the verd
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -18,13 +17,15 @@ from random import Random
 from typing import Any
 
 from arrangement.console.number_form import Shown, near
+from arrangement.errors import OutOfReachError
 from arrangement.numbers.exact import RationalVector, number_text, to_text
 from equilibrium.certificate.document import Certificate, certificate
 from equilibrium.certificate.robust import read_bounds
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.grasps.inputs.incidences import other_rounding
 from equilibrium.model.contact import VALUES, Contact
-from equilibrium.model.errors import GraspError, TimeLimitError
+from equilibrium.model.effort import Effort
+from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
 
@@ -35,8 +36,10 @@ HOLDS, FAILS, OPEN = "holds", "does not hold", UNDECIDED
 DEPENDS = "depends on the rounding"
 #: Other roundings and random grasps that are asked about.
 ROUNDINGS, _RANDOM = 4, 4
-#: For each of them; of the processor for a proof within the error of data, and within bounds.
-SECONDS, _PROOF, _SEARCH = 3.0, 0.5, 10.0
+#: Steps for each of them.
+STEPS = 30_000_000
+#: Seconds of the processor for a proof within the error of data, and within bounds.
+_PROOF, _SEARCH = 0.5, 10.0
 #: Grasps that are tried on the way to one that turns a verdict, and smaller bounds for a proof.
 _STEPS, _INNER = 12, 3
 #: Virtual motions of one proof that are tried as a way to turn it.
@@ -164,16 +167,16 @@ def _nearest(found: Any, turned: Any, bounds: Bounds) -> dict[str, Any]:
     factors of 8 as long as all turn it, then by halves. With the verdict come the largest changes
     of a coordinate, an entry of a normal and the values, and a proof for smaller bounds, if found.
     """
-    ends, deadline = (found.grasp, turned.grasp), time.process_time() + SECONDS
+    ends, effort = (found.grasp, turned.grasp), Effort(STEPS)
     low, high = Fraction(0), Fraction(1)
     for _ in range(_STEPS):
         share = (low + high) / 2 if low else high / 8
-        other = _in_time(found, _between(*ends, share), found.wrench)
+        other = _soon(found, _between(*ends, share), found.wrench, effort)
         if other is not None and other.verdict == turned.verdict:
             turned, high = other, share
         else:
             low = share
-        if time.process_time() > deadline or 4 * low > 3 * high:
+        if effort.passed or 4 * low > 3 * high:
             break
     change = dict.fromkeys(("point", "normal", *VALUES), Fraction(0))
     for old, new in zip(found.grasp, turned.grasp, strict=True):
@@ -224,7 +227,7 @@ def within_error(found: Any) -> WithinError:
     asked = left = 0
     for grasp in others(found):
         asked += 1
-        other = _in_time(found, grasp, found.wrench)
+        other = _soon(found, grasp, found.wrench)
         if other is None:
             left += 1
         elif found.verdict not in (OPEN, other.verdict):
@@ -264,11 +267,11 @@ def _error_bounds(grasp: Grasp) -> tuple[Bounds, bool]:
     return Bounds(**given), given == wanted
 
 
-def _in_time(asked: Any, grasp: Grasp, wrench: RationalVector) -> Any:
-    """Return a verdict that is decided soon; else None."""
+def _soon(asked: Any, grasp: Grasp, wrench: RationalVector, effort: Effort | None = None) -> Any:
+    """Return a verdict that is decided with little effort; else None."""
     try:
-        found = asked.again(grasp, wrench, time_limit=SECONDS)
-    except TimeLimitError:
+        found = asked.again(grasp, wrench, effort or Effort(STEPS))
+    except OutOfReachError:
         return None
     return None if found.verdict == OPEN else found
 
@@ -298,7 +301,7 @@ def robust(found: Any, bounds: Bounds) -> Robustness:
     if proof := _proof(found, search):
         return answer(answer=HOLDS, certificate=proof)
     for other in _against(found, search):
-        turned = _in_time(found, other, found.wrench)
+        turned = _soon(found, other, found.wrench)
         if turned is not None and turned.verdict != name:
             return answer(answer=FAILS, **_nearest(found, turned, bounds))
     return answer(answer=OPEN)
@@ -341,7 +344,7 @@ def _against(found: Any, search: Closing) -> Iterator[Grasp]:
         for way in search.weakest():
             yield search.worst(way)
         for more in (Fraction(1, 100), 1):
-            proof = _in_time(found, found.grasp, tuple(x * (1 + more) for x in found.wrench))
+            proof = _soon(found, found.grasp, tuple(x * (1 + more) for x in found.wrench))
             if proof is not None and proof.verdict == NOT_RESISTED:
                 tree = proof.proof["tree"]
                 for motion in islice(_leaves(tree, len(found.wrench)), _LEAVES):

@@ -8,7 +8,6 @@ for each is solved. In space the search may end without either.
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Iterable, Iterator
 from functools import cached_property, lru_cache, partial
 from typing import Any
@@ -18,10 +17,12 @@ import numpy as np
 from arrangement.console.number_form import Shown
 from arrangement.console.progress import watched
 from arrangement.console.workers import done, due
+from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, vector_text
 from equilibrium.model.contact import pyramid_edges
-from equilibrium.model.errors import EquilibriumError
+from equilibrium.model.effort import Effort
+from equilibrium.model.errors import EquilibriumError, TimeLimitError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.range import Range
 from equilibrium.model.solution import Solution
@@ -54,8 +55,9 @@ def solve(
         grasp: contacts in the object frame.
         wrench: applied, ``(f_x, f_y, tau)``, the torque about the origin; in space
             ``(f_x, f_y, f_z, tau_x, tau_y, tau_z)``.
-        time_limit: in seconds of the processor; none by default. In space the verdict is undecided
-            when it is over.
+        time_limit: in seconds, by a clock on the wall. Without one the work is limited, to the same
+            steps on every machine (`STEPS`), times `arrangement.limit`. In space the verdict is
+            undecided when a limit is reached.
         shorten: in the plane look longer for a smaller proof that nothing balances the wrench.
         nodes: in space, of a tree; when they do not do the verdict is undecided.
         pyramid: in space, edges of a friction pyramid in place of the round cone, see
@@ -66,6 +68,7 @@ def solve(
 
     Raises:
         TimeLimitError: in the plane, the time has passed without an answer.
+        OutOfReachError: in the plane, that many steps have led to no answer.
         GraspError: a wrench of the wrong length, or a pyramid in the plane or of no such number.
 
     The search is in floating point, each answer exact. In the plane it always ends: see
@@ -82,6 +85,8 @@ def solve(
     return solver.solve(wrench, time_limit=time_limit, shorten=shorten, nodes=nodes)
 
 
+#: Steps of one question in the plane and in space, see `Effort`: about 20 and 60 seconds.
+STEPS = {2: 200_000_000, 3: 600_000_000}
 #: How many wrenches a process takes at once; up to how many contacts all states are tried.
 _PART, _FEW = 50, 12
 #: Steps of the exact system of a choice of states, for each contact.
@@ -117,9 +122,7 @@ class Solver(Shown):
     @cached_property
     def _in_space_before(self) -> Any:
         """What proofs in space leave for other wrenches."""
-        from equilibrium.space.memory import Memory
-
-        return Memory()
+        return _memory()
 
     @cached_property
     def _codes(self) -> Codes:
@@ -155,9 +158,39 @@ class Solver(Shown):
         nodes: int | None = None,
     ) -> Verdict:
         """Decide one wrench; see the function `solve`."""
+        effort = self._usual() if time_limit is None else Effort(seconds=time_limit)
+        return self.decide(wrench, effort, shorten=shorten, nodes=nodes)
+
+    def _usual(self) -> Effort:
+        return Effort(STEPS[self.grasp.dimension] * budget.times())
+
+    def decide(
+        self,
+        wrench: Iterable[Any],
+        effort: Effort,
+        *,
+        shorten: bool = False,
+        nodes: int | None = None,
+        memory: Any = None,
+    ) -> Verdict:
+        """Decide one wrench with the effort that is left; see the function `solve`.
+
+        Args:
+            memory: in space, of other wrenches; by default that of this solver.
+        """
         applied = read_wrench(wrench, self.grasp.dimension)
         if self.grasp.dimension == 3:
-            return self._in_space(applied, time_limit, nodes)
+            search = self._search(applied, effort, nodes, memory)
+            return self._found(applied, search.decide())
+        try:
+            return self._in_plane(applied, effort, shorten)
+        except TimeoutError as late:
+            if effort.spent <= effort.steps:
+                raise TimeLimitError(f"undecided: {late}; give more time, or none") from None
+            more = math.ceil(2 * budget.times())
+            raise OutOfReachError(f"undecided: {late}; --limit {more} allows more") from None
+
+    def _in_plane(self, applied: RationalVector, effort: Effort, shorten: bool) -> Verdict:
         units = SearchUnits.of(self.grasp, applied)
         # Without preload no number of the contacts depends on the unit of force, with it that is
         # the grasp's own; so all wrenches share them but for the range.
@@ -166,31 +199,29 @@ class Solver(Shown):
         if scaled is None:
             scaled = IntegerContacts(units.grasp(self.grasp), within)
             self._scaled = {within: scaled}
-        found = resistance(scaled, units.wrench(applied), time_limit, shorten)
+        found = resistance(scaled, units.wrench(applied), effort, shorten)
         if isinstance(found, Solution):
             return self._verdict(applied, units.solution_back(found))
         return self._verdict(applied, units.tree_back(found))
 
-    def _in_space(
-        self, wrench: RationalVector, time_limit: float | None, nodes: int | None
-    ) -> Verdict:
-        return self._found(wrench, self._search(wrench, time_limit, nodes).decide())
-
     def _search(
-        self, wrench: RationalVector, time_limit: float | None = None, nodes: int | None = None
+        self,
+        wrench: RationalVector,
+        effort: Effort | None = None,
+        nodes: int | None = None,
+        memory: Any = None,
     ) -> Any:
         """Return the search for one wrench in space."""
         from equilibrium.space.cones import Pyramids
         from equilibrium.space.tree import NODES, SpatialSearch
 
         cones = None if self._edges is None else Pyramids(self._edges)
-        deadline = math.inf if time_limit is None else time.process_time() + time_limit
 
         def accept(found: Solution) -> bool:
             return bool(self._verdict(wrench, found).verify())
 
         contacts, most = FloatContacts(self.grasp), NODES if nodes is None else nodes
-        how = deadline, most, self.within, cones, self._in_space_before
+        how = effort, most, self.within, cones, memory or self._in_space_before
         return SpatialSearch(contacts, wrench, accept, *how)
 
     def _found(self, wrench: RationalVector, found: Any) -> Verdict:
@@ -228,7 +259,7 @@ class Solver(Shown):
         if found is None and answer == NOT_RESISTED:
             tree = partial(self._refutation, wrench)
         question = self.grasp, wrench, RESISTED if held else answer, held, tree
-        how = self._equilibria, solve, self.within, self.pyramid
+        how = self._equilibria, _again, self.within, self.pyramid
         return Verdict(*question, *how, reason, residual)
 
     def _refutation(self, wrench: RationalVector) -> Any:
@@ -250,6 +281,9 @@ class Solver(Shown):
         gives the same verdicts, a thousand of eight contacts in seconds, and maybe another one of
         several equilibria. The proof that nothing balances a wrench is looked for when it is asked.
 
+        In space what one proof leaves for the next is kept for so many wrenches as one process takes
+        at once, so answers do not depend on the number of processes.
+
         Args:
             jobs: processes of this machine.
             dask: address of a Dask scheduler whose workers decide.
@@ -263,10 +297,11 @@ class Solver(Shown):
         self, parts: list[list[RationalVector]], jobs: int, dask: str | None
     ) -> Iterator[Verdict]:
         if jobs == 1 and dask is None:
+            memories = [memory for part in parts for memory in [_memory()] * len(part)]
             every = [wrench for part in parts for wrench in part]
-            yield from map(self._one_of_many, watched(every, "wrenches"))
+            yield from map(self._one_of_many, watched(every, "wrenches"), memories)
             return
-        plan = (self.grasp, self.within, self.pyramid), parts
+        plan = (self.grasp, self.within, self.pyramid), parts, budget.times()
         early: dict[int, list[Any]] = {}
         found = done(_answers, plan, range(len(parts)), jobs, dask)
         results = iter(watched(found, "parts of wrenches", len(parts)))
@@ -277,10 +312,10 @@ class Solver(Shown):
             for wrench, answer in zip(part, early.pop(number), strict=True):
                 yield self._verdict(wrench, *answer)
 
-    def _one_of_many(self, wrench: RationalVector) -> Verdict:
+    def _one_of_many(self, wrench: RationalVector, memory: Any) -> Verdict:
         """Decide by the choices of contact states, if they are few and none is left open."""
         if self.grasp.dimension == 3 or len(self.grasp) > _FEW or not are_moderate(wrench):
-            return self.solve(wrench)
+            return self.decide(wrench, self._usual(), memory=memory)
         possible = self.screen.possible(wrench)
         for row in self._codes[possible & ~self.screen.singular].tolist():
             system = state_system(self.grasp, states_of_code(row), wrench, within=self.within)
@@ -320,6 +355,20 @@ class Solver(Shown):
         return maximal(pieces)
 
 
+def _memory() -> Any:
+    """Return what proofs in space leave for other wrenches, empty."""
+    from equilibrium.space.memory import Memory
+
+    return Memory()
+
+
+def _again(
+    grasp: Grasp, wrench: Iterable[Any], effort: Effort, *, pyramid: int | None, **bounds: Any
+) -> Verdict:
+    """Decide another question with the effort that is left."""
+    return Solver(grasp, **bounds, pyramid=pyramid).decide(wrench, effort)
+
+
 def prepare(grasp: Grasp | Solver) -> Solver:
     """Return the solver of a planar grasp; a solver is returned as it is.
 
@@ -339,8 +388,10 @@ def _solver(grasp: Grasp, within: Range, pyramid: int | None) -> Solver:
 
 def _answers(plan: Any, number: int) -> tuple[int, list[Any]]:
     """Return the answers to a part of many wrenches, as `Solver._verdict` takes them."""
-    question, parts = plan
-    found = map(_solver(*question)._one_of_many, parts[number])
+    question, parts, times = plan
+    solver, memory = _solver(*question), _memory()
+    with budget.limit(times):
+        found = [solver._one_of_many(wrench, memory) for wrench in parts[number]]
     return number, [
         (v.solution or (None if callable(v._tree) else v._tree), v.verdict, v.reason, v.residual)
         for v in found

@@ -17,12 +17,14 @@ from typing import Any
 
 from arrangement.console.number_form import counted
 from arrangement.console.plugins import named
+from arrangement.errors import OutOfReachError
 from arrangement.numbers.exact import RationalVector, dot, to_text, vector_text
 from equilibrium.certificate.checker import Report, check
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.model.contact import pyramid_words
-from equilibrium.model.errors import TimeLimitError, UndecidedError
+from equilibrium.model.effort import Effort
+from equilibrium.model.errors import UndecidedError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.range import NO_RANGE, Range, usual_range, warning
 from equilibrium.model.solution import Solution
@@ -218,16 +220,16 @@ class Verdict:
             }
         )
 
-    def again(self, grasp: Grasp, wrench: Iterable[Any], time_limit: float, **more: Any) -> Verdict:
-        """Decide another question in the same way."""
+    def again(self, grasp: Grasp, wrench: Iterable[Any], effort: Effort, **more: Any) -> Verdict:
+        """Decide another question in the same way, with the effort that is left."""
         asked = {"pyramid": self.pyramid, **self.within.bounds, **more}
-        return self._solve(grasp, wrench, time_limit=time_limit, **asked)
+        return self._solve(grasp, wrench, effort, **asked)
 
     @cached_property
     def warnings(self) -> tuple[str, ...]:
         """Where no range was given: a line if no equilibrium is one of small motions.
 
-        Looking for another one than `solution` takes at most some seconds.
+        Looking for another one than `solution` takes at most `robustness.STEPS` steps.
         """
         if self.solution is None or self.within:
             return ()
@@ -235,9 +237,9 @@ class Verdict:
         if usual.holds(self.solution.motion, self.solution.forces):
             return ()
         try:
-            limit: dict[str, Any] = {"time_limit": robustness.SECONDS, **usual.bounds}
-            found = self.again(self.grasp, self.wrench, **limit).verdict
-        except TimeLimitError:
+            effort = Effort(robustness.STEPS)
+            found = self.again(self.grasp, self.wrench, effort, **usual.bounds).verdict
+        except OutOfReachError:
             found = UNDECIDED
         return () if found == RESISTED else (warning(every=found == NOT_RESISTED),)
 

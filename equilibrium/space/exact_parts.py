@@ -9,8 +9,6 @@ friction there has a rational direction.
 
 from __future__ import annotations
 
-import math
-import time
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
@@ -18,11 +16,11 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.programs import Infeasible, Program
 from equilibrium.model.contact import Contact, pyramid_edges
+from equilibrium.model.effort import Effort
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import FloatContacts
@@ -38,6 +36,8 @@ ConeRow: TypeAlias = tuple[bool, tuple[Any, ...]]
 _SIDES, _CUTS, _SIMPLE, _LONG = 8, 3, 64, 2**20
 #: What is taken off the least product of a middle direction with the arc of a sector.
 _LESS = Fraction(1, 2**40)
+#: Steps of the rows of a contact, for each unknown.
+_ROW = 200
 #: Up to this sine of the angle a slip is along a direction.
 _ALONG = 1e-6
 
@@ -48,7 +48,7 @@ class StateProgram:
     Args:
         cones: of each contact, the conditions on its forces besides that the normal one is at
             least 0; without friction there are none.
-        deadline: of `time.process_time`.
+        effort: that is left.
     """
 
     def __init__(
@@ -57,9 +57,9 @@ class StateProgram:
         wrench: RationalVector,
         states: Sequence[Ends],
         cones: Sequence[Sequence[ConeRow]],
-        deadline: float,
+        effort: Effort,
     ) -> None:
-        self.deadline = deadline
+        self.effort = effort
         # A detached contact has no unknown, one without friction only its normal force.
         self.places, self.size = list[slice](), 6
         for contact, state in zip(grasp, states, strict=True):
@@ -93,8 +93,7 @@ class StateProgram:
         rows.append(row)
 
     def _add_contact(self, i: int, contact: Contact, state: Ends, cone: Sequence[ConeRow]) -> None:
-        if time.process_time() > self.deadline:
-            raise TimeoutError("the time is over")
+        self.effort.check(_ROW * self.size)
         zero = [Fraction(0)] * 6
         gap = [contact.stiffness * x for x in contact.normal_wrench]
         if state == "detached":
@@ -121,9 +120,7 @@ class StateProgram:
 
     def solve(self) -> tuple[RationalVector, tuple[RationalVector, ...]] | Any:
         """Return the motion and all forces, three each, or the leaf that shows there are none."""
-        left = self.deadline - time.process_time()
-        limit = Deadline(None if left == math.inf else max(left, 1e-9))
-        found = Program(self.size, self.least, self.equal, limit).point()
+        found = Program(self.size, self.least, self.equal, self.effort).point()
         if not isinstance(found, Infeasible):
             forces = (found[place] for place in self.places)
             return found[:6], tuple((*force, *[Fraction(0)] * (3 - len(force))) for force in forces)
@@ -142,11 +139,11 @@ class ExactParts:
     """The exact programs of one question.
 
     Args:
-        deadline: of `time.process_time`; `TimeoutError` is raised then.
+        effort: that is left; `TimeoutError` is raised when none is.
     """
 
-    def __init__(self, contacts: FloatContacts, wrench: RationalVector, deadline: float) -> None:
-        self.grasp, self.wrench, self.deadline = contacts.grasp, wrench, deadline
+    def __init__(self, contacts: FloatContacts, wrench: RationalVector, effort: Effort) -> None:
+        self.grasp, self.wrench, self.effort = contacts.grasp, wrench, effort
         self.base = pyramid_edges(_SIDES)
 
     def part(self, states: Sequence[State], towards: Floats) -> Solution | dict[str, Any]:
@@ -198,7 +195,7 @@ class ExactParts:
     def _solve(
         self, states: Sequence[Ends], cones: Sequence[Sequence[ConeRow]]
     ) -> Solution | dict[str, Any]:
-        found: Any = StateProgram(self.grasp, self.wrench, states, cones, self.deadline).solve()
+        found: Any = StateProgram(self.grasp, self.wrench, states, cones, self.effort).solve()
         if not isinstance(found, tuple):
             leaf: dict[str, Any] = found
             return leaf
@@ -209,9 +206,9 @@ class PyramidParts(ExactParts):
     """The same with pyramids, of which states and their programs are the law itself."""
 
     def __init__(
-        self, contacts: FloatContacts, wrench: RationalVector, deadline: float, cones: Pyramids
+        self, contacts: FloatContacts, wrench: RationalVector, effort: Effort, cones: Pyramids
     ) -> None:
-        super().__init__(contacts, wrench, deadline)
+        super().__init__(contacts, wrench, effort)
         self.cones = cones
 
     def part(self, states: Sequence[State], towards: Floats) -> Solution | dict[str, Any]:

@@ -7,14 +7,14 @@ in space), so the verdict is that of the plane, where all are decided.
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from arrangement.numbers.linear.rank import cross, difference
-from equilibrium.model.errors import GraspError, TimeLimitError
+from equilibrium.model.effort import Effort
+from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, in_plane
 from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.model.solution import Solution
@@ -24,27 +24,23 @@ from equilibrium.plane.search.units import SearchUnits
 
 
 def decide_in_plane(
-    grasp: Grasp, wrench: RationalVector, deadline: float, within: Range = NO_RANGE
+    grasp: Grasp, wrench: RationalVector, effort: Effort, within: Range = NO_RANGE
 ) -> Solution | dict[str, Any] | None:
     """Return an equilibrium or a proof, or None if no plane with rational axes has the question.
 
     The range is that of space: what turns within it there turns within it in the plane, and back.
 
     Raises:
-        TimeoutError: the deadline has passed.
+        TimeoutError: no effort is left.
     """
     axes = _axes(grasp, wrench)
     try:
         flat, load = in_plane(grasp, wrench, axes)
     except GraspError:
         return None
-    limit = None if deadline == math.inf else deadline - time.process_time()
-    try:
-        units = SearchUnits.of(flat, load)
-        scaled = IntegerContacts(units.grasp(flat), units.range(within))
-        found = resistance(scaled, units.wrench(load), limit)
-    except TimeLimitError:
-        raise TimeoutError("the time is over") from None
+    units = SearchUnits.of(flat, load)
+    scaled = IntegerContacts(units.grasp(flat), units.range(within))
+    found = resistance(scaled, units.wrench(load), effort)
     if not isinstance(found, Solution):
         return {
             "plane": [list(map(to_text, axis)) for axis in axes],

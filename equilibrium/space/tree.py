@@ -7,8 +7,6 @@ a node is the law, and exact programs decide what floats leave open, so the sear
 from __future__ import annotations
 
 import copy
-import math
-import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -19,6 +17,7 @@ import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
+from equilibrium.model.effort import Effort
 from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import FloatContacts, nearest
@@ -51,6 +50,8 @@ _NEAR = 1e-3
 _CLOSE = 8
 #: Larger frictions are huge.
 _EVEN = 100.0
+#: Steps of a node and of a proposal, and for each contact of them; of a sharpness of a path.
+_NODE, _EACH, _PROPOSAL, _PROPOSED, _PATH = 10_000, 1000, 20_000, 5000, 40_000
 #: States that are not split further.
 _DECIDED = ("detached", "stick")
 #: Exact programs of more contacts take seconds, and are asked last.
@@ -76,7 +77,7 @@ class SpatialSearch:
     Args:
         cones: of friction.
         accept: whether a proposal is proved to be an equilibrium.
-        deadline: of `time.process_time`.
+        effort: that is left.
         nodes: of a tree, at most.
         within: the range in which equilibria count; `accept` knows it, too.
         memory: of other loads on the grasp, with the same cones and range.
@@ -87,7 +88,7 @@ class SpatialSearch:
         contacts: FloatContacts,
         wrench: RationalVector,
         accept: Callable[[Solution], bool],
-        deadline: float = math.inf,
+        effort: Effort | None = None,
         nodes: int = NODES,
         within: Range = NO_RANGE,
         cones: RoundCones | Pyramids | None = None,
@@ -97,11 +98,11 @@ class SpatialSearch:
         self.within, self.cones = within, cones or RoundCones()
         self.contacts, self.wrench = contacts, wrench
         self.root: Node = ("undecided",) * len(contacts.grasp)
-        self.accept, self.deadline, self.nodes = accept, deadline, nodes
+        self.accept, self.effort, self.nodes = accept, effort or Effort(), nodes
         self.relaxation = Relaxation(contacts, wrench, self.cones, within)
         self.leaves = Leaves(contacts, wrench, self.cones, within)
-        if math.isfinite(deadline):
-            self.relaxation.settings.time_limit = max(0.01, deadline - time.process_time())
+        if self.effort.seconds is not None:
+            self.relaxation.settings.time_limit = max(0.01, self.effort.remaining)
         self.smooth = SpatialContinuation(contacts, wrench, self.cones)
         #: The last as given; before it one of smaller frictions, if some are huge.
         self.searches = [self.smooth]
@@ -114,9 +115,9 @@ class SpatialSearch:
         self.exactly = False
         self.exact: ExactParts | PyramidParts
         if isinstance(self.cones, Pyramids):
-            self.exact = PyramidParts(contacts, wrench, deadline, self.cones)
+            self.exact = PyramidParts(contacts, wrench, self.effort, self.cones)
         else:
-            self.exact = ExactParts(contacts, wrench, deadline)
+            self.exact = ExactParts(contacts, wrench, self.effort)
         #: States that an equilibrium was looked for in, the latest last.
         self.states: list[States] = []
         self.residual = 1.0
@@ -167,7 +168,7 @@ class SpatialSearch:
             if not i:
                 found = self.go_on(tree, min(_FEW, self.nodes))
                 if isinstance(found, Open) and isinstance(self.cones, RoundCones):
-                    question = self.contacts.grasp, self.wrench, self.deadline, self.within
+                    question = self.contacts.grasp, self.wrench, self.effort, self.within
                     found = decide_in_plane(*question) or found
                 if isinstance(found, Open):
                     found = self._exact_equilibrium() or found
@@ -196,8 +197,7 @@ class SpatialSearch:
         """Return an equilibrium that the smoothed balance leads to."""
         for smooth in self.searches:
             for end, eps in smooth.path(motion, sharpness):
-                if time.process_time() > self.deadline:
-                    break
+                self.effort.check(_PATH)
                 if isinstance(self.exact, PyramidParts):
                     found = self._smooth_pyramids(self.exact, end, eps)
                 else:
@@ -212,6 +212,7 @@ class SpatialSearch:
     def _equilibrium(self, motion: Floats, states: States) -> Solution | None:
         """Return an accepted equilibrium of given states near a motion."""
         self.states.append(states)
+        self.effort.check(_PROPOSAL + _PROPOSED * len(self.contacts.grasp))
         for found in proposals(self.contacts, self.wrench, motion, states, self.tried):
             if self.accept(found):
                 return found
@@ -271,12 +272,12 @@ class SpatialSearch:
             nodes = tree.nodes
             if nodes >= most:
                 return Open(f"after {nodes} nodes the tree is not closed", self.residual)
-            if time.process_time() > self.deadline:
-                closed = f"{nodes} nodes, {tree.leaves} of them closed"
-                raise TimeoutError(f"the time is over after {closed}")
+            if self.effort.passed:
+                raise TimeoutError(f"{self.effort}, {nodes} nodes, {tree.leaves} of them closed")
             states, parent, position = tree.waiting.pop()
             found = self.memory.at(states, self.leaves)
             if found is None:
+                self.effort.check(_NODE + _EACH * len(states))
                 tree.nodes, self.idle = nodes + 1, self.idle + 1
                 tree.pairs += sum(self.cones.sine(x) < NARROW for x in states) > 1
                 found = self._node(states)

@@ -4,14 +4,17 @@ import json
 import re
 from collections.abc import Iterator
 from fractions import Fraction
-from itertools import product
+from itertools import count, product
 from random import Random
 from typing import Any
 
 import pytest
 
+from arrangement.errors import OutOfReachError
+from arrangement.numbers import budget, deadline
 from equilibrium import Contact, Grasp, Solver, TimeLimitError, check, read_grasp, solve
 from equilibrium.certificate.document import refuted_certificate
+from equilibrium.decide.solver import STEPS
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.plane.contacts import IntegerContacts
 from equilibrium.plane.search.continuation import find_equilibrium
@@ -172,11 +175,23 @@ def test_a_shortened_proof_holds():
     assert len(short.certificate.text) <= len(plain.certificate.text)
 
 
-def test_the_time_limit_ends_the_search():
+def test_time_limit_ends_search(monkeypatch):
     grasp, wrench = hard()
-    with pytest.raises(TimeLimitError, match="regions of motions open"):
-        Solver(grasp).solve(wrench, time_limit=1e-9)
+    monkeypatch.setattr(deadline, "clock", count().__next__)
+    with pytest.raises(TimeLimitError, match=r"^undecided: time limit of 0.1 s; give more time"):
+        Solver(grasp).solve(wrench, time_limit=0.1)
     assert not solve(grasp, wrench).stable
+
+
+def test_limit_of_work_ends_search(monkeypatch):
+    grasp, wrench = hard()
+    monkeypatch.setitem(STEPS, 2, 20_000)
+    for times in (1, 2):
+        words = f"undecided: limit of {20 * times},000 steps; --limit {2 * times} allows more"
+        with pytest.raises(OutOfReachError, match=words), budget.limit(times):
+            solve(grasp, wrench)
+    with budget.limit(1000):
+        assert not solve(grasp, wrench).stable
 
 
 def hard() -> tuple[Grasp, Wrench]:
@@ -242,7 +257,7 @@ def huge_and_tiny(seed: int) -> tuple[Grasp, Wrench]:
 @pytest.mark.parametrize("seed", range(9))
 def test_huge_beside_tiny_numbers_are_decided_soon(seed):
     grasp, wrench = huge_and_tiny(seed)
-    found = solve(grasp, wrench, time_limit=20)
+    found = solve(grasp, wrench)
     assert found.verify()
 
 

@@ -10,7 +10,8 @@ from hypothesis import given, settings, strategies as st
 
 from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, GraspError, Solver, read_grasp, solve
-from equilibrium.grasps.inputs import random_grasp
+from equilibrium.decide import solver
+from equilibrium.grasps.inputs import random_grasp, random_wrench
 
 from . import oracle
 from .agreement import disagreements
@@ -51,6 +52,18 @@ def test_processes_answer_in_order_in_the_plane_and_in_space():
     assert [verdict.verdict for verdict in held] == ["resisted", "not resisted", "resisted"]
     with pytest.raises(InputError, match="jobs is 0; give 1 to"):
         Solver(THREE).solve_many(loads, jobs=0)
+
+
+def test_processes_change_no_answer(monkeypatch):
+    monkeypatch.setattr(solver, "_PART", 4)
+    grasp = random_grasp(4, 0, dimension=3)
+    loads = [random_wrench(k, dimension=3) for k in range(12)]
+    asked = Solver(grasp)
+    for k in range(20, 30):
+        asked.solve(random_wrench(k, dimension=3))
+    alone, shared = (list(asked.solve_many(loads, jobs=jobs)) for jobs in (1, 2))
+    assert [x.verdict for x in alone] == [x.verdict for x in shared]
+    assert [x.certificate.text for x in alone] == [x.certificate.text for x in shared]
 
 
 @given(grasps(), wrenches)

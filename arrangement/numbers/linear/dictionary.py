@@ -57,8 +57,8 @@ class Dictionary:
 
     def pivot(self, r: int, c: int) -> None:
         """Exchange row r and column c."""
-        self.given.deadline.check()
         pivot_row = self.rows[r]
+        self.given.deadline.check(_work(len(self.rows) * len(pivot_row), self.denominator))
         p, d = pivot_row[c], self.denominator
         flip = 1 if p > 0 else -1
         for row in (*self.rows, self.cost):
@@ -199,6 +199,11 @@ class Dictionary:
     def multipliers(self, terms: dict[int, Fraction]) -> tuple[RationalVector, RationalVector]:
         """Return multipliers of the given rows from those of rows with coprime coefficients."""
         return self.given.given({s - self.variables: x for s, x in terms.items()})
+
+
+def _work(entries: int, size: Any) -> float:
+    """Return the work of writing so many entries; long numbers count more often."""
+    return 10 * entries * (1 + int(size).bit_length() / 1000)
 
 
 def _quotient(x: Any, y: Any) -> Fraction:

@@ -96,7 +96,7 @@ class Rows:
         return self.variables**2 * len(self.integers) * (1 + bits / 30)
 
     def _whole(self, row: Row) -> IntegerVector:
-        self.deadline.check()
+        self.deadline.check(10 * len(row))
         return primitive(row[:-1])
 
     def point(self, tight: Sequence[int]) -> Numbers | None:
@@ -184,8 +184,8 @@ class Rows:
         """Return the solution of n rows, constant last, over a common integer above 0."""
         from flint import fmpz_mat
 
-        self.deadline.check()
         n = len(rows)
+        self.deadline.check(n**3 / 2)
         if n != self.variables:
             return None
         if not n:

@@ -66,6 +66,8 @@ class Program:
         self._floats: FloatDictionary | None = None
         if self._rows.work > _SHORT:
             self._floats = FloatDictionary(self._rows.integers, n + 1, len(equalities))
+            # Numbers in arrays are written a hundred times as fast, in about 2 n pivots.
+            self._rows.deadline.check(n**2 * len(self._rows.integers) / 50)
             conflict = self._floats.start()
             if conflict == -1:
                 self._at = self._rows.point(self._floats.tight)

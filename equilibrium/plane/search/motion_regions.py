@@ -11,7 +11,6 @@ from __future__ import annotations
 import itertools
 import json
 import math
-import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -22,7 +21,7 @@ import numpy as np
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, RationalVector, to_text
 from arrangement.numbers.float_filter import Floats
-from equilibrium.model.errors import TimeLimitError
+from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import IntegerContacts
 from equilibrium.plane.search.continuation import find_equilibrium, motion_scale
@@ -50,6 +49,8 @@ _SMALL, _SMALL_CUTS, _SMALL_PARTS = 6, 40, 300
 #: Cuts after which edges are cut where springs end, too.
 _FEW = 4
 _TINY = 1e-9
+#: Steps of a region that is cut: of any, and for each contact.
+_REGION, _EACH = 10_000, 200
 
 
 @dataclass(eq=False, slots=True)
@@ -86,7 +87,7 @@ class MotionRegions:
     """The search for one question.
 
     Args:
-        deadline: on the clock `time.process_time`.
+        effort: that is left.
         rounds: how often the numbers of a virtual motion are made finer before a region is cut.
         turn: how much wide angles count when an edge is chosen.
     """
@@ -95,11 +96,11 @@ class MotionRegions:
         self,
         contacts: IntegerContacts,
         wrench: RationalVector,
-        deadline: float = math.inf,
+        effort: Effort | None = None,
         rounds: int = 6,
         turn: float = 1.0,
     ) -> None:
-        self.contacts, self.wrench, self.deadline = contacts, wrench, deadline
+        self.contacts, self.wrench, self.effort = contacts, wrench, effort or Effort()
         self.rounds, self.turn = rounds, turn
         self.virtual = VirtualMotions(self.contacts, wrench)
         scale = motion_scale(self.contacts.floats, self.virtual.load)
@@ -116,7 +117,7 @@ class MotionRegions:
         """Return the tree, or an equilibrium.
 
         Raises:
-            TimeLimitError: the deadline has passed.
+            TimeoutError: no effort is left.
         """
         children: list[Node] = [None] * 8
         active = self._unclosed(
@@ -131,11 +132,6 @@ class MotionRegions:
                 steps=30 * count**3,
             )
         while active:
-            if time.process_time() > self.deadline:
-                raise TimeLimitError(
-                    f"the time limit has passed with {len(active)} regions of motions open; "
-                    "give more time, or none"
-                )
             if cuts >= first:
                 first = math.inf
                 root: list[Node] = [None]
@@ -143,6 +139,7 @@ class MotionRegions:
                     return root[0] if self.solution is None else self.solution
             active.sort(key=lambda region: region.depth)
             chosen, active = active[-self.batch :], active[: -self.batch]
+            self.effort.check(len(chosen) * (_REGION + _EACH * len(self.contacts)))
             whole = [region for region in chosen if not self._decided(region)]
             if self.solution is not None:
                 return self.solution
@@ -306,7 +303,7 @@ class MotionRegions:
 
     def _by_states(self, region: _OpenRegion, limit: float) -> bool:
         """Decide a region by the states of contacts; return whether that ended."""
-        splits = StateSplits(self.contacts, self.wrench, region.generators, limit, self.deadline)
+        splits = StateSplits(self.contacts, self.wrench, region.generators, limit, self.effort)
         try:
             decided = splits.decide()
         except TooManyParts:
@@ -334,42 +331,39 @@ _FEW, _PARTS = 12, 100
 def resistance(
     contacts: IntegerContacts,
     wrench: RationalVector,
-    time_limit: float | None = None,
+    effort: Effort,
     shorten: bool = False,
 ) -> Solution | Node:
     """Return an equilibrium, or the tree that proves that there is none; always one of the two.
 
     Args:
-        time_limit: in seconds of the processor.
-        shorten: try for a smaller tree, within the time.
+        effort: that is left.
+        shorten: try for a smaller tree, within the effort.
 
     Raises:
-        TimeLimitError: the time has passed.
+        TimeoutError: no effort is left.
     """
-    deadline = math.inf if time_limit is None else time.process_time() + time_limit
-    regions = MotionRegions(contacts, wrench, deadline)
+    regions = MotionRegions(contacts, wrench, effort)
     leaf = regions.half_space()
     if leaf is not None:
         return leaf
     found = find_equilibrium(contacts, wrench) or regions.search()
     if isinstance(found, Solution) or not shorten:
         return found
-    return min(
-        (found, *_others(contacts, wrench, deadline)), key=lambda tree: len(json.dumps(tree))
-    )
+    return min((found, *_others(contacts, wrench, effort)), key=lambda tree: len(json.dumps(tree)))
 
 
-def _others(contacts: IntegerContacts, wrench: RationalVector, deadline: float) -> list[Node]:
-    """Return other proofs of the same, as many as there is time for."""
+def _others(contacts: IntegerContacts, wrench: RationalVector, effort: Effort) -> list[Node]:
+    """Return other proofs of the same, as many as the effort allows."""
     trees = []
     try:
         if len(contacts) <= _FEW:
-            trees.append(StateSplits(contacts, wrench, HALF_SPACE, _PARTS, deadline).decide())
-    except TooManyParts:
+            trees.append(StateSplits(contacts, wrench, HALF_SPACE, _PARTS, effort).decide())
+    except (TooManyParts, TimeoutError):
         pass
     try:
         for rounds, turn in _SEARCHES:
-            trees.append(MotionRegions(contacts, wrench, deadline, rounds, turn).search())
-    except TimeLimitError:
+            trees.append(MotionRegions(contacts, wrench, effort, rounds, turn).search())
+    except TimeoutError:
         pass
     return trees

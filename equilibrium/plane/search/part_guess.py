@@ -6,13 +6,13 @@ nothing rests on floats; where they do not tell, the exact program decides.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.float_program import FloatProgram
+from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Solution
 
 from .part_program import Cut, Node, PartProgram
@@ -21,24 +21,27 @@ from .part_program import Cut, Node, PartProgram
 _CLOSED, _OBEYED = 1e-9, 1e-6
 #: How often bounds are added, and the bound of what is free, in units of the works.
 _ROUNDS, _FREE = 30, 1e4
+#: Steps of a guess, about, besides those of its numbers.
+_GUESS = 30_000
 #: What is left at borders, in units of the works.
 _ROOM = 1 / 16
 
 
-def decide(part: PartProgram, deadline: float = math.inf) -> Node | int | Solution:
+def decide(part: PartProgram, effort: Effort) -> Node | int | Solution:
     """Return the leaf that closes a part, or the contact to split.
 
     Where no contact violates the law, this is what `PartProgram.solve` returns.
     """
     if not part.region.contacts.floats.moderate:
-        return part.solve(deadline)
+        return part.solve(effort)
+    effort.check(_GUESS + 10 * part.size * len(part.region.known))
     guess = PartGuess(part, part.cuts)
     for numbers in guess.leaves():
         for tried in guess.hopeful(list(part.roundings(numbers.tolist()))):
             if part.closes(tried):
                 return part.written(tried)
     part.binding = guess.binding
-    return part.solve(deadline) if guess.contact is None else guess.contact
+    return part.solve(effort) if guess.contact is None else guess.contact
 
 
 class PartGuess:

@@ -8,8 +8,6 @@ state (Farkas).
 
 from __future__ import annotations
 
-import math
-import time
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -19,9 +17,9 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, to_text
 from arrangement.numbers.linear import programs
+from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import IntegerContacts, nearest, product
 
@@ -235,11 +233,11 @@ class PartProgram:
             entries[column] = -unit * region.turn_row(u)[j]
         return entries
 
-    def solve(self, deadline: float = math.inf) -> Node | Solution:
+    def solve(self, effort: Effort) -> Node | Solution:
         """Return the leaf that closes the part, or what balances the load in it, exactly.
 
         Raises:
-            TimeoutError: the deadline has passed, on the clock `time.process_time`.
+            TimeoutError: no effort is left.
         """
         cuts = self.cuts or self.cuts_at(*self._works(primitive(self.region.wrench)))
         rows = [self._cut_row(cut) for cut in cuts]
@@ -247,11 +245,9 @@ class PartProgram:
         # So is the work, by what the rows could give: a smaller bound would leave leaves no room.
         largest = max(sum(map(abs, row)) for row in rows)
         self.box.append(self._row({self.size - 1: -1}, largest))
-        seconds = None if deadline == math.inf else max(deadline - time.process_time(), 1e-9)
-        limit = Deadline(seconds)
         while True:
             every = [*self.box, *self.bounds, *rows]
-            answer = programs.Program(len(objective), every, (), limit).minimize(objective)
+            answer = programs.Program(len(objective), every, (), effort).minimize(objective)
             assert isinstance(answer, programs.Optimal)
             point = answer.point
             if point[-1] == 0:

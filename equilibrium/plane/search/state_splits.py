@@ -8,10 +8,10 @@ So the splits end.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 from arrangement.numbers.exact import IntegerVector, RationalVector
+from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import IntegerContacts
 
@@ -20,7 +20,7 @@ from .part_program import Cut, Node, PartProgram, RegionRows, States
 
 
 class TooManyParts(Exception):
-    """The splits have not ended within the number or the time allowed."""
+    """The splits have not ended within the number allowed."""
 
 
 class StateSplits:
@@ -29,7 +29,7 @@ class StateSplits:
     Args:
         generators: of the region: four, or the seven of the half space.
         limit: of the number of programs.
-        deadline: on the clock `time.process_time`.
+        effort: that is left.
     """
 
     def __init__(
@@ -38,16 +38,17 @@ class StateSplits:
         wrench: RationalVector,
         generators: Sequence[IntegerVector],
         limit: float,
-        deadline: float = math.inf,
+        effort: Effort | None = None,
     ) -> None:
         self.region = RegionRows(contacts, wrench, generators)
-        self.left, self.deadline = limit, deadline
+        self.left, self.effort = limit, effort or Effort()
 
     def decide(self) -> Node | Solution:
         """Return a proof that the region holds no equilibrium, or one that it holds.
 
         Raises:
             TooManyParts: the limit is reached.
+            TimeoutError: no effort is left.
         """
         return self._decide({}, ())
 
@@ -56,10 +57,7 @@ class StateSplits:
         if self.left < 0:
             raise TooManyParts
         program = PartProgram(self.region, states, cuts)
-        try:
-            found = decide(program, self.deadline)
-        except TimeoutError:
-            raise TooManyParts from None
+        found = decide(program, self.effort)
         contact = program.worst(found) if isinstance(found, Solution) else found
         if not isinstance(contact, int):
             return found

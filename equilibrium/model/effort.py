@@ -1,0 +1,46 @@
+"""What one search may take: work, which is counted, and the seconds that a user asked for."""
+
+from __future__ import annotations
+
+import math
+
+from arrangement.numbers.deadline import Deadline
+
+
+class Effort(Deadline):
+    """The steps that are left to a search, and its time limit.
+
+    Steps are those of `arrangement.numbers.budget`, about ten million a second. Which of them a
+    question takes depends on no clock, so a limit ends it at the same place on every machine.
+
+    Args:
+        steps: that may be taken.
+        seconds: the time limit, positive; None for no limit.
+
+    Raises:
+        InputError: the limit is not a positive number.
+
+    >>> effort = Effort(1000)
+    >>> effort.check(600)
+    >>> effort.check(600)
+    Traceback (most recent call last):
+        ...
+    TimeoutError: limit of 1,000 steps
+    """
+
+    def __init__(self, steps: float = math.inf, seconds: float | None = None) -> None:
+        super().__init__(seconds)
+        self.steps, self.spent = steps, 0.0
+
+    @property
+    def passed(self) -> bool:
+        """Whether one of the two limits is over."""
+        return self.spent > self.steps or super().passed
+
+    def check(self, work: float = 1) -> None:
+        """Count steps, and raise `TimeoutError` when a limit is over."""
+        self.spent += work
+        super().check()
+
+    def __str__(self) -> str:
+        return f"limit of {self.steps:,.0f} steps" if self.spent > self.steps else super().__str__()
