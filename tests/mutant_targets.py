@@ -264,6 +264,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_grasp.py",
         "tests/equilibrium/test_space.py::TestModel",
     ): ("equilibrium.model.contact",),
+    ("tests/equilibrium/test_resistance.py",): ("equilibrium.model.effort",),
     ("tests/equilibrium/test_range.py",): ("equilibrium.model.range",),
     (
         "tests/equilibrium/test_verdict.py",

@@ -42,8 +42,8 @@ if TYPE_CHECKING:
     from equilibrium.wrench_sets.spatial import SpatialMagnitudes
 
 _ZERO = (Fraction(0),) * 3
-#: Of converted grasps in space: how many borders are asked about, at which share from them, and with
-#: how many steps.
+#: Of converted grasps in space: how many borders are asked about, at which share from them, and
+#: with how many steps.
 _BORDERS, _NEAR, _STEPS = 2, Fraction(1, 1000), 50_000_000
 #: How often a margin tries all states, about: for the wrench, for preloads, for friction.
 _MARGIN = 6

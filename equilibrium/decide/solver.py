@@ -281,8 +281,8 @@ class Solver(Shown):
         gives the same verdicts, a thousand of eight contacts in seconds, and maybe another one of
         several equilibria. The proof that nothing balances a wrench is looked for when it is asked.
 
-        In space what one proof leaves for the next is kept for so many wrenches as one process takes
-        at once, so answers do not depend on the number of processes.
+        In space what one proof leaves for the next is kept for as many wrenches as one process
+        takes at once, so answers do not depend on the number of processes.
 
         Args:
             jobs: processes of this machine.
