@@ -36,6 +36,7 @@ Irrational vectors are grouped by `modular` instead.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -84,8 +85,8 @@ class Groups:
 def whitney_matrix(config: Configuration) -> WhitneyMatrix:
     """Return the doubly indexed Whitney numbers, unsigned, of a configuration of rank <= 4.
 
-    Complexity: O(m^2 log m) up to rank 3, O(L m log m) with L <= m^2/2 in rank 4; memory O(m^2)
-    and O(L + 2^19), in numbers.
+    Complexity: O(m^2 log m) up to rank 3, O(L m log m) with L <= m^2/2 in rank 4; memory
+    O(m + 2^19) (irrational: O(m^2)) and O(L + 2^19), in numbers.
     """
     below_top = _below_top(config)
     if config.infinity is not None:
@@ -98,19 +99,30 @@ def rank_two_groups(config: Configuration) -> Groups:
 
     For rank 3 and 4 only.
     """
+    parts = _rank_two_parts(config, 130 * len(config.vectors) ** 2)
+    columns = zip(*(vars(part).values() for part in parts), strict=True)
+    return Groups(*map(np.concatenate, columns))
+
+
+def _rank_two_parts(config: Configuration, bytes: float) -> Iterator[Groups]:
+    """Yield the flats of rank 2 of some rows after the other.
+
+    Args:
+        bytes: that they take together.
+    """
     vectors, m = _matrix(config), len(config.vectors)
-    _ask(f"the flats of rank 2 of {m:,} planes", config, m * m / 2, 130 * m * m)
+    if isinstance(vectors, ModularVectors):  # all at once
+        bytes = 130 * m * m
+    _ask(f"the flats of rank 2 of {m:,} planes", config, m * m / 2, bytes)
     if isinstance(vectors, ModularVectors):
         bases = np.arange(m)[:, None]
-        groups = [_covers(vectors, bases, np.eye(m, vectors.count, dtype=np.bool_))]
+        groups = iter([_covers(vectors, bases, np.eye(m, vectors.count, dtype=np.bool_))])
     else:
-        groups = [
-            _group(_contract_by_one(vectors, rows), rows) for rows in _chunks(m, len(vectors))
-        ]
-    columns = zip(*(vars(group).values() for group in groups), strict=True)
-    together = Groups(*map(np.concatenate, columns))
-    # A plane is in no group of its own row, so the first one is never equal to it.
-    return _keep(_flats_only(together, m), lambda g: g.first > g.row)
+        parts = _chunks(m, len(vectors))
+        groups = (_group(_contract_by_one(vectors, rows), rows) for rows in parts)
+    for group in groups:
+        # A plane is in no group of its own row, so the first one is never equal to it.
+        yield _keep(_flats_only(group, m), lambda g: g.first > g.row)
 
 
 def _below_top(config: Configuration) -> WhitneyMatrix:
@@ -122,10 +134,14 @@ def _below_top(config: Configuration) -> WhitneyMatrix:
         return ((1, m), (0, m))
     if config.rank == 4 and m > _SAMPLE:
         _ask(f"the flats of rank 3 of {m:,} planes", config, m * _about_rank_two(config), 0)
+    if config.rank == 3:
+        count = planes = 0
+        for part in _rank_two_parts(config, 0):
+            count += len(part.row)
+            planes += int(part.size.sum()) + len(part.row)
+        return ((1, m, planes - count), (0, m, planes), (0, 0, count))
     lines = rank_two_groups(config)
     count, planes = len(lines.row), int(lines.size.sum()) + len(lines.row)
-    if config.rank == 3:
-        return ((1, m, planes - count), (0, m, planes), (0, 0, count))
     points, point_planes, pairs, triples = _rank_three_sums(config, lines)
     return (
         (1, m, planes - count, points - point_planes + triples - pairs),

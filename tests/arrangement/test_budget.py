@@ -302,6 +302,20 @@ def test_flats_of_a_high_rank_are_refused_before_any_is_made():
         counts.intersection_lattice(Arrangement(rows))
 
 
+def test_regions_of_many_lines_are_counted_where_their_faces_are():
+    lines = Arrangement([[k % 97 + 1, k] for k in range(1, 2001)], [k * k for k in range(2000)])
+    with budget.metered():  # as a command
+        assert counts.region_count(lines) == counts.f_vector(lines)[-1] > 1_900_000
+
+
+def test_refusals_name_what_allows_it_in_python_and_in_commands():
+    many = families.generic(40, 7)
+    with pytest.raises(OutOfReachError, match=r"or with arrangement\.limit\(\d+\) allows it"):
+        counts.intersection_lattice(many)
+    with budget.metered(), pytest.raises(OutOfReachError, match=r"or --limit \d+ allows it"):
+        counts.intersection_lattice(many)
+
+
 def test_a_tuple_of_faces_asks_for_all_their_signs():
     faces = families.generic(6, 3).faces()
     with budget.limit(1e-5), pytest.raises(OutOfReachError, match="600 signs"):
