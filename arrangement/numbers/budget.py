@@ -29,6 +29,7 @@ COMMAND_STEPS = 300_000_000
 MOST = {
     "bytes of a file": 4 * 2**20,
     "bytes of a certificate": 64 * 2**20,
+    "bytes of a mesh": 32 * 2**20,
     "bytes of a file of many arrangements": 64 * 2**20,
     "bytes of a record": 256 * 2**20,
     "characters of a number": 100_000,

@@ -1,6 +1,8 @@
 """Contacts on meshes: where they are, which normals they get, and what is refused."""
 
 import json
+import re
+import struct
 from fractions import Fraction
 from pathlib import Path
 
@@ -8,11 +10,14 @@ import numpy as np
 import pytest
 import trimesh
 
+from arrangement.errors import InputError, OutOfReachError
+from arrangement.numbers.budget import limit
 from arrangement.numbers.exact import dot
 from equilibrium import GraspError, Mesh
 from equilibrium.cli import main
 from equilibrium.grasps.inputs import on_mesh
-from equilibrium.grasps.inputs.mesh import KINDS, Surface
+from equilibrium.grasps.inputs.mesh import Surface
+from equilibrium.grasps.inputs.mesh_files import READERS, read_triangles
 
 
 @pytest.fixture
@@ -29,7 +34,7 @@ def bare(points: np.ndarray, facets: np.ndarray) -> trimesh.Trimesh:
     return trimesh.Trimesh(points, facets, process=False)
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", READERS)
 def test_every_kind_of_file_gives_the_same_contacts(tmp_path, kind):
     path = written(trimesh.creation.box((2, 2, 2)), tmp_path / f"cube{kind}")
     found = on_mesh(path, "1/2", at=[(1, "1/5", 0), ("1/3", -1, "1/4")])
@@ -136,15 +141,209 @@ def broken(tmp_path: Path) -> dict[str, Path]:
         "not oriented alike": written(bare(box.vertices, facets), tmp_path / "mixed.ply"),
         "no facets|no mesh": text,
         "no mesh that can be read": damaged,
-        "no such file": tmp_path / "missing.stl",
+        "No such file": tmp_path / "missing.stl",
         "of no kind": tmp_path / "cube.step",
     }
 
 
 def test_what_is_no_closed_surface_is_refused(tmp_path):
     for message, path in broken(tmp_path).items():
-        with pytest.raises(GraspError, match=message):
+        with pytest.raises(InputError, match=message):
             on_mesh(path, 1, random=1)
+
+
+CORNERS = "v 0 0 0{0}\nv 1 0 0{0}\nv 0 1 0{0}\nv 0 0 1{0}\n"
+FACETS = "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        CORNERS.format("") + FACETS,
+        "mtllib /dev/zero\nusemtl none\n" + CORNERS.format("") + FACETS,
+        CORNERS.format(" 1") + FACETS,
+        CORNERS.format(" 0.5 0 1") + FACETS,
+        CORNERS.format("") + "f -4 -2 -3 # a comment\nf 1/1/1 \\\n2//2 4/7\nf 1 4 3\nf 2 3 4\n",
+    ],
+    ids=["plain", "mtllib", "weights", "colours", "indices"],
+)
+def test_obj_gives_its_geometry(tmp_path, text):
+    path = tmp_path / "a.obj"
+    path.write_text(text)
+    surface = Surface.read(path)
+    assert surface.points.tolist() == [[0, 0, 0], [0, 0, 1], [0, 1, 0], [1, 0, 0]]
+    assert len(surface.facets) == 4
+
+
+def ply(vertex: str, facet: str) -> str:
+    return (
+        "ply\nformat ascii 1.0\ncomment TextureFile /dev/zero\nelement vertex 3\nproperty float x\n"
+        "property float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_index\n"
+        f"end_header\n0 0 0\n1 0 0\n{vertex}\n{facet}\n"
+    )
+
+
+STL = "solid\nfacet normal {}\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 {}\nendloop\n{}\n"
+REFUSED = {
+    "two.obj": ("v 0 0\nf 1 1 1\n", "line 1: a vertex has 2 numbers"),
+    "five.obj": ("v 0 0 0 0 0\n", "a vertex has 5 numbers"),
+    "far.obj": (CORNERS.format("") + "f 1 2 5\n", "names vertex 4; there are 4"),
+    "back.obj": (CORNERS.format("") + "f 1 2 -5\n", "names vertex -1"),
+    "zero.obj": (CORNERS.format("") + "f 0 1 2\n", "a corner of a facet is '0'"),
+    "huge.obj": (CORNERS.format("").replace("1", "1e200") + FACETS, "beyond 1e60"),
+    "line.obj": ("f" + " 1" * 2**20, "a line of it has 2,097,153 bytes"),
+    "normal.stl": (STL.format("a b c", 0, "endfacet\nendsolid"), "'a' is not a number"),
+    "vertex.stl": (STL.format("0 0 1", "?", "endfacet\nendsolid"), "'?' is not a number"),
+    "end.stl": (STL.format("0 0 1", 0, "endfacet"), "neither a binary STL"),
+    "part.stl": (STL.format("0 0 1", 0, "endsolid"), "neither a binary STL"),
+    "far.ply": (ply("0 1 0", "3 0 1 3"), "names vertex 3; there are 3"),
+    "negative.ply": (ply("0 1 0", "3 0 1 -1"), "names vertex -1"),
+    "short.ply": (ply("0 1", "3 0 1 2"), "a facet has 0 corners"),
+    "long.ply": (ply("0 1 0", "3 0 1 2 2"), "goes on"),
+    "count.ply": (ply("0 1 0", "3 0 1 2").replace("face 1", f"face {10**17}"), "ends before"),
+    "list.ply": (ply("0 1 0", f"{10**17} 0 1 2"), "ends before"),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_damaged_text_is_refused(tmp_path, name):
+    text, message = REFUSED[name]
+    path = tmp_path / name
+    path.write_text(text)
+    with pytest.raises(InputError, match=re.escape(message)):
+        Surface.read(path)
+
+
+def glb(document: dict, data: bytes = b"") -> bytes:
+    """Return a scene of one mesh, of three points and one facet."""
+    base = {
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [
+            {"componentType": 5126, "count": 3, "type": "VEC3", "bufferView": 0},
+            {"componentType": 5121, "count": 3, "type": "SCALAR", "bufferView": 1},
+        ],
+        "bufferViews": [
+            {"buffer": 0, "byteLength": 36},
+            {"buffer": 0, "byteLength": 3, "byteOffset": 36},
+        ],
+        "buffers": [{"byteLength": 39}],
+    }
+    text = json.dumps(base | document).encode()
+    chunks = ((text, b"JSON"), (data or bytes(36) + bytes([0, 1, 2]), b"BIN\0"))
+    body = b"".join(struct.pack("<I", len(chunk)) + kind + chunk for chunk, kind in chunks)
+    return b"glTF" + struct.pack("<II", 2, 12 + len(body)) + body
+
+
+def accessor(**changes: object) -> dict:
+    first = {"componentType": 5126, "count": 3, "type": "VEC3", "bufferView": 0}
+    second = {"componentType": 5121, "count": 3, "type": "SCALAR", "bufferView": 1}
+    return {"accessors": [{k: v for k, v in (first | changes).items() if v is not None}, second]}
+
+
+GLB = {
+    "count": (accessor(count=8 * 10**8), "266,666,666 facets: this would take"),
+    "no data": (accessor(bufferView=None), "accessor 0 has no data of its own"),
+    "sparse": (accessor(sparse={}), "accessor 0 has no data of its own"),
+    "bytes": (accessor(count=4), "accessor 0 has 4 entries"),
+    "kind": (accessor(componentType=5122), "not of the type"),
+    "cycle": ({"nodes": [{"mesh": 0, "children": [0]}]}, "two places"),
+    "twice": ({"nodes": [{"children": [1, 1]}, {"mesh": 0}]}, "two places"),
+    "file": ({"buffers": [{"uri": "/dev/zero", "byteLength": 39}]}, "in another file"),
+    "strip": ({"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 5}]}]}, "mode 4"),
+    "scene": ({"scenes": 7}, "not that of a glTF scene"),
+    "no scene": ({"scenes": []}, "no scene"),
+    "node": ({"scenes": [{"nodes": [7]}]}, "its nodes have no number 7"),
+    "many": (
+        accessor(count=3) | {"meshes": [{"primitives": 9 * [{"attributes": {"POSITION": 1}}]}]},
+        "not of the type",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", GLB)
+def test_damaged_glb_is_refused(tmp_path, name):
+    document, message = GLB[name]
+    path = tmp_path / "a.glb"
+    path.write_bytes(glb(document))
+    with pytest.raises(InputError, match=message):
+        Surface.read(path)
+
+
+def test_glb_vertex_out_of_range_is_refused(tmp_path):
+    path = tmp_path / "a.glb"
+    path.write_bytes(glb({}, bytes(36) + bytes([0, 1, 3])))
+    with pytest.raises(InputError, match="names a vertex that is not there"):
+        Surface.read(path)
+
+
+def test_glb_textures_are_not_decoded(tmp_path):
+    box = trimesh.creation.box((2, 2, 2))
+    path = tmp_path / "a.glb"
+    written(box, path)
+    content = path.read_bytes()
+    length = int.from_bytes(content[12:16], "little")
+    document = json.loads(content[20 : 20 + length])
+    document |= {"images": [{"uri": "/dev/zero"}], "textures": [{"source": 0}]}
+    path.write_bytes(glb(document, content[28 + length :]))
+    assert len(Surface.read(path).facets) == 12
+
+
+def test_glb_scene_of_moved_meshes_agrees_with_trimesh(tmp_path):
+    chance = np.random.default_rng(1)
+    scene = trimesh.Scene()
+    parent = None
+    for k in range(4):
+        place = trimesh.transformations.random_rotation_matrix(chance.random(3))
+        place[:3, :3] *= [1, -1, 2] if k % 2 else 1
+        place[:3, 3] = 10 * k
+        parent = scene.add_geometry(
+            trimesh.creation.box((1, 2, 3)), transform=place, parent_node_name=parent
+        )
+    path = tmp_path / "a.glb"
+    scene.export(path)
+    points, facets = read_triangles(path)
+    expected = trimesh.load_mesh(path, process=False)
+    found = trimesh.Trimesh(points, facets, process=False)
+    assert found.volume == pytest.approx(expected.volume)
+    assert sorted(map(tuple, found.triangles_center.round(4))) == sorted(
+        map(tuple, expected.triangles_center.round(4))
+    )
+
+
+def test_ply_of_either_byte_order_and_mixed_polygons_is_read(tmp_path):
+    pyramid = [(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0), (0, 0, 1)]
+    faces = [(0, 3, 2, 1), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]
+    for order, sign in (("little", "<"), ("big", ">")):
+        header = (
+            f"ply\nformat binary_{order}_endian 1.0\nelement vertex 5\nproperty double x\n"
+            "property double y\nproperty double z\nproperty uchar red\nelement face 5\n"
+            "property list uchar ushort vertex_indices\nproperty float quality\nend_header\n"
+        )
+        body = b"".join(struct.pack(f"{sign}3dB", *p, 7) for p in pyramid)
+        body += b"".join(struct.pack(f"{sign}B{len(f)}Hf", len(f), *f, 0.5) for f in faces)
+        path = tmp_path / "a.ply"
+        path.write_bytes(header.encode() + body)
+        surface = Surface.read(path)
+        assert (len(surface.points), len(surface.facets)) == (5, 6)
+
+
+@pytest.mark.parametrize("kind", READERS)
+def test_file_beyond_the_limit_is_refused(tmp_path, kind):
+    path = tmp_path / f"a{kind}"
+    with path.open("wb") as stream:
+        stream.truncate(2**30)
+    with pytest.raises(OutOfReachError, match="bytes of a mesh"):
+        Surface.read(path)
+
+
+def test_facets_are_forecast(tmp_path):
+    path = tmp_path / "a.stl"
+    number = 330_000
+    path.write_bytes(bytes(80) + number.to_bytes(4, "little") + bytes(50 * number))
+    with limit(1 / 2), pytest.raises(OutOfReachError, match="330,000 facets"):
+        Surface.read(path)
 
 
 def test_nothing_asked_for_and_directions_that_nothing_faces(cube):

@@ -141,12 +141,12 @@ def read_text(source: str | os.PathLike[str], kind: str = "bytes of a file") -> 
     """
     name = "standard input" if source == "-" else shown(_path_text(source))
     try:
-        return _read_bytes(source, name, kind).decode("utf-8-sig"), name
+        return read_bytes(source, name, kind).decode("utf-8-sig"), name
     except UnicodeDecodeError as error:
         raise InputError(f"{name} is not UTF-8 text (byte {error.start} is wrong)") from None
 
 
-def _read_bytes(source: str | os.PathLike[str], name: str, kind: str) -> bytes:
+def read_bytes(source: str | os.PathLike[str], name: str, kind: str) -> bytes:
     """Return the content of stdin, a built-in document or a file, with a limit on its length."""
     try:
         if source == "-":

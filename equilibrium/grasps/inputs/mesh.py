@@ -1,6 +1,6 @@
 """Contacts on the surface of a mesh, with normals from its facets.
 
-The surface is read in floats through trimesh. It has to be closed and oriented alike everywhere:
+The surface is read in floats (`mesh_files`). It has to be closed and oriented alike everywhere:
 else there is no inside to point to. What is nearest is found in floats; the normal of a facet is
 the exact one of its three stored corners, then rounded to an exact unit vector as everywhere.
 """
@@ -18,7 +18,6 @@ from random import Random
 from typing import Any, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from arrangement.numbers.exact import RationalVector, from_floats, shown, vector_text
 from arrangement.numbers.float_filter import Floats
@@ -28,12 +27,11 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Mesh, coordinates
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, contact_values, snapped
+from .glb_file import Facets
 from .incidences import converted
+from .mesh_files import read_triangles
 from .rounding import rounding
 
-Facets: TypeAlias = NDArray[np.intp]
-
-KINDS = (".glb", ".obj", ".ply", ".stl")
 #: A point is on the surface when it is no farther away than this share of the size.
 _ON_SURFACE = 1e-9
 #: New points have coordinates within this share of the size, as simple as possible.
@@ -42,6 +40,8 @@ _FINE = Fraction(1, 10**6)
 _SHARP = math.cos(math.radians(20))
 #: Random contacts that have to face a direction do so within this angle (its cosine).
 _FACING = math.cos(math.radians(45))
+#: Facets whose nearest places are found together, which takes memory.
+_AT_ONCE = 50_000
 #: Grasps carry meshes of up to so many facets as their outlines.
 _MOST_FACETS = 2000
 
@@ -66,10 +66,10 @@ class Surface:
         """Read an STL, OBJ, PLY or GLB file.
 
         Raises:
-            GraspError: no file, no mesh in it, a surface that is not closed, or one that is not
-                oriented alike everywhere.
+            InputError: no file, no mesh in it, more facets than the budget has, a surface that is
+                not closed, or one that is not oriented alike everywhere.
         """
-        return cls.of_triangles(*_loaded(Path(path)), name=str(path))
+        return cls.of_triangles(*read_triangles(Path(path)), name=str(path))
 
     @classmethod
     def of_triangles(cls, points: Floats, facets: Facets, name: str = "the mesh") -> Surface:
@@ -185,24 +185,6 @@ def on_mesh(
 Found: TypeAlias = tuple[tuple[RationalVector, Fraction], int]
 
 
-def _loaded(path: Path) -> tuple[Floats, Facets]:
-    if path.suffix.lower() not in KINDS:
-        raise GraspError(f"{path} is of no kind that is read here; give one of {', '.join(KINDS)}")
-    if not path.is_file():
-        raise GraspError(f"{path} cannot be read: there is no such file")
-    import trimesh
-
-    try:
-        mesh = trimesh.load_mesh(path, process=False)
-        points, facets = np.asarray(mesh.vertices), np.asarray(mesh.faces)
-    except Exception as error:  # readers of damaged files raise whatever they meet
-        reason = " ".join(str(error).split())[:120]
-        raise GraspError(f"{path} is no mesh that can be read ({reason})") from None
-    if not len(facets):
-        raise GraspError(f"{path} has no facets; give a mesh with a closed surface")
-    return points, facets
-
-
 def _check_closed(facets: Facets, points: int, name: str) -> None:
     """Refuse a surface unless each edge has one facet on each side, oriented alike."""
     ahead, back = facets, np.roll(facets, -1, axis=1)
@@ -241,8 +223,10 @@ def _nearest(
         here = np.array(point, float)
         away = np.linalg.norm(centres - here, axis=1)
         near = np.flatnonzero(away - reach <= away.min() + _ON_SURFACE * surface.size)
-        copies = np.tile(here, (len(near), 1))
-        places = closest_point(corners[near], copies)  # type: ignore[no-untyped-call]
+        parts = np.array_split(near, len(near) // _AT_ONCE + 1)
+        places = np.concatenate(
+            [closest_point(corners[p], np.tile(here, (len(p), 1))) for p in parts]  # type: ignore[no-untyped-call]
+        )
         distances = np.linalg.norm(places - here, axis=1)
         best = int(distances.argmin())
         least = float(distances[best])

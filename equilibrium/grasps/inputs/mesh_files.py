@@ -1,0 +1,315 @@
+"""The triangles of STL, OBJ, PLY and GLB files, strictly read: geometry, and no second file.
+
+Counts and sizes that a file states are compared with what is in it before anything is made of
+them. Materials, textures, colours and normals are passed over; nothing that is only named is
+opened. The readers of trimesh do neither, and differ between its versions.
+"""
+
+from __future__ import annotations
+
+import io
+import re
+import struct
+from array import array
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice, pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from arrangement.errors import InputError, OutOfReachError
+from arrangement.library.files.json_files import read_bytes
+from arrangement.numbers.exact import shown
+from arrangement.numbers.float_filter import Floats
+from equilibrium.model.errors import GraspError
+
+from .glb_file import Triangles, check_size, read_glb
+
+#: A line, and the header of a PLY file.
+_LONGEST = 2**20
+#: Products of four coordinates are floats.
+_FARTHEST = 1e60
+_BINARY_STL = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attributes", "<u2")])
+#: The words of a facet of an ASCII STL file; empty where a number is.
+_STL_FACET = ["facet", "normal", *3 * [""], "outer", "loop", *3 * ["vertex", "", "", ""]]
+_STL_FACET += ["endloop", "endfacet"]
+_PLY_TYPES = {
+    "char": "b",
+    "int8": "b",
+    "uchar": "B",
+    "uint8": "B",
+    "short": "h",
+    "int16": "h",
+    "ushort": "H",
+    "uint16": "H",
+    "int": "i",
+    "int32": "i",
+    "uint": "I",
+    "uint32": "I",
+    "float": "f",
+    "float32": "f",
+    "double": "d",
+    "float64": "d",
+}
+#: The order of the bytes of numbers; empty where they are words.
+_PLY_FORMATS = {
+    "format ascii 1.0": "",
+    "format binary_little_endian 1.0": "<",
+    "format binary_big_endian 1.0": ">",
+}
+_NUMBER = re.compile(
+    r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?|[+-]?(nan|inf)", re.ASCII | re.IGNORECASE
+)
+_INTEGER = re.compile("[+-]?[0-9]{1,18}")
+
+
+def read_triangles(path: Path) -> Triangles:
+    """Return points (V, 3) and facets (F, 3) of a file; polygons are cut into fans.
+
+    Raises:
+        InputError: a file that cannot be read, is too large, or breaks its format.
+    """
+    read = READERS.get(path.suffix.lower())
+    if read is None:
+        raise GraspError(
+            f"{path} is of no kind that is read here; give one of {', '.join(READERS)}"
+        )
+    content = read_bytes(path, str(path), "bytes of a mesh")
+    try:
+        with np.errstate(invalid="ignore", over="ignore"):  # what is no number is refused below
+            points, facets = read(content)
+    except OutOfReachError:
+        raise
+    except InputError as error:
+        raise GraspError(f"{path} is no mesh that can be read: {error}") from None
+    check_size(len(facets), len(points))
+    if not len(facets):
+        raise GraspError(f"{path} has no facets; give a mesh with a closed surface")
+    if not (np.abs(points) <= _FARTHEST).all():
+        raise GraspError(f"{path} has coordinates that are no numbers, or beyond 1e60")
+    if facets.min() < 0 or facets.max() >= len(points):
+        worst = facets.min() if facets.min() < 0 else facets.max()
+        raise GraspError(
+            f"{path} is no mesh that can be read: a facet names vertex {worst}; there are "
+            f"{len(points)}, counted from 0"
+        )
+    return points, facets
+
+
+class _Builder:
+    """Points and facets in the order of a file, as numbers of eight bytes."""
+
+    def __init__(self) -> None:
+        self.points, self.facets = array("d"), array("q")
+
+    def add_facet(self, corners: Sequence[int]) -> None:
+        """Add a polygon, cut into a fan."""
+        if len(corners) < 3:
+            raise GraspError(f"a facet has {len(corners)} corners; expected three or more")
+        if len(corners) > 3:  # triangles are no longer than their text
+            check_size(len(self.facets) // 3 + len(corners))
+        for a, b in pairwise(corners[1:]):
+            self.facets.extend((corners[0], a, b))
+
+    def triangles(self) -> Triangles:
+        points = np.frombuffer(self.points, np.float64).reshape(-1, 3)
+        return points, np.frombuffer(self.facets, np.int64).astype(np.intp).reshape(-1, 3)
+
+
+def _stl(content: bytes) -> Triangles:
+    number = int.from_bytes(content[80:84], "little")
+    if len(content) < 84 or len(content) != 84 + number * _BINARY_STL.itemsize:
+        return _ascii_stl(content)
+    corners = np.frombuffer(content, _BINARY_STL, number, 84)["corners"]
+    return _separate(corners.astype(np.float64).reshape(-1, 3))
+
+
+def _ascii_stl(content: bytes) -> Triangles:
+    corners = array("d")
+    begun = ended = 0
+    facet: list[str] = []
+    for words in _lines(content):
+        first = words[0].lower() if words else ""
+        begun, ended = begun + (first == "solid"), ended + (first == "endsolid")
+        facet += [] if first in ("solid", "endsolid") else words
+        if not ended <= begun <= ended + 1:
+            break
+        while len(facet) >= len(_STL_FACET):
+            used, facet = facet[: len(_STL_FACET)], facet[len(_STL_FACET) :]
+            if any(b not in (a.lower(), "") for a, b in zip(used, _STL_FACET, strict=True)):
+                raise GraspError("a facet is not: facet normal, outer loop, three vertices, ...")
+            numbers = _floats([a for a, b in zip(used, _STL_FACET, strict=True) if not b])
+            corners.extend(numbers[3:])
+    if not begun == ended > 0 or facet:
+        raise GraspError(
+            "it is neither a binary STL file as long as its count of facets says, nor an ASCII one "
+            "from solid to endsolid"
+        )
+    return _separate(np.frombuffer(corners, np.float64).reshape(-1, 3))
+
+
+def _separate(corners: Floats) -> Triangles:
+    """Return facets that share no points."""
+    return corners, np.arange(len(corners)).reshape(-1, 3)
+
+
+def _obj(content: bytes) -> Triangles:
+    found = _Builder()
+    # a backslash at the end continues a line
+    whole = re.sub(rb"#.*|\\\r?\n", b" ", content)
+    for number, (kind, *words) in enumerate((words or [""] for words in _lines(whole)), 1):
+        try:
+            if kind == "f":
+                found.add_facet([_obj_index(word, len(found.points) // 3) for word in words])
+            elif kind == "v":
+                # after x y z may come a weight, or a colour, or both
+                if len(words) not in (3, 4, 6, 7):
+                    raise GraspError(f"a vertex has {len(words)} numbers; expected x y z")
+                found.points.extend(_floats(words)[:3])
+        except InputError as error:
+            if isinstance(error, OutOfReachError):
+                raise
+            raise GraspError(f"line {number}: {error}") from None
+    return found.triangles()
+
+
+def _obj_index(word: str, points: int) -> int:
+    """Return the number of a vertex, from 0; in the file from 1, or from the end if negative."""
+    found = re.fullmatch(r"(-?[0-9]{1,18})(/[-0-9]*){0,2}", word)
+    number = int(found[1]) if found else 0
+    if not number:
+        raise GraspError(
+            f"a corner of a facet is {shown(word)}; expected a number such as 3 or 3/1/2"
+        )
+    return number - 1 if number > 0 else _not_negative(points + number)
+
+
+def _not_negative(number: int) -> int:
+    if number < 0:
+        raise GraspError(f"a facet names vertex {number}; expected 0 or more")
+    return number
+
+
+class _PlyProperty:
+    """A property of an element: its type, and for lists the type of their lengths."""
+
+    def __init__(self, words: Sequence[str]) -> None:
+        *kinds, self.name = words or [""]
+        self.is_list = kinds[:1] == ["list"]
+        kinds = kinds[self.is_list :]
+        if len(kinds) != 1 + self.is_list or any(kind not in _PLY_TYPES for kind in kinds):
+            raise GraspError(f"a property in its header is {shown(' '.join(words))}")
+        self.length, self.kind = _PLY_TYPES[kinds[0]], _PLY_TYPES[kinds[-1]]
+
+
+class _PlyBody:
+    """What follows the header, taken from its beginning to its end.
+
+    Args:
+        endian: of the bytes; empty where numbers are words.
+    """
+
+    def __init__(self, content: bytes, endian: str) -> None:
+        self.content, self.endian, self.place = content, endian, 0
+        self.words = (word for words in _lines(b"" if endian else content) for word in words)
+
+    def take(self, kind: str, number: int) -> Sequence[Any]:
+        """Return the next numbers of a kind."""
+        # a word takes a byte or more, too
+        if 0 <= number <= len(self.content) - self.place:
+            size = struct.calcsize(self.endian + kind)
+            if not self.endian:
+                words = list(islice(self.words, number))
+                if len(words) == number:
+                    return _floats(words) if kind in "fd" else _integers(words)
+            elif self.place + number * size <= len(self.content):
+                self.place += number * size
+                form = f"{self.endian}{number}{kind}"
+                return struct.unpack_from(form, self.content, self.place - number * size)
+        raise GraspError("it ends before the numbers that its counts promise")
+
+    def at_end(self) -> bool:
+        return self.place == len(self.content) if self.endian else next(self.words, None) is None
+
+    def row(self, properties: Iterable[_PlyProperty]) -> dict[str, Sequence[Any]]:
+        """Return the values of the next of the elements by property."""
+        return {
+            p.name: self.take(p.kind, int(self.take(p.length, 1)[0]) if p.is_list else 1)
+            for p in properties
+        }
+
+
+def _ply(content: bytes) -> Triangles:
+    header, end, rest = content.partition(b"end_header")
+    lines = [line.split() for line in _text(_short(header, "the header")).splitlines()]
+    form = " ".join(lines[1]) if len(lines) > 1 else ""
+    if not end or lines[:1] != [["ply"]] or form not in _PLY_FORMATS:
+        raise GraspError("a PLY file begins with ply, its format and a header up to end_header")
+    body = _PlyBody(rest.removeprefix(b"\r").removeprefix(b"\n"), _PLY_FORMATS[form])
+    found = _Builder()
+    for name, number, properties in _ply_elements(lines[2:]):
+        names = {p.name for p in properties}
+        corners = next(iter(names & {"vertex_indices", "vertex_index"}), "")
+        if name == "vertex" and not {"x", "y", "z"} <= names:
+            raise GraspError("its vertices have no x, y and z")
+        for _ in range(number if properties else 0):
+            row = body.row(properties)
+            if name == "vertex":
+                found.points.extend((row["x"][0], row["y"][0], row["z"][0]))
+            elif name == "face" and corners:
+                found.add_facet(row[corners])
+    if not body.at_end():
+        raise GraspError("it goes on after the last element of its header")
+    return found.triangles()
+
+
+def _ply_elements(lines: Iterable[list[str]]) -> list[tuple[str, int, list[_PlyProperty]]]:
+    """Return name, number and properties of each element of a header."""
+    found: list[tuple[str, int, list[_PlyProperty]]] = []
+    for words in lines:
+        if not words or words[0] in ("comment", "obj_info"):
+            continue
+        if words[0] == "element" and len(words) == 3 and re.fullmatch("[0-9]{1,18}", words[2]):
+            found.append((words[1], int(words[2]), []))
+        elif words[0] == "property" and found:
+            found[-1][2].append(_PlyProperty(words[1:]))
+        else:
+            raise GraspError(f"a line of its header is {shown(' '.join(words))}")
+    return found
+
+
+def _text(content: bytes) -> str:
+    """Return a text; bytes that are not UTF-8, as in names, are no numbers."""
+    return content.decode("utf-8", errors="replace")
+
+
+def _lines(content: bytes) -> Iterator[list[str]]:
+    """Yield the words of each line."""
+    for line in io.BytesIO(content):
+        yield _text(_short(line, "a line")).split()
+
+
+def _short(content: bytes, what: str) -> bytes:
+    """Return bytes whose words fit into memory, each with 50 bytes more."""
+    if len(content) > _LONGEST:
+        raise GraspError(f"{what} of it has {len(content):,} bytes; expected at most {_LONGEST:,}")
+    return content
+
+
+def _floats(words: Sequence[str]) -> list[float]:
+    for word in words:
+        if not _NUMBER.fullmatch(word):
+            raise GraspError(f"{shown(word)} is not a number")
+    return [float(word) for word in words]
+
+
+def _integers(words: Sequence[str]) -> list[int]:
+    for word in words:
+        if not _INTEGER.fullmatch(word):
+            raise GraspError(f"{shown(word)} is not a whole number")
+    return [int(word) for word in words]
+
+
+#: How each kind of file is read.
+READERS = {".glb": read_glb, ".obj": _obj, ".ply": _ply, ".stl": _stl}
