@@ -320,8 +320,8 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ("tests/proofs_check/test_many_types.py",): ("proofs_check.routes.many_types",),
     ("tests/proofs_check/test_rivin.py",): ("proofs_check.routes.rivin",),
     (
+        "tests/proofs_check/test_evidence.py",
         "tests/proofs_check/test_claim.py",
-        "tests/proofs_check/test_planted_bugs.py",
     ): (
         "proofs_check.statements.evidence",
         "proofs_check.statements.statement",

@@ -78,9 +78,9 @@ class Part(Shown):
     kind: Kind
     over: str
     checked: int
-    failures: int = 0
-    passed_over: int = 0
-    foreign: int = 0
+    failures: int
+    passed_over: int
+    foreign: int
 
 
 @dataclass(frozen=True, repr=False)
