@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -101,16 +101,22 @@ class Arrangement(Planes):
         """Return the faces of full dimension: the cells that no plane meets."""
         return self.faces(self.dimension)
 
-    def bounded_regions(self) -> FaceSequence:
-        """Return the regions that have an end in every direction.
+    def bounded_regions(self, *, relative: bool = False) -> FaceSequence:
+        """Return the regions that are bounded in every direction.
 
-        There are none unless the normals span R^d; then ask `counts.essentialization`.
+        There are none unless the normals span R^d: otherwise every region contains a line.
+
+        Args:
+            relative: return those that are bounded in the span of the normals instead.
 
         >>> lines = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
         >>> [region.signs for region in lines.bounded_regions()]
         [(1, 1, -1)]
+        >>> strips = Arrangement([[1, 0], [1, 0]], [0, 1])
+        >>> len(strips.bounded_regions()), len(strips.bounded_regions(relative=True))
+        (0, 1)
         """
-        return regions.bounded_regions(self, self.regions())
+        return regions.bounded_regions(self, self.regions(), relative=relative)
 
     def face_at(self, point: Iterable[Any]) -> Face:
         """Return the face that contains a point of R^d."""
@@ -303,21 +309,48 @@ class Arrangement(Planes):
 
     @property
     def p_vector(self) -> dict[int, int]:
-        """How many regions have k facets, by k. In the projective plane there are half as many.
+        """How many regions have k facets, by k: bounded and unbounded ones.
+
+        Of central planes in R^3 there are half as many in the projective plane. Polygons between
+        lines of the plane are counted by `bounded_p_vector`.
 
         >>> Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]).p_vector
         {3: 8, 4: 6}
         """
-        sizes = Counter(map(len, regions.walls(self, self.faces())))
+        return self._numbers_of_facets()
+
+    @property
+    def bounded_p_vector(self) -> dict[int, int]:
+        """How many bounded regions have k facets, by k; of lines, triangles, quadrangles, ...
+
+        Empty unless the normals span R^d, as no region is bounded then.
+
+        >>> lines = Arrangement([[1, 0], [0, 1], [1, 1], [1, -1]], [0, 0, 2, 1])
+        >>> lines.p_vector, lines.bounded_p_vector
+        ({2: 3, 3: 6, 4: 2}, {3: 2, 4: 1})
+        """
+        return self._numbers_of_facets({region.signs for region in self.bounded_regions()})
+
+    def _numbers_of_facets(self, among: Container[tuple[int, ...]] | None = None) -> dict[int, int]:
+        walls = zip(self.regions(), regions.walls(self, self.faces()), strict=True)
+        sizes = Counter(len(x) for region, x in walls if among is None or region.signs in among)
         return dict(sorted(sizes.items()))
 
     def simplicial_regions(self) -> FaceSequence:
-        """Return the regions that are simplicial cones: their facets have independent normals."""
+        """Return the regions that are simplicial; see `Face.is_simplicial`.
+
+        Of planes with a point in common these are the simplicial cones, of others the simplices,
+        such as the triangles between lines. Both are taken modulo the lines that all regions
+        contain.
+        """
         return regions.simplicial_regions(self, self.faces())
 
     @property
     def is_simplicial(self) -> bool:
         """Whether every region is a simplicial cone.
+
+        Never so unless the planes have a point in common, since some regions are unbounded. Lines
+        of the projective plane are asked about by the planes of their cone.
 
         >>> Arrangement([[1, -1, 0], [1, 0, -1], [0, 1, -1]]).is_simplicial
         True

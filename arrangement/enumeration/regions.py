@@ -27,16 +27,19 @@ if TYPE_CHECKING:
 _BLOCK = 1 << 24
 
 
-def bounded_regions(planes: Planes, regions: FaceSequence) -> FaceSequence:
-    """Return the regions that contain no ray.
+def bounded_regions(
+    planes: Planes, regions: FaceSequence, *, relative: bool = False
+) -> FaceSequence:
+    """Return the regions that contain no ray; with `relative`, none in the span of the normals.
 
     A region contains a ray exactly when its closure has an extreme one, and these are the rays of
     the planes moved to the origin that have none of its signs reversed.
     """
-    if planes.rank < planes.dimension or planes.is_central:
-        return regions.where(np.full(len(regions), planes.dimension == 0))
+    lineality = planes.dimension - planes.rank
+    if (lineality and not relative) or planes.has_common_point or not len(regions):
+        return regions.where(np.full(len(regions), not planes.rank and (relative or not lineality)))
     normals = Planes(planes.normals)
-    directions = enumerate_faces(normals).of_dimension(1).signs.astype(np.float32)
+    directions = enumerate_faces(normals).of_dimension(1 + lineality).signs.astype(np.float32)
     sizes = np.abs(directions).sum(axis=1)
     rows = max(1, _BLOCK // len(directions))
     bounded = [
@@ -126,10 +129,16 @@ def walls(planes: Planes, faces: FaceSequence) -> list[list[int]]:
 
 
 def simplicial_regions(planes: Planes, faces: FaceSequence) -> FaceSequence:
-    """Return the regions whose facets have independent normals."""
-    normals = [plane[:-1] for plane in planes.distinct_planes]
-    simplicial = [
-        len(classes) <= planes.rank and rank([normals[k] for k in classes]) == len(classes)
-        for classes in walls(planes, faces)
-    ]
-    return faces.of_dimension(planes.dimension).where(simplicial)
+    """Return the regions that are simplices or simplicial cones; see `Face.is_simplicial`.
+
+    With r the rank, these are r independent normals of facets where the planes have a point in
+    common, and r + 1 facets of a region that is bounded in the span of the normals elsewhere.
+    """
+    regions, classes = faces.of_dimension(planes.dimension), walls(planes, faces)
+    if planes.has_common_point:
+        normals = [plane[:-1] for plane in planes.distinct_planes]
+        return regions.where(
+            [len(sides) == planes.rank == rank([normals[k] for k in sides]) for sides in classes]
+        )
+    few = regions.where([len(sides) == planes.rank + 1 for sides in classes])
+    return bounded_regions(planes, few, relative=True)

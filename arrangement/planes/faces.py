@@ -182,12 +182,22 @@ class Face(Shown):
 
     @property
     def is_simplicial(self) -> bool:
-        """Whether the normals of its facets are independent, so that it is a simplicial cone."""
-        normals = [self.planes.integer_planes[plane][:-1] for plane in self.walls]
-        zeros = [
-            p[:-1] for p, s in zip(self.planes.integer_planes, self.signs, strict=True) if not s
-        ]
-        return rank([*normals, *zeros]) == len(normals) + rank(zeros)
+        """Whether it is a simplicial cone, or elsewhere a simplex, modulo `lines`.
+
+        Where all planes have a point in common every face is a cone, and this one is simplicial if
+        the normals of its facets are independent. Faces of other arrangements have to be simplices:
+        a bounded region of lines is one if it is a triangle, and no unbounded face is one.
+
+        >>> from arrangement import Arrangement
+        >>> lines = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
+        >>> [lines.region_at(point).is_simplicial for point in (["1/3", "1/3"], [-1, -1])]
+        [True, False]
+        """
+        if self.rays and not self.planes.has_common_point:
+            return False
+        # A simplex of dimension n has n + 1 vertices; a simplicial cone, its apex and n rays.
+        generators = len(self.closure.points) + len(self.rays)
+        return generators == self.dimension - len(self.lines) + 1
 
     def faces(self) -> tuple[Face, ...]:
         """Return all faces of the arrangement in the closure, lowest first, itself last."""

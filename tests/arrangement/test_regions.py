@@ -151,6 +151,49 @@ def test_facets_of_regions_are_counted_alike(planes):
         assert planes.is_simplicial == (set(sizes) == {planes.rank})
 
 
+#: The lines of the best Kobon arrangement of eleven, with 32 triangles (T. Honma).
+KOBON = Arrangement(
+    [
+        (-29, -5), (-62, -30), (-11, -10), (-95, -150), (-45, -150), (0, -5),
+        (3, -10), (19, -30), (165, -150), (31, -15), (145, -25),
+    ],
+    [5, "-79/5", -10, 8, -83, 1, "-2/15", 30, 104, 13, 7],
+)  # fmt: skip
+
+
+def test_triangles_of_the_best_kobon_arrangement_are_32():
+    assert KOBON.bounded_p_vector == {3: 32, 5: 5, 6: 8}
+    assert KOBON.p_vector == {2: 8, 3: 36, 4: 6, 5: 8, 6: 9}
+    triangles = KOBON.simplicial_regions()
+    assert len(triangles) == 32
+    for region in triangles:
+        assert len(region.vertices) == 3
+        assert region.is_bounded
+        assert region.is_simplicial
+    assert not KOBON.is_simplicial
+
+
+@given(arrangements(dimensions=(1, 3), planes=(0, 6)))
+def test_relatively_bounded_regions_are_as_many_as_zaslavsky_says(planes):
+    relatively = planes.bounded_regions(relative=True)
+    assert len(relatively) == counts.bounded_region_count(planes, relative=True)
+    assert {region for region in planes.regions() if not region.rays} == set(relatively)
+    assert sum(planes.bounded_p_vector.values()) == len(planes.bounded_regions())
+
+
+@given(arrangements(dimensions=(1, 3), planes=(0, 6)))
+def test_simplicial_faces_stay_so_when_the_origin_moves(planes):
+    by = [Fraction(2), Fraction(-1, 3), Fraction(5)][: planes.dimension]
+    offsets = [
+        b + sum(x * y for x, y in zip(n, by, strict=True))
+        for n, b in zip(planes.normals, planes.offsets, strict=True)
+    ]
+    moved = Arrangement(planes.normals, offsets, dimension=planes.dimension)
+    for region in planes.regions():
+        at = [x + y for x, y in zip(region.witness, by, strict=True)]
+        assert moved.region_at(at).is_simplicial == region.is_simplicial
+
+
 @given(arrangements(dimensions=(3, 3), planes=(3, 8), central=True))
 def test_points_and_polygons_of_the_projective_plane(planes):
     """Pairs of lines meet once, points are half the rays; Melchior's identity."""
