@@ -202,13 +202,19 @@ def _polynomial(arguments: argparse.Namespace) -> int:
         return terminal.YES
     from sympy import ZZ, Mul, ring
 
+    from .counts.whitney import why_none_is_bounded
+
     zeros = [0] * (arrangement.dimension + 1 - len(numbers))
     chi = ring("t", ZZ)[0].from_list([*numbers, *zeros])
     factors = Mul(*(factor.as_expr() ** power for factor, power in chi.factor_list()[1]))
     rows = {"chi(t)": chi, "factors": factors}
     names = ("regions", "bounded regions", "relatively bounded")
+    values: dict[str, object] = dict(zip(names, found.values(), strict=True))
+    if reason := why_none_is_bounded(arrangement):
+        values["bounded regions"] = f"0 ({reason})"
+        values["relatively bounded"] = f"{relatively} (in the span of the normals)"
     speaker = {"counted by": "the proved program"} if arguments.proved else {}
-    return _print_rows({**rows, **dict(zip(names, found.values(), strict=True)), **speaker})
+    return _print_rows({**rows, **values, **speaker})
 
 
 def _primes(text: str) -> list[int]:

@@ -7,10 +7,10 @@ imports nothing but errors, exact numbers and planes. So its counts can certify 
 from .lattice import (
     Flat as Flat,
     IntersectionLattice as IntersectionLattice,
-    exponents as exponents,
     intersection_lattice as intersection_lattice,
     modular_chain as modular_chain,
     moebius as moebius,
+    supersolvable_exponents as supersolvable_exponents,
     t_vector as t_vector,
 )
 from .operations import (

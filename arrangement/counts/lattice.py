@@ -336,7 +336,8 @@ def modular_chain(arrangement: Planes) -> tuple[Flat, ...] | None:
     """Return modular flats of rank 0, 1, ..., r, each above the one before; None if there are none.
 
     With one the arrangement is supersolvable, and chi(t) = t^(d - r) (t - e_1) ... (t - e_r), where
-    e_k counts the distinct planes that flat k has and flat k - 1 has not: see `exponents`.
+    e_k counts the distinct planes that flat k has and flat k - 1 has not: see
+    `supersolvable_exponents`.
 
     Raises:
         InputError: if the arrangement is not central.
@@ -359,14 +360,18 @@ def modular_chain(arrangement: Planes) -> tuple[Flat, ...] | None:
     )
 
 
-def exponents(arrangement: Planes) -> tuple[int, ...] | None:
-    """Return the positive roots of chi that a modular chain explains, in its order; None without.
+def supersolvable_exponents(arrangement: Planes) -> tuple[int, ...] | None:
+    """Return the exponents that a modular chain gives, in its order; None without such a chain.
+
+    They are the positive roots of chi. None says that the arrangement is not supersolvable, and
+    nothing more: the mirrors of D4 and F4 are free, and have exponents that no chain gives. Integer
+    roots of `characteristic_polynomial` prove neither.
 
     Raises:
         InputError: if the arrangement is not central.
 
     >>> from arrangement import families
-    >>> exponents(families.type_b(3)), exponents(families.generic(4))
+    >>> supersolvable_exponents(families.type_b(3)), supersolvable_exponents(families.type_d(4))
     ((1, 3, 5), None)
     """
     chain = _chain(arrangement)

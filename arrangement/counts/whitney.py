@@ -204,6 +204,14 @@ def bounded_region_count(arrangement: Planes, *, relative: bool = False) -> int:
     return abs(sum(first_whitney_numbers(arrangement)))
 
 
+def why_none_is_bounded(arrangement: Planes) -> str:
+    """Return why no region is bounded although some are relative to the normals' span; or ""."""
+    rank, dimension = arrangement.rank, arrangement.dimension
+    if rank == dimension or arrangement.has_common_point:
+        return ""
+    return f"every region contains a line, as the normals span {rank} of {dimension} dimensions"
+
+
 def f_vector(arrangement: Planes) -> tuple[int, ...]:
     """Return (f_0, ..., f_d), the faces by dimension, from Zaslavsky's theorem alone.
 

@@ -38,5 +38,7 @@ def run_table(path: str, as_json: bool) -> int:
 
 def _line(row: Row) -> str:
     what = f"{row.arrangement}, {row.quantity}: printed {value_text(row.printed)}"
-    found = row.reason if row.computed is None else f"computed {value_text(row.computed)}"
-    return f"{what}, {found}"
+    if row.computed is None:
+        return f"{what}, {row.reason}"
+    hint = f" ({row.reason}; see relatively-bounded-regions)" if row.reason else ""
+    return f"{what}, computed {value_text(row.computed)}{hint}"

@@ -26,6 +26,7 @@ import numpy as np
 
 from arrangement import counts, read_arrangement
 from arrangement.arrangement import Arrangement
+from arrangement.counts.whitney import why_none_is_bounded
 from arrangement.errors import InputError
 from arrangement.library.census import MOST_PLANES, census
 from arrangement.library.census.chirotopes import (
@@ -54,7 +55,10 @@ class NotComputed(Exception):
 
 @dataclass(frozen=True)
 class Row:
-    """A row of a table, with the value computed; None with a reason where there is none."""
+    """A row of a table, with the value computed; None with a reason where there is none.
+
+    A value that may be meant otherwise, such as 0 bounded regions, has a reason too.
+    """
 
     line: int
     arrangement: str
@@ -105,6 +109,8 @@ def _row(cells: Mapping[str, str], line: int) -> Row:
         computed: Value | None = known[quantity](over)
     except NotComputed as error:
         computed, reason = None, str(error)
+    if quantity == "bounded-regions" and printed != computed and isinstance(over, Arrangement):
+        reason = why_none_is_bounded(over)
     return Row(line, subject, quantity, printed, computed, reason)
 
 

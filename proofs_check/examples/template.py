@@ -13,9 +13,10 @@ from proofs_check import claim
 # returns a comparison that is false, the report shows both sides.
 #
 # `of` says which instances: "distinct" (different planes through the origin of R^3, rank 3),
-# "simple" (in general position), "central", "affine", "dual" (the dual polyhedra), "grasp"; or a
-# list of your own instances. Planes are tried on one arrangement of every type of up to `census`
-# planes, on named families and on `samples` random ones, the same ones for the same --seed.
+# "simple" (in general position), "central", "affine(d=2)" (lines of the plane), "affine(d=3)",
+# "dual" (the dual polyhedra), "grasp"; or a list of your own instances. Planes are tried on one
+# arrangement of every type of up to `census` planes, on named families and on `samples` random
+# ones, the same ones for the same --seed.
 
 
 @claim(

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
+from functools import partial
 from random import Random
 from typing import Any
 
@@ -25,6 +26,8 @@ from .arrangements import random_arrangement
 from .grasps import grasp_of
 from .pseudolines import PSEUDOLINES, Pseudolines
 
+#: What hyperplanes of R^d are called.
+_UNITS_OF_DIMENSION = {2: "lines", 3: "planes"}
 #: Rational unit normals: along the axes, and of the triangles 3-4-5 and 5-12-13.
 _UNITS = tuple(
     (Fraction(a, c), Fraction(b, c))
@@ -41,12 +44,22 @@ def domain(name: str) -> Domain:
     """
     if name in DOMAINS:
         return DOMAINS[name]
+    if name in _IN_DIMENSIONS:
+        raise UnknownDomainError(
+            f"the domain {name} has no dimension; write {name}(d=2) for lines of the plane, "
+            f"{name}(d=3) for planes of R^3"
+        )
     known = [entry for entry in DOMAINS if entry != "question"]
     mistake = f"no domain is called {shown(name)}"
     listed = str(refusal(mistake, name, [*known, "dual"], "there are"))
     raise UnknownDomainError(
         f"{listed}, and families such as catalan(n=2..8), which arrangement make --help lists"
     )
+
+
+def is_domain(text: str) -> bool:
+    """Whether a text names a domain, with or without its dimension."""
+    return text.partition("(")[0] in {name.partition("(")[0] for name in DOMAINS}
 
 
 def count(subject: Any) -> int:
@@ -104,6 +117,7 @@ def _named() -> Iterator[tuple[str, Arrangement]]:
     yield "resonance(3)", families.resonance(3)
     for m in range(2, 8):
         yield f"generic({m}, affine=True)", families.generic(m, affine=True)
+        yield f"generic({m}, d=2, affine=True)", families.generic(m, 2, affine=True)
     for make in (families.shi, families.catalan, families.linial, families.semiorder):
         yield f"{make.__name__}(3)", make(3)
 
@@ -113,22 +127,42 @@ def _central(rng: Random, m: int) -> Arrangement:
     return random_arrangement(rng, m, size=rng.choice((1, 2, 9)))
 
 
-def _affine(rng: Random, m: int) -> Arrangement:
-    return random_arrangement(rng, m, size=rng.choice((1, 2, 9)), affine=rng.random() < 0.5)
-
-
 def _belonging(
-    name: str, text: str, least: int, contains: Callable[[Any], bool], *, affine: bool = False
+    name: str, text: str, least: int, contains: Callable[[Any], bool], d: int = 3, **options: Any
 ) -> Domain:
     """Return a domain that is drawn from by trying, with larger entries each time."""
 
     def draw(rng: Random, m: int) -> Arrangement:
         reach = rng.choice((1, 2, 9))
-        while not contains(planes := random_arrangement(rng, m, size=reach, affine=affine)):
+        while not contains(planes := random_arrangement(rng, m, d, reach, **options)):
             reach += 1
         return planes
 
-    return Domain(name, text, "planes", least, draw, contains)
+    return Domain(name, text, _UNITS_OF_DIMENSION[d], least, draw, contains)
+
+
+def _affine(d: int) -> Domain:
+    def draw(rng: Random, m: int) -> Arrangement:
+        return random_arrangement(rng, m, d, rng.choice((1, 2, 9)), affine=rng.random() < 0.5)
+
+    text = f"arrangements in R^{d}, central or not"
+    return Domain(f"affine(d={d})", text, _UNITS_OF_DIMENSION[d], 1, draw, partial(_is_in, d))
+
+
+def _simple_affine(d: int) -> Domain:
+    return _belonging(
+        f"simple-affine(d={d})",
+        f"affine arrangements in general position in R^{d}",
+        2,
+        lambda planes: (
+            _is_in(d, planes)
+            and _is_distinct(planes)
+            and not planes.is_central
+            and planes.is_simple
+        ),
+        d,
+        affine=True,
+    )
 
 
 def _random_grasp(rng: Random, m: int) -> Grasp:
@@ -152,12 +186,12 @@ def _random_question(rng: Random, m: int) -> Question:
     return Question(tuple(contact_numbers(c) for c in grasp), wrench)
 
 
-def _in_space(planes: Any) -> bool:
-    return isinstance(planes, Arrangement) and planes.dimension == 3
+def _is_in(d: int, planes: Any) -> bool:
+    return isinstance(planes, Arrangement) and planes.dimension == d
 
 
 def _is_central(planes: Any) -> bool:
-    return _in_space(planes) and planes.is_central
+    return _is_in(3, planes) and planes.is_central
 
 
 def _is_rank_3(planes: Any) -> bool:
@@ -165,9 +199,14 @@ def _is_rank_3(planes: Any) -> bool:
 
 
 def _is_distinct(planes: Any) -> bool:
-    return _in_space(planes) and len(planes.distinct) == len(planes)
+    return len(planes.distinct) == len(planes)
 
 
+#: Domains of hyperplanes in R^d, which are named with their dimension.
+_IN_DIMENSIONS: Mapping[str, Callable[[int], Domain]] = {
+    "simple-affine": _simple_affine,
+    "affine": _affine,
+}
 _LISTED = (
     Domain("central", "central arrangements in R^3", "planes", 1, _central, _is_central),
     _belonging("rank-3", "central arrangements of rank 3", 3, _is_rank_3),
@@ -183,14 +222,7 @@ _LISTED = (
         1,
         lambda planes: _is_central(planes) and _is_distinct(planes) and planes.is_simple,
     ),
-    Domain("affine", "arrangements in R^3, central or not", "planes", 1, _affine, _in_space),
-    _belonging(
-        "simple-affine",
-        "affine arrangements in general position in R^3",
-        2,
-        lambda planes: _is_distinct(planes) and not planes.is_central and planes.is_simple,
-        affine=True,
-    ),
+    *(make(d) for make in _IN_DIMENSIONS.values() for d in _UNITS_OF_DIMENSION),
     Domain("grasp", "grasps", "contacts", 1, _random_grasp, lambda x: isinstance(x, Grasp)),
     Domain(
         "question",

@@ -86,6 +86,11 @@ class Pseudolines:
         return ()
 
     @property
+    def bounded_p_vector(self) -> dict[int, int]:
+        """Return none, as `bounded_regions`."""
+        return {}
+
+    @property
     def f_vector(self) -> tuple[int, int, int, int]:
         """1, and the numbers of vertices, edges and regions on the sphere."""
         facets = sum(map(len, self._facets.values())) // 2

@@ -21,6 +21,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.errors import refusal
 from arrangement.numbers.exact import shown
 from proofs_check.errors import OwnClaimError
+from proofs_check.instances.domains import is_domain
 from proofs_check.instances.families import Family, is_family, read_family
 from proofs_check.instances.pseudolines import Pseudolines
 from proofs_check.statements.statement import Claim
@@ -42,8 +43,10 @@ QUANTITIES: Mapping[str, Callable[[Any], Any]] = {
     "bounded_regions": lambda planes: (
         abs(sum(_whitney(planes))) * (planes.rank == planes.dimension)
     ),
+    "relatively_bounded_regions": lambda planes: abs(sum(_whitney(planes))),
     "f_vector": lambda planes: planes.f_vector,
     "p_vector": lambda planes: planes.p_vector,
+    "bounded_p_vector": lambda planes: planes.bounded_p_vector,
     "t_vector": lambda planes: (
         planes.t_vector if isinstance(planes, Pseudolines) else counts.t_vector(planes)
     ),
@@ -113,7 +116,7 @@ def one_line_claim(text: str, *, of: str = "distinct", when: str | None = None) 
 
 def members(of: str) -> Family | None:
     """Return the family that a text names; None if it is a domain."""
-    return read_family(of) if is_family(of) else None
+    return read_family(of) if is_family(of) and not is_domain(of) else None
 
 
 def computed(node: ast.expr, planes: Planes, parameters: Mapping[str, Any]) -> Any:

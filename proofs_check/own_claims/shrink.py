@@ -63,7 +63,8 @@ def smallest_case(cases: list[Case], fails: Callable[[Any], bool]) -> tuple[Case
     """
     start = min(cases, key=lambda case: size(case.subject))
     subject, searched = shrink(start.subject, fails)
-    for candidate in smaller_instances(len(subject)) if isinstance(subject, Arrangement) else ():
+    in_space = isinstance(subject, Arrangement) and subject.dimension == 3
+    for candidate in smaller_instances(len(subject)) if in_space else ():
         searched += 1
         if fails(candidate):
             subject, more = shrink(candidate, fails)
@@ -76,7 +77,7 @@ def smallest_case(cases: list[Case], fails: Callable[[Any], bool]) -> tuple[Case
 
 
 def smaller_instances(planes: int) -> Iterator[Arrangement]:
-    """Yield arrangements with fewer planes than given, smallest numbers of planes first.
+    """Yield arrangements in R^3 with fewer planes than given, smallest numbers of planes first.
 
     For each number: all arrangements with entries -1, 0, 1 (up to 4 planes), then one of each
     combinatorial type of different planes of rank 3 (up to seven planes).

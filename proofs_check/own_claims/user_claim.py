@@ -19,6 +19,7 @@ with ``python FILE.py``. Nothing else that this package reads is ever executed.
 from __future__ import annotations
 
 import inspect
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from numbers import Integral
@@ -26,10 +27,11 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
+from arrangement.counts.whitney import why_none_is_bounded
 from arrangement.duals.zonohedron import dual_polyhedron
 from proofs_check.errors import OwnClaimError
-from proofs_check.instances.arrangements import census_cases
-from proofs_check.instances.domains import domain, known_families
+from proofs_check.instances.arrangements import census_cases, line_cases
+from proofs_check.instances.domains import domain, is_domain, known_families
 from proofs_check.instances.families import Family, Member, is_family, read_family
 from proofs_check.instances.pseudolines import type_sources as pseudoline_sources
 from proofs_check.reports.formula import mathml
@@ -67,7 +69,7 @@ def claim(
 
     Args:
         statement: in words.
-        of: a domain of `instances.domains` ("distinct", "simple", "central", "affine", ...,
+        of: a domain of `instances.domains` ("distinct", "simple", "central", "affine(d=2)", ...,
             "grasp"), or "dual" for the dual polyhedra of different planes of rank 3; or a `family`
             or its text, such as "catalan(n=2..8)"; or a list of instances of any kind, or a mapping
             from labels to instances. The members of a family, or the instances, are then all.
@@ -90,7 +92,7 @@ def claim(
     Raises:
         OwnClaimError: an argument out of range.
     """
-    if isinstance(of, str) and is_family(of):
+    if isinstance(of, str) and is_family(of) and not is_domain(of):
         of = read_family(of)
     _check(statement, samples, expected)
     if formula:
@@ -112,7 +114,7 @@ def claim(
             sources = (listed,)
         elif chosen:
             named = (Source(Kind.SAMPLED, "named families", lambda _: known_families(chosen)),)
-            sources = types + (named if families and chosen.unit == "planes" else ())
+            sources = types + (named if families and chosen.has_named_instances else ())
         return Claim(
             id=name,
             locator=locator,
@@ -261,10 +263,10 @@ def type_sources(chosen: Domain, low: int, high: int) -> tuple[Source, ...]:
     Raises:
         OwnClaimError: the census has no such numbers.
     """
-    largest = chosen.most or 8
+    largest = chosen.most or (7 if chosen.unit == "lines" else 8)
     sizes = (low, high)
     if any(type(m) is not int for m in sizes) or not 3 <= low <= high <= largest:
-        unit = chosen.unit if chosen.most else "planes"
+        unit = "planes" if chosen.unit == "contacts" else chosen.unit
         raise OwnClaimError(
             f"classes is {low}..{high}; expected numbers of {unit} from 3 to {largest}"
         )
@@ -272,6 +274,9 @@ def type_sources(chosen: Domain, low: int, high: int) -> tuple[Source, ...]:
         return ()
     if chosen.unit == "pseudolines":
         return pseudoline_sources(low, high)
+    if chosen.unit == "lines":
+        over = f"every isomorphism class of {low} to {high} lines of the plane, not all parallel"
+        return (Source(Kind.EXHAUSTIVE, over, lambda _: line_cases(range(low, high + 1))),)
     over = f"one arrangement of every isomorphism class of {low} to {high} planes"
     return (Source(Kind.EXHAUSTIVE, over, lambda _: census_cases(range(low, high + 1))),)
 
@@ -289,10 +294,25 @@ def _answer(name: str, function: Callable[..., Any], *arguments: Any) -> bool | 
     if type(answer).__name__ in ("bool", "bool_"):
         return bool(answer)
     if isinstance(answer, Unequal):
-        return answer.text
+        return answer.text + _hint(answer.text, arguments[0])
     if isinstance(answer, str) and answer:
         return answer
     raise OwnClaimError(f"{name} returned {answer!r}; return True, or a text that says why not")
+
+
+_BOUNDED = re.compile(r"(?<!relatively_)bounded_(?:regions|region_count|p_vector)\b")
+
+
+def _hint(text: str, subject: Any) -> str:
+    """Return what a comparison may have meant that counts bounded regions where none can be."""
+    planes = subject.planes if isinstance(subject, Member) else subject
+    if not isinstance(planes, Arrangement) or "relative=" in text or not _BOUNDED.search(text):
+        return ""
+    reason = why_none_is_bounded(planes)
+    return reason and (
+        f" ({reason}, and relatively_bounded_regions counts those bounded in that span, in Python "
+        "bounded_regions(relative=True))"
+    )
 
 
 def _reason(answer: bool | str) -> str:

@@ -93,6 +93,11 @@ class Domain(Shown):
     contains: Callable[[Any], bool]
     most: int | None = None
 
+    @property
+    def has_named_instances(self) -> bool:
+        """Whether arrangements of named families may belong to it."""
+        return self.unit in ("planes", "lines")
+
     def mistake(self, low: int, high: int) -> str:
         """Return why there are no instances of so many planes or contacts; "" if there are."""
         if self.least <= low <= high <= (self.most or high):

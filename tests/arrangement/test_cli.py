@@ -145,7 +145,8 @@ def test_regions_bounded_in_the_span_of_the_normals_are_counted(capsys, tmp_path
     code, out, _ = call(capsys, "polynomial", path, "--json")
     assert (code, *list(json.loads(out).values())[1:]) == (0, 36, 0, bounded)
     assert (
-        f"bounded regions     0\nrelatively bounded  {bounded}\n"
+        "bounded regions     0 (every region contains a line, as the normals span 3 of 4 "
+        f"dimensions)\nrelatively bounded  {bounded} (in the span of the normals)\n"
         in call(capsys, "polynomial", path)[1]
     )
 

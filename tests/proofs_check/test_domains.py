@@ -206,11 +206,11 @@ def test_an_unknown_domain_lists_those_of_the_documentation(capsys):
     text = (ROOT / "docs" / "checking.rst").read_text(encoding="utf-8")
     table = text.partition("Domains, named in")[2].partition("\n\nInstead of")[0]
     rows = re.findall(r"^   \* - (.*)$", table, re.MULTILINE)
-    documented = {name for row in rows for name in re.findall(r"`([\w-]+)`", row)}
+    documented = {name for row in rows for name in re.findall(r"`([\w()=-]+)`", row)}
     assert main(["try", "m > 0", "--of", "simpel"]) == 2
     error = capsys.readouterr().err
     assert "did you mean simple?" in error
-    listed = re.search(r"there are ([\w, -]+), and families such as catalan", error)
+    listed = re.search(r"there are ([\w, ()=-]+), and families such as catalan", error)
     assert listed is not None
     assert {*listed[1].split(", ")} == documented
     assert all(domain(name) for name in documented - {"dual"})

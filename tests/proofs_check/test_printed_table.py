@@ -60,6 +60,16 @@ def test_both_values_are_printed_and_the_exit_code_is_no(tmp_path, capsys):
     assert main(["run", path]) == 0
 
 
+def test_table_says_why_no_region_is_bounded(tmp_path, capsys):
+    path = table(
+        tmp_path, "1,linial type=3,bounded-regions", "1,linial type=3,relatively-bounded-regions"
+    )
+    assert main(["table", path]) == 1
+    differ, agree, _ = capsys.readouterr().out.splitlines()
+    assert "computed 0 (every region contains a line" in differ
+    assert agree.startswith("agree")
+
+
 def test_table_with_a_bad_row_prints_nothing(tmp_path, capsys):
     path = table(tmp_path, "24,braid-a3,regions", "24,braid-a3,regoins")
     assert main(["run", path]) == 2

@@ -10,10 +10,12 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement, read_arrangement
-from arrangement.library.census import census
+from arrangement.counts import cone
+from arrangement.library.census import census, identify
 from equilibrium.grasps.files import read_grasp
 from proofs_check import Verdict, claim, evaluate
 from proofs_check.cli.program import main
+from proofs_check.instances.arrangements import line_cases
 from proofs_check.instances.domains import DOMAINS, domain, known_families, size
 from proofs_check.own_claims.formula_of import formula_of
 from proofs_check.own_claims.one_line import one_line_claim, read
@@ -307,7 +309,10 @@ def test_integers_of_libraries_are_integers(write):
         ("not simple or regions == 2 + 2 * comb(m, 2) // 1", [], 0),
         ("not simple or t_vector == p_vector or len(t_vector) == 1", [], 0),
         ("max(t_vector.keys()) <= m - 1 < regions / 2", [], 0),
-        ("bounded_regions % 2 == 0", ["--of", "simple-affine"], 1),
+        ("bounded_regions % 2 == 0", ["--of", "simple-affine(d=3)"], 1),
+        ("bounded_regions == comb(m - 1, 2)", ["--of", "simple-affine(d=2)"], 0),
+        ("sum(bounded_p_vector.values()) == bounded_regions", ["--of", "affine(d=2)"], 0),
+        ("bounded_p_vector.get(3, 0) >= m - 1", ["--of", "simple-affine(d=2)"], 1),
         ("rank == 3 and central and min(f_vector) != abs(-1)", [], 1),
     ],
 )
@@ -318,6 +323,36 @@ def test_a_claim_in_one_line_has_its_verdict(statement, options, code, write, ca
     assert found["verdict"] == ("refuted" if code else "holds")
     assert (Path("counterexamples") / "try.json").exists() == bool(code)
     assert not code or "is false" in found["counterexample"]["note"]
+
+
+def test_zero_bounded_regions_are_explained(write, capsys):
+    options = ["--of", "linial(n=3..4)", "--json"]
+    assert main(["try", "relatively_bounded_regions >= 1", *options]) == 0
+    capsys.readouterr()
+    path = write(
+        '@claim("s", of="linial(n=3..4)")\ndef f(p):\n    return len(p.bounded_regions()) == 1\n'
+    )
+    for words in (["try", "bounded_regions == 1", *options], ["run", path, "--json"]):
+        assert main(words) == 1
+        note = json.loads(capsys.readouterr().out)["results"][0]["counterexample"]["note"]
+        assert "is false: 0 and 1 (every region contains a line, as the normals span 2 of 3" in note
+        assert "relatively_bounded_regions" in note
+
+
+@pytest.mark.parametrize("name", ["affine", "simple-affine"])
+def test_affine_domain_without_dimension_is_refused(name, capsys):
+    assert main(["try", "regions > 0", "--of", name]) == 2
+    assert f"{name}(d=2) for lines" in capsys.readouterr().err
+
+
+def test_lines_are_tried_on_every_type():
+    found = [case.subject for case in line_cases(range(3, 6))]
+    assert {lines.dimension for lines in found} == {2}
+    five = (lines for lines in found if len(lines) == 5 and not lines.is_central)
+    simple = [lines for lines in five if lines.is_simple]
+    assert len({identify(cone(lines)).type for lines in simple}) == 4  # of six projective lines
+    triangles = [lines.bounded_p_vector[3] for lines in simple]
+    assert (min(triangles), max(triangles)) == (3, 5)  # Roberts, and Kobon
 
 
 def test_one_claim_of_a_file_can_be_named_and_one_that_fails_keeps_the_others(write, capsys):
