@@ -84,13 +84,13 @@ def planes_of(
     equations: Iterable[Any], symbols: Iterable[sympy.Symbol] | None
 ) -> tuple[list[RationalVector], list[Fraction], int]:
     """Return normals, offsets and dimension; see `Arrangement.from_equations`."""
-    given = [_left_side(equation, i) for i, equation in enumerate(_listed(equations, "equations"))]
+    given = [_left_side(equation, i) for i, equation in enumerate(equations)]
     if symbols is None:
         from sympy import default_sort_key
 
         variables = sorted(set().union(*(e.free_symbols for e in given)), key=default_sort_key)
     else:
-        variables = _listed(symbols, "symbols")
+        variables = listed(symbols, "symbols")
         _check_symbols(variables)
     rows = [_coefficients(e, variables, f"equations[{i}]") for i, e in enumerate(given)]
     return [row[:-1] for row in rows], [-row[-1] for row in rows], len(variables)
@@ -107,7 +107,7 @@ def equations_of(
         names = "xyz" if dimension <= 3 else [f"x{k + 1:0{digits}}" for k in range(dimension)]
         variables = [sympy.Symbol(name) for name in names[:dimension]]
     else:
-        variables = _listed(symbols, "symbols")
+        variables = listed(symbols, "symbols")
         _check_symbols(variables)
     if len(variables) != dimension:
         raise InputError(
@@ -123,9 +123,10 @@ def equations_of(
     )
 
 
-def _listed(values: Any, name: str) -> list[Any]:
+def listed(values: Any, name: str) -> list[Any]:
+    """Return values as a list; refuse a text, and what is no sequence."""
     if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
-        raise InputError(f"{name} is {shown(values)}; give a sequence of SymPy {name}")
+        raise InputError(f"{name} is {shown(values)}; give a sequence of {name}")
     return list(values)
 
 
@@ -148,7 +149,7 @@ def _left_side(equation: Any, index: int) -> sympy.Expr:
     if isinstance(equation, sympy.Expr):
         return equation
     if isinstance(equation, str):
-        rule = "text, which is never evaluated; build the equation from SymPy symbols"
+        rule = "text beside SymPy's equations; give all of them as text, or none"
     elif isinstance(equation, (bool, sympy.logic.boolalg.BooleanAtom)):
         rule = "true everywhere or nowhere, which defines no plane"
     else:

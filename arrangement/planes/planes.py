@@ -31,7 +31,9 @@ from arrangement.numbers.exact import (
 )
 from arrangement.numbers.linear.rank import rank
 from arrangement.numbers.real import field_of, written
-from arrangement.numbers.symbolic import equations_of, exact_matrix, planes_of
+from arrangement.numbers.symbolic import equations_of, exact_matrix, listed, planes_of
+
+from .equation_text import planes_of_text
 
 if TYPE_CHECKING:
     import sympy
@@ -116,24 +118,33 @@ class Planes:
     def from_equations(
         cls, equations: Iterable[Any], symbols: Iterable[sympy.Symbol] | None = None
     ) -> Self:
-        """Return the planes of linear equations in SymPy symbols.
+        """Return the planes of linear equations in SymPy symbols, or as text.
 
         Args:
-            equations: ``Eq(left, right)``, or expressions that are zero on the plane. The positive
-                side is where the left side is the larger one, or the expression is positive.
+            equations: ``Eq(left, right)``, or expressions that are zero on the plane; or all of
+                them texts such as ``"x - 2*y = 1"``, read as in files and never evaluated. The
+                positive side is where the left side is the larger one, or the expression positive.
             symbols: the coordinates in their order. If omitted, all symbols of the equations,
-                sorted by name; then a coordinate that no equation has is missing.
+                sorted by name; then a coordinate that no equation has is missing. Texts in x, y, z
+                have x and y at least.
 
         Raises:
-            InputError: text, which is never evaluated; or a term that is not a rational number
-                times one of the symbols, or not a rational constant. The message names it.
+            InputError: a term that is not a rational number times one of the symbols, or not a
+                rational constant. The message names it.
 
         >>> from sympy import Eq
         >>> from sympy.abc import x, y, z
         >>> Planes.from_equations([Eq(x, y), 2*x + 3*z - 1], (x, y, z)).integer_planes
         ((1, -1, 0, 0), (2, 0, 3, 1))
+        >>> Planes.from_equations(["x = y", "2*x + 3*z - 1"]).integer_planes
+        ((1, -1, 0, 0), (2, 0, 3, 1))
         """
-        normals, offsets, dimension = planes_of(equations, symbols)
+        given = listed(equations, "equations")
+        if given and all(isinstance(equation, str) for equation in given):
+            names = None if symbols is None else [str(x) for x in listed(symbols, "symbols")]
+            rows, constants, names = planes_of_text(given, names)
+            return cls(rows, constants, dimension=len(names))
+        normals, offsets, dimension = planes_of(given, symbols)
         return cls(normals, offsets, dimension=dimension or None)
 
     def equations(self, symbols: Iterable[sympy.Symbol] | None = None) -> tuple[sympy.Eq, ...]:

@@ -22,6 +22,13 @@ if TYPE_CHECKING:
     from arrangement import Arrangement
 
 
+#: What takes floats, said where one is refused.
+OF_FLOATS = (
+    "Measured contacts are converted by `equilibrium make floats`, from a table (.csv) or from lists "
+    "of points and normals"
+)
+
+
 def read_grasp(source: Source) -> Grasp:
     """Read a grasp from a path, ``"-"`` (stdin), a built-in name or a mapping.
 
@@ -31,7 +38,7 @@ def read_grasp(source: Source) -> Grasp:
     >>> len(read_grasp("paper-three-contacts"))
     3
     """
-    return Grasp.from_dict(read_document(source, ("contacts",)))
+    return Grasp.from_dict(read_document(source, ("contacts",), of_floats=OF_FLOATS))
 
 
 def tangential_arrangement(document: Mapping[str, Any]) -> Arrangement:

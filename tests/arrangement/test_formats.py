@@ -86,6 +86,21 @@ SAMPLES = {
         "H = HyperplaneArrangements(QQ, ('u', 'v'))\nArrangement <2*u - 3/4*v + 1 | v/2 - u>\n",
         Arrangement([[2, "-3/4"], [-1, "1/2"]], [-1, 0]),
     ),
+    "what Sage prints, alone": (
+        "sage",
+        "Arrangement <y | x - y | x + y + 1>\n",
+        Arrangement([[0, 1], [1, -1], [1, 1]], [0, 0, -1]),
+    ),
+    "what Sage prints in four dimensions": (
+        "sage",
+        "Arrangement <t2 - t3 | t0 - t1 | 2*t10 - 1/2>\n",
+        Arrangement([[0, 0, 1, -1, 0], [1, -1, 0, 0, 0], [0, 0, 0, 0, 2]], [0, 0, "1/2"]),
+    ),
+    "forms that are zero": (
+        "equations",
+        "x - y\n2x + 3*z - 1 # a remark\n",
+        Arrangement([[1, -1, 0], [2, 0, 3]], [0, 1]),
+    ),
     "joined in Sage": (
         "sage",
         "H.<u,v> = HyperplaneArrangements(QQ)\nbox = u | v | u - 2 | v - 2\n",
@@ -264,6 +279,8 @@ REFUSED = {
         "normals",
     ),
     "prose": ("Lines in the plane", "in none of the formats"),
+    "a word": ("hello", "in none of the formats"),
+    "a decimal alone": ("1e5 x", "in none of the formats"),
     "a wrong length": ("++-+-", "C\\(n, 3\\)"),
     "a loop": ("+000", "element 4"),
     "two bars": ("1 0 | 2 3\n0 1 | 1\n", "several offsets"),

@@ -8,7 +8,14 @@ from hypothesis import given
 from sympy import Eq, I, Integer, Rational, pi, sin, sqrt
 from sympy.abc import a, x, y, z
 
-from arrangement import Arrangement, InputError, Planes, dual_polyhedron, to_sympy
+from arrangement import (
+    Arrangement,
+    InputError,
+    Planes,
+    dual_polyhedron,
+    read_arrangement,
+    to_sympy,
+)
 from arrangement.counts import essentialization, localization, restriction
 
 from .strategies import arrangements
@@ -48,8 +55,7 @@ def test_default_symbols_sort_as_they_are_counted():
 @pytest.mark.parametrize(
     ("equation", "message"),
     [
-        ("x = y", "text, which is never evaluated"),
-        ("__import__('os').abort()", "text, which is never evaluated"),
+        ("x = y", "text beside SymPy's equations"),
         (a * x - 1, r"the term a\*x: a is not one of the symbols"),
         (x - a, r"the term -a: a is not one of the symbols"),
         (0.5 * x - y, r"the term 0\.5\*x: a float is not exact"),
@@ -89,9 +95,27 @@ def test_bad_symbols_are_refused(symbols, message):
         planes.equations(symbols)
 
 
+def test_equations_as_text_are_read_as_in_files(tmp_path):
+    lines = ["x=0", "2*x - 1/2 y + 1", "y = 3"]
+    path = tmp_path / "lines.eqn"
+    path.write_text("\n".join(lines), encoding="utf-8")
+    planes = Arrangement.from_equations(lines)
+    assert planes == read_arrangement(path)
+    assert planes.integer_planes == ((1, 0, 0), (4, -1, -2), (0, 1, 3))
+    assert Arrangement.from_equations(["x = 0"]).dimension == 2
+    assert Arrangement.from_equations(["x = z"], (x, y, z)) == Arrangement([[1, 0, -1]])
+    assert Arrangement.from_equations(["x10 - x2"]) == Arrangement([[-1, 1]])
+
+
+@pytest.mark.parametrize("text", ["__import__('os').abort()", "x**2", "x*y", "", "x ==0", "x = w"])
+def test_text_that_is_no_equation_is_refused(text):
+    with pytest.raises(InputError):
+        Arrangement.from_equations([text], (x, y, z))
+
+
 def test_equations_that_are_no_sequence_are_refused():
     for equations in ("x = y", x - y, 5):
-        with pytest.raises(InputError, match="give a sequence of SymPy equations"):
+        with pytest.raises(InputError, match="give a sequence of equations"):
             Arrangement.from_equations(equations)
 
 

@@ -16,6 +16,7 @@ import re
 import sys
 from collections.abc import Collection, Iterable, Mapping
 from difflib import get_close_matches
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
 
@@ -42,6 +43,7 @@ def read_document(
     *,
     kind: str = "bytes of a file",
     floats: bool = False,
+    of_floats: str = "",
     versions: Collection[int] = (SCHEMA_VERSION,),
 ) -> dict[str, Any]:
     """Read a JSON object that has a known ``schema_version`` and exactly one of the keys `kinds`.
@@ -52,6 +54,7 @@ def read_document(
     Args:
         floats: take numbers such as 0.1 and 1e-3 too, as the binary floats that they are; for data
             whose conversion is the purpose.
+        of_floats: what converts them, for the refusal of one.
 
     Raises:
         InputError: a file that cannot be read, is too long, is not UTF-8, is not strict JSON
@@ -62,7 +65,7 @@ def read_document(
         name = "the document"
     else:
         text, name = read_text(source, kind)
-        document = parse_json(text, name, floats=floats)
+        document = parse_json(text, name, floats=floats, of_floats=of_floats)
     return check_document(document, kinds, name, versions)
 
 
@@ -175,14 +178,14 @@ def _limited(stream: BinaryIO, name: str, kind: str) -> bytes:
     return content
 
 
-def parse_json(text: str, name: str, *, floats: bool = False) -> Any:
+def parse_json(text: str, name: str, *, floats: bool = False, of_floats: str = "") -> Any:
     """Parse strict JSON: no duplicate keys, no floats unless wanted, no NaN, flat."""
     try:
         return json.loads(
             text,
             object_pairs_hook=_without_duplicates,
             parse_int=_parse_integer,
-            parse_float=float if floats else _refuse_float,
+            parse_float=float if floats else partial(_refuse_float, of_floats),
             parse_constant=_refuse_constant,
         )
     except InputError as error:
@@ -210,9 +213,11 @@ def _parse_integer(text: str) -> int:
     return integer(text)
 
 
-def _refuse_float(text: str) -> Any:
+def _refuse_float(of_floats: str, text: str) -> Any:
+    remedy = f". {of_floats}" if of_floats else ""
     raise InputError(
-        f'the number {shown(text)} is a float; write an integer or a string such as "1/4", "-0.25"'
+        f"the number {shown(text)} is a float; write an integer or a string such as "
+        f'"1/4", "-0.25"{remedy}'
     )
 
 

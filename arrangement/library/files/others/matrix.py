@@ -1,8 +1,6 @@
 """A plain matrix, or plain equations; ``#`` for remarks.
 
-Equations are linear, one a line: ``2*x - y + 1 = 0``, ``x1 = 3/2 x2``. They are read by a small
-grammar, never evaluated. Coordinates are x, y and then z where that occurs, else all names in their
-order (x2 before x10); the positive side is where the left side is the larger one.
+Equations are linear, one a line; `arrangement.planes.equation_text` reads them.
 
 A matrix has a normal a line, numbers with spaces or commas between.
 
@@ -13,14 +11,12 @@ over, so what Sage, NumPy and polymake print is read too.
 from __future__ import annotations
 
 import re
-from collections import Counter
-from collections.abc import Iterator
-from fractions import Fraction
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.library.files.documents import rational_planes
-from arrangement.numbers.exact import rational, shown
+from arrangement.numbers.exact import shown
+from arrangement.planes.equation_text import is_equation, planes_of_text
 
 _REMARK = re.compile(r"#.*")
 _MATRIX = re.compile(r"(?=[^0-9]*[0-9])[-+0-9./eE,;|()\[\]\s]+")
@@ -28,12 +24,6 @@ _MATRIX = re.compile(r"(?=[^0-9]*[0-9])[-+0-9./eE,;|()\[\]\s]+")
 _VALUE = re.compile(r"\[[^[]*|[-+0-9./eE]+")
 #: Between two rows of one line.
 _BETWEEN = re.compile(r"[\])][\s,;]*[\[(]")
-#: A line with one equality sign and at least one name.
-_EQUATION = re.compile(r"(?=.*[A-Za-z])[\w\s.+*/-]+=[\w\s.+*/-]+")
-#: A sign, a number, and a name; either of the two last may be missing.
-_TERM = re.compile(
-    r"\s*([+-]?)\s*(?:([0-9]+(?:\.[0-9]+)?(?:/[0-9]+)?)(?:\s*\*)?)?\s*([A-Za-z]\w*)?"
-)
 
 
 def _equations(text: str) -> list[str]:
@@ -42,54 +32,15 @@ def _equations(text: str) -> list[str]:
 
 
 def recognises_equations(text: str) -> bool:
-    """Whether every line has one equality sign, and letters beside numbers and signs."""
+    """Whether every line is an equation, or a linear form that is zero."""
     lines = _equations(text)
-    return bool(lines) and all(map(_EQUATION.fullmatch, lines))
-
-
-def _sums(side: str, line: str) -> Iterator[tuple[str, Fraction]]:
-    """Yield the terms of a sum as name (none for a constant) and number."""
-    at, first = 0, True
-    if not side.strip():
-        raise InputError(f"the equation {shown(line)} has an empty side; write 0 there")
-    while at < len(side.rstrip()):
-        term = _TERM.match(side, at)
-        sign, number, name = term.groups() if term else ("", None, None)
-        bare = number is None and name is None
-        starred = side[at : term.end() if term else at].rstrip().endswith("*")
-        if term is None or bare or starred or not (sign or first):
-            raise InputError(
-                f"the equation {shown(line)} is not linear near {shown(side[at:].strip())}; write "
-                "such as 2*x - 1/2*y + 1 = 0"
-            )
-        value = rational(number or "1", "a coefficient")
-        yield name or "", -value if sign == "-" else value
-        at, first = term.end(), False
+    return bool(lines) and all(map(is_equation, lines))
 
 
 def read_equations(text: str) -> Arrangement:
     """Read a plane from each line."""
-    rows = []
-    for line in _equations(text):
-        left, _, right = line.partition("=")
-        row: Counter[str] = Counter()
-        for sign, side in ((1, left), (-1, right)):
-            for name, value in _sums(side, line):
-                row[name] += sign * value  # type: ignore[assignment]
-        rows.append(row)
-    names = {name for row in rows for name in row} - {""}
-    if names <= {*"xyz"}:
-        names |= {*"xy"}
-    ordered = sorted(names, key=lambda name: [*_natural(name)])
-    return Arrangement(
-        [[row[name] for name in ordered] for row in rows], [-row[""] for row in rows]
-    )
-
-
-def _natural(name: str) -> Iterator[tuple[int, str]]:
-    """Yield the parts of a name such that x2 comes before x10."""
-    for digits, letters in re.findall(r"([0-9]+)|([^0-9]+)", name):
-        yield (int(digits), "") if digits else (-1, letters)
+    normals, offsets, _ = planes_of_text(_equations(text))
+    return Arrangement(normals, offsets)
 
 
 def write_equations(arrangement: Arrangement) -> str:

@@ -24,6 +24,7 @@ from arrangement.errors import InputError
 from arrangement.library.files.documents import rational_planes
 from arrangement.numbers import budget
 from arrangement.numbers.exact import rational, shown
+from arrangement.planes.equation_text import named_coordinates
 
 #: Digits of numbers that Python reads at once.
 _SHORT = 1000
@@ -107,7 +108,8 @@ _Item: TypeAlias = "str | list[_Item]"
 _DEPTH = 3
 _OPTION = re.compile(r"\s*\w+\s*=")
 #: What a text in this language has.
-SAGE = re.compile(r"HyperplaneArrangements\(|[\[(]Hyperplane ")
+SAGE = re.compile(r"HyperplaneArrangements\(|[\[(]Hyperplane |\bArrangement <")
+_JOINED = re.compile(r"\bArrangement <([^<>]*)>")
 _SPACE = re.compile(
     r"\b(\w+)(?:\.<([\w\s,]+)>)?\s*=\s*(?:Ordered)?HyperplaneArrangements\(\s*(\w+(?:\([^()]*\))?)\s*(?:,\s*([^\n]*))?\)"
 )
@@ -136,8 +138,16 @@ def read_sage(text: str) -> Arrangement:
 
 
 def _printed(text: str) -> tuple[list[_Item], list[str]]:
-    """Return the hyperplanes that Sage printed, each with all variables, and the variables."""
+    """Return the hyperplanes that Sage printed, and the variables.
+
+    ``Hyperplane x + 0*y + 1`` has all of them; of ``Arrangement <y | x - y>`` they are those that
+    occur, in the order of `named_coordinates`.
+    """
     found: list[_Item] = re.findall(r"\bHyperplane ([^,()\[\]\n]+)", text)
+    if not found and (joined := _JOINED.search(text)):
+        return [*map(str.strip, joined[1].split("|"))], named_coordinates(
+            re.findall(r"[A-Za-z]\w*", joined[1])
+        )
     if not found:
         raise InputError(
             "there is no line such as H.<x,y> = HyperplaneArrangements(QQ), and A = H(x, y - 1)"

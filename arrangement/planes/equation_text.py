@@ -1,0 +1,102 @@
+"""Linear equations as text: ``2*x - y + 1 = 0``, ``x1 = 3/2 x2``, or a form that is zero: ``x - y``.
+
+They are read by a small grammar, never evaluated. Coordinates are x, y and then z where that occurs,
+else all names in their order (x2 before x10); the positive side is where the left side is the
+larger one, or the form is positive.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+
+from arrangement.errors import InputError
+from arrangement.numbers.exact import RationalVector, rational, shown
+
+#: A line with one equality sign and at least one name.
+_EQUATION = re.compile(r"(?=.*[A-Za-z])[\w\s.+*/-]+=[\w\s.+*/-]+")
+#: The name of a coordinate in a form without an equality sign; other words may be anything.
+_COORDINATE = re.compile(r"[A-Za-z](?:_?[0-9]+)?", re.ASCII)
+#: A number such as 1e5, which is no number times a coordinate e5.
+_DECIMAL_POWER = re.compile(r"[0-9][eE][0-9]")
+#: A sign, a number, and a name; either of the two last may be missing.
+_TERM = re.compile(
+    r"\s*([+-]?)\s*(?:([0-9]+(?:\.[0-9]+)?(?:/[0-9]+)?)(?:\s*\*)?)?\s*([A-Za-z]\w*)?"
+)
+
+
+def is_equation(line: str) -> bool:
+    """Whether a line has one equality sign and names, or is a linear form in coordinates."""
+    if "=" in line:
+        return _EQUATION.fullmatch(line) is not None
+    if _DECIMAL_POWER.search(line):
+        return False
+    try:
+        names = [name for name, _ in _terms(line, line) if name]
+    except InputError:
+        return False
+    return bool(names) and all(map(_COORDINATE.fullmatch, names))
+
+
+def planes_of_text(
+    lines: Iterable[str], coordinates: Sequence[str] | None = None
+) -> tuple[list[RationalVector], list[Fraction], list[str]]:
+    """Return normals, offsets and the names of the coordinates.
+
+    Args:
+        lines: one equation each.
+        coordinates: their names; if omitted, see the head of this module.
+
+    Raises:
+        InputError: the line, and the term that is not linear or has another name.
+    """
+    rows: list[Counter[str]] = []
+    for line in lines:
+        left, _, right = line.replace("\u2212", "-").partition("=")
+        row: Counter[str] = Counter()
+        for sign, side in ((1, left), (-1, right if "=" in line else "0")):
+            for name, value in _terms(side, line):
+                row[name] += sign * value  # type: ignore[assignment]
+        rows.append(row)
+    used = [name for row in rows for name in row if name]
+    ordered = named_coordinates(used) if coordinates is None else list(coordinates)
+    if others := sorted({*used} - {*ordered}):
+        raise InputError(f"{others[0]} is not one of the coordinates {', '.join(ordered)}")
+    normals = [tuple(Fraction(row[name]) for name in ordered) for row in rows]
+    return normals, [Fraction(-row[""]) for row in rows], ordered
+
+
+def named_coordinates(names: Iterable[str]) -> list[str]:
+    """Return the coordinates that the names of some forms mean, in their order."""
+    known = {*names}
+    if known <= {*"xyz"}:
+        known |= {*"xy"}
+    return sorted(known, key=lambda name: [*_natural(name)])
+
+
+def _terms(side: str, line: str) -> Iterator[tuple[str, Fraction]]:
+    """Yield the terms of a sum as name (none for a constant) and number."""
+    at, first = 0, True
+    if not side.strip():
+        raise InputError(f"the equation {shown(line)} has an empty side; write 0 there")
+    while at < len(side.rstrip()):
+        term = _TERM.match(side, at)
+        sign, number, name = term.groups() if term else ("", None, None)
+        bare = number is None and name is None
+        starred = side[at : term.end() if term else at].rstrip().endswith("*")
+        if term is None or bare or starred or not (sign or first):
+            raise InputError(
+                f"the equation {shown(line)} is not linear near {shown(side[at:].strip())}; write "
+                "such as 2*x - 1/2*y + 1 = 0"
+            )
+        value = rational(number or "1", "a coefficient")
+        yield name or "", -value if sign == "-" else value
+        at, first = term.end(), False
+
+
+def _natural(name: str) -> Iterator[tuple[int, str]]:
+    """Yield the parts of a name such that x2 comes before x10."""
+    for digits, letters in re.findall(r"([0-9]+)|([^0-9]+)", name):
+        yield (int(digits), "") if digits else (-1, letters)
