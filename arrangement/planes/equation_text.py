@@ -1,8 +1,8 @@
-"""Linear equations as text: ``2*x - y + 1 = 0``, ``x1 = 3/2 x2``, or a form that is zero: ``x - y``.
+"""Linear equations as text: ``2*x - y + 1 = 0``, ``x1 = 3/2 x2``, or a form, ``x - y``, that is 0.
 
-They are read by a small grammar, never evaluated. Coordinates are x, y and then z where that occurs,
-else all names in their order (x2 before x10); the positive side is where the left side is the
-larger one, or the form is positive.
+They are read by a small grammar, never evaluated. Coordinates are x, y and then z where that
+occurs, else all names in their order (x2 before x10); the positive side is where the left side is
+the larger one, or the form is positive.
 """
 
 from __future__ import annotations

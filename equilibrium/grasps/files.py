@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
 #: What takes floats, said where one is refused.
 OF_FLOATS = (
-    "Measured contacts are converted by `equilibrium make floats`, from a table (.csv) or from lists "
-    "of points and normals"
+    "Measured contacts are converted by `equilibrium make floats`, from a table (.csv) or from "
+    "lists of points and normals"
 )
 
 

@@ -64,7 +64,7 @@ def test_table_says_why_no_region_is_bounded(tmp_path, capsys):
     path = table(
         tmp_path, "1,linial type=3,bounded-regions", "1,linial type=3,relatively-bounded-regions"
     )
-    assert main(["table", path]) == 1
+    assert main(["run", path]) == 1
     differ, agree, _ = capsys.readouterr().out.splitlines()
     assert "computed 0 (every region contains a line" in differ
     assert agree.startswith("agree")
