@@ -53,8 +53,14 @@ def planes_of_text(
         InputError: the line, and the term that is not linear or has another name.
     """
     rows: list[Counter[str]] = []
-    for line in lines:
-        left, _, right = line.replace("\u2212", "-").partition("=")
+    for given in lines:
+        line = given.replace("\u2212", "-")
+        if "=" not in line and not is_equation(line):
+            raise InputError(
+                f"{shown(line)} is no linear form in coordinates such as x or x1; write such as "
+                "2*x - 1/2*y + 1 = 0"
+            )
+        left, _, right = line.partition("=")
         row: Counter[str] = Counter()
         for sign, side in ((1, left), (-1, right if "=" in line else "0")):
             for name, value in _terms(side, line):
