@@ -8,6 +8,8 @@ from collections.abc import Callable
 
 from arrangement.errors import InputError
 
+from .budget import spend
+
 #: The clock of every time limit, in seconds; tests replace it.
 clock: Callable[[], float] = time.monotonic
 
@@ -42,11 +44,12 @@ class Deadline:
         return self._end - clock() if self._end < math.inf else math.inf
 
     def check(self, work: float = 1) -> None:
-        """Raise `TimeoutError` when the time limit is over.
+        """Count work (`budget.spend`); raise `TimeoutError` when the time limit is over.
 
         Args:
-            work: done since the last look, for limits that count it.
+            work: the steps from this look to the next one.
         """
+        spend(work)
         if self.passed:
             raise TimeoutError(str(self))
 

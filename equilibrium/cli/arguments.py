@@ -211,13 +211,8 @@ def read(arguments: argparse.Namespace) -> Grasp:
     tell_rounding(found)
     # In space proofs are long, and of converted data many roundings are asked.
     if found.grasp.dimension == 3 or found.grasp.data_error is not None:
-        budget.allow(10 * budget.COMMAND_STEPS)
+        budget.allow(3 * budget.COMMAND_STEPS)
     return found.grasp
-
-
-def usual_seconds(grasp: Grasp) -> float:
-    """Return the seconds of a search; in space a minute, since proofs are long."""
-    return 10 * (1 if grasp.dimension == 2 else 6)
 
 
 def tell_rounding(found: Conversion) -> None:

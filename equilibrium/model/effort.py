@@ -40,7 +40,7 @@ class Effort(Deadline):
     def check(self, work: float = 1) -> None:
         """Count steps, and raise `TimeoutError` when a limit is over."""
         self.spent += work
-        super().check()
+        super().check(work)
 
     def __str__(self) -> str:
         return f"limit of {self.steps:,.0f} steps" if self.spent > self.steps else super().__str__()

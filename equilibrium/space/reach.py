@@ -47,6 +47,7 @@ def reach(search: SpatialSearch, change: Floats, nodes: int, near: float) -> Rea
     def ask(states: Node, parent: list[Any], position: int) -> None:
         nonlocal count
         count += 1
+        search.count_program()
         found = relaxation.first(states, change)
         place = states, parent, position
         if found is None:

@@ -50,8 +50,8 @@ _NEAR = 1e-3
 _CLOSE = 8
 #: Larger frictions are huge.
 _EVEN = 100.0
-#: Steps of a node and of a proposal, and for each contact of them; of a sharpness of a path.
-_NODE, _EACH, _PROPOSAL, _PROPOSED, _PATH = 10_000, 1000, 20_000, 5000, 40_000
+#: Steps of a program and of a proposal, and for each contact of them; of a sharpness of a path.
+_PROGRAM, _EACH, _PROPOSAL, _PROPOSED, _PATH = 10_000, 1000, 20_000, 5000, 40_000
 #: States that are not split further.
 _DECIDED = ("detached", "stick")
 #: Exact programs of more contacts take seconds, and are asked last.
@@ -277,7 +277,7 @@ class SpatialSearch:
             states, parent, position = tree.waiting.pop()
             found = self.memory.at(states, self.leaves)
             if found is None:
-                self.effort.check(_NODE + _EACH * len(states))
+                self.count_program()
                 tree.nodes, self.idle = nodes + 1, self.idle + 1
                 tree.pairs += sum(self.cones.sine(x) < NARROW for x in states) > 1
                 found = self._node(states)
@@ -299,6 +299,10 @@ class SpatialSearch:
             return Open("a relaxation neither closes nor splits further", self.residual)
         self.memory.keep(tree.splits, self.leaves.found)
         return finished(tree.top[0])
+
+    def count_program(self) -> None:
+        """Count the steps of one relaxation."""
+        self.effort.check(_PROGRAM + _EACH * len(self.contacts.grasp))
 
     def _node(self, states: Node) -> Solution | Any | OpenSplit | None:
         """Return an equilibrium, a leaf, a cut, or None where there is none of them."""

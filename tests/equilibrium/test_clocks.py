@@ -16,6 +16,9 @@ QUESTIONS = [
     ["solve", "SOFT", "--wrench", "1", "0", "-1", "0", "0", "1/2"],
     ["solve", "peg-in-a-hole", "--wrench", "0", "0", "-3/2", "0", "0", "0", "--json"],
     ["solve", "peg-in-a-hole", "--wrench", "0", "0", "-1", "0", "0", "1", "--cone", "pyramid:6"],
+    ["margin", THREE, "--wrench", "0", "1", "0"],
+    ["region", THREE, "--json"],
+    ["modes", "box-1-wall", "--count"],
     ["limit", "two-opposed-fingers", "--direction", "0", "3/5", "4/5", "0", "0", "0"],
 ]
 REAL = time.perf_counter
