@@ -26,7 +26,7 @@ class Command(NamedTuple):
 
 
 def _needs(extra: str, line: str) -> Command:
-    return Command(line, 2, f"slipstates[{extra}]")
+    return Command(line, 2, f"(the extra {extra}): pip install ")
 
 
 _G = "paper-three-contacts"

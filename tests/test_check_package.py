@@ -71,20 +71,20 @@ def test_every_command_of_the_programs_is_tried():
     assert untried([]) != []
 
 
-PICTURE = Command("arrangement draw braid-a3 -o no.svg", 2, "slipstates[figures]")
+PICTURE = Command("arrangement draw braid-a3 -o no.svg", 2, "(the extra figures)")
 
 
 @pytest.mark.parametrize(
     ("code", "said", "leaves", "complaint"),
     [
-        (1, "Traceback (most recent call last)\nslipstates[figures]", None, "a traceback"),
-        (0, "slipstates[figures]", None, "exit code 0, not 2"),
-        (2, "error: no module named matplotlib", None, "does not say 'slipstates[figures]'"),
-        (2, "slipstates[figures]", "no.svg", "leaves a file"),
+        (1, "Traceback (most recent call last)\n(the extra figures)", None, "a traceback"),
+        (0, "(the extra figures)", None, "exit code 0, not 2"),
+        (2, "error: no module named matplotlib", None, "does not say '(the extra figures)"),
+        (2, "(the extra figures)", "no.svg", "leaves a file"),
     ],
 )
 def test_a_wrong_refusal_is_found(tmp_path, code, said, leaves, complaint):
-    right = CompletedProcess([], 2, "", "error: pip install 'slipstates[figures]'\n")
+    right = CompletedProcess([], 2, "", "error: matplotlib is missing (the extra figures)\n")
     assert complaints(PICTURE, right, tmp_path) == []
     if leaves:
         (tmp_path / leaves).touch()

@@ -115,3 +115,37 @@ def test_mutants_name_tests_and_targets_that_exist():
             assert all(re.search(rf"(def|class) {word}\b", words) for word in path), name
     argued = (ROOT / "tests" / "mutants_equivalent.txt").read_text(encoding="utf-8")
     assert set(re.findall(r"^\[([\w.]+)\]$", argued, re.M)) <= set(mutant_targets.TARGETS)
+
+
+#: On pages for developers: what a build makes, and patterns of names.
+_MADE = ("docs/_generated", "docs/figures/NAME.py")
+_ENDINGS = r"\.(css|csv|html|js|json|md|ml|mjs|py|pyi|rst|svg|toml|txt|v)$"
+
+
+def paths_named(text: str) -> set[str]:
+    """Return what stands between backticks, or is linked to, and has the form of a path."""
+    quoted = re.findall(r"`{1,2}([^`\s]+)`{1,2}|\]\(([^)\s]+)\)", text)
+    words = ((word or link).partition("::")[0] for word, link in quoted)
+    return {
+        word
+        for word in words
+        if re.fullmatch(r"[\w./-]+", word) and ("/" in word or re.search(_ENDINGS, word))
+    }
+
+
+@pytest.mark.parametrize("page", ["CONTRIBUTING.md", "docs/architecture.rst"])
+def test_every_path_on_a_page_for_developers_exists(page):
+    folders = (ROOT / name for name in (*PACKAGES, "docs", "tests"))
+    known = [
+        f"/{path.relative_to(ROOT).as_posix()}" for folder in folders for path in folder.rglob("*")
+    ]
+    known += [f"/{path.name}" for path in ROOT.iterdir()]
+    named = paths_named((ROOT / page).read_text(encoding="utf-8")) - {*_MADE}
+    ends = {name: f"/{name.strip('/')}" for name in named}
+    assert named
+    assert [n for n, end in ends.items() if not any(x.endswith(end) for x in known)] == []
+
+
+def test_a_path_that_is_not_there_is_found():
+    text = "a file in `equilibrium/methods/contact_laws/`, [why](docs/gone.rst), `x` and ``a.py``"
+    assert paths_named(text) == {"equilibrium/methods/contact_laws/", "docs/gone.rst", "a.py"}

@@ -127,7 +127,8 @@ def on_dask(
         joblib, distributed = (import_module(name) for name in ("joblib", "distributed"))
     except ImportError as error:
         raise MissingExtraError(
-            f"{error.name} is not installed; pip install 'slipstates[dask]', here and on workers"
+            f"{error.name} is not installed (the extra dask): pip install dask distributed joblib, "
+            "here and on workers"
         ) from None
     try:
         client = distributed.Client(address, timeout="20s")

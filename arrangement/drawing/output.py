@@ -48,8 +48,8 @@ def require_matplotlib() -> Any:
         import shapely  # noqa: F401
     except ImportError:
         raise MissingExtraError(
-            "pictures need matplotlib and shapely: install the extra with "
-            "pip install 'slipstates[figures]'"
+            "pictures need matplotlib and shapely (the extra figures): pip install matplotlib "
+            "shapely"
         ) from None
     return mpl
 

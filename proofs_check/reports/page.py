@@ -182,7 +182,7 @@ def _origins(result: Record) -> list[str]:
 
 
 #: What a page says where pictures are missing.
-WITHOUT = "Pictures need matplotlib: pip install 'slipstates[figures]', then make the report again."
+WITHOUT = "Pictures need matplotlib and shapely: pip install them, then make the report again."
 
 
 def available() -> bool:

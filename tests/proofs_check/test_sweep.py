@@ -232,4 +232,4 @@ def test_without_the_extra_the_message_names_it(tmp_path, monkeypatch, capsys, m
     monkeypatch.setitem(sys.modules, missing, None)
     options = ["--elements", "2..3", "--samples", "9", "--store", str(tmp_path / "s.sqlite")]
     assert main(["sweep", CLAIM, *options, "--dask", "tcp://127.0.0.1:1"]) == 2
-    assert "slipstates[dask]" in capsys.readouterr().err
+    assert "pip install dask distributed joblib" in capsys.readouterr().err

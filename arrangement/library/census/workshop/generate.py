@@ -55,7 +55,7 @@ def canonical_form(arrangement: Arrangement) -> bytes:
         import igraph
     except ImportError:
         raise MissingExtraError(
-            'canonical forms of graphs need igraph; install "slipstates[test]"'
+            "canonical forms of graphs need igraph (the extra test): pip install igraph"
         ) from None
     sphere = sphere_arrangement(arrangement)
     region = sphere.incidence.region
