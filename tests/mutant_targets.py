@@ -44,10 +44,7 @@ CIRCLES = ("tests/arrangement/test_great_circles_exactness.py", FIELD)
 LOADS = tuple(
     f"tests/equilibrium/test_space.py::Test{name}" for name in ("KnownLoads", "Brackets", "Borders")
 )
-ROBUST = (
-    "tests/equilibrium/test_robust_arithmetic.py",
-    "tests/equilibrium/test_robust_checker.py",
-)
+ROBUST = ("tests/equilibrium/test_robust_checker.py",)
 FINAL = tuple(
     f"tests/arrangement/test_identify.py::test_{name}"
     for name in (
@@ -235,9 +232,9 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_range.py",
     ): ("equilibrium.certificate.leaves",),
     ("tests/equilibrium/test_robustness.py",): (
-        "equilibrium.decide.closing",
+        "equilibrium.decide.corners",
+        "equilibrium.decide.proofs_for_all",
         "equilibrium.decide.robustness",
-        "equilibrium.decide.samples",
     ),
     (
         "tests/equilibrium/test_verdict.py",

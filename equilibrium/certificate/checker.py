@@ -179,8 +179,8 @@ def check(
     kind, grasp, wrench = read_question(document)
     bounds = read_range(document)
     if "bounds" in document:
-        problem, leaves = robust_problem(document, grasp, wrench)
-        report = Report(kind, problem, leaves, bounds=read_bounds(document))
+        problem = robust_problem(document, grasp, wrench)
+        report = Report(kind, problem, bounds=read_bounds(document))
     elif kind == "resisted":
         report = Report(kind, _equilibrium_problem(document, grasp, wrench, bounds))
     elif grasp.dimension == 3:

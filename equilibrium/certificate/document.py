@@ -99,7 +99,7 @@ def certificate(
 
     Args:
         proof: by the keys of `equilibrium.certificate.reading`, or of a verdict for all grasps
-            within bounds "bounds", "box" and "faces", see `equilibrium.certificate.robust`.
+            within bounds those of `equilibrium.certificate.robust`.
     """
     if pyramid is not None:
         proof = {"pyramid": pyramid, **proof}

@@ -49,6 +49,8 @@ from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.range import Range
 from equilibrium.model.solution import Enclosure
 
+from .robust import check_form
+
 SCHEMA_VERSION = 3
 _KEYS = {"resisted": ("motion", "forces"), "not resisted": ("tree",)}
 _RANGE = ("largest_turn", "largest_force")
@@ -120,7 +122,7 @@ def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
     common = ("schema_version", "certificate", "grasp", "wrench")
     shown_by = ("enclosure",) if "enclosure" in document else _KEYS[kind]
     if "bounds" in document:
-        check_keys(document, (*common, "bounds", "box", "faces"), (), "the certificate")
+        check_form(document, kind, common)
         return kind, *_grasp_and_wrench(document)
     check_keys(document, (*common, *shown_by), ("pyramid", *_RANGE), "the certificate")
     grasp, wrench = _grasp_and_wrench(document)

@@ -1,195 +1,251 @@
-"""Proofs of a verdict for all grasps within bounds: nothing balances the load on a closed surface.
+"""Proofs of a verdict for all grasps within bounds.
 
-The surface is cut into cells, each the hull of its corners. A leaf is a virtual motion lambda on
-which load and contacts do work above 0 all over its cell, whatever the grasp is; of the contacts
-each is bounded by itself (`uncertain`).
+"Not resisted" has one "virtual_motion" on which the load does work above 0, and each contact within
+the bounds none below 0, whatever its force in the friction cone is.
 
-"Not resisted": homogeneous motions ``(y_0, s_1 y_1, ..., s_n y_n)``, ``y_0 >= 0``, with scales s;
-the surface is the part of the cube with ``y_0 = 1`` or some ``y_k = +-1``, which each ray meets.
+"Resisted" has contact forces that balance the load with room in each friction cone, for all grasps
+within the bounds. Let ``e = max(0, q - k N . d)`` be the spring force at a motion d, c a motion
+(the "motion" of the document), ``q' = q - k N . c`` and ``s = T . c`` there, ``v = N . (d - c)``
+and ``x = T . (d - c)``. Let forces ``(c_n, c_t)`` balance the load w, and put ``a = q' - c_n``.
+Contacts with forces are holding, the others loose.
 
-"Resisted": motions ``c + sum y_k a_k`` around a centre, and on the whole surface of the cube
-``|y_k| <= 1`` lambda does work above 0 on the loads ``-sum y_k b_k`` as well. What is left over of
-all forces is a set that is convex, and changes with the motion without a jump outwards. On the way
-from it to these loads nothing is 0 on the surface, so both have one degree there. That of the loads
-is 1 or -1, as they are linear and not 0 on the surface: inside there is an equilibrium. The same is
-said of friction forces ``f + sum y_k g_k`` of all contacts at rest, none of them above its limit.
+On the motion ``d - c`` load and contacts do the work ``sum e v + r . x - c_n v - c_t . x``, with
+friction forces ``r = -mu e u``, u along ``s + x``. As ``u . x >= |x| - 2 |s|``, a holding contact
+with ``e > 0`` adds at most ``a v - k v^2 - (mu e - |c_t|) |x| + 2 mu e |s|``. As ``u . x >= -|s|``,
+a loose one adds at most ``e (v + mu |s|)``, which is at most ``(q' + mu k |s|)^2 / 4k``, or 0 if
+that bracket is below 0. Let B be the sum of the terms with s and of loose contacts, at most, and
+``A > B + sum a^2 / 4k``.
 
-``{"schema_version": 3, "certificate": kind, "grasp": ..., "wrench": ..., "bounds": {"degrees":
-"1/2", ...}, "box": box, "faces": [nodes]}``. A box is ``{"scales": s}``, or ``{"centre": c, "axes":
-[a], "loads": [b]}``, or ``{"forces": f, "axes": [g], "loads": [b]}``; f and g have the tangential
-forces of all contacts in a row.
-Faces are ``y_0 = 1`` (if there are scales), ``y_1 = -1``, ``y_1 = 1``, ``y_2 = -1``, ... A node is
-lambda, or ``{"cut": k, "children": [low, high]}``, which halves the cell along y_k.
+Let K be the set of motions where ``sum k v^2 - a v <= A - sum a^2 / 4k`` (over holding contacts)
+and all ``|x|`` of those with friction are at most a large bound. There ``|v - a / 2k| <=
+sqrt(A / k)``, so ``e`` is at least ``(q' + c_n) / 2 - sqrt(k A)``. If mu times that is above
+``|c_t|`` at each holding contact, the work is below 0 on the whole border of K. K is convex, and
+compact up to motions that move no contact; the set of forces at d is convex and changes without a
+jump outwards. So some d of K and a sum F of load and forces there have ``F . (z - d) <= 0`` for all
+z of K (Fan's theorem). For ``z = c`` the work on ``d - c`` is not below 0 then. Hence d is inside
+K, and F is 0: an equilibrium.
+
+The forces differ between the grasps within the bounds: they are the "forces" f of the document, and
+a "correction" R times a vector y. With G the matrix of the wrenches of a grasp, ``G R y = -(G f +
+w)`` has a solution with ``|y| <= Y`` ("reach") if ``|G R - 1| Y + |G f + w| < Y`` in each entry. A
+is the "energy". Where all contacts are on one line in space their wrenches do not span all; then
+the points stay, all contacts hold, and y is among the wrenches of forces at the points.
+
+``{"schema_version": 3, "certificate": "resisted", "grasp": ..., "wrench": ..., "bounds":
+{"degrees": "1/2", ...}, "motion": c, "forces": [[c_n, c_t], ...], "correction": [rows of R for each
+contact], "reach": Y, "energy": A}``, or "not resisted" with "virtual_motion" for the last five.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from functools import cache
-from itertools import product
 from typing import Any
 
 from arrangement.library.files.json_files import check_keys, check_list
-from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, rational_vector
-from arrangement.numbers.linear.rank import determinant
+from arrangement.numbers.exact import RationalVector, dot, rational, rational_vector
+from arrangement.numbers.linear.rank import gauss_jordan, unit_vectors
+from equilibrium.model.contact import wrench_at
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
 
-from .uncertain import BITS, LARGEST, Bounds, Uncertain
+from .uncertain import LARGEST, Along, Bounds, Uncertain, length, root
 
-#: Halvings of one cell; no coordinate has a larger denominator.
-MOST_CUTS = 200
-_FINEST = 1 << MOST_CUTS
-
-
-class Box:
-    """What cells and leaves of a proof are about.
-
-    Args:
-        form: the "box" of the document.
-    """
-
-    def __init__(
-        self, grasp: Grasp, wrench: RationalVector, bounds: Bounds, form: Mapping[str, Any]
-    ) -> None:
-        self.wrench, n = primitive((1, *wrench)), len(wrench)
-        self.contacts = [Uncertain(contact, bounds) for contact in grasp]
-        self.closed, self.rest = "loads" in form, "forces" in form
-        size = len(grasp) * (grasp.dimension - 1) if self.rest else n
-
-        def matrix(name: str, size: int) -> list[RationalVector]:
-            rows = enumerate(check_list(form[name], f"box.{name}", n))
-            return [_vector(row, size, f"box.{name}[{k}]") for k, row in rows]
-
-        rows: list[tuple[Fraction | int, ...]]
-        if self.closed:
-            middle, axes = "forces" if self.rest else "centre", matrix("axes", size)
-            if not self.rest and not determinant([primitive(row) for row in axes]):
-                raise CertificateError("box.axes do not span all motions")
-            rows = [(1, *_vector(form[middle], size, f"box.{middle}"))]
-            rows += [(0, *row) for row in axes]
-            self.loads = _whole([(Fraction(0),) * n, *matrix("loads", n)])
-        else:
-            scales = (Fraction(1), *_vector(form["scales"], n, "box.scales"))
-            if min(scales) <= 0:
-                raise CertificateError("box.scales must be above 0")
-            rows = [tuple(x * (j == k) for j in range(n + 1)) for k, x in enumerate(scales)]
-        self.rows = _whole(rows)
-        self.at = cache(self._at)
-
-    def faces(self) -> Iterator[tuple[int, list[RationalVector]]]:
-        """Yield the coordinate that a face fixes, and the ranges of all."""
-        n, half = len(self.wrench) - 1, not self.closed
-        ranges = [(Fraction(0), Fraction(1))] * half + [(Fraction(-1), Fraction(1))] * n
-        for k in range(n + half):
-            for end in ranges[k][::-1][:1] if half and not k else ranges[k]:
-                yield k, [(end, end) if j == k else range_ for j, range_ in enumerate(ranges)]
-
-    def motion(self, y: RationalVector) -> tuple[IntegerVector, IntegerVector]:
-        """Return one multiple, the same for all corners, of homogeneous motion and load besides."""
-        shares = [int(x * _FINEST) for x in ((Fraction(1),) * self.closed + tuple(y))]
-        motion = tuple(dot(shares, column) for column in zip(*self.rows, strict=True))
-        if not self.closed:
-            return motion, ()
-        return motion, tuple(-dot(shares, column) for column in zip(*self.loads, strict=True))
-
-    def _at(self, y: RationalVector) -> tuple[int, IntegerVector, list[Any]]:
-        """Return the share of the load, the load besides, and the contacts at a corner."""
-        motion, load = self.motion(y)
-        if not self.rest:
-            return motion[0], load, [contact.corner(motion) for contact in self.contacts]
-        unit, *forces = motion
-        each = len(forces) // max(len(self.contacts), 1)
-        parts = [
-            [Fraction(x, unit) for x in forces[k : k + each]]
-            for k in range(0, len(forces), each or 1)
-        ]
-        return 1, load, [c.at_rest(tuple(x)) for c, x in zip(self.contacts, parts, strict=True)]
-
-    def holds(self, virtual: RationalVector, ranges: Sequence[RationalVector]) -> bool:
-        """Return whether a leaf holds for all grasps in the cell with these ranges."""
-        corners, way = [self.at(y) for y in corners_of(ranges)], primitive(virtual)
-        if self.closed and any(dot(way, load) <= 0 for _, load, _ in corners):
-            return False
-        unit, *wrench = self.wrench
-        load = dot(wrench, way) << BITS
-        work = [load * share // unit for share, *_ in corners]
-        for i, contact in enumerate(self.contacts):
-            here = [contacts[i] for *_, contacts in corners]
-            if self.rest and None in here:
-                return False
-            if self.rest:
-                more = [contact.rest_work(way, forces) for forces in here]
-            else:
-                more = contact.works(way, here)
-            work = [x + y for x, y in zip(work, more, strict=True)]
-        return all(x > 0 or x == 0 == share for x, (share, *_) in zip(work, corners, strict=True))
+#: Rows of a matrix.
+Rows = Sequence[Sequence[Fraction]]
+#: What proofs have besides the question and "bounds".
+KEYS = {
+    "resisted": ("motion", "forces", "correction", "reach", "energy"),
+    "not resisted": ("virtual_motion",),
+}
 
 
-def _whole(rows: Sequence[Sequence[Fraction | int]]) -> list[list[int]]:
-    """Return one positive multiple of all rows in integers."""
-    unit = math.lcm(*(x.denominator for row in rows for x in row))
-    return [[int(x * unit) for x in row] for row in rows]
-
-
-def corners_of(ranges: Sequence[RationalVector]) -> Iterator[RationalVector]:
-    """Yield the corners of a cell."""
-    return product(*map(dict.fromkeys, ranges))
-
-
-def halves(ranges: Sequence[RationalVector], k: int) -> Iterator[list[RationalVector]]:
-    """Yield the two halves of a cell."""
-    low, high = ranges[k]
-    middle = (low + high) / 2
-    for half in ((low, middle), (middle, high)):
-        yield [*ranges[:k], half, *ranges[k + 1 :]]
-
-
-def robust_problem(
-    document: Mapping[str, Any], grasp: Grasp, wrench: RationalVector
-) -> tuple[str, int]:
-    """Return what is wrong with a proof for all grasps within bounds, or nothing; and its leaves.
+def robust_problem(document: Mapping[str, Any], grasp: Grasp, wrench: RationalVector) -> str:
+    """Return what is wrong with a proof for all grasps within bounds, or nothing.
 
     Raises:
         InputError: this is no such proof, whatever its numbers are.
     """
-    yes = document["certificate"] == "resisted"
-    form = document["box"]
-    middle = "forces" if isinstance(form, Mapping) and "forces" in form else "centre"
-    check_keys(form, (middle, "axes", "loads") if yes else ("scales",), (), "box")
-    box = Box(grasp, wrench, read_bounds(document), form)
-    faces, n = list(box.faces()), len(wrench)
-    nodes = check_list(document["faces"], "faces", len(faces))
-    waiting = [
-        (node, f"faces[{i}]", 0, fixed, ranges)
-        for i, (node, (fixed, ranges)) in enumerate(zip(nodes, faces, strict=True))
-    ]
-    problem, leaves = "", 0
-    while waiting:
-        node, path, depth, fixed, ranges = waiting.pop()
-        if isinstance(node, (list, tuple)):
-            leaves += 1
-            virtual = _vector(node, n, path)
-            if not problem and not box.holds(virtual, ranges):
-                problem = f"{path}: the leaf does not hold for all grasps within the bounds"
-            continue
-        check_keys(node, ("cut", "children"), (), path)
-        k, children = node["cut"], check_list(node["children"], f"{path}.children", 2)
-        if type(k) is not int or not 0 <= k < len(ranges) or k == fixed or depth == MOST_CUTS:
-            raise CertificateError(
-                f"{path}: a cell is cut up to {MOST_CUTS} times, along what it does not fix"
+    bounds, n = read_bounds(document), len(wrench)
+    if document["certificate"] == "not resisted":
+        virtual = _vector(document["virtual_motion"], n, "virtual_motion")
+        return virtual_motion_problem(grasp, wrench, bounds, virtual)
+    m, d = len(grasp), grasp.dimension
+    forces = enumerate(check_list(document["forces"], "forces", m))
+    correction = enumerate(check_list(document["correction"], "correction", m))
+    holding = Holding(
+        grasp,
+        wrench,
+        bounds,
+        _vector(document["motion"], n, "motion"),
+        [_vector(row, d, f"forces[{i}]") for i, row in forces],
+        [
+            [
+                _vector(row, n, f"correction[{i}][{k}]")
+                for k, row in enumerate(check_list(rows, f"correction[{i}]", d))
+            ]
+            for i, rows in correction
+        ],
+    )
+    reach = _vector(document["reach"], n, "reach")
+    return holding.problem(reach, rational(document["energy"], "energy"))
+
+
+def virtual_motion_problem(
+    grasp: Grasp, wrench: RationalVector, bounds: Bounds, virtual: RationalVector
+) -> str:
+    """Return why a virtual motion does not show that no grasp within bounds resists, or nothing."""
+    if dot(virtual, wrench) <= 0:
+        return "virtual_motion: the load does no work above 0"
+    for i, contact in enumerate(grasp):
+        uncertain = Uncertain(contact, bounds)
+        along = uncertain.along(virtual)
+        rubbing = uncertain.ends("friction")[1] * along.slip
+        if along.normal - along.normal_error < rubbing:
+            return f"virtual_motion: contact {i} may do work below 0 within the bounds"
+    return ""
+
+
+class Holding:
+    """Forces that hold a load at a motion, and their correction for grasps within bounds.
+
+    Args:
+        forces: (m, d), normal and tangential at each contact.
+        correction: (m, d, n), what is added to them for each unit of y.
+    """
+
+    def __init__(
+        self,
+        grasp: Grasp,
+        wrench: RationalVector,
+        bounds: Bounds,
+        motion: RationalVector,
+        forces: Sequence[RationalVector],
+        correction: Sequence[Rows],
+    ) -> None:
+        self.grasp, self.wrench, self.bounds = grasp, wrench, bounds
+        self.contacts = [Uncertain(contact, bounds) for contact in grasp]
+        self.motion, self.forces, self.correction = motion, forces, correction
+        pairs = zip(forces, correction, strict=True)
+        self.loose = [not any(force) and not any(map(any, rows)) for force, rows in pairs]
+
+    def unfelt(self) -> list[list[Fraction]]:
+        """Return orthogonal motions that move no point of a holding contact."""
+        n = len(self.wrench)
+        axes = _units(self.grasp.dimension)
+        pairs = zip(self.grasp, self.loose, strict=True)
+        rows = [wrench_at(c.point, axis) for c, loose in pairs if not loose for axis in axes]
+        reduced, pivots, scale = gauss_jordan(rows)
+        found: list[list[Fraction]] = []
+        for free in sorted({*range(n)} - {*pivots}):
+            vector = [Fraction(scale * (k == free)) for k in range(n)]
+            for row, pivot in zip(reduced, pivots, strict=False):
+                vector[pivot] = Fraction(-row[free])
+            for one in found:
+                share = dot(vector, one) / dot(one, one)
+                vector = [x - share * y for x, y in zip(vector, one, strict=True)]
+            found.append(vector)
+        return found
+
+    def balance(self) -> tuple[list[Fraction], list[list[Fraction]]]:
+        """Return at least ``|G f + w|`` and ``|G R - 1|`` of all grasps within the bounds."""
+        n, unfelt = len(self.wrench), self.unfelt()
+        rests, matrix = [], []
+        for j, unit in enumerate(_units(n)):
+            alongs = [contact.along(unit) for contact in self.contacts]
+            total, error = _entry(alongs, self.forces)
+            rests.append(abs(total + self.wrench[j]) + error)
+            columns = ([[row[k] for row in rows] for rows in self.correction] for k in range(n))
+            pairs = [_entry(alongs, column) for column in columns]
+            row = [total - (k == j) for k, (total, _) in enumerate(pairs)]
+            for one in unfelt:
+                share = dot(row, one) / dot(one, one)
+                row = [x - share * y for x, y in zip(row, one, strict=True)]
+            matrix.append([abs(x) + error for x, (_, error) in zip(row, pairs, strict=True)])
+        return rests, matrix
+
+    def energy(self, reach: RationalVector, energy: Fraction) -> tuple[Fraction, str]:
+        """Return at least ``B + sum a^2 / 4k`` for a guess of A, and which contact has no room."""
+        needed, problem = Fraction(0), ""
+        for i, contact in enumerate(self.contacts):
+            along = contact.along(self.motion)
+            (least_friction, friction), (soft, stiff), (_, preload) = map(
+                contact.ends, ("friction", "stiffness", "preload")
             )
-        for i, (child, half) in enumerate(zip(children, halves(ranges, k), strict=True)):
-            waiting.append((child, f"{path}.children[{i}]", depth + 1, fixed, half))
-    return problem, leaves
+            given = contact.contact
+            slip = along.slip if friction else Fraction(0)
+            spring = given.preload - given.stiffness * along.normal
+            error = preload - given.preload + (stiff - given.stiffness) * abs(along.normal)
+            error += stiff * along.normal_error
+            if self.loose[i]:
+                top = max(spring + error + friction * stiff * slip, Fraction(0))
+                needed += top * top / (4 * soft)
+                continue
+            changes = [dot([abs(x) for x in row], reach) for row in self.correction[i]]
+            normal, *tangents = self.forces[i]
+            away = abs(spring - normal) + error + changes[0]
+            middle, radius = (spring + normal) / 2, (error + changes[0]) / 2
+            radius += root(stiff * energy)
+            needed += away * away / (4 * soft) + 2 * friction * (middle + radius) * slip
+            rubbing = length([abs(x) + y for x, y in zip(tangents, changes[1:], strict=True)])
+            least = middle - radius
+            if not (least_friction * least > rubbing if friction else least >= 0 == rubbing):
+                problem = problem or f"forces[{i}]: no room in the friction cone for all grasps"
+        return needed, problem
+
+    def problem(self, reach: RationalVector, energy: Fraction) -> str:
+        """Return why this is no proof, or nothing."""
+        if min(*reach, energy) <= 0:
+            return "reach and energy are not above 0"
+        if unfelt := self.unfelt():
+            if any(dot(one, self.wrench) for one in unfelt):
+                return "wrench: no forces of holding contacts balance it"
+            if self.bounds.length or any(self.loose):
+                return "forces: the wrenches of the holding contacts do not span all"
+        for j, (rest, row) in enumerate(zip(*self.balance(), strict=True)):
+            if dot(row, reach) + rest >= reach[j]:
+                return f"reach[{j}]: the correction may be larger within the bounds"
+        needed, problem = self.energy(reach, energy)
+        return problem or ("" if needed < energy else "energy: it may be larger within the bounds")
+
+
+def _entry(
+    alongs: Sequence[Along], forces: Sequence[Sequence[Fraction]]
+) -> tuple[Fraction, Fraction]:
+    """Return one entry of the wrench of forces, and at least its change within the bounds.
+
+    Args:
+        alongs: of the motion that is 1 in this entry, and 0 in the others.
+    """
+    total = error = Fraction(0)
+    for along, (normal, *tangents) in zip(alongs, forces, strict=True):
+        total += normal * along.normal + dot(tangents, along.tangents)
+        error += abs(normal) * along.normal_error + sum(map(abs, tangents)) * along.tangent_error
+    return total, error
+
+
+def _units(n: int) -> list[RationalVector]:
+    return [tuple(map(Fraction, row)) for row in unit_vectors(n)]
 
 
 def read_bounds(document: Mapping[str, Any]) -> Bounds:
     """Return the bounds of a proof."""
     check_keys(document["bounds"], (), tuple(LARGEST), "bounds")
     return Bounds(**document["bounds"])
+
+
+def check_form(document: Mapping[str, Any], kind: str, common: Sequence[str]) -> None:
+    """Refuse a proof for all grasps within bounds that has other keys.
+
+    Raises:
+        CertificateError: it is one of an earlier form.
+    """
+    if "box" in document:
+        raise CertificateError(
+            "this is an old proof for all grasps within bounds (by cells of a box); make a new one "
+            "with `equilibrium solve ... --robust ... --certificate OUT.json`"
+        )
+    check_keys(document, (*common, "bounds", *KEYS[kind]), (), "the certificate")
 
 
 def _vector(value: Any, length: int, where: str) -> RationalVector:

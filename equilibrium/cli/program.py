@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from arrangement.console import terminal
 from arrangement.console.number_form import counted
 from arrangement.console.safe_text import printable
+from arrangement.numbers.deadline import Deadline
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.range import Range
 
@@ -164,6 +165,7 @@ def _solve(arguments: argparse.Namespace) -> int:
         literal = solve_literal(grasp, wrench, arguments.literal)
         lines = piece_lines(literal.equilibria, grasp)
         return show(arguments, literal.to_dict(), lines, literal.stable, grasp)
+    deadline = Deadline(arguments.time_limit)
     asked = {"shorten": arguments.shorten, "pyramid": arguments.cone, **bounds}
     found = solve(grasp, wrench, time_limit=arguments.time_limit, **asked)
     if arguments.certificate is not None and found.certificate is not None:
@@ -171,7 +173,7 @@ def _solve(arguments: argparse.Namespace) -> int:
     every = arguments.all or None
     lines = verdict_lines(found, every, arguments.certificate)
     yes = found.stable if found.decided else None
-    return _answer(arguments, found, found.to_dict(every), lines, yes)
+    return _answer(arguments, found, found.to_dict(every), lines, yes, deadline)
 
 
 def _answer(
@@ -180,8 +182,11 @@ def _answer(
     document: dict[str, Any],
     lines: Iterable[str],
     yes: bool | None,
+    deadline: Deadline,
 ) -> int:
     """Print a verdict with what other grasps within the error or within bounds say."""
+    from equilibrium.certificate.uncertain import Bounds
+    from equilibrium.decide import robustness
     from equilibrium.grasps.files import write_certificate
     from equilibrium.model.errors import GraspError
 
@@ -196,7 +201,7 @@ def _answer(
         bounds = dict(arguments.robust)
         if len(bounds) < len(arguments.robust):
             raise GraspError("--robust has one bound twice; give each once")
-        robust = found.robust(**bounds)
+        robust = robustness.robust(found, Bounds(**bounds), deadline)
         document["robust"] = robust.to_dict()
         lines += robust.lines()
         if arguments.certificate is not None and robust.certificate is not None:

@@ -12,38 +12,36 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import partial
-from itertools import islice
-from random import Random
 from typing import Any
 
 from arrangement.console.number_form import Shown, near
 from arrangement.errors import OutOfReachError
+from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, number_text, to_text
-from equilibrium.certificate.document import Certificate, certificate
+from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.robust import read_bounds
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.grasps.inputs.incidences import other_rounding
 from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.effort import Effort
-from equilibrium.model.errors import GraspError
+from equilibrium.model.errors import GraspError, TimeLimitError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
 
-from . import NOT_RESISTED, RESISTED, UNDECIDED
-from .closing import Closing
+from . import RESISTED, UNDECIDED
+from .corners import corners
+from .proofs_for_all import NO_DEADLINE, proof_for_all
 
 HOLDS, FAILS, OPEN = "holds", "does not hold", UNDECIDED
 DEPENDS = "depends on the rounding"
-#: Other roundings and random grasps that are asked about.
-ROUNDINGS, _RANDOM = 4, 4
-#: Steps for each of them.
+#: Other roundings that are asked about.
+ROUNDINGS = 4
+#: Steps for each grasp that is asked about.
 STEPS = 30_000_000
-#: Seconds of the processor for a proof within the error of data, and within bounds.
-_PROOF, _SEARCH = 0.5, 10.0
 #: Grasps that are tried on the way to one that turns a verdict, and smaller bounds for a proof.
 _STEPS, _INNER = 12, 3
-#: Virtual motions of one proof that are tried as a way to turn it.
-_LEAVES = 3
+#: Seconds that a question about one grasp is given at least.
+_LEAST_SECONDS = 0.01
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
@@ -93,12 +91,14 @@ class Robustness(_OtherGrasps):
     Attributes:
         answer: "holds", "does not hold" or "undecided".
         bounds: of the grasps looked at.
+        reason: why it is undecided, if the time limit is over; else empty.
     """
 
     shown_fields = ("answer", "verdict", "bounds")
 
     answer: str
     bounds: Bounds
+    reason: str = ""
 
     def __bool__(self) -> bool:
         return self.answer == HOLDS
@@ -108,6 +108,8 @@ class Robustness(_OtherGrasps):
         document: dict[str, Any] = {"answer": self.answer, "bounds": self.bounds.to_dict()}
         if self.certificate is not None:
             document["certificate"] = self.certificate.to_dict()
+        if self.reason:
+            document["reason"] = self.reason
         return document | self._turned_document("counterexample")
 
     def lines(self) -> Iterator[str]:
@@ -115,7 +117,8 @@ class Robustness(_OtherGrasps):
         if self.answer == HOLDS:
             yield f"{self.verdict} for all {self.bounds}: proved"
         elif self.turned is None:
-            yield f"for all {self.bounds}: undecided; no proof and no counterexample was found"
+            reason = self.reason or "no proof and no counterexample was found"
+            yield f"for all {self.bounds}: undecided; {reason}"
         else:
             yield f"not for all {self.bounds}: {self.turned.verdict} for"
             yield from self._turned_lines()
@@ -160,24 +163,26 @@ class WithinError(_OtherGrasps):
         yield from self._turned_lines()
 
 
-def _nearest(found: Any, turned: Any, bounds: Bounds) -> dict[str, Any]:
+def _nearest(
+    found: Any, turned: Any, bounds: Bounds, deadline: Deadline = NO_DEADLINE
+) -> dict[str, Any]:
     """Return a verdict like `turned` of a grasp near, on the straight way between the two grasps.
 
     A share of the way that turns the verdict, and one that does not, are brought together: by
     factors of 8 as long as all turn it, then by halves. With the verdict come the largest changes
     of a coordinate, an entry of a normal and the values, and a proof for smaller bounds, if found.
     """
-    ends, effort = (found.grasp, turned.grasp), Effort(STEPS)
+    ends, effort = (found.grasp, turned.grasp), _effort(deadline)
     low, high = Fraction(0), Fraction(1)
     for _ in range(_STEPS):
+        if effort.passed or 4 * low > 3 * high:
+            break
         share = (low + high) / 2 if low else high / 8
-        other = _soon(found, _between(*ends, share), found.wrench, effort)
+        other = _soon(found, effort, _between(*ends, share), found.wrench)
         if other is not None and other.verdict == turned.verdict:
             turned, high = other, share
         else:
             low = share
-        if effort.passed or 4 * low > 3 * high:
-            break
     change = dict.fromkeys(("point", "normal", *VALUES), Fraction(0))
     for old, new in zip(found.grasp, turned.grasp, strict=True):
         for name in change:
@@ -190,7 +195,7 @@ def _nearest(found: Any, turned: Any, bounds: Bounds) -> dict[str, Any]:
 def _inner(found: Any, bounds: Bounds, share: Fraction) -> Certificate | None:
     """Return a proof for bounds below a share of the given ones, if one is found."""
     for k in range(_INNER if _may_be_proved(found) and _fits_floats(found) else 0):
-        proof = _proof(found, Closing(found, bounds.times(share / 2 / 4**k), _PROOF))
+        proof = proof_for_all(found, bounds.times(share / 2 / 4**k))
         if proof is not None:
             return proof
     return None
@@ -221,13 +226,13 @@ def within_error(found: Any) -> WithinError:
     """
     bounds, every = _error_bounds(found.grasp)
     if every and found.verdict != OPEN and _may_be_proved(found) and _fits_floats(found):
-        proof = _proof(found, Closing(found, bounds, _PROOF))
+        proof = proof_for_all(found, bounds)
         if proof is not None:
             return WithinError(verdict=found.verdict, certificate=proof)
     asked = left = 0
     for grasp in others(found):
         asked += 1
-        other = _soon(found, grasp, found.wrench)
+        other = _soon(found, Effort(STEPS), grasp, found.wrench)
         if other is None:
             left += 1
         elif found.verdict not in (OPEN, other.verdict):
@@ -249,7 +254,8 @@ def others(found: Any) -> Iterator[Grasp]:
         yield other_rounding(found.grasp, seed)
     against = found.verdict == RESISTED or found.grasp.data_error.as_given
     if against and _fits_floats(found):
-        yield from _against(found, Closing(found, _error_bounds(found.grasp)[0], _PROOF))
+        bounds, _ = _error_bounds(found.grasp)
+        yield from corners(found, bounds, lambda *asked: _soon(found, Effort(STEPS), *asked))
 
 
 def _error_bounds(grasp: Grasp) -> tuple[Bounds, bool]:
@@ -267,16 +273,23 @@ def _error_bounds(grasp: Grasp) -> tuple[Bounds, bool]:
     return Bounds(**given), given == wanted
 
 
-def _soon(asked: Any, grasp: Grasp, wrench: RationalVector, effort: Effort | None = None) -> Any:
-    """Return a verdict that is decided with little effort; else None."""
+def _effort(deadline: Deadline) -> Effort:
+    """Return the effort for one grasp, within a time limit."""
+    if deadline.seconds is None:
+        return Effort(STEPS)
+    return Effort(STEPS, max(deadline.remaining, _LEAST_SECONDS))
+
+
+def _soon(asked: Any, effort: Effort, grasp: Grasp, wrench: RationalVector) -> Any:
+    """Return a verdict that is decided with the effort that is left; else None."""
     try:
-        found = asked.again(grasp, wrench, effort or Effort(STEPS))
-    except OutOfReachError:
+        found = asked.again(grasp, wrench, effort)
+    except (OutOfReachError, TimeLimitError):
         return None
     return None if found.verdict == OPEN else found
 
 
-def robust(found: Any, bounds: Bounds) -> Robustness:
+def robust(found: Any, bounds: Bounds, deadline: Deadline = NO_DEADLINE) -> Robustness:
     """Decide, if possible, whether a verdict holds for all grasps within bounds.
 
     Raises:
@@ -297,13 +310,18 @@ def robust(found: Any, bounds: Bounds) -> Robustness:
     name, answer = found.verdict, partial(Robustness, verdict=found.verdict, bounds=bounds)
     if name == OPEN:
         return answer(answer=OPEN)
-    search = Closing(found, bounds, _SEARCH)
-    if proof := _proof(found, search):
+    if proof := proof_for_all(found, bounds, deadline):
         return answer(answer=HOLDS, certificate=proof)
-    for other in _against(found, search):
-        turned = _soon(found, other, found.wrench)
+
+    def decide(grasp: Grasp, wrench: RationalVector) -> Any:
+        return _soon(found, _effort(deadline), grasp, wrench)
+
+    for other in corners(found, bounds, decide):
+        turned = decide(other, found.wrench)
         if turned is not None and turned.verdict != name:
-            return answer(answer=FAILS, **_nearest(found, turned, bounds))
+            return answer(answer=FAILS, **_nearest(found, turned, bounds, deadline))
+        if deadline.passed:
+            return answer(answer=OPEN, reason=str(deadline))
     return answer(answer=OPEN)
 
 
@@ -321,47 +339,3 @@ def _fits_floats(found: Any) -> bool:
         columns += [found.solution.motion, [x for f in found.solution.forces for x in f]]
     sizes = [max(map(abs, column), default=0) for column in columns]
     return all(1 <= size * 2**128 <= 2**256 for size in sizes if size)
-
-
-def _proof(found: Any, search: Closing) -> Certificate | None:
-    """Return the first proof for all grasps that the checker accepts."""
-    for parts in search.proofs():
-        proof = certificate(found.verdict, found.grasp, found.wrench, **parts)
-        if proof.verify():
-            return proof
-    return None
-
-
-def _against(found: Any, search: Closing) -> Iterator[Grasp]:
-    """Yield grasps within bounds that may have another verdict, the likeliest first.
-
-    They are those of cells that stayed open, those that do the most on virtual motions (for which
-    the equilibrium gives in, or of proofs for larger loads), and random ones.
-    """
-    for shares in search.against[: -_LEAVES - 1 : -1]:
-        yield search.grasp_at(shares)
-    if found.verdict == RESISTED:
-        for way in search.weakest():
-            yield search.worst(way)
-        for more in (Fraction(1, 100), 1):
-            proof = _soon(found, found.grasp, tuple(x * (1 + more) for x in found.wrench))
-            if proof is not None and proof.verdict == NOT_RESISTED:
-                tree = proof.proof["tree"]
-                for motion in islice(_leaves(tree, len(found.wrench)), _LEAVES):
-                    yield search.worst([*map(float, motion)])
-    source = Random("robust")
-    for _ in range(_RANDOM):
-        yield search.grasp_at(
-            [[source.uniform(-1, 1) for _ in search.signs[0]] for _ in found.grasp]
-        )
-
-
-def _leaves(node: Any, n: int) -> Iterator[RationalVector]:
-    """Yield the virtual motions of a tree, of n numbers each."""
-    if isinstance(node, list) and len(node) == n and not isinstance(node[0], (dict, list)):
-        yield tuple(map(Fraction, node))
-    elif isinstance(node, dict) and "virtual_motion" in node:
-        yield tuple(map(Fraction, node["virtual_motion"]))
-    elif isinstance(node, (dict, list)):
-        for child in node.values() if isinstance(node, dict) else node:
-            yield from _leaves(child, n)

@@ -18,6 +18,7 @@ from typing import Any
 from arrangement.console.number_form import counted
 from arrangement.console.plugins import named
 from arrangement.errors import OutOfReachError
+from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, dot, to_text, vector_text
 from equilibrium.certificate.checker import Report, check
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
@@ -260,13 +261,14 @@ class Verdict:
             return ""
         return f"{DEPENDS}: {self.rounding.turned.verdict} for others within the error of the data"
 
-    def robust(self, **bounds: Any) -> Robustness:
+    def robust(self, *, time_limit: float | None = None, **bounds: Any) -> Robustness:
         """Say whether this holds for all grasps within bounds: proved, refuted or undecided.
 
         Args:
+            time_limit: in seconds; none by default. It is undecided when that is over.
             bounds: of `Bounds`: degrees, length, friction, stiffness, preload.
         """
-        return robustness.robust(self, Bounds(**bounds))
+        return robustness.robust(self, Bounds(**bounds), Deadline(time_limit))
 
     def within_error(self) -> WithinError:
         """Ask about other grasps within the error of the data that this one was converted from.

@@ -1,0 +1,120 @@
+"""Grasps at corners of bounds that may have another verdict."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from itertools import islice
+from random import Random
+from typing import Any
+
+from arrangement.numbers.exact import RationalVector, dot, sign
+from equilibrium.certificate.uncertain import Bounds
+from equilibrium.model.contact import VALUES, Contact, wrench_at
+from equilibrium.model.grasp import Grasp
+from equilibrium.model.unit_normal import unit_normal
+
+from . import NOT_RESISTED, RESISTED
+
+#: Virtual motions of one proof that are tried, and grasps inside of the bounds.
+MAX_MOTIONS, MAX_RANDOM = 3, 4
+#: Of loads that are larger by these shares the proofs are asked for virtual motions.
+LARGER = (Fraction(1, 100), Fraction(1))
+
+
+def moved(contact: Contact, signs: Iterable[float], bounds: Bounds) -> Contact:
+    """Return a contact within bounds: shares from -1 to 1 of each turn, coordinate and value."""
+    n, shares = contact.dimension, [Fraction(x).limit_denominator(64) for x in signs]
+    normal, turns = contact.normal, shares[: n - 1]
+    if bounds.angle and any(turns):
+        # In space the two turns together are at most sqrt(2).
+        reach = bounds.angle * (Fraction(49, 50) if n == 2 else Fraction(69, 100))
+        across = [dot(turns, column) for column in zip(*contact.tangents, strict=True)]
+        wanted = [x + reach * y for x, y in zip(normal, across, strict=True)]
+        normal = unit_normal(wanted, bounds.angle / 60).normal
+    place = [x + s * bounds.length for x, s in zip(contact.point, shares[n - 1 :], strict=False)]
+    values = (
+        getattr(contact, name) * (1 + s * getattr(bounds, name))
+        for name, s in zip(VALUES, shares[2 * n - 1 :], strict=True)
+    )
+    return Contact(place, normal, *values)
+
+
+def corners(found: Any, bounds: Bounds, decide: Any) -> Iterator[Grasp]:
+    """Yield grasps within bounds that may have another verdict than the one found.
+
+    First those where friction, stiffness and preload all are least, or largest; then those where
+    each contact does the most on a virtual motion (for a no the least): the load itself, and those
+    of proofs for this load and larger ones; at last some inside. None comes twice.
+
+    Args:
+        decide: returns the verdict on a grasp and a wrench, None where it is undecided.
+    """
+    known = {found.grasp}
+    for shares in _shares(found, decide):
+        pairs = zip(found.grasp, shares, strict=True)
+        grasp = Grasp(moved(contact, row, bounds) for contact, row in pairs)
+        if grasp not in known:
+            known.add(grasp)
+            yield grasp
+
+
+def _shares(found: Any, decide: Any) -> Iterator[list[list[float]]]:
+    """Yield the shares for `moved` of all contacts."""
+    grasp, most = found.grasp, 1 if found.verdict == RESISTED else -1
+    turns, size = 2 * grasp.dimension - 1, 2 * grasp.dimension + 2
+    for end in (-most, most):
+        yield [[0.0] * turns + [end] * (size - turns) for _ in grasp]
+    motion = found.solution.motion if found.solution else (Fraction(0),) * len(found.wrench)
+    for virtual in _virtual_motions(found, decide):
+        yield [_working(contact, virtual, motion, most) for contact in grasp]
+    source = Random("robust")
+    for _ in range(MAX_RANDOM):
+        yield [[source.uniform(-1, 1) for _ in range(size)] for _ in grasp]
+
+
+def _virtual_motions(found: Any, decide: Any) -> Iterator[RationalVector]:
+    """Yield virtual motions on which the load does work."""
+    loads = [found.wrench]
+    if found.verdict == RESISTED:
+        yield found.wrench
+        loads = [tuple(x * (1 + more) for x in found.wrench) for more in LARGER]
+    for load in loads:
+        proof = found if load == found.wrench else decide(found.grasp, load)
+        if proof is not None and proof.verdict == NOT_RESISTED:
+            yield from islice(_leaves(proof.proof["tree"], len(load)), MAX_MOTIONS)
+
+
+def _working(
+    contact: Contact, virtual: Sequence[Fraction], motion: Sequence[Fraction], most: int
+) -> list[float]:
+    """Return the signs for `moved` where a contact does the most work, or the least (-1).
+
+    Each sign is that of the change of the work ``e (N - mu u T) virtual`` by it, with the spring
+    force e and the direction u of friction at the motion.
+    """
+    d = contact.dimension
+    slips = [dot(row, virtual) for row in contact.tangential_wrenches]
+    along, size = dot(contact.normal_wrench, virtual), sum(map(abs, slips))
+    ways = [Fraction(x) / size if size else Fraction(0) for x in slips]
+    spring = max(
+        contact.preload - contact.stiffness * dot(contact.normal_wrench, motion), Fraction(0)
+    )
+    work = along - contact.friction * dot(ways, slips)
+    turns = [slip + contact.friction * way * along for slip, way in zip(slips, ways, strict=True)]
+    force = contact.force([Fraction(1), *(-contact.friction * way for way in ways)])
+    axes = (tuple(Fraction(j == k) for j in range(d)) for k in range(d))
+    shifts = [dot(wrench_at(axis, force)[d:], virtual[d:]) for axis in axes]
+    pressed = -work * dot(contact.normal_wrench, motion)
+    return [most * sign(x) for x in (*turns, *shifts, -size * spring, pressed, work)]
+
+
+def _leaves(node: Any, n: int) -> Iterator[RationalVector]:
+    """Yield the virtual motions of a tree, of n numbers each."""
+    if isinstance(node, list) and len(node) == n and not isinstance(node[0], (dict, list)):
+        yield tuple(map(Fraction, node))
+    elif isinstance(node, dict) and "virtual_motion" in node:
+        yield tuple(map(Fraction, node["virtual_motion"]))
+    elif isinstance(node, (dict, list)):
+        for child in node.values() if isinstance(node, dict) else node:
+            yield from _leaves(child, n)

@@ -1,0 +1,269 @@
+"""Search for proofs of a verdict for all grasps within bounds.
+
+Their form is in `equilibrium.certificate.robust`. Linear programs in floats, each for other holding
+contacts, choose a motion on which no holding contact slips, and forces with the most room in the
+friction cones. The exact test is the checker's.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import combinations, islice
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from arrangement.numbers.deadline import Deadline
+from arrangement.numbers.exact import RationalVector, to_text
+from arrangement.numbers.float_filter import Floats
+from equilibrium.certificate.document import Certificate, certificate
+from equilibrium.certificate.robust import Holding, virtual_motion_problem
+from equilibrium.certificate.uncertain import Bounds
+from equilibrium.model.grasp import Grasp
+
+from . import RESISTED
+
+NO_DEADLINE = Deadline()
+#: Choices of holding contacts that are tried.
+MAX_CHOICES = 16
+#: Directions of friction that are told apart in space.
+_AROUND = 16
+#: How much more normal forces than friction change with the balance, for the same wrench.
+_WEIGHTS = (1.0, 4.0, 0.25)
+#: Rounds of the energy, which grows with itself; by this share beyond its last value.
+_ROUNDS, _MORE = 30, 1 + 1e-6
+
+
+def proof_for_all(
+    found: Any, bounds: Bounds, deadline: Deadline = NO_DEADLINE
+) -> Certificate | None:
+    """Return a proof that a verdict holds for all grasps within bounds, if one is found."""
+    grasp, wrench = found.grasp, found.wrench
+    if found.verdict == RESISTED:
+        parts = next(_held(grasp, wrench, bounds, deadline), None)
+    else:
+        parts = _pulled(grasp, wrench, bounds)
+    if parts is None:
+        return None
+    return certificate(found.verdict, grasp, wrench, bounds=bounds.to_dict(), **_texts(parts))
+
+
+def _held(
+    grasp: Grasp, wrench: RationalVector, bounds: Bounds, deadline: Deadline
+) -> Iterator[dict[str, Any]]:
+    """Yield proofs of a yes, as parts of a document."""
+    rows = _FloatGrasp(grasp, wrench, bounds)
+    for holding in islice(_choices(grasp), MAX_CHOICES):
+        if deadline.passed:
+            return
+        choice = _forces(rows, holding)
+        if choice is None:
+            continue
+        for weight in _WEIGHTS:
+            parts = _corrected(rows, holding, choice, weight)
+            if parts is not None:
+                yield parts
+
+
+def _choices(grasp: Grasp) -> Iterator[list[int]]:
+    """Yield choices of holding contacts: those of some normals, all of them first."""
+    sides: dict[RationalVector, list[int]] = {}
+    for i, contact in enumerate(grasp):
+        sides.setdefault(contact.normal, []).append(i)
+    for count in range(len(sides), -1, -1):
+        for chosen in combinations(sides.values(), count):
+            yield sorted(i for side in chosen for i in side)
+
+
+class _FloatGrasp:
+    """A grasp in floats: lengths in units of its size, forces as shares of the largest."""
+
+    def __init__(self, grasp: Grasp, wrench: RationalVector, bounds: Bounds) -> None:
+        self.grasp, self.wrench, self.bounds = grasp, wrench, bounds
+        m, n, self.d = len(grasp), len(wrench), grasp.dimension
+        points = np.array([c.point for c in grasp], float).reshape(m, self.d)
+        arm = float(np.ptp(points, axis=0).max()) if m else 0.0
+        arm = arm or 1.0
+        self.units = np.array([1.0] * self.d + [1 / arm] * (n - self.d))
+        self.load = np.array(wrench, float) * self.units
+        preload = np.array([float(c.preload) for c in grasp])
+        self.force = float(np.abs(np.append(self.load, preload)).max()) or 1.0
+        self.load, self.preload = self.load / self.force, preload / self.force
+        stiffness = np.array([float(c.stiffness) for c in grasp])
+        self.stiff = float(stiffness.mean()) if m else 1.0
+        self.stiffness = stiffness / self.stiff
+        self.friction = np.array([float(c.friction * (1 - bounds.friction)) for c in grasp])
+        self.normal = np.array([c.normal_wrench for c in grasp], float).reshape(m, n) * self.units
+        tangents = np.array([c.tangential_wrenches for c in grasp], float)
+        self.tangents = tangents.reshape(m, self.d - 1, n) * self.units
+        around = np.arange(_AROUND if self.d == 3 else 2)
+        turn = 2 * np.pi * around / len(around)
+        #: Friction forces of length 1.
+        self.around = np.stack([np.cos(turn), np.sin(turn)], axis=1)[:, : self.d - 1]
+
+
+class _Choice(NamedTuple):
+    """A motion, and (m, d) forces."""
+
+    motion: Floats
+    forces: Floats
+
+
+def _forces(rows: _FloatGrasp, holding: Sequence[int]) -> _Choice | None:
+    """Return the motion and forces with the most room in the friction cones, in the units of rows.
+
+    The variables are the motion, friction and ``a = q' - c_n`` of holding contacts, sizes of a and
+    of what loose contacts add, and the room. The root of their squares is bounded by their sum.
+    """
+    from scipy.optimize import linprog  # slow to load, and few verdicts need it
+
+    n, h, d = len(rows.load), len(holding), rows.d
+    loose = [i for i in range(len(rows.grasp)) if i not in holding]
+    parts = (n, h * (d - 1), h, h, len(loose), 1)
+    ends = np.cumsum(parts)
+    motion, friction, away, sizes, adds, room = (
+        slice(end - part, end) for end, part in zip(ends, parts, strict=True)
+    )
+    spent, width = slice(sizes.start, adds.stop), int(ends[-1])
+    balance, right = np.zeros((n, width)), -rows.load - rows.preload[holding] @ rows.normal[holding]
+    equal, least, limits = [], [], []
+
+    def row(*entries: tuple[slice | int, Any]) -> Floats:
+        found = np.zeros(width)
+        for place, value in entries:
+            found[place] += value
+        return found
+
+    for a, i in enumerate(holding):
+        normal, pressed, mu = rows.normal[i], rows.stiffness[i] * rows.normal[i], rows.friction[i]
+        rubs = slice(friction.start + a * (d - 1), friction.start + (a + 1) * (d - 1))
+        balance[:, motion] -= np.outer(normal, pressed)
+        balance[:, away.start + a] -= normal
+        balance[:, rubs] += rows.tangents[i].T
+        if mu:
+            equal += [row((motion, tangent)) for tangent in rows.tangents[i]]
+        else:
+            equal += [row((k, 1)) for k in range(rubs.start, rubs.stop)]
+        size = mu or 1.0
+        half = [(away.start + a, size / 2), (spent, size / 2), (room, size)]
+        for way in rows.around:
+            least.append(row((rubs, way), (motion, size * pressed), *half))
+            limits.append(size * rows.preload[i])
+        for sign in (1, -1):
+            least.append(row((away.start + a, sign), (sizes.start + a, -1)))
+            limits.append(0.0)
+    for a, i in enumerate(loose):
+        pressed = -rows.stiffness[i] * rows.normal[i]
+        for way in rows.around:
+            slip = rows.friction[i] * rows.stiffness[i] * (way @ rows.tangents[i])
+            least.append(row((motion, pressed + slip), (adds.start + a, -1)))
+            limits.append(-rows.preload[i])
+    found = linprog(
+        row((room, -1)),
+        np.array(least) if least else None,
+        limits or None,
+        np.vstack([balance, *equal]),
+        [*right, *[0.0] * len(equal)],
+        bounds=[(None, None)] * sizes.start + [(0, None)] * (spent.stop - spent.start) + [(0, 10)],
+    )
+    if found.x is None:
+        return None
+    forces = np.zeros((len(rows.grasp), d))
+    place = found.x[motion]
+    forces[holding, 0] = rows.preload[holding] - found.x[away]
+    forces[holding, 0] -= rows.stiffness[holding] * (rows.normal[holding] @ place)
+    forces[holding, 1:] = found.x[friction].reshape(h, d - 1)
+    return _Choice(place, forces)
+
+
+def _corrected(
+    rows: _FloatGrasp, holding: Sequence[int], choice: _Choice, weight: float
+) -> dict[str, Any] | None:
+    """Return a proof with a choice of motion and forces, if there is one."""
+    grasp, n, d = rows.grasp, len(rows.load), rows.d
+    columns = np.zeros((len(grasp), d, n))
+    columns[holding, 0] = weight * rows.normal[holding]
+    columns[holding, 1:] = rows.tangents[holding] * (rows.friction[holding] > 0)[:, None, None]
+    matrix = columns.reshape(-1, n).T
+    correction = np.linalg.pinv(matrix, rcond=1e-9).reshape(len(grasp), d, n)
+    correction[:, 0] *= weight
+    held = Holding(
+        grasp,
+        rows.wrench,
+        rows.bounds,
+        _dyadic(choice.motion * rows.force / rows.stiff * rows.units),
+        [_dyadic(row) for row in choice.forces * rows.force],
+        [[_dyadic(row) for row in one] for one in correction * rows.units],
+    )
+    rests, gains = (np.array(x, float) for x in held.balance())
+    least = 1e-12 * rows.force / rows.units
+    try:
+        reach = np.linalg.solve(np.eye(n) - gains, rests * _MORE + least)
+    except np.linalg.LinAlgError:
+        return None
+    if not (np.isfinite(reach).all() and reach.min() > 0):
+        return None
+    limits = tuple(_short(x * _MORE) for x in reach)
+    # The least energy that counts: that of a small share of the largest force.
+    energy = _short(1e-20 * rows.force**2 / rows.stiff)
+    for _ in range(_ROUNDS):
+        needed, problem = held.energy(limits, energy)
+        if problem:
+            return None
+        if needed < energy:
+            break
+        energy = _short(float(needed) * _MORE)
+    if held.problem(limits, energy):
+        return None
+    return {
+        "motion": held.motion,
+        "forces": held.forces,
+        "correction": held.correction,
+        "reach": limits,
+        "energy": energy,
+    }
+
+
+def _pulled(grasp: Grasp, wrench: RationalVector, bounds: Bounds) -> dict[str, Any] | None:
+    """Return a proof of a no: one virtual motion."""
+    from scipy.optimize import linprog  # slow to load, and few verdicts need it
+
+    rows = _FloatGrasp(grasp, wrench, bounds)
+    n, more = len(wrench), 1 + float(bounds.friction)
+    friction = np.array([float(c.friction) for c in grasp])[:, None, None] * more
+    rub = np.einsum("uk,mkn->mun", rows.around, rows.tangents)
+    works = np.vstack([(rows.normal[:, None] - friction * rub).reshape(-1, n), rows.load])
+    room = np.linalg.norm(works, axis=1)
+    limits = [(-1, 1)] * n + [(0, None)]
+    cost = np.append(np.zeros(n), -1.0)
+    found = linprog(cost, np.column_stack([-works, room]), np.zeros(len(works)), bounds=limits)
+    if found.x is None:
+        return None
+    virtual = _dyadic(found.x[:n] * rows.units)
+    return (
+        None
+        if virtual_motion_problem(grasp, wrench, bounds, virtual)
+        else {"virtual_motion": virtual}
+    )
+
+
+def _dyadic(row: Floats) -> RationalVector:
+    """Return a vector with short numbers near a given one, each with an error of its own size."""
+    return tuple(map(_short, row.tolist()))
+
+
+def _short(x: float) -> Fraction:
+    if not x:
+        return Fraction(0)
+    unit = Fraction(2) ** (math.frexp(x)[1] - 40)
+    return round(Fraction(x) / unit) * unit
+
+
+def _texts(content: Any) -> Any:
+    if isinstance(content, Fraction):
+        return to_text(content)
+    if isinstance(content, dict):
+        return {name: _texts(x) for name, x in content.items()}
+    return [_texts(x) for x in content]
