@@ -1,0 +1,132 @@
+"""A command prints the same, byte for byte, whether the clock is fast or slow."""
+
+import contextlib
+import io
+import json
+import os
+import shlex
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from arrangement.numbers import deadline
+from tests.docpages import ENTRIES, ROOT, Page
+from tests.test_docs import PAGES, name
+
+CLOCKS = ("monotonic", "perf_counter", "process_time", "thread_time")
+#: How much faster the clock is.
+FACTORS = (100.0, 0.01)
+#: One of each kind of question, which are quick.
+COMMANDS = """
+arrangement list
+arrangement count braid-a3
+arrangement count shi-a2-affine
+arrangement count braid-a3 --json
+arrangement polynomial shi-a2-affine
+arrangement polynomial shi-a2-affine --forecast
+arrangement polynomial braid-a3 --forecast --json
+arrangement faces shi-a2-affine
+arrangement faces braid-a3 --json
+arrangement identify braid-a3
+arrangement make shi --type B3
+arrangement make braid --n 9
+arrangement make resonance --n 30
+arrangement convert braid-a3 --to chirotope
+arrangement bounds --largest 6
+equilibrium list
+equilibrium solve paper-three-contacts-preload-1 --wrench 0 1 0
+equilibrium solve paper-four-contacts-preload-1 --wrench 0 -1 0 --json
+equilibrium limit paper-four-contacts-preload-1 --direction 0 1 0
+equilibrium margin paper-three-contacts-preload-1 --wrench 0 1 0
+equilibrium compare paper-three-contacts-preload-1 --wrench 0 1 0
+equilibrium modes box-1-wall
+equilibrium modes box-1-wall --count --json
+equilibrium polyhedra paper-three-contacts-preload-1
+proofs-check list
+proofs-check try "bounded_regions <= regions" --of "linial(n=3..4)"
+proofs-check try "bounded_regions == 1" --of "linial(n=3..5)"
+""".strip().splitlines()
+#: Pages that store how long something took, or that start other programs.
+OTHER = {"cluster"}
+
+
+def in_a_copy(factor: float, target: Path, function: Callable[[], Any]) -> Any:
+    """Return what a function returns in a copy of this process, where a clock goes so fast."""
+    child = os.fork()
+    if not child:
+        code = 70
+        try:
+            for clock in CLOCKS:
+                real = getattr(time, clock)
+                setattr(time, clock, lambda real=real: factor * real())
+            deadline.clock = time.monotonic
+            target.write_text(json.dumps(function()))
+            code = 0
+        finally:
+            os._exit(code)
+    _, status = os.waitpid(child, 0)
+    assert status == 0
+    return json.loads(target.read_text())
+
+
+def answered(words: list[str]) -> tuple[int, str]:
+    output = io.StringIO()
+    with contextlib.redirect_stdout(output), contextlib.redirect_stderr(io.StringIO()):
+        try:
+            code = ENTRIES[words[0]](words[1:])
+        except SystemExit as stop:
+            code = int(stop.code or 0)
+    return code, output.getvalue()
+
+
+@pytest.fixture(scope="module")
+def _imported() -> None:
+    """What takes long to import is there before this process is copied."""
+    for command in ("arrangement polynomial braid-a3", "proofs-check list"):
+        answered(command.split())
+
+
+@pytest.mark.usefixtures("_imported")
+@pytest.mark.parametrize("command", COMMANDS)
+def test_command_prints_the_same_with_any_clock(command, tmp_path, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    fast, slow = (
+        in_a_copy(factor, tmp_path / "answer", lambda: answered(shlex.split(command)))
+        for factor in FACTORS
+    )
+    assert fast == slow
+    assert fast[0] in (0, 1) or "--n 30" in command
+
+
+class RecordedPage(Page):
+    """A page that keeps what its commands print."""
+
+    def _command(self, command: str) -> str:
+        output = super()._command(command)
+        self.names.setdefault("__printed__", []).append((command, self.code, output))
+        return output
+
+
+def printed(page: Path, folder: Path) -> tuple[list[Any], list[str]]:
+    folder.mkdir()
+    os.chdir(folder)
+    running = RecordedPage(page, page.read_text(encoding="utf-8"))
+    running.run()
+    return running.names.get("__printed__", []), running.problems
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("page", [*PAGES, ROOT / "README.md"], ids=name)
+def test_page_prints_the_same_with_any_clock(page, tmp_path, monkeypatch):
+    if page.stem in OTHER:
+        pytest.skip("it starts other programs")
+    monkeypatch.setenv("COLUMNS", "80")
+    (fast, wrong), (slow, also) = (
+        in_a_copy(f, tmp_path / "answer", lambda f=f: printed(page, tmp_path / str(f)))
+        for f in FACTORS
+    )
+    assert wrong == also == []
+    assert fast == slow
