@@ -92,6 +92,7 @@ def _imported() -> None:
 @pytest.mark.usefixtures("_imported")
 @pytest.mark.parametrize("command", COMMANDS)
 def test_command_prints_the_same_with_any_clock(command, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("COLUMNS", "80")
     fast, slow = (
         in_a_copy(factor, tmp_path / "answer", lambda: answered(shlex.split(command)))
