@@ -1,23 +1,40 @@
-"""Exact arrangements of planes: the regions that they cut space into, counted, listed, drawn.
-
-Planes have exact numbers; so has every answer. Three planes through the origin, and the number of
-their faces of dimension 0, 1, 2 and 3:
+"""Exact hyperplane arrangements: enumerate, count, identify and draw them.
 
 >>> from arrangement import Arrangement, read_arrangement
->>> planes = Arrangement([[1, 0, 0], [0, 1, 0], [1, 1, "1/2"]])
->>> planes.f_vector
+>>> planes = Arrangement([[1, 0, 0], [0, 1, 0], [1, 1, "1/2"]])   # normals of planes through 0
+>>> planes.f_vector                                               # faces of dimension 0, 1, 2, 3
 (1, 6, 12, 8)
->>> planes.region_at((1, 2, 3)).signs
+>>> planes.region_at((1, 2, 3)).signs                             # sign vector (covector)
 (1, 1, 1)
 >>> figure = read_arrangement("braid-a3").draw("sphere")
 
-`Arrangement` is where to look first: ``help(arrangement.Arrangement)``. `arrangement.counts` has
-polynomials and lattices, `arrangement.library.families` named arrangements, `arrangement.pictures`
-every picture. The names below are loaded when first used; `__init__.pyi` is their one list.
+Create
+    Arrangement       hyperplanes n . x = b with exact coefficients, and all their methods
+    read_arrangement  read a file, or a built-in arrangement by name
+    families          Coxeter, braid, Shi, Catalan, graphical, generic, ... arrangements
+    census            every isomorphism class of rank 3 with up to nine hyperplanes
+
+Enumerate and count
+    Face              a face: sign vector, dimension, exact witness
+    Identification    an isomorphism class, as `Arrangement.identify` returns it
+    counts            flats, characteristic polynomial, Zaslavsky's theorem, oriented matroids
+    pictures          every picture, page and 3D-printable model
+
+Exact numbers
+    from_floats       rational numbers from floats, explicitly
+    NumberField       the field of a real root of a polynomial
+    AlgebraicNumber   an element of it
+
+Limits and errors
+    limit             scale the default limits on size and work
+    ArrangementError  base class of all errors; InputError, OutOfReachError, MissingExtraError
+
+``help(arrangement.Arrangement)`` lists the methods.
 """
 
-from .console.entry import attach_stub
+from .console.entry import lazy_names
 
 __version__ = "0.1.0"
 
-__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)
+# Without __all__, help() shows this page alone.
+__getattr__, __dir__ = lazy_names(__name__, __file__)

@@ -61,7 +61,7 @@ class Arrangement(Planes):
     ``[1, 0, 0]`` give equal arrangements, ``[-1, 0, 0]`` does not (its sides are exchanged).
 
     Args:
-        normals: m vectors of length d, exact numbers (see `arrangement.rational`).
+        normals: m vectors of length d, exact numbers: integers, fractions, texts such as "7/3".
         offsets: m exact numbers; if omitted, all planes pass through the origin.
         dimension: d; needed only when there are no planes.
         axes: names of the coordinates where these mean something; see `Planes`.

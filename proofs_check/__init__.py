@@ -1,9 +1,33 @@
-"""Claims about slip states, each checked by two routes that share no code.
+"""Verify counting claims about arrangements and grasps, by implementations that share no code.
 
-The names below are loaded when first used; `__init__.pyi` is their one list.
+>>> from proofs_check import evaluate, registry
+>>> evaluate(registry()["slip-state-counts"]).verdict
+<ClaimVerdict.HOLDS: 'holds'>
+
+Write claims
+    claim         make a claim of a function (a decorator)
+    family        a family of instances with parameters
+    exercise      make a self-grading exercise of a function (a decorator)
+    load          read the claims of a file
+
+Run
+    registry      return the claims of the paper, by id
+    Registry      a mapping from ids to claims
+    evaluate      check a claim on its instances; returns a Result
+
+What a claim is
+    Claim, Case, Source, Route, Hypothesis, Domain, Kind, View
+
+What checking it returns
+    Result        the claim with its Evidence
+    Evidence      counterexample, parts and verdict
+    Part, Record  what was checked, source by source and case by case
+    ClaimVerdict  holds, holds under a hypothesis, refuted
+    ClaimError    base class of all errors
 """
 
 from arrangement import __version__ as __version__
-from arrangement.console.entry import attach_stub
+from arrangement.console.entry import lazy_names
 
-__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)
+# Without __all__, help() shows this page alone.
+__getattr__, __dir__ = lazy_names(__name__, __file__)

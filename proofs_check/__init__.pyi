@@ -1,10 +1,6 @@
 from .claims import registry as registry
-from .course.exercise import Exercise as Exercise, exercise as exercise
-from .errors import (
-    ClaimError as ClaimError,
-    OwnClaimError as OwnClaimError,
-    UnknownClaimError as UnknownClaimError,
-)
+from .course.exercise import exercise as exercise
+from .errors import ClaimError as ClaimError
 from .instances.families import family as family
 from .own_claims.claim_file import load as load
 from .own_claims.user_claim import claim as claim
@@ -13,20 +9,18 @@ from .statements.evidence import (
     Part as Part,
     Record as Record,
     Result as Result,
-    check as check,
     evaluate as evaluate,
-    verdict_of as verdict_of,
 )
 from .statements.statement import (
     Case as Case,
     Claim as Claim,
+    ClaimVerdict as ClaimVerdict,
     Domain as Domain,
     Hypothesis as Hypothesis,
     Kind as Kind,
     Registry as Registry,
     Route as Route,
     Source as Source,
-    Verdict as Verdict,
     View as View,
 )
 

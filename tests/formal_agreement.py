@@ -25,7 +25,8 @@ from typing import Any
 # Run as a script, this file finds its own folder only.
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from arrangement import InputError, to_text
+from arrangement import InputError
+from arrangement.numbers.exact import to_text
 from equilibrium import Contact, Grasp, Solution, check, read_certificate, solve
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.certificate.reading import read_question

@@ -116,7 +116,7 @@ for name in ("arrangement", "equilibrium", "proofs_check"):
     package = importlib.import_module(name)
     assert (files(package) / "py.typed").is_file(), name + "/py.typed"
     assert (files(package) / "__init__.pyi").is_file(), name + "/__init__.pyi"
-    for exported in package.__all__:
+    for exported in dir(package):
         getattr(package, exported)
     for module in pkgutil.walk_packages(package.__path__, name + "."):
         if not module.name.endswith("__main__"):

@@ -2,6 +2,7 @@
 
 import importlib
 import importlib.metadata
+import pydoc
 import re
 import subprocess
 import sys
@@ -20,7 +21,10 @@ SLOW = ("dask", "igraph", "joblib", "matplotlib", "networkx", "numpy", "scipy", 
 @pytest.mark.parametrize("package", PACKAGES)
 def test_every_exported_name_loads(package):
     module = importlib.import_module(package)
-    assert [name for name in module.__all__ if getattr(module, name, None) is None] == []
+    names = [*dir(module)]
+    assert [name for name in names if getattr(module, name, None) is None] == []
+    assert [name for name in names if name not in (module.__doc__ or "")] == []
+    assert len(pydoc.render_doc(module).splitlines()) <= 80
 
 
 @pytest.mark.parametrize("package", PACKAGES)

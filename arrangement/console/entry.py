@@ -3,26 +3,44 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from importlib import import_module
 from typing import Any
 
-try:
-    from lazy_loader import attach_stub as attach_stub
-except ModuleNotFoundError as missing:
-    _missing = missing
-
-    def attach_stub(package_name: str, filename: str) -> tuple[Any, Any, list[str]]:
-        """Without lazy_loader packages can be imported; their names say what is missing."""
-
-        def absent(name: str) -> None:
-            raise _missing
-
-        return absent, list, []
-
+from arrangement.errors import missing_attribute
 
 #: EX_SOFTWARE of sysexits.h: a fault must never look like a "no".
 FAULT = 70
+
+
+def lazy_names(
+    package: str, file: str, synonyms: Mapping[str, str] | None = None
+) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
+    """Return ``__getattr__`` and ``__dir__`` of a package whose names load when first used.
+
+    The names are those of ``__init__.pyi`` beside the file. A package has no ``__all__``, so that
+    ``help`` shows its docstring alone.
+
+    Args:
+        synonyms: other words for the names, each with what to write here.
+    """
+    try:
+        from lazy_loader import attach_stub
+    except ModuleNotFoundError as error:
+        absent = error
+
+        def unavailable(name: str) -> Any:
+            raise absent
+
+        return unavailable, list
+    found, names, known = attach_stub(package, file)
+
+    def get(name: str) -> Any:
+        if name in known:
+            return found(name)
+        raise missing_attribute(sys.modules[package], name, synonyms or {})
+
+    return get, names
 
 
 def entry(module: str) -> Callable[..., int]:

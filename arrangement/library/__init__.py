@@ -1,5 +1,5 @@
 """Arrangements by name: families with parameters, built-in instances, and the census of types."""
 
-from arrangement.console.entry import attach_stub
+from arrangement.console.entry import lazy_names
 
-__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)
+__getattr__, __dir__ = lazy_names(__name__, __file__)

@@ -4,6 +4,6 @@ The topology of every picture is exact; only coordinates on paper are floats. A 
 is the same byte for byte.
 """
 
-from arrangement.console.entry import attach_stub
+from arrangement.console.entry import lazy_names
 
-__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)
+__getattr__, __dir__ = lazy_names(__name__, __file__)

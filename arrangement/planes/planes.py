@@ -48,8 +48,8 @@ class Planes:
     `arrangement.Arrangement` is the same with its faces; its page says how planes are stored.
 
     Args:
-        normals: m vectors of length d, exact numbers (see `arrangement.rational`); or a SymPy
-            matrix or an array of them, m x d.
+        normals: m vectors of length d, exact numbers (integers, fractions, texts such as "7/3");
+            or a SymPy matrix or an array of them, m x d.
         offsets: m exact numbers; if omitted, all planes pass through the origin.
         dimension: d; needed only when there are no planes.
         axes: names of the coordinates where these mean something, as motions x, y, r do. A label:

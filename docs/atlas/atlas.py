@@ -16,7 +16,8 @@ from typing import Any, NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from arrangement import Arrangement, InputError, census, counts, families, identify
+from arrangement import Arrangement, InputError, census, counts, families
+from arrangement.library.census import identify
 from arrangement.library.census.catalogue import PUBLISHED
 
 TYPES = range(3, 8)

@@ -2,7 +2,7 @@
 
 from itertools import product
 
-from arrangement import Arrangement, counts, dual_polyhedron, read_arrangement
+from arrangement import Arrangement, counts, read_arrangement
 from equilibrium import check, read_grasp, solve
 from proofs_check import exercise
 
@@ -60,7 +60,7 @@ def few_regions(planes):
         return "these are not five different planes through the origin of space"
     if planes.rank != 3:
         return "their normals have a rank below 3"
-    vertices, _, _ = dual_polyhedron(planes).f_vector
+    vertices, _, _ = planes.dual().f_vector
     return vertices == 16 or f"they have {vertices} regions"
 
 

@@ -4,8 +4,9 @@ import networkx as nx
 import numpy as np
 from matplotlib.figure import Figure
 
-from arrangement import published_enumeration, read_arrangement
+from arrangement import read_arrangement
 from arrangement.drawing.output import save_figure
+from arrangement.enumeration.paper_steps import published_enumeration
 
 BLUE, VERMILION, GREY = "#0072b2", "#d55e00", "#767676"
 

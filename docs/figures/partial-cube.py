@@ -6,14 +6,14 @@ import networkx as nx
 import numpy as np
 from _plane import dot, label, panels, save
 
-from arrangement import dual_polyhedron, read_arrangement
+from arrangement import read_arrangement
 
 COLOURS = ("#0072b2", "#d55e00", "#00735a", "#aa4499")
 EYE = np.array([0.42, -0.25, 0.87])
 
 
 def make():
-    dual = dual_polyhedron(read_arrangement("cube-diagonals"))
+    dual = read_arrangement("cube-diagonals").dual()
     signs = np.array(dual.signs)
     points = np.array([[float(x) for x in vertex] for vertex in dual.vertices])
     eye = EYE / np.linalg.norm(EYE)

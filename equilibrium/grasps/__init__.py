@@ -1,5 +1,5 @@
 """Where grasps come from: files, schemas, built-in instances, shapes and float data."""
 
-from arrangement.console.entry import attach_stub
+from arrangement.console.entry import lazy_names
 
-__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)
+__getattr__, __dir__ = lazy_names(__name__, __file__)

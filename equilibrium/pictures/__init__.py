@@ -4,6 +4,6 @@ Every verdict, force and polygon is exact; only coordinates on paper are floats.
 twice is the same byte for byte. Contacts are numbered from 1, as in the paper.
 """
 
-from arrangement.console.entry import attach_stub
+from arrangement.console.entry import lazy_names
 
-__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)
+__getattr__, __dir__ = lazy_names(__name__, __file__)

@@ -54,12 +54,12 @@ from proofs_check.routes.oracle import Question as Question, Row as Row, project
 from proofs_check.statements.statement import (
     Case as Case,
     Claim as Claim,
+    ClaimVerdict,
     Hypothesis,
     Kind,
     ManyTypes,
     Route,
     Source,
-    Verdict,
     View,
 )
 
@@ -108,7 +108,7 @@ def _view(view: Mapping[str, Any]) -> View:
 
 _READ: dict[str, Callable[[Any], Any]] = {
     "domain": domain,
-    "expected": Verdict,
+    "expected": ClaimVerdict,
     "kind": Kind,
     "views": lambda views: tuple(map(_view, views)),
 }

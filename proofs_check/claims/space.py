@@ -13,7 +13,7 @@ from typing import TypeAlias
 
 from arrangement.numbers.linear.programs import some_point
 from equilibrium.decide.solver import solve
-from equilibrium.decide.verdict import Verdict as Decision
+from equilibrium.decide.verdict import Verdict
 from equilibrium.grasps.inputs.random import random_grasp
 from proofs_check.routes.leaves import leaf_count
 
@@ -181,7 +181,7 @@ def _jaws(m: int, load: tuple[Fraction, ...]) -> Question:
 
 
 @lru_cache(maxsize=64)
-def _decided(question: Question) -> Decision:
+def _decided(question: Question) -> Verdict:
     return Solver(grasp_of(question)).solve(question.wrench)
 
 

@@ -10,7 +10,8 @@ Run time: about 2 seconds.
 
 from itertools import combinations, product
 
-from arrangement import Arrangement, dual_polyhedron
+from arrangement import Arrangement
+from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.numbers.exact import dot
 from arrangement.numbers.linear.rank import cross
 from proofs_check import claim

@@ -9,7 +9,7 @@ as circles? Run::
 In the dual polyhedron the regions are the vertices, and a triangle is a vertex of degree 3.
 """
 
-from arrangement import DualPolyhedron
+from arrangement.duals.zonohedron import DualPolyhedron
 from proofs_check import claim
 
 

@@ -38,11 +38,11 @@ from proofs_check.reports.formula import mathml
 from proofs_check.statements.statement import (
     Case,
     Claim,
+    ClaimVerdict,
     Domain,
     Kind,
     Route,
     Source,
-    Verdict,
 )
 
 from .claim_file import Unequal, id_of, line_of
@@ -120,7 +120,7 @@ def claim(
             locator=locator,
             statement=statement.strip(),
             sources=sources,
-            expected=Verdict(expected),
+            expected=ClaimVerdict(expected),
             hypotheses=tuple(hypotheses),
             applies=partial(_applies, name, given, when),
             within=partial(_within, chosen) if chosen else None,
@@ -140,7 +140,7 @@ def _check(statement: str, samples: int, expected: str) -> None:
         raise OwnClaimError('a claim needs a statement in words: @claim("...")')
     if type(samples) is not int or samples < 0:
         raise OwnClaimError(f"samples is {samples!r}; give an integer, at least 0")
-    if expected not in (Verdict.HOLDS.value, Verdict.REFUTED.value):
+    if expected not in (ClaimVerdict.HOLDS.value, ClaimVerdict.REFUTED.value):
         raise OwnClaimError(f'expected is {expected!r}; give "holds" or "refuted"')
 
 

@@ -17,7 +17,7 @@ from arrangement.console.number_form import Shown
 from arrangement.numbers import budget
 from proofs_check.errors import OwnClaimError
 
-from .statement import Case, Claim, Kind, Route, Verdict
+from .statement import Case, Claim, ClaimVerdict, Kind, Route
 
 #: What can come out of one instance. "outside": nothing is said of it; "excused": the statement
 #: fails, and the saving hypothesis excludes the instance; "broken": the check itself failed.
@@ -120,7 +120,7 @@ class Result(Shown):
     milliseconds: int | None = field(default=None, compare=False)
 
     @property
-    def verdict(self) -> Verdict | None:
+    def verdict(self) -> ClaimVerdict | None:
         """The verdict, or None when the evidence gives none (see `verdict_from`)."""
         return verdict_of(self.evidence)
 
@@ -130,7 +130,7 @@ class Result(Shown):
         return self.verdict is self.claim.expected
 
 
-def verdict_of(evidence: Evidence) -> Verdict | None:
+def verdict_of(evidence: Evidence) -> ClaimVerdict | None:
     """Work out the verdict of the records and the counterexample (see `verdict_from`)."""
     if not evidence.records:
         return None
@@ -139,7 +139,7 @@ def verdict_of(evidence: Evidence) -> Verdict | None:
     return verdict_from(outcomes, any(record.assumption for record in evidence.records))
 
 
-def verdict_from(outcomes: Mapping[str, int], assumed: bool = False) -> Verdict | None:
+def verdict_from(outcomes: Mapping[str, int], assumed: bool = False) -> ClaimVerdict | None:
     """Work out the verdict from how often each of `OUTCOMES` came out.
 
     None: nothing was checked that the statement speaks of, or the routes disagree somewhere; then
@@ -151,8 +151,8 @@ def verdict_from(outcomes: Mapping[str, int], assumed: bool = False) -> Verdict 
     if broken or not holds + fails + excused:
         return None
     if fails or (excused and not holds):
-        return Verdict.REFUTED
-    return Verdict.HOLDS_UNDER_HYPOTHESIS if excused or assumed else Verdict.HOLDS
+        return ClaimVerdict.REFUTED
+    return ClaimVerdict.HOLDS_UNDER_HYPOTHESIS if excused or assumed else ClaimVerdict.HOLDS
 
 
 def check(claim: Claim, case: Case) -> Record:

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from arrangement.numbers.float_filter import Booleans
 
 
-class Verdict(Enum):
+class ClaimVerdict(Enum):
     """What the evidence says about a statement."""
 
     HOLDS = "holds"
@@ -203,7 +203,7 @@ class Claim(Shown):
     routes: tuple[Route, ...]
     judge: Callable[[Any, Any], bool]
     sources: tuple[Source, ...] = ()
-    expected: Verdict = Verdict.HOLDS
+    expected: ClaimVerdict = ClaimVerdict.HOLDS
     hypotheses: tuple[str, ...] = ()
     hypothesis: Hypothesis | None = None
     applies: Callable[[Any], bool] | None = None

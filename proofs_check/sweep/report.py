@@ -11,14 +11,14 @@ from typing import Any
 from arrangement.library.census import MOST_PLANES
 from proofs_check.reports.report import instance_text, record_of
 from proofs_check.statements.evidence import verdict_from
-from proofs_check.statements.statement import Kind, Verdict
+from proofs_check.statements.statement import ClaimVerdict, Kind
 
 from .plan import Plan
 from .store import Store
 from .sweep import EACH, Total, total
 
 
-def consistent(found: Verdict | None, expected: Verdict) -> bool:
+def consistent(found: ClaimVerdict | None, expected: ClaimVerdict) -> bool:
     """Whether a verdict on samples is compatible with the expected one.
 
     Samples can miss the instances that refute a statement or need its saving hypothesis, so
@@ -26,7 +26,7 @@ def consistent(found: Verdict | None, expected: Verdict) -> bool:
     """
     if found is None:
         return False
-    order = (Verdict.HOLDS, Verdict.HOLDS_UNDER_HYPOTHESIS, Verdict.REFUTED)
+    order = (ClaimVerdict.HOLDS, ClaimVerdict.HOLDS_UNDER_HYPOTHESIS, ClaimVerdict.REFUTED)
     return order.index(found) <= order.index(expected)
 
 
@@ -34,7 +34,7 @@ def record(opened: Store) -> dict[str, Any]:
     """Return the JSON record of a sweep, complete or not."""
     plan, claim, sums = opened.plan, opened.claim, total(opened.chunks())
     found = verdict_from(sums.outcomes)
-    expected = Verdict(claim["record"]["expected"])
+    expected = ClaimVerdict(claim["record"]["expected"])
     worst = next((k for k in ("broken", "fails", "excused") if k in sums.smallest), None)
     result = {
         **claim["record"],
@@ -61,7 +61,7 @@ def _over(plan: Plan, claim: dict[str, Any]) -> str:
     return f"random {claim['domain']} with {numbers} {claim['unit']}"
 
 
-def _evidence(plan: Plan, claim: dict[str, Any], sums: Total, found: Verdict | None) -> str:
+def _evidence(plan: Plan, claim: dict[str, Any], sums: Total, found: ClaimVerdict | None) -> str:
     names = {
         "holds": "that hold",
         "fails": "that fail",
@@ -80,7 +80,7 @@ def _evidence(plan: Plan, claim: dict[str, Any], sums: Total, found: Verdict | N
             f"those of {MOST_PLANES} planes by {claim['many_types']}, "
             f"one in {EACH} by both routes too"
         )
-    expected = Verdict(claim["record"]["expected"])
+    expected = ClaimVerdict(claim["record"]["expected"])
     if found is not None and found is not expected and consistent(found, expected):
         parts.append(f"on other instances the verdict is: {expected.value}")
     for kind, text in (

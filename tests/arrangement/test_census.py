@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import sympy
 
-from arrangement import Arrangement, InputError, cli, families, identify
+from arrangement import Arrangement, InputError, cli, families
 from arrangement.library.census import (
     MOST_PLANES,
     PSEUDOLINES,
@@ -15,6 +15,7 @@ from arrangement.library.census import (
     PUBLISHED_SIMPLE,
     catalogue,
     census,
+    identify,
 )
 from arrangement.library.census.chirotopes import (
     canonical,

@@ -12,13 +12,7 @@ import pytest
 from hypothesis import assume, given, strategies as st
 from matplotlib.image import imread
 
-from arrangement import (
-    Arrangement,
-    InputError,
-    dual_polyhedron,
-    read_arrangement,
-    representative_hull,
-)
+from arrangement import Arrangement, InputError, read_arrangement
 from arrangement.counts import bounded_region_count, f_vector, whitney_numbers
 from arrangement.drawing.colours import PALETTE, DrawnRegion, colouring, plane_colour
 from arrangement.drawing.output import own_settings, picture_bytes
@@ -27,6 +21,8 @@ from arrangement.drawing.scene.items import Label, Path as Drawn
 from arrangement.drawing.scene.labels import HAIR, spread
 from arrangement.drawing.scene.layout import laid_out
 from arrangement.drawing.scene.scene import Scene, area
+from arrangement.duals.inscribed.hull import representative_hull
+from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.library.families import coxeter, random_integer, simplicial
 from arrangement.pictures import (
     draw_counts,

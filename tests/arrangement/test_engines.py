@@ -10,12 +10,13 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from arrangement import Arrangement, Face, InputError, Planes, counts, read_arrangement
+from arrangement import Arrangement, Face, InputError, counts, read_arrangement
 from arrangement.counts import completeness
 from arrangement.counts.completeness import certify_complete
 from arrangement.enumeration.choose import ENGINES, enumerate_faces
 from arrangement.enumeration.great_circles import sphere_arrangement
 from arrangement.enumeration.sequence import FaceSequence
+from arrangement.planes.planes import Planes
 
 from . import oracle
 from .strategies import arrangements

@@ -11,8 +11,15 @@ import pytest
 import sympy
 from hypothesis import given, strategies as st
 
-from arrangement import InputError, from_floats, primitive, rational, to_text
-from arrangement.numbers.exact import common_digits, number_text, shown
+from arrangement import InputError, from_floats
+from arrangement.numbers.exact import (
+    common_digits,
+    number_text,
+    primitive,
+    rational,
+    shown,
+    to_text,
+)
 
 
 @pytest.mark.ground_types

@@ -5,8 +5,7 @@ import io
 import numpy as np
 import pytest
 
-import arrangement
-from arrangement import Arrangement, InputError, counts, read_arrangement
+from arrangement import Arrangement, InputError, census, counts, read_arrangement
 
 BRAID = read_arrangement("braid-a3")
 LINES = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
@@ -37,7 +36,7 @@ def test_operations_are_those_of_counts():
     assert LINES.cone().characteristic_polynomial() == counts.characteristic_polynomial(
         counts.cone(LINES)
     )
-    assert BRAID.identify().names == arrangement.identify(BRAID).names
+    assert BRAID.identify().names == census.identify(BRAID).names
     assert len(BRAID.dual().vertices) == BRAID.region_count()
 
 

@@ -12,7 +12,8 @@ from typing import Any
 import jsonschema
 import pytest
 
-from arrangement import Arrangement, InputError, read_arrangement, write_text_atomically
+from arrangement import Arrangement, InputError, read_arrangement
+from arrangement.console.writing import write_text_atomically
 from arrangement.library import files
 from arrangement.library.files.json_files import check_keys, check_list, instances, read_document
 from arrangement.library.instances import paths

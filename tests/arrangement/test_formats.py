@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from arrangement import Arrangement, InputError, census, counts, identify, read_arrangement
+from arrangement import Arrangement, InputError, census, counts, read_arrangement
 from arrangement.cli import main
+from arrangement.library.census import identify
 from arrangement.library.files.table import FORMATS, Entries, converted
 
 CENTRAL = Arrangement([[1, 0, 0], [0, 1, 0], [2, -3, 5], [-4, 6, -10], ["1/2", "1/3", -1]])

@@ -12,7 +12,7 @@ import pytest
 from hypothesis import assume, given, settings, strategies as st
 from scipy.spatial import ConvexHull
 
-from arrangement import Arrangement, ArrangementError, InputError, dual_polyhedron, inscribability
+from arrangement import Arrangement, ArrangementError, InputError
 from arrangement.duals.inscribed import hull as hull_module
 from arrangement.duals.inscribed.certificates import (
     FarkasCertificate,
@@ -26,8 +26,9 @@ from arrangement.duals.inscribed.hull import (
     sphere_hull,
     sphere_points,
 )
+from arrangement.duals.inscribed.report import inscribability
 from arrangement.duals.inscribed.search import decide
-from arrangement.duals.zonohedron import DualPolyhedron
+from arrangement.duals.zonohedron import DualPolyhedron, dual_polyhedron
 from arrangement.library.families import generic, near_pencil, simplicial, type_b
 from arrangement.numbers.exact import dot
 from arrangement.numbers.linear.programs import Optimal, minimize

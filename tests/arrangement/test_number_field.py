@@ -13,10 +13,11 @@ import sympy
 from sympy import CRootOf, GoldenRatio, Rational, cos, pi, sqrt
 from sympy.abc import x
 
-from arrangement import Arrangement, InputError, NumberField, counts, read_arrangement, to_sympy
+from arrangement import Arrangement, InputError, NumberField, counts, read_arrangement
 from arrangement.cli import main
 from arrangement.library import families
 from arrangement.numbers.fields import number_field
+from arrangement.numbers.symbolic import to_sympy
 
 GOLDEN = NumberField([-1, -1, 1], [1, 2])
 FIELDS = {

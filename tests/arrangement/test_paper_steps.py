@@ -5,7 +5,8 @@ from collections import Counter
 import pytest
 from hypothesis import given
 
-from arrangement import Arrangement, InputError, published_enumeration
+from arrangement import Arrangement, InputError
+from arrangement.enumeration.paper_steps import published_enumeration
 
 from .strategies import arrangements
 

@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from arrangement import Arrangement, InputError, OutOfReachError, counts, primitive, to_text
+from arrangement import Arrangement, InputError, OutOfReachError, counts
 from arrangement.cli import main
 from arrangement.console import proved_program
 from arrangement.console.number_form import sign_text
@@ -22,6 +22,7 @@ from arrangement.library import census, families
 from arrangement.library.census import tables
 from arrangement.library.published import published_counts
 from arrangement.numbers.budget import limit
+from arrangement.numbers.exact import primitive, to_text
 from arrangement.planes.proved import proved_f_vector, proved_whitney_numbers
 
 PROGRAM = proved_program.program()

@@ -11,14 +11,18 @@ from typing import Any
 
 import pytest
 
-from arrangement import ArrangementError, InputError, inscribability
+from arrangement import ArrangementError, InputError
 from arrangement.console import proved_program
 from arrangement.duals.inscribed.certificates import (
     Certificate,
     FarkasCertificate,
     WeightCertificate,
 )
-from arrangement.duals.inscribed.report import conditions_document, proved_conditions
+from arrangement.duals.inscribed.report import (
+    conditions_document,
+    inscribability,
+    proved_conditions,
+)
 from arrangement.duals.inscribed.search import decide
 from arrangement.library.census.catalogue import without_coordinates
 from arrangement.library.census.final_polynomials import (

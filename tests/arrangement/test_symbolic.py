@@ -8,15 +8,11 @@ from hypothesis import given
 from sympy import Eq, I, Integer, Rational, pi, sin, sqrt
 from sympy.abc import a, x, y, z
 
-from arrangement import (
-    Arrangement,
-    InputError,
-    Planes,
-    dual_polyhedron,
-    read_arrangement,
-    to_sympy,
-)
+from arrangement import Arrangement, InputError, read_arrangement
 from arrangement.counts import essentialization, localization, restriction
+from arrangement.duals.zonohedron import dual_polyhedron
+from arrangement.numbers.symbolic import to_sympy
+from arrangement.planes.planes import Planes
 
 from .strategies import arrangements
 

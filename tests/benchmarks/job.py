@@ -295,7 +295,7 @@ def inscribed_types(number: int) -> Work:
     """Ours: whether types of nine planes with weights are inscribable; microseconds for a type."""
     import numpy as np
 
-    from arrangement import inscribability
+    from arrangement.duals.inscribed.report import inscribability
     from arrangement.library.census import PUBLISHED, catalogue, census
     from proofs_check.routes.many_types import have_weights
 

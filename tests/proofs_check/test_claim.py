@@ -11,6 +11,7 @@ from proofs_check import (
     Case,
     Claim,
     ClaimError,
+    ClaimVerdict,
     Evidence,
     Hypothesis,
     Kind,
@@ -18,12 +19,11 @@ from proofs_check import (
     Registry,
     Route,
     Source,
-    UnknownClaimError,
-    Verdict,
     evaluate,
     registry,
-    verdict_of,
 )
+from proofs_check.errors import UnknownClaimError
+from proofs_check.statements.evidence import verdict_of
 
 
 def numbers(last: int) -> list[Case]:
@@ -54,7 +54,7 @@ def claim(**changes: object) -> Claim:
 def test_a_planted_false_claim_is_refuted_with_its_smallest_counterexample():
     false = claim(judge=lambda n, square: square < 20, search=lambda: numbers(20))
     result = evaluate(false)
-    assert result.verdict is Verdict.REFUTED
+    assert result.verdict is ClaimVerdict.REFUTED
     assert not result.as_expected
     assert result.evidence.counterexample is not None
     assert result.evidence.counterexample.document == {"n": 5}
@@ -64,7 +64,7 @@ def strictly(n: int, square: int) -> bool:
     return square > n
 
 
-HELD, NARROW = Verdict.HOLDS_UNDER_HYPOTHESIS, Hypothesis("n >= 2", lambda n: n >= 2)
+HELD, NARROW = ClaimVerdict.HOLDS_UNDER_HYPOTHESIS, Hypothesis("n >= 2", lambda n: n >= 2)
 WIDE, NEVER = Hypothesis("n >= 1", lambda n: n >= 1), Hypothesis("no", lambda n: False)
 ASSUMED = Case("n", 3, None, assumption="3 is meant")
 
@@ -72,14 +72,14 @@ ASSUMED = Case("n", 3, None, assumption="3 is meant")
 @pytest.mark.parametrize(
     ("changes", "verdict"),
     [
-        ({}, Verdict.HOLDS),
+        ({}, ClaimVerdict.HOLDS),
         # A search beyond the cases can refute.
-        ({"judge": lambda n, _: n < 15, "search": lambda: numbers(20)}, Verdict.REFUTED),
+        ({"judge": lambda n, _: n < 15, "search": lambda: numbers(20)}, ClaimVerdict.REFUTED),
         # A hypothesis saves only what it covers, and nothing if it covers no case.
-        ({"judge": strictly}, Verdict.REFUTED),
+        ({"judge": strictly}, ClaimVerdict.REFUTED),
         ({"judge": strictly, "hypothesis": NARROW}, HELD),
-        ({"judge": strictly, "hypothesis": WIDE}, Verdict.REFUTED),
-        ({"judge": lambda n, square: False, "hypothesis": NEVER}, Verdict.REFUTED),
+        ({"judge": strictly, "hypothesis": WIDE}, ClaimVerdict.REFUTED),
+        ({"judge": lambda n, square: False, "hypothesis": NEVER}, ClaimVerdict.REFUTED),
         # A case read by an assumption gives no plain holds.
         ({"sources": on(lambda rng: [ASSUMED])}, HELD),
         ({"sources": on(lambda rng: [])}, None),
@@ -123,7 +123,7 @@ records = st.builds(
 def test_holds_needs_evidence_without_any_failure_or_disagreement(checked, extra):
     assert verdict_of(Evidence(0, (), ())) is None
     evidence = Evidence(0, (), tuple(checked), counterexample=extra)
-    if verdict_of(evidence) is Verdict.HOLDS:
+    if verdict_of(evidence) is ClaimVerdict.HOLDS:
         assert checked
         assert all(record.holds and record.agree for record in checked)
         assert extra is None or (extra.holds and extra.agree)
@@ -163,6 +163,6 @@ def test_every_claim_says_what_it_states_and_where():
         assert entry.locator, entry.id
         assert entry.quantity, entry.id
         assert entry.over, entry.id
-        assert entry.expected is not Verdict.HOLDS_UNDER_HYPOTHESIS or (
+        assert entry.expected is not ClaimVerdict.HOLDS_UNDER_HYPOTHESIS or (
             entry.hypothesis or entry.id == "table-four-contacts"
         ), entry.id

@@ -4,7 +4,7 @@ import json
 from dataclasses import replace
 
 import proofs_check.claims
-from proofs_check import Registry, Verdict, registry
+from proofs_check import ClaimVerdict, Registry, registry
 from proofs_check.cli.program import main
 
 QUICK = ("step-1-square-bound", "table-three-contacts")
@@ -66,7 +66,7 @@ def test_claims_that_take_minutes_are_checked_when_asked_for(monkeypatch, capsys
 
 
 def test_exit_code_one_when_a_verdict_is_not_the_expected_one(monkeypatch, capsys):
-    wrong = replace(registry()["step-1-square-bound"], expected=Verdict.HOLDS)
+    wrong = replace(registry()["step-1-square-bound"], expected=ClaimVerdict.HOLDS)
     monkeypatch.setattr(proofs_check.claims, "registry", lambda: Registry([wrong]))
     assert main(["run"]) == 1
     assert "not as expected: step-1-square-bound" in capsys.readouterr().out

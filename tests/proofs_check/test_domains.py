@@ -11,8 +11,9 @@ import pytest
 from arrangement import Arrangement, counts
 from arrangement.library import families
 from arrangement.library.census import census
-from proofs_check import OwnClaimError, Verdict, claim, evaluate, family
+from proofs_check import ClaimVerdict, claim, evaluate, family
 from proofs_check.cli.program import main
+from proofs_check.errors import OwnClaimError
 from proofs_check.instances.domains import DOMAINS, domain
 from proofs_check.instances.families import MOST_MEMBERS, read_family
 from proofs_check.instances.pseudolines import Pseudolines, not_stretchable, type_sources, types
@@ -80,7 +81,7 @@ def test_a_first_argument_may_have_the_name_of_a_parameter():
         return True
 
     own = claim("?", of=family("simplicial", planes=[9, 13], number=1))(of_planes)
-    assert evaluate(own).verdict is Verdict.HOLDS
+    assert evaluate(own).verdict is ClaimVerdict.HOLDS
     assert found[:2] == [9, 13]
 
 
@@ -96,7 +97,7 @@ def test_functions_of_a_claim_take_the_parameters_that_they_name():
         return planes.dimension == n and value == (n + 1) ** (n - 1)
 
     result = evaluate(shi)
-    assert result.verdict is Verdict.HOLDS
+    assert result.verdict is ClaimVerdict.HOLDS
     (part,) = result.evidence.parts
     assert (part.checked, part.passed_over, part.foreign) == (2, 1, 0)
     assert [record.values for record in result.evidence.records] == [(3, 3), (125, 125)]
@@ -164,7 +165,7 @@ def test_a_claim_on_pseudolines_meets_those_that_no_lines_have():
         return lines.stretchable
 
     result = evaluate(lines_have_it)
-    assert result.verdict is Verdict.REFUTED
+    assert result.verdict is ClaimVerdict.REFUTED
     every, special, samples = result.evidence.parts
     assert (every.checked, every.failures) == (7, 0)
     assert (special.checked, special.failures) == (274, 274)

@@ -11,9 +11,10 @@ import pytest
 
 from arrangement import Arrangement
 from equilibrium import Grasp, check, read_grasp, solve
-from proofs_check import OwnClaimError, exercise
+from proofs_check import exercise
 from proofs_check.cli.program import main
 from proofs_check.course.exercise import FORMS
+from proofs_check.errors import OwnClaimError
 
 GRASP = read_grasp("opposed-contacts")
 YES = solve(GRASP, (1, 0, 0)).certificate.to_dict()

@@ -7,9 +7,10 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import arrangement.library.census
-from arrangement import Arrangement, published_enumeration
+from arrangement import Arrangement
+from arrangement.enumeration.paper_steps import published_enumeration
 from arrangement.library.census import PUBLISHED, PUBLISHED_SIMPLE, census
-from proofs_check import Kind, Verdict, evaluate, registry
+from proofs_check import ClaimVerdict, Kind, evaluate, registry
 from proofs_check.claims import counting as steps, others as types
 from proofs_check.instances.arrangements import census_cases, simple_arrangement
 from proofs_check.routes.dual_graph import from_covectors
@@ -68,7 +69,7 @@ def test_a_claim_that_fails_on_one_type_alone_is_refuted_by_it():
         sources=(Source(Kind.EXHAUSTIVE, "types", lambda rng: census_cases(range(6, 8))),),
     )
     result = evaluate(claim)
-    assert result.verdict is Verdict.REFUTED
+    assert result.verdict is ClaimVerdict.REFUTED
     assert [record.label for record in result.evidence.failures] == ["m = 7, type 101 of 143"]
 
 
@@ -93,7 +94,7 @@ def test_the_counts_grow_about_as_stated():
 @pytest.mark.campaign
 @pytest.mark.parametrize("id", ["step-1-time", "step-2-time", "step-3-time", "census-types"])
 def test_each_holds(id):
-    assert evaluate(registry()[id], seed=2).verdict is Verdict.HOLDS
+    assert evaluate(registry()[id], seed=2).verdict is ClaimVerdict.HOLDS
 
 
 @given(st.integers(0, 16), st.randoms(use_true_random=False))
@@ -117,4 +118,4 @@ def test_a_missing_or_repeated_type_is_caught(change, monkeypatch):
         return change(found) if planes == 6 else found
 
     monkeypatch.setattr(types, "census", wrong)
-    assert evaluate(registry()["census-types"]).verdict is Verdict.REFUTED
+    assert evaluate(registry()["census-types"]).verdict is ClaimVerdict.REFUTED

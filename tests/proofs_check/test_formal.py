@@ -9,7 +9,7 @@ from random import Random
 import pytest
 
 from arrangement.console.proved_program import program
-from proofs_check import Verdict, registry
+from proofs_check import ClaimVerdict, registry
 from proofs_check.cli.program import main
 from proofs_check.reports import report
 from proofs_check.reports.page import html_page
@@ -68,7 +68,7 @@ def test_claims_and_theorems_name_one_another():
     named = [name for claim in claims for name in claim.theorems]
     assert sorted(named) == sorted(report.theorems())
     # A theorem proves a claim, or is a counterexample that refutes it.
-    assert all(claim.proof or claim.expected is Verdict.REFUTED for claim in claims)
+    assert all(claim.proof or claim.expected is ClaimVerdict.REFUTED for claim in claims)
     for claim in claims:
         assert claim.theorems[0] == claim.id.replace("-", "_")
         for_all = "for every number of planes" in report.badges(claim)[0]["meaning"]
@@ -126,7 +126,7 @@ def test_a_case_beyond_the_proved_program_is_no_evidence():
     third = Route("the program proved in Coq", COUNTS[claim.id])
     claim = replace(claim, routes=(*claim.routes, third), sources=(source,))
     result = evaluate(claim, 0)
-    assert result.verdict is Verdict.HOLDS
+    assert result.verdict is ClaimVerdict.HOLDS
     assert [record.values[-1] for record in result.evidence.records] == [24, NotImplemented]
     assert "in 1 of 2 cases" in report.badges(claim, result.evidence)[-1]["meaning"]
     record = report.json_record([report.result_record(result)], 0)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from arrangement import inscribability
+from arrangement.duals.inscribed.report import inscribability
 from arrangement.library.census import PUBLISHED, catalogue, census
 from proofs_check.routes import many_types
 from proofs_check.routes.dual_graph import from_covectors, minimum_cycle_lengths

@@ -17,7 +17,7 @@ from arrangement.enumeration.sequence import Level
 from arrangement.planes.planes import Planes
 from equilibrium import Contact, Grasp, read_grasp
 from equilibrium.methods.compare import ask as right
-from proofs_check import Verdict, evaluate, registry
+from proofs_check import ClaimVerdict, evaluate, registry
 from proofs_check.claims import dual, methods, model, tables
 from proofs_check.routes import oracle
 
@@ -125,7 +125,7 @@ IDS = (
 
 @pytest.mark.parametrize("id", IDS)
 def test_the_theorem_holds_on_another_seed(id):
-    assert evaluate(registry()[id], seed=1).verdict is Verdict.HOLDS
+    assert evaluate(registry()[id], seed=1).verdict is ClaimVerdict.HOLDS
 
 
 @given(st.integers(1, 40))
@@ -196,4 +196,4 @@ def test_a_method_that_says_the_opposite_is_caught(monkeypatch):
 def test_a_statement_turned_round_is_refuted():
     claim = registry()["method-frictionless-slip-up"]
     wrong = replace(claim, judge=lambda asked, found: found == (True, True))
-    assert evaluate(wrong).verdict is Verdict.REFUTED
+    assert evaluate(wrong).verdict is ClaimVerdict.REFUTED

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from equilibrium.grasps.files import read_grasp
-from proofs_check import Verdict, evaluate, registry
+from proofs_check import ClaimVerdict, evaluate, registry
 from proofs_check.cli.program import main
 from proofs_check.course.printed_table import check_table
 from proofs_check.instances import printed
@@ -141,8 +141,8 @@ def test_the_table_of_the_lesson_counts_the_verdicts_by_section():
     head, *found = [[cell.strip() for cell in row] for row in rows]
     counts = Counter((claim.section, claim.expected.value) for claim in registry())
     sections = dict.fromkeys(claim.section for claim in registry())
-    assert head == ["section", *(verdict.value for verdict in Verdict)]
+    assert head == ["section", *(verdict.value for verdict in ClaimVerdict)]
     assert found == [
-        [section, *(str(counts[section, verdict.value]) for verdict in Verdict)]
+        [section, *(str(counts[section, verdict.value]) for verdict in ClaimVerdict)]
         for section in sections
     ]

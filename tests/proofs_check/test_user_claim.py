@@ -13,7 +13,7 @@ from arrangement import Arrangement, read_arrangement
 from arrangement.counts import cone
 from arrangement.library.census import census, identify
 from equilibrium.grasps.files import read_grasp
-from proofs_check import Verdict, claim, evaluate
+from proofs_check import ClaimVerdict, claim, evaluate
 from proofs_check.cli.program import main
 from proofs_check.instances.arrangements import line_cases
 from proofs_check.instances.domains import DOMAINS, domain, known_families, size
@@ -121,7 +121,7 @@ def test_instances_outside_the_hypothesis_are_passed_over_and_counted():
         return planes.is_simple
 
     result = evaluate(all_simple)
-    assert result.verdict is Verdict.HOLDS
+    assert result.verdict is ClaimVerdict.HOLDS
     (part,) = result.evidence.parts
     assert (part.checked, part.passed_over) == (3, 4)
 

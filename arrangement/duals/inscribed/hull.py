@@ -30,7 +30,8 @@ def sphere_points(dual: DualPolyhedron) -> tuple[RationalVector, ...]:
     with coordinates that are multiples of 2^-10, 2^-20, ..., until the point lies in the region,
     which is tested by integer signs. Opposite regions get opposite points.
 
-    >>> from arrangement import Arrangement, dual_polyhedron
+    >>> from arrangement import Arrangement
+    >>> from arrangement.duals.zonohedron import dual_polyhedron
     >>> cube = dual_polyhedron(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]]))
     >>> {sum(x * x for x in point) for point in sphere_points(cube)}
     {Fraction(1, 1)}

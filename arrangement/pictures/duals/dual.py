@@ -68,7 +68,7 @@ def draw_dual(
     facet. Near edges are thicker and pass over the others; vertices are those of `draw_graph`.
 
     With `hull` the second panel has instead the convex hull of one point of the unit sphere for
-    each region (see `arrangement.representative_hull`). Edges of the hull between
+    each region (see `arrangement.duals.inscribed.hull`). Edges of the hull between
     regions that are not adjacent stand out, and so do adjacencies that are no edges of the hull;
     the legend counts them.
 
