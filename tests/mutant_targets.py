@@ -191,7 +191,10 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "arrangement.numbers.float_filter",
         "arrangement.numbers.packing",
     ),
-    ("tests/arrangement/test_symbolic.py",): ("arrangement.numbers.symbolic",),
+    ("tests/arrangement/test_symbolic.py",): (
+        "arrangement.numbers.symbolic",
+        "arrangement.planes.equation_text",
+    ),
     ("tests/equilibrium/test_wrench_sets_space.py",): (
         "arrangement.numbers.linear.cones",
         "arrangement.numbers.linear.separation",

@@ -12,6 +12,7 @@ from proofs_check import (
     Case,
     Claim,
     ClaimError,
+    ClaimVerdict,
     Evidence,
     Hypothesis,
     Kind,
@@ -19,7 +20,6 @@ from proofs_check import (
     Registry,
     Route,
     Source,
-    Verdict,
     evaluate,
 )
 from proofs_check.errors import OwnClaimError
@@ -55,11 +55,11 @@ def test_verdict_of_counts():
         if broken or not (holds or fails or excused):
             assert found == [None, None]
         elif fails or holds == 0:
-            assert found == [Verdict.REFUTED] * 2
+            assert found == [ClaimVerdict.REFUTED] * 2
         elif excused:
-            assert found == [Verdict.HOLDS_UNDER_HYPOTHESIS] * 2
+            assert found == [ClaimVerdict.HOLDS_UNDER_HYPOTHESIS] * 2
         else:
-            assert found == [Verdict.HOLDS, Verdict.HOLDS_UNDER_HYPOTHESIS]
+            assert found == [ClaimVerdict.HOLDS, ClaimVerdict.HOLDS_UNDER_HYPOTHESIS]
 
 
 @pytest.mark.parametrize(
@@ -105,7 +105,7 @@ def test_sources_are_counted_apart():
 
 
 def test_a_result_is_as_expected_or_not():
-    assert evaluate(claim(expected=Verdict.REFUTED)).as_expected
+    assert evaluate(claim(expected=ClaimVerdict.REFUTED)).as_expected
     assert not evaluate(claim()).as_expected
 
 
@@ -204,7 +204,7 @@ def test_a_large_claim_has_no_budget():
 
     for large in (False, True):
         some = claim(large=large, routes=(Route("budget", compute),), judge=lambda n, free: free)
-        verdict = Verdict.HOLDS if large else Verdict.REFUTED
+        verdict = ClaimVerdict.HOLDS if large else ClaimVerdict.REFUTED
         assert evaluate(some).verdict is verdict
 
 
