@@ -11,6 +11,7 @@ from hypothesis import given, settings, strategies as st
 from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, GraspError, read_grasp, solve, unit_normal
 from equilibrium.cli.program import LITERAL
+from equilibrium.grasps.inputs.documents import read_any
 from equilibrium.grasps.instances import paths
 from equilibrium.methods.printed_model import OPTIONS, solve_literal
 from equilibrium.model import grasp as model
@@ -181,6 +182,15 @@ def test_public_objects_are_one_line_of_at_most_a_hundred_characters():
         assert "\n" not in text
         assert "Fraction" not in text
     assert "not resisted" in repr(lost)
+
+
+@pytest.mark.parametrize("read", [read_grasp, read_any])
+def test_floats_in_a_grasp_file_name_what_converts_them(read, tmp_path):
+    path = tmp_path / "measured.json"
+    contact = {"point": [0, 0.02], "normal": [0, 1], "friction": "1/2"}
+    path.write_text(json.dumps({"schema_version": 1, "contacts": [contact]}), encoding="utf-8")
+    with pytest.raises(InputError, match=r"0\.02' is a float; .* `equilibrium make floats`"):
+        read(path)
 
 
 def test_a_saved_grasp_is_read_back(tmp_path):
