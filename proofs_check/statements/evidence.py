@@ -150,7 +150,7 @@ def verdict_from(outcomes: Mapping[str, int], assumed: bool = False) -> ClaimVer
     holds, fails, excused, broken = (outcomes.get(name, 0) for name in OUTCOMES[:4])
     if broken or not holds + fails + excused:
         return None
-    if fails or (excused and not holds):
+    if fails or not holds:
         return ClaimVerdict.REFUTED
     return ClaimVerdict.HOLDS_UNDER_HYPOTHESIS if excused or assumed else ClaimVerdict.HOLDS
 

@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass, replace
 from itertools import product
 from typing import Any
+from unittest.mock import ANY
 
 import pytest
 
@@ -74,6 +75,8 @@ def test_verdict_of_counts():
         ((NotImplemented, 1), False),
         ((Failure("x"),), False),
         ((1, Failure("x")), False),
+        ((ANY, Failure("x")), False),
+        ((math.nan,), True),
     ],
 )
 def test_routes_agree_or_the_check_is_broken(values, agree):
@@ -98,15 +101,27 @@ def test_sources_are_counted_apart():
         Part(Kind.EXHAUSTIVE, "to 9", 4, 3, 0, 1),
     )
     assert seen == list(range(1, 11))
+    parts = evaluate(replace(some, judge=lambda n, square: n in (0, 7))).evidence.parts
+    assert [(part.checked, part.failures) for part in parts] == [(2, 1), (4, 3)]
     assert [record.label for record in evidence.records] == [f"n = {n}" for n in (0, 2, 5, 6, 7, 9)]
     assert [record.label for record in evidence.failures] == ["n = 6", "n = 7", "n = 9"]
     assert (evidence.seed, evidence.searched) == (3, 0)
+    assert Evidence(3, (), ()).searched == 0
     assert evidence.counterexample == evidence.failures[0]
 
 
 def test_a_result_is_as_expected_or_not():
     assert evaluate(claim(expected=ClaimVerdict.REFUTED)).as_expected
-    assert not evaluate(claim()).as_expected
+    result = evaluate(claim())
+    assert not result.as_expected
+    assert 0 <= result.milliseconds < 900
+    assert result.evidence.seed == 0
+
+
+def test_one_assumption_is_enough_for_a_hypothesis():
+    cases = [Case("2", 2), Case("3", 3, assumption="3 is meant")]
+    some = claim(sources=(Source(Kind.EXHAUSTIVE, "two", lambda rng: cases),))
+    assert evaluate(some).verdict is ClaimVerdict.HOLDS_UNDER_HYPOTHESIS
 
 
 def test_the_first_disagreement_is_that_of_the_counterexample():
@@ -130,11 +145,16 @@ def test_a_check_notes_what_went_wrong_first():
     case = Case("five", 5, assumption="a")
     assert check(explained, case) == Record("five", (25, 25), True, True, "25 of 5", "a")
     assert check(claim(), case).note == ""
+    beyond = Route("beyond", lambda n: NotImplemented)
+    record = check(replace(explained, routes=(product_, beyond)), case)
+    assert (record.note, record.holds) == ("25 of 5", True)
     differing = Route("other", lambda n: n + 1)
     record = check(replace(explained, routes=(product_, differing)), case)
     assert (record.note, record.holds) == ("the routes disagree", False)
     record = check(replace(explained, routes=(product_, failing, other)), case)
     assert (record.note, record.holds) == ("ValueError: bad (here)", False)
+    later = Route("fails, too", lambda n: 1 // 0)
+    assert check(claim(routes=(failing, later)), case).note == "ValueError: bad (here)"
     for hypothesis in (
         Hypothesis("n = 5", lambda n: n == 5),
         Hypothesis("n = 6", lambda n: n == 6),
@@ -196,6 +216,11 @@ def test_a_failure_is_made_smaller_among_those_of_its_kind(wrong):
     else:
         assert tested == [[7], [7]]
         assert evidence.disagreement.label == "n = 7"
+
+
+def test_where_nothing_fails_nothing_is_made_smaller():
+    some = claim(judge=lambda n, square: True, smaller=lambda cases, fails: (cases[0], 1))
+    assert evaluate(some).evidence.counterexample is None
 
 
 def test_a_large_claim_has_no_budget():
