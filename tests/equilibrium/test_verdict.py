@@ -56,11 +56,9 @@ def test_processes_answer_in_order_in_the_plane_and_in_space():
 
 def test_processes_change_no_answer(monkeypatch):
     monkeypatch.setattr(solver, "_PART", 4)
-    grasp = random_grasp(4, 0, dimension=3)
-    loads = [random_wrench(k, dimension=3) for k in range(12)]
-    asked = Solver(grasp)
-    for k in range(20, 30):
-        asked.solve(random_wrench(k, dimension=3))
+    loads = [random_wrench(k, dimension=3) for k in range(8)]
+    asked = Solver(read_grasp("three-fingers-on-a-ball"))
+    asked.solve(loads[-1])
     alone, shared = (list(asked.solve_many(loads, jobs=jobs)) for jobs in (1, 2))
     assert [x.verdict for x in alone] == [x.verdict for x in shared]
     assert [x.certificate.text for x in alone] == [x.certificate.text for x in shared]
