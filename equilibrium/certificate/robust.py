@@ -173,12 +173,11 @@ class Holding:
                 contact.ends, ("friction", "stiffness", "preload")
             )
             given = contact.contact
-            slip = along.slip if friction else Fraction(0)
             spring = given.preload - given.stiffness * along.normal
             error = preload - given.preload + (stiff - given.stiffness) * abs(along.normal)
             error += stiff * along.normal_error
             if self.loose[i]:
-                top = max(spring + error + friction * stiff * slip, Fraction(0))
+                top = max(spring + error + friction * stiff * along.slip, Fraction(0))
                 needed += top * top / (4 * soft)
                 continue
             changes = [dot([abs(x) for x in row], reach) for row in self.correction[i]]
@@ -186,7 +185,7 @@ class Holding:
             away = abs(spring - normal) + error + changes[0]
             middle, radius = (spring + normal) / 2, (error + changes[0]) / 2
             radius += root(stiff * energy)
-            needed += away * away / (4 * soft) + 2 * friction * (middle + radius) * slip
+            needed += away * away / (4 * soft) + 2 * friction * (middle + radius) * along.slip
             rubbing = length([abs(x) + y for x, y in zip(tangents, changes[1:], strict=True)])
             least = middle - radius
             if not (least_friction * least > rubbing if friction else least >= 0 == rubbing):

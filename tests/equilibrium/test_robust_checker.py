@@ -262,3 +262,53 @@ def test_frictionless_contacts_hold_by_springs_alone():
     assert [float(row[1]) for row in proof["forces"][:2]] == [0, 0]
     proof["forces"][0][1] = "1/1000000000"
     assert "no room" in check(proof).problem
+
+
+def one_contact(normal, motion, correction=0, **bounds):
+    """A contact at (0, 0) with friction 1/2, stiffness 2 and preload 3."""
+    rows = [tuple(map(Fraction, (0, correction, 0))), (Fraction(0),) * 3]
+    return Holding(
+        Grasp([Contact([0, 0], [0, 1], "1/2", 2, 3)]),
+        (Fraction(0),) * 3,
+        Bounds(**bounds),
+        tuple(map(Fraction, motion)),
+        [(Fraction(normal), Fraction(0))],
+        [rows],
+    )
+
+
+@pytest.mark.parametrize(
+    ("held", "energy"),
+    [
+        (one_contact(3, (0, 0, 0)), 0),
+        (one_contact(1, (0, 0, 0)), Fraction(1, 2)),
+        (one_contact(1, (0, 1, 0)), 0),
+        (one_contact(2, (0, 0, 0), preload="1/3"), Fraction(1, 2)),
+        (one_contact(2, (0, 1, 0), stiffness="1/2"), 1),
+        # Of a slip of 1, with a spring force of 3 and a root of 4.
+        (one_contact(3, (1, 0, 0)), 7),
+        (one_contact(3, (1, 0, 0), friction="1/2"), Fraction(21, 2)),
+        # Loose: (3 - 2 y + mu 2 |x|)^2 / 8.
+        (one_contact(0, (0, 0, 0)), Fraction(9, 8)),
+        (one_contact(0, (1, 1, 0)), Fraction(1, 2)),
+        (one_contact(0, (0, 2, 0)), 0),
+        # Not loose, as it may be corrected.
+        (one_contact(0, (0, 0, 0), correction="1/2"), Fraction(49, 32)),
+    ],
+)
+def test_the_energy_is_the_sum_of_its_terms(held, energy):
+    needed, _ = held.energy((Fraction(1),) * 3, Fraction(8))
+    assert 0 <= needed - energy < Fraction(1, 2**50)
+
+
+def test_contacts_on_a_line_have_to_stay_there():
+    ends = [Contact([0, 0, -z], [0, 0, z], "1/2", 1, 1) for z in (1, -1)]
+    zero, rows = (Fraction(0),) * 6, [[(Fraction(0),) * 6] * 3] * 2
+    forces = [(Fraction(1), Fraction(0), Fraction(0))] * 2
+    one = (Fraction(1),) * 6
+    for length_, words in ((0, "reach"), ("1/1000", "do not span")):
+        held = Holding(Grasp(ends), zero, Bounds(length=length_), zero, forces, rows)
+        assert words in held.problem(one, Fraction(1))
+    turned = (*[Fraction(0)] * 5, Fraction(1))
+    held = Holding(Grasp(ends), turned, Bounds(), zero, forces, rows)
+    assert "no forces" in held.problem(one, Fraction(1))
