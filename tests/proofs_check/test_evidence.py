@@ -287,8 +287,10 @@ def test_a_claim_is_as_strong_as_its_weakest_source():
     assert claim(sources=()).kind is Kind.SAMPLED
     assert claim().over == "to 4; to 9"
     assert claim(**sampled).over == "to 4; to 9; random some things"
-    assert claim(domain=DOMAIN).over == "to 4; to 9"
-    assert len(list(claim(domain=DOMAIN).all_sources(0))) == 2
+    for some in (claim(domain=DOMAIN), claim(samples=3)):
+        assert some.over == "to 4; to 9"
+        assert len(list(some.all_sources(0))) == 2
+    assert claim().sizes == (0, 0)
 
 
 def test_a_registry_has_each_claim_once():
@@ -296,7 +298,7 @@ def test_a_registry_has_each_claim_once():
     known = Registry([first, second])
     assert (known.ids, len(known), list(known)) == (("squares", "others"), 2, [first, second])
     assert known["others"] is second
-    assert second(7) == 49
+    assert replace(second, routes=(first.routes[0], Route("other", abs)))(7) == 49
     for routes in (
         (first.routes[0], replace(first.routes[1], name="product")),
         (first.routes[0], replace(first.routes[0], name="again")),
