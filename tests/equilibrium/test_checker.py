@@ -23,7 +23,7 @@ import pytest
 from arrangement.errors import InputError
 from arrangement.numbers.exact import vector_text
 from equilibrium import CertificateError, Contact, Grasp, Solution
-from equilibrium.certificate import checker, enclosure, law, reading, robust, space, uncertain
+from equilibrium.certificate import checker, enclosure, law, reading, robust, space
 from equilibrium.certificate.checker import MAX_DEPTH, Report, check
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
 from equilibrium.grasps.schemas import certificate_schema
@@ -513,7 +513,7 @@ def test_what_is_no_equilibrium_is_one_clear_error(motion, forces, words):
         check({**document, "motion": motion, "forces": forces})
 
 
-@pytest.mark.parametrize("module", [checker, enclosure, law, reading, robust, space, uncertain])
+@pytest.mark.parametrize("module", [checker, enclosure, law, reading, robust, space])
 def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
     tree = ast.parse(inspect.getsource(module))
     imported = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}

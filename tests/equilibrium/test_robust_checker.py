@@ -131,6 +131,14 @@ def test_forces_hold_just_up_to_the_friction_cone(force, bounds, normal, words):
     assert bool(words) == bool(problem)
 
 
+def test_forces_at_the_friction_cone_have_no_room():
+    """Springs lose the root and a quarter of the reach, friction grows by the reach."""
+    energy, reach = Fraction(1, 1000), Fraction(1, 10**6)
+    most = (1 - reach / 4 - root(energy)) / 2 - reach
+    assert "no room" in pads(most, {}, energy=energy)
+    assert pads(most - Fraction(1, 10**15), {}, energy=energy) == ""
+
+
 def test_a_small_energy_leaves_all_friction():
     assert pads("0.4999", {}, energy="1/1000000000") == ""
     assert "no room" in pads("0.5", {}, energy="1/1000000000")
