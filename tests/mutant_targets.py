@@ -265,7 +265,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_space.py::TestModel",
     ): ("equilibrium.model.contact",),
     ("tests/equilibrium/test_resistance.py",): ("equilibrium.model.effort",),
-    ("tests/equilibrium/test_range.py",): ("equilibrium.model.range",),
+    ("tests/equilibrium/test_displacement.py",): ("equilibrium.model.displacement",),
     (
         "tests/equilibrium/test_verdict.py",
         "tests/equilibrium/test_space_checker.py",

@@ -455,7 +455,7 @@ CASES = [
         (f"draw {THREE} -o a.html --wrench 0 {'9' * 5000} 0", "too large for a picture"),
         *((f"{c} two-opposed-fingers", "in space") for c in ("region", "polyhedra", "map")),
         (f"solve two-opposed-fingers {SPATIAL} --cone pyramid:5", "even number"),
-        (f"solve {THREE} {UP} --largest-turn -1", "turn"),
+        (f"solve {THREE} {UP} --max-displacement -1", "max_displacement"),
         *(
             (f"solve {THREE} {UP} --robust {bound}", bound.partition("=")[0])
             for bound in (

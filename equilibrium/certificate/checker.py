@@ -17,8 +17,9 @@ all ``e <= 0``, or if ``kappa >= 0``; ``kappa max(0, e)`` for the rest, as a con
 below its interpolation. The leaf holds if ``lambda . w g_0`` and all these are together at least 0
 at each generator, above 0 where ``g_0 > 0``: balance would make their sum over generators 0.
 
-Where only a range of motions counts, a leaf may use its bounds: kappa is larger by rho, and the
-sum smaller by ``(v Q + rho F + ...) g_0 - u r``, see `equilibrium.certificate.law.range_work`.
+Where only displacements of contact points up to D count, a leaf may give numbers a, b of contacts:
+the sum is smaller by ``(|a| D + |b| D) g_0 - a N . d - b T . d`` for each, see
+`equilibrium.certificate.law.displacement_work`.
 
 In space a tree has states alone, with sectors of slip directions; `equilibrium.certificate.space`
 has its leaves, and `equilibrium.certificate.enclosure` equilibria in intervals. Where contacts and
@@ -39,25 +40,25 @@ from typing import Any, NamedTuple, TypeAlias
 from arrangement.console.number_form import Shown
 from arrangement.numbers.exact import IntegerVector, RationalVector, to_text, vector_text
 from equilibrium.model.contact import VALUES, pyramid_edges
+from equilibrium.model.displacement import displacement_entry
 from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp, in_plane, read_wrench
-from equilibrium.model.range import NO_RANGE, Range
 
 from .enclosure import enclosure_problem
-from .law import frame, law_problem, range_problem, range_work, short
+from .law import displacement_problem, displacement_work, frame, law_problem, short
 from .reading import (
     STATES,
     Leaf,
     Split,
+    read_bound,
     read_enclosure,
     read_equilibrium,
     read_node,
     read_plane,
     read_question,
-    read_range,
 )
 from .robust import read_bounds, robust_problem
-from .space import SpatialQuestion, State, spatial_leaf_problem, split_states
+from .space import SpatialQuestion, State, along_tangents, spatial_leaf_problem, split_states
 from .uncertain import Bounds
 
 #: A grasp and a wrench.
@@ -78,7 +79,7 @@ class Report(Shown):
         pyramid: edges of the friction pyramids that it is about; None for cones.
         compared: whether the question that it is about was compared with one asked.
         grasp, wrench: that question.
-        within: the range in which equilibria count.
+        max_displacement: how far contact points may move for an equilibrium to count, if bounded.
         bounds: of the grasps for all of which it holds; None: it is about one.
     """
 
@@ -89,7 +90,7 @@ class Report(Shown):
     compared: bool = False
     grasp: Grasp = field(default_factory=Grasp)
     wrench: RationalVector = ()
-    within: Range = NO_RANGE
+    max_displacement: Fraction | None = None
     bounds: Bounds | None = None
     shown_fields = ("kind", "problem", "leaves", "pyramid", "compared")
 
@@ -97,7 +98,10 @@ class Report(Shown):
         return not self.problem
 
     def asked(
-        self, question: Question | None, pyramid: int | None = None, within: Range = NO_RANGE
+        self,
+        question: Question | None,
+        pyramid: int | None = None,
+        max_displacement: Fraction | None = None,
     ) -> Report:
         """Return what this says of a question: nothing, if the certificate is about another one."""
         if question is None:
@@ -105,8 +109,8 @@ class Report(Shown):
         problem = _difference(question, (self.grasp, self.wrench))
         if not problem and pyramid != self.pyramid:
             problem = "it is about other cones of friction"
-        if not problem and within != self.within:
-            problem = "it is about another range of motions and forces"
+        if not problem and max_displacement != self.max_displacement:
+            problem = "it is about other displacements of contacts"
         return replace(self, problem=problem or self.problem, compared=True)
 
     @property
@@ -120,7 +124,7 @@ class Report(Shown):
         found: dict[str, Any] = {"problem": self.problem} if self.problem else {}
         if self.pyramid is not None:
             found["pyramid"] = self.pyramid
-        found |= self.within.to_dict()
+        found |= displacement_entry(self.max_displacement)
         if self.bounds is not None:
             found["bounds"] = self.bounds.to_dict()
         about = {"wrench": list(map(to_text, self.wrench)), "grasp": self.grasp.to_dict()}
@@ -159,7 +163,7 @@ def check(
     document: Mapping[str, Any],
     question: Question | None = None,
     pyramid: int | None = None,
-    within: Range = NO_RANGE,
+    max_displacement: Fraction | None = None,
 ) -> Report:
     """Check a certificate, given as `Certificate.to_dict` or `read_certificate` returns it.
 
@@ -168,7 +172,7 @@ def check(
             says what it is about, and that this was compared with nothing.
         pyramid: with a question, the edges of the friction pyramids it has to be about; None for
             cones, in space round ones.
-        within: with a question, the range it has to be about.
+        max_displacement: with a question, the largest displacement it has to be about.
 
     Raises:
         InputError: this is no certificate, whatever its numbers are: wrong keys or types, floats, a
@@ -177,50 +181,70 @@ def check(
     Complexity: O(m) integer operations for each node of the tree.
     """
     kind, grasp, wrench = read_question(document)
-    bounds = read_range(document)
+    bound = read_bound(document)
     if "bounds" in document:
         problem = robust_problem(document, grasp, wrench)
         report = Report(kind, problem, bounds=read_bounds(document))
     elif kind == "resisted":
-        report = Report(kind, _equilibrium_problem(document, grasp, wrench, bounds))
+        report = Report(kind, _equilibrium_problem(document, grasp, wrench, bound))
     elif grasp.dimension == 3:
-        report = _spatial_report(document, grasp, wrench, bounds)
+        report = _spatial_report(document, grasp, wrench, bound)
     else:
-        report = _walk(document["tree"], IntegerQuestion(grasp, wrench, bounds))
+        report = _walk(document["tree"], IntegerQuestion(grasp, wrench, bound))
     pyramid_of = document.get("pyramid")
-    report = replace(report, pyramid=pyramid_of, within=bounds, grasp=grasp, wrench=wrench)
-    return report.asked(question, pyramid, within)
+    report = replace(report, pyramid=pyramid_of, max_displacement=bound, grasp=grasp, wrench=wrench)
+    return report.asked(question, pyramid, max_displacement)
 
 
 def _spatial_report(
-    document: Mapping[str, Any], grasp: Grasp, wrench: RationalVector, within: Range
+    document: Mapping[str, Any],
+    grasp: Grasp,
+    wrench: RationalVector,
+    max_displacement: Fraction | None,
 ) -> Report:
     """Check a tree in space, or one in the plane that has all contacts and the load."""
     tree, edges = document["tree"], edges_of(document)
     plane = read_plane(tree)
     if plane is None:
-        return _walk(tree, SpatialQuestion(grasp, wrench, edges, within))
+        return _walk(tree, SpatialQuestion(grasp, wrench, edges, max_displacement))
     if edges:
         raise CertificateError("tree.plane is for round cones")
     try:
-        # The turn in the plane is a part of that in space, so the range of one holds the other's.
-        question = IntegerQuestion(*in_plane(grasp, wrench, plane.axes), within)
+        question = IntegerQuestion(*in_plane(grasp, wrench, plane.axes), max_displacement)
     except GraspError as error:
         return Report("not resisted", f"tree.plane: {error}")
+    if max_displacement is not None and not along_tangents(grasp, plane.axes):
+        problem = "displacements along tangents that are at an angle to the plane are bounded"
+        return Report("not resisted", f"tree.plane: {problem}")
     return _walk(plane.tree, question)
 
 
 def _equilibrium_problem(
-    document: Mapping[str, Any], grasp: Grasp, wrench: RationalVector, within: Range
+    document: Mapping[str, Any],
+    grasp: Grasp,
+    wrench: RationalVector,
+    max_displacement: Fraction | None,
 ) -> str:
     """Return what is wrong with the equilibrium of a certificate, or nothing."""
     if "enclosure" in document:
         box = read_enclosure(document["enclosure"], len(grasp))
-        return enclosure_problem(grasp, wrench, box, within)
+        return enclosure_problem(grasp, wrench, box, max_displacement)
     found = read_equilibrium(document, len(grasp), grasp.dimension)
-    if problem := range_problem(within, *found):
+    return equilibrium_problem(grasp, wrench, *found, edges_of(document), max_displacement)
+
+
+def equilibrium_problem(
+    grasp: Grasp,
+    wrench: RationalVector,
+    motion: RationalVector,
+    forces: Sequence[RationalVector],
+    edges: Sequence[RationalVector] = (),
+    max_displacement: Fraction | None = None,
+) -> str:
+    """Return what is wrong with a motion and forces, normal ones first; empty if they are proof."""
+    if problem := displacement_problem(grasp, motion, max_displacement):
         return problem
-    return law_problem(grasp, wrench, *found, edges_of(document))
+    return law_problem(grasp, wrench, motion, forces, edges)
 
 
 def edges_of(document: Mapping[str, Any]) -> tuple[RationalVector, ...]:
@@ -257,11 +281,13 @@ class IntegerQuestion:
 
     dimension = 2
 
-    def __init__(self, grasp: Grasp, wrench: RationalVector, within: Range = NO_RANGE) -> None:
-        self.within = within
+    def __init__(
+        self, grasp: Grasp, wrench: RationalVector, max_displacement: Fraction | None = None
+    ) -> None:
+        self.max_displacement = max_displacement
         laws: list[tuple[RationalVector, ...]] = []
-        for contact in grasp:
-            normal, tangent = frame(contact)
+        self.frames = [frame(contact) for contact in grasp]
+        for contact, (normal, tangent) in zip(grasp, self.frames, strict=True):
             spring = (contact.preload, *(-contact.stiffness * x for x in normal))
             rubbing = tuple(contact.friction * x for x in tangent)
             laws.append((spring, (Fraction(0), *tangent), (*normal, *rubbing)))
@@ -367,12 +393,12 @@ def _leaf_problem(question: IntegerQuestion, leaf: Leaf, place: Place) -> str:
     scale = _denominator(leaf.motion)
     x, y, r = _times(leaf.motion, scale)
     load = sum(f * v for f, v in zip(question.wrench, (x, y, r), strict=True))
-    problem, taken = range_work(question.within, leaf.turn, leaf.forces)
+    problem, taken = displacement_work(question.max_displacement, leaf.displacements)
     if problem:
         return f"{place.path}: {problem}"
-    unit, u = scale * question.unit, sum(leaf.turn[1:])
+    unit = scale * question.unit
     ends = [generator.vector for generator in place.region]
-    work: list[Any] = [load * g[0] - unit * (taken * g[0] - u * g[3]) for g in ends]
+    work = _outer_work(question, leaf, load, unit, taken, ends)
     springs = zip(*(generator.springs for generator in place.region), strict=True)
     slips = zip(*(generator.slips for generator in place.region), strict=True)
     for i, (contact, e, s) in enumerate(zip(question.contacts, springs, slips, strict=True)):
@@ -386,8 +412,7 @@ def _leaf_problem(question: IntegerQuestion, leaf: Leaf, place: Place) -> str:
             rub = -rub
         elif not (state == "slip-" or (free and max(s) < 0)):
             rub = -abs(rub)
-        extra = leaf.forces.get(i, Fraction(0)) * scale * contact.per_e
-        kappa = x * n0 + y * n1 + r * n2 + rub + extra
+        kappa = x * n0 + y * n1 + r * n2 + rub
         if given is not None:
             alpha, h = given[0] * scale * contact.per_e, given[1] * scale * contact.per_s
             if broken := _broken_bound(state, alpha, h, kappa):
@@ -407,7 +432,27 @@ def _leaf_problem(question: IntegerQuestion, leaf: Leaf, place: Place) -> str:
     return ""
 
 
-def _broken_bound(state: Any, alpha: Fraction, h: Fraction, kappa: Fraction) -> str:
+def _outer_work(
+    question: IntegerQuestion,
+    leaf: Leaf,
+    load: int,
+    unit: int,
+    taken: Fraction,
+    ends: Sequence[IntegerVector],
+) -> list[Any]:
+    """Return the work of the load at the generators, with what bounded displacements take, give."""
+    work: list[Any] = [load * g[0] for g in ends]
+    if not leaf.displacements:
+        return work
+    total = [Fraction(0)] * 3
+    for i, numbers in leaf.displacements.items():
+        for number, row in zip(numbers, question.frames[i], strict=True):
+            total = [x + number * y for x, y in zip(total, row, strict=True)]
+    rows = ((-taken * g[0], *(x * y for x, y in zip(total, g[1:], strict=True))) for g in ends)
+    return [w + unit * sum(row) for w, row in zip(work, rows, strict=True)]
+
+
+def _broken_bound(state: Any, alpha: Fraction, h: Fraction, kappa: Fraction | int) -> str:
     """Return which bound of the multipliers of a contact is broken, or nothing."""
     if alpha < 0 and state in (None, "detached"):
         return "alpha must be at least 0"

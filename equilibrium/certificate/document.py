@@ -10,8 +10,8 @@ from typing import Any
 
 from arrangement.console.number_form import Shown
 from arrangement.numbers.exact import RationalVector, to_text
+from equilibrium.model.displacement import displacement_entry
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.model.solution import Solution
 
 from .checker import Report, check
@@ -47,13 +47,13 @@ def resisted_certificate(
     wrench: RationalVector,
     found: Solution,
     pyramid: int | None = None,
-    within: Range = NO_RANGE,
+    max_displacement: Fraction | None = None,
 ) -> Certificate:
     """Return the certificate of an equilibrium: its motion and forces, or the box that holds it."""
     box = found.box
     if box is None:
         proof = {"motion": _texts(found.motion), "forces": list(map(_texts, found.forces))}
-        return certificate("resisted", grasp, wrench, pyramid, within, **proof)
+        return certificate("resisted", grasp, wrench, pyramid, max_displacement, **proof)
     friction = [
         "detached" if share is None else _texts(share) if share else "slip"
         for share in box.friction
@@ -68,7 +68,7 @@ def resisted_certificate(
     }
     if box.idle:
         form["idle"] = list(map(_texts, box.idle))
-    return certificate("resisted", grasp, wrench, within=within, enclosure=form)
+    return certificate("resisted", grasp, wrench, max_displacement=max_displacement, enclosure=form)
 
 
 def refuted_certificate(
@@ -76,15 +76,15 @@ def refuted_certificate(
     wrench: RationalVector,
     tree: Any,
     pyramid: int | None = None,
-    within: Range = NO_RANGE,
+    max_displacement: Fraction | None = None,
 ) -> Certificate:
-    """Return the certificate that no equilibrium exists, in a range if one is given.
+    """Return the certificate that no equilibrium exists, among bounded displacements if so asked.
 
     Args:
         tree: the root node, in the form of `equilibrium.certificate.reading`.
         pyramid: edges of friction pyramids; None for round cones.
     """
-    return certificate("not resisted", grasp, wrench, pyramid, within, tree=tree)
+    return certificate("not resisted", grasp, wrench, pyramid, max_displacement, tree=tree)
 
 
 def certificate(
@@ -92,7 +92,7 @@ def certificate(
     grasp: Grasp,
     wrench: RationalVector,
     pyramid: int | None = None,
-    within: Range = NO_RANGE,
+    max_displacement: Fraction | None = None,
     **proof: Any,
 ) -> Certificate:
     """Return the certificate of a verdict.
@@ -104,7 +104,7 @@ def certificate(
     if pyramid is not None:
         proof = {"pyramid": pyramid, **proof}
     question = {"grasp": Grasp(grasp.contacts, grasp.units).to_dict(), "wrench": _texts(wrench)}
-    question |= within.to_dict()
+    question |= displacement_entry(max_displacement)
     document = {"schema_version": SCHEMA_VERSION, "certificate": kind, **question, **proof}
     return Certificate(json.dumps(document, separators=(",", ":")))
 

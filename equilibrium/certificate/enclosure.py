@@ -29,7 +29,6 @@ from typing import NamedTuple
 from arrangement.numbers.exact import RationalVector, dot
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.model.solution import Enclosure
 
 from .law import frame
@@ -92,9 +91,9 @@ def product(row: Iterable[Interval], column: Iterable[Interval]) -> Interval:
 
 
 def enclosure_problem(
-    grasp: Grasp, wrench: RationalVector, given: Enclosure, within: Range = NO_RANGE
+    grasp: Grasp, wrench: RationalVector, given: Enclosure, max_displacement: Fraction | None = None
 ) -> str:
-    """Return why an enclosure shows no equilibrium of the range, or nothing."""
+    """Return why an enclosure shows no equilibrium that counts, or nothing."""
     felt_contacts = felt_by(grasp, given.basis)
     for i, (felt, friction) in enumerate(zip(felt_contacts, given.friction, strict=True)):
         _, *tangents = felt.wrenches
@@ -117,8 +116,8 @@ def enclosure_problem(
     ]
     centre = [interval(m) for m in given.centre]
     try:
-        value, _ = _balance(felt_contacts, wrench, given, centre, within)
-        _, derivative = _balance(felt_contacts, wrench, given, box, within)
+        value, _ = _balance(felt_contacts, wrench, given, centre, max_displacement)
+        _, derivative = _balance(felt_contacts, wrench, given, box, max_displacement)
     except BrokenLaw as broken:
         return str(broken)
     inverse = [[interval(x) for x in row] for row in given.inverse]
@@ -191,7 +190,7 @@ def _balance(
     wrench: RationalVector,
     given: Enclosure,
     box: Sequence[Interval],
-    within: Range,
+    max_displacement: Fraction | None,
 ) -> tuple[list[Interval], list[list[Interval]]]:
     """Return the sum of all wrenches over a box, and its derivative, (6, 6).
 
@@ -199,16 +198,15 @@ def _balance(
         BrokenLaw: a condition does not hold all over the box.
     """
     zeros = [Interval(0, 0)] * 6
-    if within.largest_turn is not None:
-        axes = [[interval(motion[j]) for motion in given.basis] for j in (3, 4, 5)]
-        turns = total(product(row, box[: len(row)]).square() for row in axes)
-        if turns.high > interval(within.largest_turn**2).low:
-            raise BrokenLaw("the enclosure turns by more than the largest turn")
     sums = [Linear(interval(w), zeros) for w in wrench]
     for i, ((contact, rows, slopes), friction) in enumerate(
         zip(contacts, given.friction, strict=True)
     ):
         moved = [Linear(product(row, box), row) for row in slopes]
+        if max_displacement is not None:
+            most = interval(max_displacement).low
+            if any(not -most <= x.value.low <= x.value.high <= most for x in moved):
+                raise BrokenLaw(f"contact {i + 1}: its point may move by more than counts")
         normal = moved[0].by(-contact.stiffness)
         normal = normal.plus(Linear(interval(contact.preload), zeros))
         if friction is None:
@@ -217,9 +215,6 @@ def _balance(
             continue
         if normal.value.low < 0:
             raise BrokenLaw(f"contact {i + 1} is not attached all over the enclosure")
-        most = within.largest_force
-        if most is not None and normal.value.high > interval(most).low:
-            raise BrokenLaw(f"contact {i + 1} has a normal force above the largest one")
         limit = normal.by(contact.friction)
         if not contact.friction:
             forces = [limit, limit]

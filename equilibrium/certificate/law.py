@@ -6,13 +6,13 @@ mistake of the solver.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from arrangement.numbers.exact import RationalVector, number_text
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.range import Range, turns_of
 
 
 def frame(contact: Contact) -> tuple[RationalVector, ...]:
@@ -44,7 +44,8 @@ def law_problem(
     Args:
         edges: of friction pyramids; none for cones, in space round ones.
     """
-    total = list(wrench)
+    pushes: list[Fraction] = []
+    along_axes: list[RationalVector] = []
     for i, (contact, (normal, *friction)) in enumerate(zip(grasp, forces, strict=True), 1):
         wrenches = frame(contact)
         along, *slip = (_dot(row, motion) for row in wrenches)
@@ -52,13 +53,14 @@ def law_problem(
         if normal != spring:
             return f"contact {i}: normal force {short(normal)}, its spring gives {short(spring)}"
         limit = contact.friction * normal
-        given = f"contact {i}: friction {_shown(friction)} of at most {short(limit)}"
-        if not _in_cone(friction, limit, edges):
-            return given
-        if not _does_most(friction, slip, limit, edges):
-            return f"{given} while it slips by {_shown(slip)}"
-        for force, row in zip((normal, *friction), wrenches, strict=True):
-            total = [w + force * x for w, x in zip(total, row, strict=True)]
+        inside = _in_cone(friction, limit, edges)
+        if not inside or not _does_most(friction, slip, limit, edges):
+            given = f"contact {i}: friction {_shown(friction)} of at most {short(limit)}"
+            return given + f" while it slips by {_shown(slip)}" * inside
+        pushes += normal, *friction
+        along_axes += wrenches
+    columns = zip(*along_axes, strict=True) if along_axes else ([] for _ in wrench)
+    total = [w + _dot(pushes, column) for w, column in zip(wrench, columns, strict=True)]
     return f"the forces add up to {_shown(total)}, not 0" if any(total) else ""
 
 
@@ -66,6 +68,8 @@ def _in_cone(
     friction: Sequence[Fraction], limit: Fraction, edges: Sequence[RationalVector]
 ) -> bool:
     """Return whether a friction force is in the disc, or in the polygon of the edges."""
+    if len(friction) == 1:
+        return abs(friction[0]) <= limit
     if not edges:
         return _dot(friction, friction) <= limit * limit
     sides = zip(outward(edges), edges, strict=True)
@@ -88,48 +92,40 @@ def _does_most(
 
     In the disc that is ``-limit |s|``, done by one force alone; by all where there is no slip.
     """
+    if len(slip) == 1:
+        return not slip[0] or friction[0] == (-limit if slip[0] > 0 else limit)
     work = _dot(friction, slip)
     if edges:
         return work == -limit * max(_dot(edge, slip) for edge in edges)
     return work <= 0 and work * work == limit * limit * _dot(slip, slip)
 
 
-def range_problem(within: Range, motion: RationalVector, forces: Sequence[RationalVector]) -> str:
-    """Return which bound of the range a motion and forces (normal first) break, or nothing."""
-    turns = tuple(turns_of(motion))
-    turn, force = within.largest_turn, within.largest_force
-    if turn is not None and _dot(turns, turns) > turn * turn:
-        return f"the motion turns by more than the largest turn {short(turn)}"
-    for i, (normal, *_) in enumerate(forces, 1):
-        if force is not None and normal > force:
-            return f"contact {i}: normal force {short(normal)}, the largest one is {short(force)}"
+def displacement_problem(
+    grasp: Grasp, motion: RationalVector, max_displacement: Fraction | None
+) -> str:
+    """Return which contact point moves further than the largest displacement, or nothing."""
+    for i, contact in enumerate(grasp if max_displacement is not None else (), 1):
+        for row in frame(contact):
+            if abs(_dot(row, motion)) > max_displacement:  # type: ignore[operator]
+                moved, most = short(_dot(row, motion)), short(max_displacement)  # type: ignore[arg-type]
+                return f"contact {i}: its point moves by {moved}, and at most {most} counts"
     return ""
 
 
-def range_work(
-    within: Range, turn: RationalVector, forces: Mapping[int, Fraction]
+def displacement_work(
+    max_displacement: Fraction | None, displacements: Mapping[int, RationalVector]
 ) -> tuple[str, Fraction]:
-    """Return what the bounds take from the work of a leaf, for a motion with ``d_0 = 1``.
+    """Return what the largest displacement D takes from the work of a leaf, for ``d_0 = 1``.
 
-    In the range ``v Q - u . r >= 0`` for the rotation r if ``v >= |u|``, and ``rho (F - c_n) >= 0``
-    if ``rho >= 0``. So they take ``v Q`` and all ``rho F``, and give ``u . r``, and rho more for
-    each unit of a normal force. First comes what is wrong with them, if anything.
+    Where each contact point moves by at most D along its normal and its tangents, the sum of
+    ``|a| D - a N . d`` and of the same for tangents is at least 0, whatever the numbers a of a
+    contact are. So they take ``|a| D``, and give ``a N . d``. First comes what is wrong, if
+    anything.
     """
-    taken = Fraction(0)
-    if turn:
-        v, u = turn[0], turn[1:]
-        if within.largest_turn is None:
-            return "the question has no largest turn", taken
-        if v < 0 or v * v < _dot(u, u):
-            return "turn: v must be at least |u|", taken
-        taken += v * within.largest_turn
-    for i, rho in forces.items():
-        if within.largest_force is None:
-            return "the question has no largest force", taken
-        if rho < 0:
-            return f"contact {i + 1}: rho must be at least 0", taken
-        taken += rho * within.largest_force
-    return "", taken
+    if displacements and max_displacement is None:
+        return "the question has no largest displacement", Fraction(0)
+    total = sum((abs(a) for row in displacements.values() for a in row), Fraction(0))
+    return "", total * (max_displacement or 0)
 
 
 def short(value: Fraction | int) -> str:
@@ -143,4 +139,12 @@ def _shown(values: Sequence[Fraction]) -> str:
 
 
 def _dot(left: Sequence[Fraction], right: Sequence[Fraction]) -> Fraction:
-    return sum((a * b for a, b in zip(left, right, strict=True)), Fraction(0))
+    # In integers: to reduce each product and each sum takes several times as long.
+    (one, unit), (other, scale) = _whole(left), _whole(right)
+    return Fraction(sum(a * b for a, b in zip(one, other, strict=True)), unit * scale)
+
+
+def _whole(row: Sequence[Fraction]) -> tuple[list[int], int]:
+    """Return integers and their common denominator."""
+    unit = math.lcm(*(x.denominator for x in row))
+    return [x.numerator * (unit // x.denominator) for x in row], unit

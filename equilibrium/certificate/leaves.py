@@ -12,11 +12,10 @@ from typing import Any, NamedTuple
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, vector_text
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.range import NO_RANGE, Range
 
 from .checker import IntegerQuestion, edges_of, placed_leaves
-from .law import frame, range_work
-from .reading import Leaf, read_plane, read_question, read_range
+from .law import displacement_work, frame
+from .reading import Leaf, read_bound, read_plane, read_question
 from .space import SlipFace, SpatialQuestion, State, slip_faces
 
 
@@ -40,7 +39,8 @@ class Works(NamedTuple):
         load: the work of the load.
         factors: for each contact its least work, as a factor of its normal force; None where it has
             no force.
-        least: all contacts and the bounds of a range work at least that much; ``load + least > 0``.
+        least: all contacts and bounded displacements work at least that much;
+            ``load + least > 0``.
     """
 
     load: Fraction
@@ -56,10 +56,13 @@ def parts(document: Mapping[str, Any]) -> Iterator[ClosedPart]:
 
 
 def works(
-    grasp: Grasp, wrench: RationalVector, together: Sequence[ClosedPart], within: Range = NO_RANGE
+    grasp: Grasp,
+    wrench: RationalVector,
+    together: Sequence[ClosedPart],
+    max_displacement: Fraction | None = None,
 ) -> Works:
     """Return the works on the virtual motion of one part, or of several that share it."""
-    each = [_works(grasp, wrench, part, within) for part in together]
+    each = [_works(grasp, wrench, part, max_displacement) for part in together]
     factors = [
         min((factor for factor in some if factor is not None), default=None)
         for some in zip(*(done.factors for done in each), strict=True)
@@ -67,11 +70,13 @@ def works(
     return Works(each[0].load, factors, min(done.least for done in each))
 
 
-def _works(grasp: Grasp, wrench: RationalVector, part: ClosedPart, within: Range) -> Works:
+def _works(
+    grasp: Grasp, wrench: RationalVector, part: ClosedPart, max_displacement: Fraction | None
+) -> Works:
     region, states, leaf = part
     load, factors = Fraction(dot(wrench, leaf.motion)), []
-    u, (_, taken) = sum(leaf.turn[1:]), range_work(within, leaf.turn, leaf.forces)
-    work = [(load - taken) * g[0] + u * g[3] for g in region]
+    _, taken = displacement_work(max_displacement, leaf.displacements)
+    work = [(load - taken) * g[0] for g in region]
     for i, contact in enumerate(grasp):
         normal, tangent = frame(contact)
         e = [contact.preload * g[0] - contact.stiffness * dot(normal, g[1:]) for g in region]
@@ -82,9 +87,11 @@ def _works(grasp: Grasp, wrench: RationalVector, part: ClosedPart, within: Range
         way = (state == "slip+" or (free and min(s) > 0)) - (
             state == "slip-" or (free and max(s) < 0)
         )
-        kappa += leaf.forces.get(i, 0) - (way * rub if way else abs(rub))
+        kappa -= way * rub if way else abs(rub)
         idle = state == "detached" or (state is None and max(e) <= 0)
         factors.append(None if idle else kappa)
+        for x, moved in zip(leaf.displacements.get(i, ()), (normal, tangent), strict=False):
+            work = [w + x * dot(moved, g[1:]) for w, g in zip(work, region, strict=True)]
         row: Sequence[Any] = [0] * len(region)
         if i in leaf.multipliers:
             alpha, h = leaf.multipliers[i]
@@ -119,10 +126,10 @@ def spatial_leaves(document: Mapping[str, Any]) -> Iterator[SpatialLeaf]:
     _, grasp, wrench = read_question(document)
     if read_plane(document["tree"]):
         return
-    question = SpatialQuestion(grasp, wrench, edges_of(document), read_range(document))
+    question = SpatialQuestion(grasp, wrench, edges_of(document), read_bound(document))
     for leaf, place in placed_leaves(document["tree"], question):
         works = (row[0] * grasp.contacts[i].preload for i, row in leaf.multipliers.items())
-        _, taken = range_work(question.within, leaf.turn, leaf.forces)
+        _, taken = displacement_work(question.max_displacement, leaf.displacements)
         states = {i: _words(state, question.edges) for i, state in place.states.items()}
         yield SpatialLeaf(states, leaf.motion, sum(works, -taken))
 

@@ -31,9 +31,10 @@ rational numbers is shown by an "enclosure", see `equilibrium.certificate.enclos
 With "bounds" in the certificate it is about all grasps within them, and in another form, that of
 `equilibrium.certificate.robust`.
 
-With "largest_turn" or "largest_force" in the certificate only equilibria in this range count, see
-`equilibrium.model.range`. Then a leaf ``{"virtual_motion": ..., "multipliers": ..., "range":
-{"turn": [v, u], "forces": {"4": rho}}}`` may use it; u has three numbers in space.
+With "max_displacement" in the certificate only equilibria count that move each contact point by at
+most that along its normal and its tangents. Then a leaf ``{"virtual_motion": ..., "multipliers":
+..., "displacements": {"4": [a, b]}}`` may use it: numbers of any sign for the normal and the
+tangents of a contact, three in space; see `equilibrium.certificate.law.displacement_work`.
 """
 
 from __future__ import annotations
@@ -44,16 +45,17 @@ from typing import Any, NamedTuple
 
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.exact import RationalVector, rational, rational_vector, shown
+from equilibrium.model.displacement import read_displacement
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.model.range import Range
 from equilibrium.model.solution import Enclosure
 
 from .robust import check_form
 
 SCHEMA_VERSION = 3
 _KEYS = {"resisted": ("motion", "forces"), "not resisted": ("tree",)}
-_RANGE = ("largest_turn", "largest_force")
+#: Of older certificates.
+_OLD_BOUNDS = ("largest_turn", "largest_force")
 _ENCLOSURE = ("basis", "friction", "pillars", "centre", "radius", "inverse")
 #: Numbers of a motion, in the plane and in space.
 SIZES = {2: 3, 3: 6}
@@ -68,14 +70,12 @@ class Leaf(NamedTuple):
     """A virtual motion, and (alpha, h) of some contacts.
 
     Attributes:
-        turn: (v, u) of the largest turn, or nothing.
-        forces: rho of the largest force, of some contacts.
+        displacements: numbers for the normal and the tangents of some contacts.
     """
 
     motion: RationalVector
     multipliers: Mapping[int, RationalVector]
-    turn: RationalVector = ()
-    forces: Mapping[int, Fraction] = {}
+    displacements: Mapping[int, RationalVector] = {}
 
 
 class Split(NamedTuple):
@@ -119,12 +119,17 @@ def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
         raise CertificateError(f"schema_version is {shown(version)}; {SCHEMA_VERSION} is read here")
     if not isinstance(kind, str) or kind not in _KEYS:
         raise CertificateError(f"certificate is {shown(kind)}; known are {', '.join(_KEYS)}")
+    if old := next((key for key in _OLD_BOUNDS if key in document), ""):
+        raise CertificateError(
+            f"the certificate has {old}; expected max_displacement. Make a new one with "
+            "`equilibrium solve` and --max-displacement"
+        )
     common = ("schema_version", "certificate", "grasp", "wrench")
     shown_by = ("enclosure",) if "enclosure" in document else _KEYS[kind]
     if "bounds" in document:
         check_form(document, kind, common)
         return kind, *_grasp_and_wrench(document)
-    check_keys(document, (*common, *shown_by), ("pyramid", *_RANGE), "the certificate")
+    check_keys(document, (*common, *shown_by), ("pyramid", "max_displacement"), "the certificate")
     grasp, wrench = _grasp_and_wrench(document)
     if "enclosure" in document and (kind, grasp.dimension) != ("resisted", 3):
         raise CertificateError("an enclosure shows that a grasp in space resists")
@@ -140,10 +145,11 @@ def _grasp_and_wrench(document: Mapping[str, Any]) -> tuple[Grasp, RationalVecto
     return grasp, read_wrench(check_list(document["wrench"], "wrench"), grasp.dimension)
 
 
-def read_range(document: Mapping[str, Any]) -> Range:
-    """Return the range of a certificate; it bounds nothing where none is given."""
-    found = [rational(document[key], key) if key in document else None for key in _RANGE]
-    return Range.of(*found)
+def read_bound(document: Mapping[str, Any]) -> Fraction | None:
+    """Return the largest displacement that a certificate is about; None where it has none."""
+    if "max_displacement" not in document:
+        return None
+    return read_displacement(rational(document["max_displacement"], "max_displacement"))
 
 
 def read_equilibrium(
@@ -239,7 +245,7 @@ def read_node(content: Any, path: str, contacts: int, dimension: int) -> Leaf | 
 
 
 def _long_leaf(content: Mapping[str, Any], path: str, contacts: int, dimension: int) -> Leaf:
-    check_keys(content, ("virtual_motion", "multipliers"), ("range",), path)
+    check_keys(content, ("virtual_motion", "multipliers"), ("displacements",), path)
     motion = _rationals(content["virtual_motion"], SIZES[dimension], f"{path}.virtual_motion")
     where = f"{path}.multipliers"
     multipliers = {}
@@ -247,14 +253,10 @@ def _long_leaf(content: Mapping[str, Any], path: str, contacts: int, dimension: 
         size = 1 if isinstance(row, (list, tuple)) and len(row) == 1 else dimension
         numbers = _rationals(row, size, f"{where}.{i}")
         multipliers[i] = (*numbers, *[Fraction(0)] * (dimension - size))
-    bounds, where = content.get("range", {}), f"{path}.range"
-    check_keys(bounds, (), ("turn", "forces"), where)
-    turn: RationalVector = ()
-    if "turn" in bounds:
-        turn = _rationals(bounds["turn"], 2 if dimension == 2 else 4, f"{where}.turn")
-    given = _by_contacts(bounds.get("forces", {}), f"{where}.forces", contacts)
-    forces = {i: rational(x, f"{where}.forces.{i}") for i, x in given.items()}
-    return Leaf(motion, multipliers, turn, forces)
+    where = f"{path}.displacements"
+    given = _by_contacts(content.get("displacements", {}), where, contacts)
+    displacements = {i: _rationals(row, dimension, f"{where}.{i}") for i, row in given.items()}
+    return Leaf(motion, multipliers, displacements)
 
 
 def _by_contacts(given: Any, where: str, contacts: int) -> dict[int, Any]:

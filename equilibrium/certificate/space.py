@@ -11,8 +11,9 @@ The cone of friction is round, ``|c_t| <= mu c_n``, and a contact that slips by 
   sector, else at an end: ``u . b / |u|`` or ``v . b / |v|``;
 * h = 0 but where it sticks, and in a sector, where ``h . u <= 0`` and ``h . v <= 0``.
 
-Where only a range counts, its bounds take ``v Q`` and all ``rho F`` from the sum, give ``u . r``
-for the rotation r of d, and let a be larger by rho, see `equilibrium.certificate.law.range_work`.
+Where only displacements of contact points up to D count, numbers of a leaf for the normal and the
+tangents of a contact take D times their sizes from the sum, and give what they are times the rows
+``N . d`` and ``T . d``, see `equilibrium.certificate.law.displacement_work`.
 
 Without multipliers alpha and h are 0. Where all these together do not depend on d, and are above
 minus the work of the load, nothing balances the load. Roots are compared by their squares.
@@ -29,9 +30,8 @@ from typing import Any, NamedTuple, TypeAlias
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.range import NO_RANGE, Range
 
-from .law import frame, outward, range_work, short
+from .law import displacement_work, frame, outward, short
 from .reading import Leaf, Split
 
 #: A sector from u to v, counter-clockwise by less than half a turn.
@@ -62,9 +62,9 @@ class SpatialQuestion:
         grasp: Grasp,
         wrench: RationalVector,
         edges: Sequence[RationalVector] = (),
-        within: Range = NO_RANGE,
+        max_displacement: Fraction | None = None,
     ) -> None:
-        self.edges, self.within = edges, within
+        self.edges, self.max_displacement = edges, max_displacement
         contacts = list(grasp)
         works = math.lcm(*(x.denominator for x in (*wrench, *(c.preload for c in contacts))))
         self.load = tuple(int(x * works) for x in wrench)
@@ -159,7 +159,7 @@ def spatial_leaf_problem(
     question: SpatialQuestion, leaf: Leaf, states: Mapping[int, State], path: str
 ) -> str:
     """Return the inequality of a leaf that fails, or nothing."""
-    problem, taken = range_work(question.within, leaf.turn, leaf.forces)
+    problem, taken = displacement_work(question.max_displacement, leaf.displacements)
     if problem:
         return f"{path}: {problem}"
     scale = math.lcm(
@@ -167,14 +167,14 @@ def spatial_leaf_problem(
     )
     motion = [int(x * scale) for x in leaf.motion]
     work: Any = dot(question.load, motion) - taken * scale * question.works
-    rest: list[Any] = [0] * 3 + [u * scale * question.motions for u in leaf.turn[1:] or (0, 0, 0)]
+    rest: list[Any] = [0] * 6
     for i, contact in enumerate(question.contacts):
         state = states.get(i, "undecided")
         given = leaf.multipliers.get(i)
         alpha, *h = (0, 0, 0) if given is None else (int(x * scale) for x in given)
         row = contact.wrenches
         a, *b = (dot(row[j : j + 6], motion) for j in (0, 6, 12))
-        room = a - (alpha - leaf.forces.get(i, 0) * scale) * contact.unit
+        room = a - alpha * contact.unit
         if question.edges:
             broken = _broken_pyramid(state, alpha, h, room, b, contact.friction, question.edges)
         else:
@@ -186,8 +186,13 @@ def spatial_leaf_problem(
             factors = -alpha * contact.per_alpha, h[0] * contact.per_h, h[1] * contact.per_h
             for j in range(6):
                 rest[j] += factors[0] * row[j] + factors[1] * row[6 + j] + factors[2] * row[12 + j]
+        if i in leaf.displacements:
+            pins = [x * scale * contact.per_h for x in leaf.displacements[i]]
+            for j in range(6):
+                rest[j] += pins[0] * row[j] + pins[1] * row[6 + j] + pins[2] * row[12 + j]
     if any(rest):
-        return f"{path}: the sum of -alpha k N + h T" + " + u" * bool(leaf.turn) + " is not 0"
+        more = " and of the displacements" * bool(leaf.displacements)
+        return f"{path}: the sum of -alpha k N + h T{more} is not 0"
     return "" if work > 0 else f"{path}: the work of load and contacts is not above 0"
 
 
@@ -251,6 +256,13 @@ def _named(state: State) -> str:
         return state
     ends = (f"({', '.join(map(short, end))})" for end in getattr(state, "ends", state))
     return f"slip between {' and '.join(ends)}"
+
+
+def along_tangents(grasp: Grasp, axes: Sequence[RationalVector]) -> bool:
+    """Return whether each contact has a tangent in a plane, given by orthonormal axes."""
+    (a, b, c), (x, y, z) = axes
+    normal = b * z - c * y, c * x - a * z, a * y - b * x
+    return all(abs(dot(normal, contact.tangent)) in (0, 1) for contact in grasp)
 
 
 def turn(left: Sequence[Any], right: Sequence[Any]) -> Any:

@@ -17,7 +17,6 @@ from equilibrium.model.labels import AS_ROUNDED
 if TYPE_CHECKING:
     from equilibrium.grasps.inputs import Conversion
     from equilibrium.model.grasp import Grasp
-    from equilibrium.model.range import RangeArguments
 
 _AXES = ("F_X", "F_Y", "TAU")
 
@@ -94,20 +93,10 @@ def add_applied(
     return ways
 
 
-def add_range(parser: argparse.ArgumentParser) -> None:
-    """Add the bounds that an equilibrium has to keep in order to count; see `range_given`."""
-    text = "count only equilibria that turn by at most Q radians (default: any)"
-    add_number(parser, "--largest-turn", None, text)
-    text = "count only equilibria with normal forces of at most Q (default: any)"
-    add_number(parser, "--largest-force", None, text)
-
-
-def range_given(arguments: argparse.Namespace) -> RangeArguments:
-    """Return what `add_range` has read, as keyword arguments."""
-    return {
-        "largest_turn": arguments.largest_turn,
-        "largest_force": arguments.largest_force,
-    }
+def add_displacement(parser: argparse.ArgumentParser) -> None:
+    """Add how far an equilibrium may move contact points to count."""
+    text = "count only equilibria that move each contact point by at most D along its normal and "
+    add_number(parser, "--max-displacement", None, f"{text}each tangent (default: any)", "D")
 
 
 def add_cone(parser: argparse.ArgumentParser) -> None:

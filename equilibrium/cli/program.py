@@ -12,18 +12,17 @@ from arrangement.console.number_form import counted
 from arrangement.console.safe_text import printable
 from arrangement.numbers.deadline import Deadline
 from equilibrium.model.contact import pyramid_words
-from equilibrium.model.range import Range
+from equilibrium.model.displacement import displacement_words, read_displacement
 
 from . import draw, inputs, methods, wrench_sets
 from .arguments import (
     add_applied,
     add_command,
     add_cone,
+    add_displacement,
     add_grasp,
-    add_range,
     applied,
     grasp_of,
-    range_given,
     seconds,
     show,
 )
@@ -80,7 +79,7 @@ def _parser() -> terminal.Parser:
         help="give up then: exit code 2, in space 3",
     )
     add_cone(solve)
-    add_range(solve)
+    add_displacement(solve)
     solve.add_argument(
         "--robust",
         nargs="+",
@@ -124,7 +123,7 @@ def _parser() -> terminal.Parser:
     add_grasp(verify, "--grasp")
     add_applied(verify, text="what the proof has to be about, with --grasp", required=False)
     add_cone(verify)
-    add_range(verify)
+    add_displacement(verify)
     add_command(commands, "list", _list, "list the built-in grasps", grasp=False)
     wrench_sets.add_commands(commands)
     methods.add_commands(commands)
@@ -156,17 +155,16 @@ def _solve(arguments: argparse.Namespace) -> int:
         raise GraspError("a literal reading has no certificate; omit one of the two options")
     grasp = grasp_of(arguments)
     wrench = applied(arguments, grasp)
-    bounds = range_given(arguments)
     if arguments.literal:
         from equilibrium.methods.printed_model import solve_literal
 
-        if set(bounds.values()) != {None}:
-            raise GraspError("a literal reading has no largest turn or force; omit one of the two")
+        if arguments.max_displacement is not None:
+            raise GraspError("a literal reading bounds no displacement; omit one of the two")
         literal = solve_literal(grasp, wrench, arguments.literal)
         lines = piece_lines(literal.equilibria, grasp)
         return show(arguments, literal.to_dict(), lines, literal.stable, grasp)
-    deadline = Deadline(arguments.time_limit)
-    asked = {"shorten": arguments.shorten, "pyramid": arguments.cone, **bounds}
+    bound, deadline = arguments.max_displacement, Deadline(arguments.time_limit)
+    asked = {"shorten": arguments.shorten, "pyramid": arguments.cone, "max_displacement": bound}
     found = solve(grasp, wrench, time_limit=arguments.time_limit, **asked)
     if arguments.certificate is not None and found.certificate is not None:
         write_certificate(arguments.certificate, found.certificate)
@@ -218,7 +216,7 @@ def _verify(arguments: argparse.Namespace) -> int:
     from equilibrium.model.errors import GraspError
 
     path, question, known = arguments.certificate, _asked(arguments), True
-    within = Range.of(**range_given(arguments))
+    max_displacement = read_displacement(arguments.max_displacement)
     if arguments.proved:
         valid, kind = verify_proved(path)
         # What came on stdin only that program has read.
@@ -229,15 +227,17 @@ def _verify(arguments: argparse.Namespace) -> int:
         if known:
             _, grasp, wrench = read_question(read_certificate(path))
             report = replace(report, grasp=grasp, wrench=wrench)
-            report = report.asked(question, arguments.cone, within)
+            report = report.asked(question, arguments.cone, max_displacement)
     else:
-        report = verify(path, question, arguments.cone, within)
+        report = verify(path, question, arguments.cone, max_displacement)
     speaker, left_out = ("proved", "leaves") if arguments.proved else ("Python", "")
     document = {k: value for k, value in report.to_dict().items() if k != left_out}
     if not known:
         del document["wrench"], document["grasp"]
     proof = report.kind + f", {counted(report.leaves, 'leaf', 'leaves')}" * bool(report.leaves)
-    proof += pyramid_words(report.pyramid, before=", with ") + str(report.within)
+    proof += pyramid_words(report.pyramid, before=", with ") + displacement_words(
+        report.max_displacement
+    )
     proof += f", for all {report.bounds}" if report.bounds is not None else ""
     said = f"valid: {proof}" if report else f"not valid: {printable(report.problem)}"
     lines = [f"{said} (by the {speaker} checker)", *report.question[: _MOST_LINES * known]]
@@ -254,7 +254,7 @@ def _asked(arguments: argparse.Namespace) -> tuple[Grasp, RationalVector] | None
     from equilibrium.model.errors import GraspError
 
     loads = ("wrench", "force", "weight", "at")
-    names = ("grasp", *loads, "preload", "cone", "largest_turn", "largest_force")
+    names = ("grasp", *loads, "preload", "cone", "max_displacement")
     grasp, *load = (getattr(arguments, name) is not None for name in names)
     if grasp and any(load[:3]):
         wanted = grasp_of(arguments)

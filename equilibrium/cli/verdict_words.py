@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import counted, near, number, vector
@@ -10,7 +11,7 @@ from arrangement.numbers.exact import RationalVector, dot
 from equilibrium.certificate.leaves import SpatialLeaf, parts, spatial_leaves, works
 from equilibrium.certificate.reading import read_plane
 from equilibrium.model.contact import pyramid_words
-from equilibrium.model.range import NO_RANGE, Range
+from equilibrium.model.displacement import STIFFNESS_ASSUMED, displacement_words, has_unit
 
 if TYPE_CHECKING:
     from equilibrium.certificate.leaves import ClosedPart
@@ -33,15 +34,16 @@ def verdict_lines(
         every: see `Verdict.to_dict`.
         path: where the certificate was written, if it was.
     """
-    within = pyramid_words(found.pyramid, before=", with ") + str(found.within)
+    about = pyramid_words(found.pyramid, before=", with ")
+    about += displacement_words(found.max_displacement)
     solution = found.solution
     if not found.decided:
-        yield f"undecided{within}: {found.reason}; no equilibrium and no proof was found"
+        yield f"undecided{about}: {found.reason}; no equilibrium and no proof was found"
         yield f"best motion found: {found.residual:.2g} of the largest force is left over"
     elif solution is None:
-        yield from _refusal(found, within, path)
+        yield from _refusal(found, about, path)
     elif found.lists_all(every):
-        yield from piece_lines(found.equilibria, found.grasp, found.within)
+        yield from piece_lines(found.equilibria, found.grasp, found.max_displacement)
     else:
         how = (
             "the equilibrium found is below; there may be others, and --all lists them"
@@ -50,21 +52,24 @@ def verdict_lines(
             if solution.box is None
             else "exactly one equilibrium lies in a box of intervals"
         )
-        yield f"resisted{within}: {how}"
+        yield f"resisted{about}: {how}"
         if solution.box is not None and solution.box.idle:
             yield f"  (but for motions {_UNFELT}, as a turn about the line of two)"
         yield from _equilibrium_lines(found.grasp, solution, found.states)
     yield from found.warnings
+    if not has_unit(found.grasp) and (solution is not None or found.max_displacement is not None):
+        yield STIFFNESS_ASSUMED
 
 
 def piece_lines(
-    pieces: Sequence[Equilibrium], grasp: Grasp, within: Range = NO_RANGE
+    pieces: Sequence[Equilibrium], grasp: Grasp, max_displacement: Fraction | None = None
 ) -> Iterator[str]:
     """Yield what is said of all equilibria in the plane."""
+    about = displacement_words(max_displacement)
     if not pieces:
-        yield f"not resisted{within}: no contact state admits an equilibrium"
+        yield f"not resisted{about}: no contact state admits an equilibrium"
         return
-    yield f"resisted{within}: {counted(len(pieces), 'equilibrium', 'equilibria')}"
+    yield f"resisted{about}: {counted(len(pieces), 'equilibrium', 'equilibria')}"
     for piece in pieces:
         freedom = "(of least norm; neither motion nor forces need be determined)"
         if piece.forces_determined:
@@ -86,14 +91,14 @@ def _equilibrium_lines(
         yield f"    contact {i}  {state:<8}  force {shown(force)}{why}"
 
 
-def _refusal(found: Verdict, within: str, path: str | None) -> Iterator[str]:
+def _refusal(found: Verdict, about: str, path: str | None) -> Iterator[str]:
     if found.grasp.dimension == 2:
-        yield from piece_lines((), found.grasp, found.within)
+        yield from piece_lines((), found.grasp, found.max_displacement)
         yield from _proof_lines(found, path)
         return
     leaves = found.verify().leaves
     where = " in the plane of the contacts" if read_plane(found.proof["tree"]) else ""
-    yield f"not resisted{within}: proof{where} with {counted(leaves, 'leaf', 'leaves')}"
+    yield f"not resisted{about}: proof{where} with {counted(leaves, 'leaf', 'leaves')}"
     if leaves <= _MOST:
         for leaf in spatial_leaves(found.proof):
             yield from _leaf_lines(found.wrench, leaf)
@@ -107,9 +112,10 @@ def _proof_lines(verdict: Verdict, path: str | None) -> Iterator[str]:
         where = f", in {path}" if path else "; --certificate OUT.json writes it"
         yield f"proof: {counted(len(found), 'leaf', 'leaves')}{where}"
         return
-    yield f"proof{verdict.within}: whatever the contacts do, no forces balance"
+    about = displacement_words(verdict.max_displacement)
+    yield f"proof{about}: whatever the contacts do, no forces balance"
     for where, together in cases.items():
-        done = works(verdict.grasp, verdict.wrench, together, verdict.within)
+        done = works(verdict.grasp, verdict.wrench, together, verdict.max_displacement)
         yield (
             f"  {where}on the virtual motion {vector(together[0].leaf.motion)} the load does work "
             f"{number(done.load)}, the contacts at least {number(done.least)}"

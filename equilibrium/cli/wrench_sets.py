@@ -16,13 +16,12 @@ from .arguments import (
     add_applied,
     add_command,
     add_count,
+    add_displacement,
     add_number,
-    add_range,
     add_wrench,
     applied,
     force_given,
     grasp_of,
-    range_given,
     show,
 )
 
@@ -60,21 +59,21 @@ def add_commands(commands: Any) -> None:
     text = "with --any-direction: divide torques by this to compare them with forces (default: 1)"
     add_number(limit, "--length", None, text)
     add_wrench(limit, "--base", "a wrench that acts in any case (default: none)", _ZERO)
-    add_range(limit)
+    add_displacement(limit)
 
     text = "find the resisted wrenches of a plane"
     region = add_command(commands, "region", _region, text, *some)
     _add_plane(region)
-    add_range(region)
+    add_displacement(region)
 
     text = "list all resisted wrenches as half-spaces"
-    add_range(add_command(commands, "polyhedra", _polyhedra, text, *some))
+    add_displacement(add_command(commands, "polyhedra", _polyhedra, text, *some))
 
     text = "say how far a wrench may be scaled, and what would resist it"
     answers = ("resisted", "not resisted", "undecided")
     margin = add_command(commands, "margin", _margin, text, *answers)
     add_applied(margin)
-    add_range(margin)
+    add_displacement(margin)
     add_number(margin, "--width", Fraction(1, 2**20), "length of the friction bracket")
 
     text = "search for the largest force in N directions, as the paper does"
@@ -104,7 +103,7 @@ def _add_plane(parser: argparse.ArgumentParser) -> None:
 def _solver(arguments: argparse.Namespace, grasp: Grasp) -> Solver:
     from equilibrium.decide.solver import Solver
 
-    return Solver(grasp, **range_given(arguments))
+    return Solver(grasp, arguments.max_displacement)
 
 
 def _limit(arguments: argparse.Namespace) -> int:
@@ -179,7 +178,7 @@ def _spatial_limit(
     from equilibrium.wrench_sets.spatial import spatial_magnitudes
 
     start = (0,) * 6 if base is _ZERO else base
-    found = spatial_magnitudes(grasp, direction, start, **range_given(arguments))
+    found = spatial_magnitudes(grasp, direction, start, max_displacement=arguments.max_displacement)
     yes = {"resisted": True, "not resisted": False}.get(found.verdict)
     lines, document = list(_border_lines(found)), found.to_dict()
     if grasp.data_error is not None and found.borders:

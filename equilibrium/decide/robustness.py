@@ -327,7 +327,7 @@ def robust(found: Any, bounds: Bounds, deadline: Deadline = NO_DEADLINE) -> Robu
 
 def _may_be_proved(found: Any) -> bool:
     """Return whether there are proofs for all grasps about such a question."""
-    return not found.within and found.pyramid is None
+    return found.max_displacement is None and found.pyramid is None
 
 
 def _fits_floats(found: Any) -> bool:

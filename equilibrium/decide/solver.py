@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from fractions import Fraction
 from functools import cached_property, lru_cache, partial
 from typing import Any
 
@@ -20,11 +21,12 @@ from arrangement.console.workers import done, due
 from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, vector_text
+from equilibrium.certificate.checker import equilibrium_problem
 from equilibrium.model.contact import pyramid_edges
+from equilibrium.model.displacement import read_displacement
 from equilibrium.model.effort import Effort
-from equilibrium.model.errors import EquilibriumError, TimeLimitError
+from equilibrium.model.errors import CertificateError, EquilibriumError, TimeLimitError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.model.range import Range
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import FloatContacts, IntegerContacts, are_moderate, nearest
 from equilibrium.plane.search.motion_regions import resistance
@@ -32,7 +34,7 @@ from equilibrium.plane.search.units import SearchUnits
 from equilibrium.plane.states.contact_states import Codes, state_codes, states_at, states_of_code
 from equilibrium.plane.states.equilibrium import Equilibrium, equilibrium_of, maximal
 from equilibrium.plane.states.interval_filter import Screen
-from equilibrium.plane.states.state_system import SingularStates, States, state_system
+from equilibrium.plane.states.state_system import SingularStates, States, StateSystem, state_system
 
 from . import NOT_RESISTED, RESISTED, UNDECIDED
 from .verdict import Verdict
@@ -46,8 +48,7 @@ def solve(
     shorten: bool = False,
     nodes: int | None = None,
     pyramid: int | None = None,
-    largest_turn: Any = None,
-    largest_force: Any = None,
+    max_displacement: Any = None,
 ) -> Verdict:
     """Decide exactly whether a grasp resists a wrench; the verdict finds all ways when asked.
 
@@ -62,9 +63,8 @@ def solve(
         nodes: in space, of a tree; when they do not do the verdict is undecided.
         pyramid: in space, edges of a friction pyramid in place of the round cone, see
             `pyramid_edges`; then every verdict is decided, exactly, if nodes and time do.
-        largest_turn, largest_force: only equilibria count whose rotation (in space the length of
-            the rotation vector) and whose normal force at each contact are at most that; exact
-            numbers.
+        max_displacement: only equilibria count that move each contact point by at most that along
+            its normal and along its tangent, in space along each of the two; an exact number.
 
     Raises:
         TimeLimitError: in the plane, the time has passed without an answer.
@@ -81,7 +81,7 @@ def solve(
     >>> solve(read_grasp("two-opposed-fingers"), [0, "3/5", "4/5", 0, 0, 0]).verdict
     'resisted'
     """
-    solver = Solver(grasp, largest_turn, largest_force, pyramid)
+    solver = Solver(grasp, max_displacement, pyramid)
     return solver.solve(wrench, time_limit=time_limit, shorten=shorten, nodes=nodes)
 
 
@@ -97,7 +97,7 @@ class Solver(Shown):
     """A grasp prepared for many wrenches: what one question computes serves the next.
 
     Every function about the wrenches that a planar grasp resists takes a solver in its place.
-    With bounds only equilibria in their range count; see the function `solve`.
+    With a largest displacement only equilibria within it count; see the function `solve`.
 
     >>> from equilibrium.grasps.files import read_grasp
     >>> solver = Solver(read_grasp("paper-three-contacts-preload-1"))
@@ -110,14 +110,13 @@ class Solver(Shown):
     def __init__(
         self,
         grasp: Grasp,
-        largest_turn: Any = None,
-        largest_force: Any = None,
+        max_displacement: Any = None,
         pyramid: int | None = None,
     ) -> None:
-        self.grasp, self.within = grasp, Range.of(largest_turn, largest_force)
+        self.grasp, self.max_displacement = grasp, read_displacement(max_displacement)
         self.pyramid = pyramid
         self._edges = None if pyramid is None else pyramid_edges(pyramid, grasp.dimension)
-        self._scaled: dict[Range, IntegerContacts] = {}
+        self._scaled: dict[Fraction | None, IntegerContacts] = {}
 
     @cached_property
     def _in_space_before(self) -> Any:
@@ -193,16 +192,15 @@ class Solver(Shown):
     def _in_plane(self, applied: RationalVector, effort: Effort, shorten: bool) -> Verdict:
         units = SearchUnits.of(self.grasp, applied)
         # Without preload no number of the contacts depends on the unit of force, with it that is
-        # the grasp's own; so all wrenches share them but for the range.
-        within = units.range(self.within)
-        scaled = self._scaled.get(within)
+        # the grasp's own; so all wrenches share them but for the largest displacement.
+        bound = units.displacement(self.max_displacement)
+        scaled = self._scaled.get(bound)
         if scaled is None:
-            scaled = IntegerContacts(units.grasp(self.grasp), within)
-            self._scaled = {within: scaled}
+            scaled = IntegerContacts(units.grasp(self.grasp), bound)
+            self._scaled = {bound: scaled}
         found = resistance(scaled, units.wrench(applied), effort, shorten)
-        if isinstance(found, Solution):
-            return self._verdict(applied, units.solution_back(found))
-        return self._verdict(applied, units.tree_back(found))
+        back = units.solution_back if isinstance(found, Solution) else units.tree_back
+        return self._accepted(self._verdict(applied, back(found)))
 
     def _search(
         self,
@@ -221,7 +219,7 @@ class Solver(Shown):
             return bool(self._verdict(wrench, found).verify())
 
         contacts, most = FloatContacts(self.grasp), NODES if nodes is None else nodes
-        how = effort, most, self.within, cones, memory or self._in_space_before
+        how = effort, most, self.max_displacement, cones, memory or self._in_space_before
         return SpatialSearch(contacts, wrench, accept, *how)
 
     def _found(self, wrench: RationalVector, found: Any) -> Verdict:
@@ -230,7 +228,32 @@ class Solver(Shown):
 
         if isinstance(found, Open):
             return self._verdict(wrench, None, UNDECIDED, found.reason, found.residual)
-        return self._verdict(wrench, found)
+        verdict = self._verdict(wrench, found)
+        # An equilibrium has been accepted already.
+        return verdict if isinstance(found, Solution) else self._accepted(verdict)
+
+    def _accepted(self, verdict: Verdict) -> Verdict:
+        """Return a verdict whose proof the checker accepts.
+
+        Raises:
+            EquilibriumError: it does not, which is an internal error.
+        """
+        found = verdict.solution
+        try:
+            if found is None:
+                problem = verdict.verify().problem
+            else:
+                question, bound = (verdict.grasp, verdict.wrench), self.max_displacement
+                shown = found.motion, found.forces
+                problem = equilibrium_problem(*question, *shown, max_displacement=bound)
+        except CertificateError as error:
+            problem = str(error)
+        if problem:
+            raise EquilibriumError(
+                f"the checker refuses the proof of the verdict on {vector_text(verdict.wrench)}: "
+                f"{problem}. This is an internal error; please report it"
+            )
+        return verdict
 
     def reach(
         self, refused: RationalVector, resisted: RationalVector, nodes: int, near: float
@@ -259,7 +282,7 @@ class Solver(Shown):
         if found is None and answer == NOT_RESISTED:
             tree = partial(self._refutation, wrench)
         question = self.grasp, wrench, RESISTED if held else answer, held, tree
-        how = self._equilibria, _again, self.within, self.pyramid
+        how = self._equilibria, _again, self.max_displacement, self.pyramid
         return Verdict(*question, *how, reason, residual)
 
     def _refutation(self, wrench: RationalVector) -> Any:
@@ -268,7 +291,7 @@ class Solver(Shown):
         if found.stable:
             raise EquilibriumError(
                 f"the wrench {vector_text(wrench)} has an equilibrium, but no choice of contact "
-                "states has one: a fault of this program; please report it"
+                "states has one. This is an internal error; please report it"
             )
         return found.tree
 
@@ -279,7 +302,8 @@ class Solver(Shown):
 
         In the plane, where contacts are few, the choices of contact states are tried first: that
         gives the same verdicts, a thousand of eight contacts in seconds, and maybe another one of
-        several equilibria. The proof that nothing balances a wrench is looked for when it is asked.
+        several equilibria. The checker has accepted each equilibrium. The proof that nothing
+        balances a wrench is searched for, and checked, when it is asked for.
 
         In space what one proof leaves for the next is kept for as many wrenches as one process
         takes at once, so answers do not depend on the number of processes.
@@ -301,7 +325,7 @@ class Solver(Shown):
             every = [wrench for part in parts for wrench in part]
             yield from map(self._one_of_many, watched(every, "wrenches"), memories)
             return
-        plan = (self.grasp, self.within, self.pyramid), parts, budget.times()
+        plan = (self.grasp, self.max_displacement, self.pyramid), parts, budget.times()
         early: dict[int, list[Any]] = {}
         found = done(_answers, plan, range(len(parts)), jobs, dask)
         results = iter(watched(found, "parts of wrenches", len(parts)))
@@ -318,13 +342,20 @@ class Solver(Shown):
             return self.decide(wrench, self._usual(), memory=memory)
         possible = self.screen.possible(wrench)
         for row in self._codes[possible & ~self.screen.singular].tolist():
-            system = state_system(self.grasp, states_of_code(row), wrench, within=self.within)
+            system = state_system(
+                self.grasp, states_of_code(row), wrench, max_displacement=self.max_displacement
+            )
             found = equilibrium_of(system)
             if found is not None:
-                return self._verdict(wrench, Solution(found.motion, found.forces))
+                solution = Solution(found.motion, found.forces)
+                return self._accepted(self._verdict(wrench, solution))
         return (
             self.solve(wrench) if self._singular.may_hold(wrench) else self._verdict(wrench, None)
         )
+
+    def _system(self, states: States, wrench: RationalVector) -> StateSystem:
+        bound = self.max_displacement
+        return state_system(self.grasp, states, wrench, max_displacement=bound)
 
     @cached_property
     def _singular(self) -> SingularStates:
@@ -340,7 +371,9 @@ class Solver(Shown):
         possible = self._codes[self.screen.possible(wrench)].tolist()
 
         def piece_of(states: States) -> Equilibrium | None:
-            return equilibrium_of(state_system(self.grasp, states, wrench, within=self.within))
+            return equilibrium_of(
+                state_system(self.grasp, states, wrench, max_displacement=self.max_displacement)
+            )
 
         tried = map(states_of_code, watched(possible, "contact states"))
         pieces = [piece for piece in map(piece_of, tried) if piece]
@@ -362,11 +395,9 @@ def _memory() -> Any:
     return Memory()
 
 
-def _again(
-    grasp: Grasp, wrench: Iterable[Any], effort: Effort, *, pyramid: int | None, **bounds: Any
-) -> Verdict:
+def _again(grasp: Grasp, wrench: Iterable[Any], effort: Effort, **asked: Any) -> Verdict:
     """Decide another question with the effort that is left."""
-    return Solver(grasp, **bounds, pyramid=pyramid).decide(wrench, effort)
+    return Solver(grasp, **asked).decide(wrench, effort)
 
 
 def prepare(grasp: Grasp | Solver) -> Solver:
@@ -381,9 +412,9 @@ def prepare(grasp: Grasp | Solver) -> Solver:
 
 
 @lru_cache(maxsize=1)
-def _solver(grasp: Grasp, within: Range, pyramid: int | None) -> Solver:
+def _solver(grasp: Grasp, max_displacement: Fraction | None, pyramid: int | None) -> Solver:
     """Return the solver of a process."""
-    return Solver(grasp, **within.bounds, pyramid=pyramid)
+    return Solver(grasp, max_displacement, pyramid)
 
 
 def _answers(plan: Any, number: int) -> tuple[int, list[Any]]:

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
@@ -24,10 +25,15 @@ from equilibrium.certificate.checker import Report, check
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.model.contact import pyramid_words
+from equilibrium.model.displacement import (
+    displacement,
+    displacement_entry,
+    small_displacement,
+    warning,
+)
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import UndecidedError
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.range import NO_RANGE, Range, usual_range, warning
 from equilibrium.model.solution import Solution
 from equilibrium.plane.states.contact_states import states_at
 from equilibrium.plane.states.equilibrium import Equilibrium
@@ -47,7 +53,7 @@ class Verdict:
         grasp, wrench: the question.
         verdict: "resisted", "not resisted" or, in space alone, "undecided"; the others are proved.
         solution: the equilibrium that the certificate shows; None when there is none.
-        within: the range in which equilibria count.
+        max_displacement: how far contact points may move for an equilibrium to count, if bounded.
         pyramid: in space, edges of the friction pyramids asked for; None for round cones.
         reason: why it is undecided; else empty.
         residual: when undecided, the least force that is left over at the best motion found, as a
@@ -61,7 +67,7 @@ class Verdict:
     _tree: Any = field(repr=False, compare=False)
     _all: Callable[[RationalVector], tuple[Equilibrium, ...]] = field(repr=False, compare=False)
     _solve: Callable[..., Verdict] = field(repr=False, compare=False)
-    within: Range = NO_RANGE
+    max_displacement: Fraction | None = None
     pyramid: int | None = None
     reason: str = ""
     residual: float = 0.0
@@ -138,7 +144,7 @@ class Verdict:
         """The proof, checkable without the solver; None when undecided."""
         if not self.decided:
             return None
-        asked = self.pyramid, self.within
+        asked = self.pyramid, self.max_displacement
         if self.solution is None:
             return refuted_certificate(self.grasp, self.wrench, self.tree, *asked)
         return resisted_certificate(self.grasp, self.wrench, self.solution, *asked)
@@ -161,7 +167,12 @@ class Verdict:
             UndecidedError: there is no certificate.
         """
         question = self.grasp, self.wrench
-        return check(self.proof, question=question, pyramid=self.pyramid, within=self.within)
+        return check(
+            self.proof,
+            question=question,
+            pyramid=self.pyramid,
+            max_displacement=self.max_displacement,
+        )
 
     def lists_all(self, every: bool | None = None) -> bool:
         """Return whether `to_dict` lists all equilibria."""
@@ -187,7 +198,7 @@ class Verdict:
             **listed,
             **({"warnings": list(self.warnings)} if self.warnings else {}),
             "wrench": [to_text(x) for x in self.wrench],
-            **self.within.to_dict(),
+            **displacement_entry(self.max_displacement),
             "grasp": self.grasp.to_dict(),
             **({} if self.rounding is None else {"within_error": self.rounding.to_dict()}),
         }
@@ -223,23 +234,23 @@ class Verdict:
 
     def again(self, grasp: Grasp, wrench: Iterable[Any], effort: Effort, **more: Any) -> Verdict:
         """Decide another question in the same way, with the effort that is left."""
-        asked = {"pyramid": self.pyramid, **self.within.bounds, **more}
+        asked = {"pyramid": self.pyramid, "max_displacement": self.max_displacement, **more}
         return self._solve(grasp, wrench, effort, **asked)
 
     @cached_property
     def warnings(self) -> tuple[str, ...]:
-        """Where no range was given: a line if no equilibrium is one of small motions.
+        """Where displacements are not bounded: a line if no equilibrium is one of small motions.
 
-        Looking for another one than `solution` takes at most `robustness.STEPS` steps.
+        Looking for a smaller one than `solution` takes at most `robustness.STEPS` steps.
         """
-        if self.solution is None or self.within:
+        if self.solution is None or self.max_displacement is not None:
             return ()
-        usual = usual_range(self.wrench, [c.preload for c in self.grasp])
-        if usual.holds(self.solution.motion, self.solution.forces):
+        most = small_displacement(self.grasp)
+        if most is None or displacement(self.grasp, self.solution.motion) <= most:
             return ()
         try:
             effort = Effort(robustness.STEPS)
-            found = self.again(self.grasp, self.wrench, effort, **usual.bounds).verdict
+            found = self.again(self.grasp, self.wrench, effort, max_displacement=most).verdict
         except OutOfReachError:
             found = UNDECIDED
         return () if found == RESISTED else (warning(every=found == NOT_RESISTED),)

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.proved_program import ask_proved
@@ -16,7 +17,6 @@ from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.reading import SCHEMA_VERSION
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.range import NO_RANGE, Range
 
 if TYPE_CHECKING:
     from arrangement import Arrangement
@@ -62,7 +62,7 @@ def verify(
     source: Source,
     question: Question | None = None,
     pyramid: int | None = None,
-    within: Range = NO_RANGE,
+    max_displacement: Fraction | None = None,
 ) -> Report:
     """Check a certificate from a path, ``"-"`` (stdin) or a mapping; no solver is involved.
 
@@ -73,7 +73,7 @@ def verify(
     Raises:
         InputError: the document has no readable form.
     """
-    return check(read_certificate(source), question, pyramid, within)
+    return check(read_certificate(source), question, pyramid, max_displacement)
 
 
 def verify_proved(path: str | os.PathLike[str]) -> tuple[bool, str]:

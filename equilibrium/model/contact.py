@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
@@ -54,11 +54,13 @@ class Contact(Shown):
         point: contact point p (length), two coordinates in the plane or three in space.
         normal: exactly unit, rational, pointing into the object; see `unit_normal`.
         friction: Coulomb coefficient, at least 0.
-        stiffness: of the normal spring (force per length), above 0.
+        stiffness: of the normal spring (force per length), above 0; if omitted, 1.
         preload: spring force at d = 0, at least 0.
         tangent: in space it may be chosen, exactly unit and at a right angle to the normal: the
             edges of friction pyramids and the planes of slip states start from it. In the plane
             it follows from the normal, whatever is given.
+        stiffness_given: whether the stiffness is one of the data, not the default; no comparison
+            looks at it.
 
     Raises:
         GraspError: a normal that is not unit, or a number out of range.
@@ -74,15 +76,17 @@ class Contact(Shown):
     stiffness: Fraction = Fraction(1)
     preload: Fraction = Fraction(0)
     tangent: RationalVector = ()
+    stiffness_given: bool = field(default=False, compare=False)
 
     def __init__(
         self,
         point: Iterable[Any],
         normal: Iterable[Any],
         friction: Any,
-        stiffness: Any = 1,
+        stiffness: Any = None,
         preload: Any = 0,
         tangent: Iterable[Any] | None = None,
+        stiffness_given: bool | None = None,
     ) -> None:
         place, inward = coordinates(point, "point"), _unit(normal)
         if len(place) != len(inward):
@@ -90,15 +94,20 @@ class Contact(Shown):
                 f"point has {len(place)} coordinates and normal has {len(inward)}; give two for "
                 "both, in the plane, or three, in space"
             )
+        if stiffness_given is None:
+            stiffness_given = stiffness is not None
         values = {
             "point": place,
             "normal": inward,
             "friction": rational(friction, "friction"),
-            "stiffness": rational(stiffness, "stiffness"),
+            "stiffness": rational(1 if stiffness is None else stiffness, "stiffness"),
             "preload": rational(preload, "preload"),
             "tangent": _tangent(inward)
             if tangent is None or len(inward) == 2
             else _checked_tangent(inward, tangent),
+            "stiffness_given": stiffness is not None
+            if stiffness_given is None
+            else stiffness_given,
         }
         for name, value in values.items():
             object.__setattr__(self, name, value)

@@ -138,6 +138,7 @@ class Grasp:
                     c.stiffness,
                     c.preload,
                     (*c.tangent, zero),
+                    c.stiffness_given,
                 )
                 for c in self
             ),
@@ -302,6 +303,7 @@ def in_plane(
             c.friction,
             c.stiffness,
             c.preload,
+            stiffness_given=c.stiffness_given,
         )
         for c in grasp
     )

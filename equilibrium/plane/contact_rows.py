@@ -13,7 +13,7 @@ from typing import Any, TypeAlias, TypeVar
 
 from arrangement.numbers.exact import RationalVector
 from equilibrium.model.contact import Contact, pyramid_edges
-from equilibrium.model.range import Range
+from equilibrium.model.grasp import Grasp
 
 #: Normal and tangential force.
 Pair: TypeAlias = tuple[RationalVector, RationalVector]
@@ -35,16 +35,18 @@ def slip_row(contact: Contact, n: int = 3) -> RationalVector:
     return (*contact.tangential_wrench, *[Fraction(0)] * (n - 2))
 
 
-def range_rows(
-    within: Range, normals: Iterable[RationalVector], n: int = 3
+def displacement_rows(
+    max_displacement: Fraction | None, grasp: Grasp, n: int = 3
 ) -> list[RationalVector]:
-    """Return what is at least 0 in a range, given the rows of normal forces."""
-    turn, force, rows = within.largest_turn, within.largest_force, list[RationalVector]()
-    if turn is not None:
-        rows = [(*(sign * x for x in unit_row(2, n)[:-1]), turn) for sign in (1, -1)]
-    if force is not None:
-        rows += [(*(-x for x in row[:-1]), force - row[-1]) for row in normals]
-    return rows
+    """Return what is at least 0 where contact points move by no more than counts."""
+    if max_displacement is None:
+        return []
+    return [
+        (*(sign * x for x in wrench), *[Fraction(0)] * (n - 3), max_displacement)
+        for contact in grasp
+        for wrench in (contact.normal_wrench, contact.tangential_wrench)
+        for sign in (-1, 1)
+    ]
 
 
 def unit_row(column: int, n: int) -> RationalVector:

@@ -7,7 +7,7 @@ At a homogeneous motion ``(d_0, d)`` the spring of a contact has the force
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain
@@ -19,7 +19,6 @@ import numpy.typing as npt
 
 from arrangement.numbers.exact import RationalVector, primitive, to_text
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.range import NO_RANGE, Range
 
 from .contact_rows import over_unit
 
@@ -94,11 +93,11 @@ class IntegerContacts:
         spring: (m, 4), the row ``(preload, -stiffness N)`` times `spring_unit`.
         normal, tangent: (m, 3), N and T times `wrench_unit`.
         friction: numerators over `friction_unit`.
-        within: the range in which equilibria count.
+        max_displacement: how far contact points may move for an equilibrium to count, if bounded.
     """
 
-    def __init__(self, grasp: Grasp, within: Range = NO_RANGE) -> None:
-        self.grasp, self.within = grasp, within
+    def __init__(self, grasp: Grasp, max_displacement: Fraction | None = None) -> None:
+        self.grasp, self.max_displacement = grasp, max_displacement
         m = len(grasp)
         spring, wrenches = [], []
         for c in grasp:
@@ -139,35 +138,44 @@ class IntegerContacts:
         )
 
     @cached_property
-    def bounds(self) -> tuple[Whole, list[tuple[str, int, Fraction]]]:
-        """The rows at least 0 at homogeneous motions in the range, and what each bounds.
+    def bounds(self) -> tuple[Whole, list[Fraction]]:
+        """The rows at least 0 at homogeneous motions that count, and the scale of each.
 
-        That is "turn" with a sign, or "forces" with a contact, and the row's scale.
+        Four a contact: of the normal with its sign, of its negative, and the same of the tangent.
         """
-        rows: list[tuple[str, int, RationalVector]] = []
-        zero, (turn, force) = Fraction(0), (self.within.largest_turn, self.within.largest_force)
-        if turn is not None:
-            rows = [("turn", u, (turn, zero, zero, Fraction(-u))) for u in (1, -1)]
-        if force is not None:
-            for i, c in enumerate(self.grasp):
-                slopes = (c.stiffness * x for x in c.normal_wrench)
-                rows.append(("forces", i, (force - c.preload, *slopes)))
-        found = [primitive(row) for _, _, row in rows]
-        forms = [
-            (name, at, next((Fraction(x) / y for x, y in zip(short, row, strict=True) if y), zero))
-            for (name, at, row), short in zip(rows, found, strict=True)
+        if self.max_displacement is None:
+            return whole([], (0, 4)), []
+        rows = [
+            (self.max_displacement, *(-sign * x for x in wrench))
+            for c in self.grasp
+            for wrench in (c.normal_wrench, c.tangential_wrench)
+            for sign in (1, -1)
         ]
-        return whole(found, (len(rows), 4)), forms
+        found = [primitive(row) for row in rows]
+        # No wrench is zero, so each row has an entry to compare.
+        scales = [
+            next(Fraction(x) / y for x, y in zip(short, row, strict=True) if y)
+            for short, row in zip(found, rows, strict=True)
+        ]
+        return whole(found, (len(rows), 4)), scales
 
-    def bound_leaf(self, motion: Sequence[int], k: int, multiplier: Fraction) -> dict[str, Any]:
-        """Return the leaf of a virtual motion, and of a row of the range times a multiplier."""
-        name, at, scale = self.bounds[1][k]
-        number = to_text(multiplier * scale)
-        used: Any = {str(at): number}
-        if name == "turn":
-            used = [number, to_text(at * multiplier * scale)]
-        virtual = list(map(to_text, motion))
-        return {"virtual_motion": virtual, "multipliers": {}, "range": {name: used}}
+    def bound_leaf(
+        self,
+        motion: Sequence[int],
+        used: Mapping[int, Fraction | int],
+        multipliers: Mapping[str, Any] | None = None,
+    ) -> dict[str, Any]:
+        """Return the leaf of a virtual motion with some rows of `bounds` times numbers above 0."""
+        numbers: dict[int, list[Fraction]] = {}
+        for k, multiplier in used.items():
+            (i, j), sign = divmod(k // 2, 2), 1 - 2 * (k % 2)
+            row = numbers.setdefault(i, [Fraction(0), Fraction(0)])
+            row[j] += sign * multiplier * self.bounds[1][k]
+        return {
+            "virtual_motion": list(map(to_text, motion)),
+            "multipliers": multipliers or {},
+            "displacements": {str(i): list(map(to_text, row)) for i, row in numbers.items()},
+        }
 
     @cached_property
     def floats(self) -> FloatContacts:

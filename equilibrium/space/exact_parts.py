@@ -58,8 +58,9 @@ class StateProgram:
         states: Sequence[Ends],
         cones: Sequence[Sequence[ConeRow]],
         effort: Effort,
+        max_displacement: Fraction | None = None,
     ) -> None:
-        self.effort = effort
+        self.effort, self.max_displacement = effort, max_displacement
         # A detached contact has no unknown, one without friction only its normal force.
         self.places, self.size = list[slice](), 6
         for contact, state in zip(grasp, states, strict=True):
@@ -68,7 +69,7 @@ class StateProgram:
             self.size += count
         self.equal: list[RationalVector] = []
         self.least: list[RationalVector] = []
-        #: Contact and (alpha, h) of one of each row.
+        #: Contact and alpha, h, and what a leaf has of its displacements, of one of each row.
         self.parts: dict[tuple[bool, int], tuple[int, tuple[Any, ...]]] = {}
         rows = [[Fraction(0)] * self.size + [w] for w in wrench]
         for i, contact in enumerate(grasp):
@@ -95,6 +96,7 @@ class StateProgram:
     def _add_contact(self, i: int, contact: Contact, state: Ends, cone: Sequence[ConeRow]) -> None:
         self.effort.check(_ROW * self.size)
         zero = [Fraction(0)] * 6
+        self._bound(i, contact)
         gap = [contact.stiffness * x for x in contact.normal_wrench]
         if state == "detached":
             self._add(False, self._row(i, gap, (0, 0, 0), -contact.preload), i, (1, 0, 0))
@@ -118,6 +120,18 @@ class StateProgram:
             moved = [x * s + y * t for s, t in zip(one, other, strict=True)]
             self._add(equal, self._row(i, moved, (0, 0, 0), 0), i, (0, -x, -y))
 
+    def _bound(self, i: int, contact: Contact) -> None:
+        """Add the conditions on the displacements of a contact point."""
+        if self.max_displacement is None:
+            return
+        for j, row in enumerate((contact.normal_wrench, *contact.tangential_wrenches)):
+            for sign in (1, -1):
+                part = [0] * 6
+                part[3 + j] = sign
+                moved = [-sign * x for x in row]
+                whole = self._row(i, moved, (0, 0, 0), self.max_displacement)
+                self._add(False, whole, i, tuple(part))
+
     def solve(self) -> tuple[RationalVector, tuple[RationalVector, ...]] | Any:
         """Return the motion and all forces, three each, or the leaf that shows there are none."""
         found = Program(self.size, self.least, self.equal, self.effort).point()
@@ -129,10 +143,13 @@ class StateProgram:
         for (equal, k), (i, part) in self.parts.items():
             factor = (found.equality_multipliers if equal else found.inequality_multipliers)[k]
             if factor:
-                row = given.setdefault(i, [Fraction(0)] * 3)
-                given[i] = [x + factor * y for x, y in zip(row, part, strict=True)]
-        rows = {str(i): [to_text(x) for x in row] for i, row in given.items()}
-        return {"virtual_motion": motion, "multipliers": rows}
+                row = given.setdefault(i, [Fraction(0)] * 6)
+                whole = (*part, *[0] * (6 - len(part)))
+                given[i] = [x + factor * y for x, y in zip(row, whole, strict=True)]
+        rows = {str(i): [to_text(x) for x in row[:3]] for i, row in given.items()}
+        moved = {str(i): [to_text(x) for x in row[3:]] for i, row in given.items() if any(row[3:])}
+        leaf: dict[str, Any] = {"virtual_motion": motion, "multipliers": rows}
+        return {**leaf, "displacements": moved} if moved else leaf
 
 
 class ExactParts:
@@ -142,8 +159,15 @@ class ExactParts:
         effort: that is left; `TimeoutError` is raised when none is.
     """
 
-    def __init__(self, contacts: FloatContacts, wrench: RationalVector, effort: Effort) -> None:
+    def __init__(
+        self,
+        contacts: FloatContacts,
+        wrench: RationalVector,
+        effort: Effort,
+        max_displacement: Fraction | None = None,
+    ) -> None:
         self.grasp, self.wrench, self.effort = contacts.grasp, wrench, effort
+        self.max_displacement = max_displacement
         self.base = pyramid_edges(_SIDES)
 
     def part(self, states: Sequence[State], towards: Floats) -> Solution | dict[str, Any]:
@@ -195,7 +219,8 @@ class ExactParts:
     def _solve(
         self, states: Sequence[Ends], cones: Sequence[Sequence[ConeRow]]
     ) -> Solution | dict[str, Any]:
-        found: Any = StateProgram(self.grasp, self.wrench, states, cones, self.effort).solve()
+        question = self.grasp, self.wrench, states, cones, self.effort, self.max_displacement
+        found: Any = StateProgram(*question).solve()
         if not isinstance(found, tuple):
             leaf: dict[str, Any] = found
             return leaf
@@ -206,9 +231,14 @@ class PyramidParts(ExactParts):
     """The same with pyramids, of which states and their programs are the law itself."""
 
     def __init__(
-        self, contacts: FloatContacts, wrench: RationalVector, effort: Effort, cones: Pyramids
+        self,
+        contacts: FloatContacts,
+        wrench: RationalVector,
+        effort: Effort,
+        cones: Pyramids,
+        max_displacement: Fraction | None = None,
     ) -> None:
-        super().__init__(contacts, wrench, effort)
+        super().__init__(contacts, wrench, effort, max_displacement)
         self.cones = cones
 
     def part(self, states: Sequence[State], towards: Floats) -> Solution | dict[str, Any]:

@@ -15,14 +15,11 @@ import numpy as np
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, to_text
 from arrangement.numbers.linear.rank import gauss_jordan
-from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.plane.contacts import FloatContacts, nearest
 
 from .cones import Cones, Node, State
 from .relaxation import Ray
 
-#: Roots are rounded up to multiples of one over this.
-_ROOTS = 2**30
 #: Numbers are rounded to multiples of one over the first, multipliers below the second left out.
 _FINE = ((2**10, 1e-6), (2**20, 1e-6), (2**34, 1e-9), (2**48, 1e-12))
 #: So many multipliers, those with most room, mostly do for what has to cancel.
@@ -33,7 +30,8 @@ class _WholeContact(NamedTuple):
     """A contact in integers: wrenches of the frame times `unit`.
 
     Attributes:
-        columns: what alpha and h add to what depends on the motion, times a number for all.
+        columns: what alpha, h and the numbers of displacements add to what depends on the motion,
+            times a number for all.
         preload: times a number for all.
     """
 
@@ -45,12 +43,11 @@ class _WholeContact(NamedTuple):
 
 
 class _Numbers(NamedTuple):
-    """The integers of a leaf, all times the same."""
+    """The integers of a leaf, all times the same: alpha and h, and those of displacements."""
 
     motion: Sequence[int]
     given: dict[int, Sequence[int]]
-    turn: Sequence[Any]
-    rho: dict[int, int]
+    pins: dict[int, Sequence[int]]
 
 
 class ExactLeaf(NamedTuple):
@@ -74,17 +71,17 @@ class Leaves:
         contacts: FloatContacts,
         wrench: RationalVector,
         cones: Cones,
-        within: Range = NO_RANGE,
+        max_displacement: Fraction | None = None,
     ) -> None:
         self.contacts, self.cones = contacts, cones
         self.floats = np.array([nearest(x) for x in wrench])
         self.found: dict[Node, ExactLeaf] = {}
         self.ends: dict[Node, tuple[int, int]] = {}
         grasp = contacts.grasp
-        bounds = [within.largest_turn or Fraction(0), within.largest_force or Fraction(0)]
-        given = [*wrench, *bounds, *(c.preload for c in grasp)]
+        bound = max_displacement or Fraction(0)
+        given = [*wrench, bound, *(c.preload for c in grasp)]
         unit = self.unit = math.lcm(*(x.denominator for x in given))
-        self.load, self.bounds = _whole(wrench, unit), _whole(bounds, unit)
+        self.load, self.bound = _whole(wrench, unit), int(bound * unit)
         frames = [(c.normal_wrench, *c.tangential_wrenches) for c in grasp]
         units = [math.lcm(*(x.denominator for row in frame for x in row)) for frame in frames]
         pairs = list(zip(grasp, units, strict=True))
@@ -92,9 +89,10 @@ class Leaves:
         self.each = []
         for (c, own), frame in zip(pairs, frames, strict=True):
             rows = tuple(_whole(row, own) for row in frame)
-            factors = int(-c.stiffness * (self.motions // own)), *[self.motions // own] * 2
+            factors = int(-c.stiffness * (self.motions // own)), *[self.motions // own] * 5
             columns = [
-                tuple(factor * x for x in row) for factor, row in zip(factors, rows, strict=True)
+                tuple(factor * x for x in row)
+                for factor, row in zip(factors, (*rows, *rows), strict=True)
             ]
             preload = int(c.preload * unit)
             self.each.append(_WholeContact(rows, own, tuple(columns), preload, c.friction))
@@ -105,9 +103,6 @@ class Leaves:
         largest = float(np.abs(ray.virtual * [1, 1, 1, arm, arm, arm]).max())
         if not 0 < largest < math.inf or not np.isfinite(ray.multipliers).all():
             return None
-        turns: list[IntegerVector] = []
-        if ray.turn.any():
-            turns = [tuple(self.motions * (j == k) for j in range(6)) for k in (3, 4, 5)]
         kept = None
         for fine, nothing in _FINE:
             if kept is None or not np.array_equal(kept, ray.sizes > nothing):
@@ -115,28 +110,23 @@ class Leaves:
                 places = list(zip(*np.nonzero(kept), strict=True))
                 places.sort(key=lambda place: -ray.room[place])
                 places = [(int(i), int(j)) for i, j in places]
-                columns = turns + [self.each[i].columns[j] for i, j in places]
+                columns = [self.each[i].columns[j] for i, j in places]
                 pinned = self._pinned(states, ray, kept, nothing)
             unit = fine / largest
             # Turns are multiples of one over the length: the unit of length makes no difference.
             unit, steps = unit * max(1.0, arm), [max(1.0, arm)] * 3 + [max(1.0, 1 / arm)] * 3
             motion = _rounded(pinned, [x * unit for x in ray.virtual.tolist()], steps)
-            listed = [*(ray.turn if turns else ()), *(ray.multipliers[place] for place in places)]
+            listed = [ray.multipliers[place] for place in places]
             values, scale = _cancelled(columns, [round(float(x) * unit) for x in listed])
-            pushed = np.flatnonzero(ray.forces > nothing * largest).tolist()
-            rho = {i: scale * math.ceil(float(ray.forces[i]) * unit) for i in pushed}
             given: dict[int, list[int]] = {}
-            for (i, j), value in zip(places, values[len(turns) :], strict=True):
-                given.setdefault(i, [0] * 3)[j] = value
-            turn: list[Any] = values[: len(turns)]
-            if turn:
-                turn = [_root_above(sum(x * x for x in turn)), *turn]
+            pins: dict[int, list[int]] = {}
+            for (i, j), value in zip(places, values, strict=True):
+                (given if j < 3 else pins).setdefault(i, [0] * 3)[j % 3] = value
             own, common = _common(motion)
             found = _Numbers(
                 [scale * x for x in own],
                 {i: [common * x for x in row] for i, row in given.items()},
-                [common * x for x in turn],
-                {i: common * x for i, x in rho.items()},
+                {i: [common * x for x in row] for i, row in pins.items()},
             )
             if self._holds(states, found):
                 self.found[states] = ExactLeaf(_node(found), found)
@@ -172,9 +162,7 @@ class Leaves:
 
     def rest(self, leaf: _Numbers) -> Any:
         """Return the least work of all but the load."""
-        turn, force = self.bounds
-        work: Any = -sum(leaf.rho.values()) * force
-        work -= leaf.turn[0] * turn if leaf.turn else 0
+        work: Any = -self.bound * sum(abs(x) for row in leaf.pins.values() for x in row)
         return work + sum(row[0] * self.each[i].preload for i, row in leaf.given.items())
 
     def holds(self, states: Node, leaf: ExactLeaf) -> bool:
@@ -198,7 +186,7 @@ class Leaves:
             if state == "detached":
                 continue
             a, s, t = (dot(row, leaf.motion) for row in contact.frame)
-            room = a + (leaf.rho.get(i, 0) - alpha) * contact.unit
+            room = a - alpha * contact.unit
             if not self.cones.below(room, contact.friction, (s, t), state):
                 return False
         return True
@@ -253,23 +241,18 @@ def _rounded(
     return found
 
 
-def _root_above(square: int) -> Fraction:
-    """Return a number just above a square root, or 0 for 0."""
-    return Fraction(math.isqrt(square * _ROOTS**2) + 1, _ROOTS) if square else Fraction(0)
-
-
 def _node(leaf: _Numbers) -> Any:
     """Return the form of a leaf, in coprime integers."""
-    motion, given, turn, rho = leaf
-    every = [*motion, *(x for row in given.values() for x in row), *turn, *rho.values()]
+    motion, given, pins = leaf
+    every = [*motion, *(x for part in (given, pins) for row in part.values() for x in row)]
     whole = [to_text(x) for x in primitive(every)]
-    if not (given or turn or rho):
+    if not (given or pins):
         return whole
     rows = {str(i): whole[6 + 3 * k : 9 + 3 * k] for k, i in enumerate(given)}
     short = {i: row[:1] if row[1:] == ["0", "0"] else row for i, row in rows.items()}
     found: dict[str, Any] = {"virtual_motion": whole[:6], "multipliers": short}
-    end = 6 + 3 * len(given) + len(turn)
-    used: dict[str, Any] = {"turn": whole[end - len(turn) : end]} if turn else {}
-    if rho:
-        used["forces"] = dict(zip(map(str, rho), whole[end:], strict=True))
-    return {**found, "range": used} if used else found
+    if pins:
+        start = 6 + 3 * len(given)
+        moved = {str(i): whole[start + 3 * k :][:3] for k, i in enumerate(pins)}
+        found["displacements"] = moved
+    return found

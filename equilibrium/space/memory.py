@@ -72,7 +72,7 @@ class _Known:
         self.leaves: list[ExactLeaf] = []
         #: The works of a load are ``motion . w + rest``.
         self._motion, self._rest = np.empty((_FIRST, 6)), np.empty(_FIRST)
-        #: Of each contact ``a + rho - alpha``, its error, ``b`` and h, as leaves have them.
+        #: Of each contact ``a - alpha``, its error, ``b`` and h, as leaves have them.
         self._numbers = np.empty((_FIRST, m, 6))
         #: For each state of `_PLAIN` and contact, whether it holds there.
         self._holds = np.empty((len(_PLAIN), m, _FIRST), np.bool_)
@@ -85,7 +85,7 @@ class _Known:
                 old = getattr(self, name)
                 setattr(self, name, np.concatenate([old, old]))
             self._holds = np.concatenate([self._holds, self._holds], axis=2)
-        motion, given, _, rho = leaf.numbers
+        motion, given, _ = leaf.numbers
         unit = 1 << max(abs(x) for x in motion).bit_length()
         self.leaves.append(leaf)
         self._motion[n] = [x / unit for x in motion]
@@ -93,9 +93,7 @@ class _Known:
         rows = np.zeros((m, 3))
         for i, row in given.items():
             rows[i] = [nearest(Fraction(x, unit)) for x in row]
-        taken = rows[:, 0].copy()
-        for i, x in rho.items():
-            taken[i] -= nearest(Fraction(x, unit))
+        taken = rows[:, 0]
         a, b = c.normal @ self._motion[n], c.tangents @ self._motion[n]
         rub = c.friction * self._cones.support("stick", b)
         size = _ROUNDING * (np.abs(a) + np.abs(taken) + np.abs(rub))

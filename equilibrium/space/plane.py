@@ -13,10 +13,10 @@ from typing import Any
 
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from arrangement.numbers.linear.rank import cross, difference
+from equilibrium.certificate.space import along_tangents
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, in_plane
-from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import IntegerContacts
 from equilibrium.plane.search.motion_regions import resistance
@@ -24,11 +24,12 @@ from equilibrium.plane.search.units import SearchUnits
 
 
 def decide_in_plane(
-    grasp: Grasp, wrench: RationalVector, effort: Effort, within: Range = NO_RANGE
+    grasp: Grasp, wrench: RationalVector, effort: Effort, max_displacement: Fraction | None = None
 ) -> Solution | dict[str, Any] | None:
     """Return an equilibrium or a proof, or None if no plane with rational axes has the question.
 
-    The range is that of space: what turns within it there turns within it in the plane, and back.
+    With a largest displacement only where each contact has a tangent in the plane: then its
+    displacements are those of space.
 
     Raises:
         TimeoutError: no effort is left.
@@ -38,8 +39,10 @@ def decide_in_plane(
         flat, load = in_plane(grasp, wrench, axes)
     except GraspError:
         return None
+    if max_displacement is not None and not along_tangents(grasp, axes):
+        return None
     units = SearchUnits.of(flat, load)
-    scaled = IntegerContacts(units.grasp(flat), units.range(within))
+    scaled = IntegerContacts(units.grasp(flat), units.displacement(max_displacement))
     found = resistance(scaled, units.wrench(load), effort)
     if not isinstance(found, Solution):
         return {

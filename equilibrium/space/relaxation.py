@@ -8,7 +8,7 @@ Unknowns are the motion and a force at each contact. The relaxed law, by the sta
 * attached: ``c_n = q - k N . d``, and in the cone;
 * stick: attached, and ``T d = 0``;
 * slip in a sector: attached, T d in the sector, and c_t in the convex hull of what it allows;
-* in a range: ``c_n <= F``, and ``|r| <= Q`` for the rotation r of d.
+* with a largest displacement D: ``|N . d| <= D`` and ``|T d| <= D`` along each tangent.
 
 Where nothing satisfies it together with balance, the dual ray has a virtual motion and multipliers:
 a leaf. Otherwise its solution says which contact to split.
@@ -17,6 +17,7 @@ a leaf. Otherwise its solution says which contact to split.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -26,7 +27,6 @@ import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
-from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.plane.contacts import FloatContacts, nearest
 
 from .cones import Cones, State
@@ -40,6 +40,8 @@ _NO_ROOM = 1e-6
 _UNEVEN = 100.0
 #: Whether a contact touches is asked before how it slips, by this factor.
 _FIRST = 3.0
+#: Numbers of a row, see `Relaxation._new_block`.
+_WIDTH = 17
 _KINDS = {
     "zero": clarabel.ZeroConeT,
     "plus": clarabel.NonnegativeConeT,
@@ -51,18 +53,16 @@ class Ray(NamedTuple):
     """A dual ray: there is no solution.
 
     Attributes:
-        virtual: (6,) virtual motion; multipliers: (m, 3), alpha and h.
-        room: (m, 3), how far each multiplier may be changed.
-        sizes: (m, 3), of the multipliers beside the virtual motion.
-        turn: (3,), u of the largest turn; forces: (m,), rho of the largest force.
+        virtual: (6,) virtual motion.
+        multipliers: (m, 6), alpha and h, then three of bounded displacements.
+        room: (m, 6), how far each multiplier may be changed.
+        sizes: (m, 6), of the multipliers beside the virtual motion.
     """
 
     virtual: Floats
     multipliers: Floats
     room: Floats
     sizes: Floats
-    turn: Floats
-    forces: Floats
 
 
 class Point(NamedTuple):
@@ -79,7 +79,7 @@ class _Block(NamedTuple):
         rows, motion: the rows (k,) with coefficients (k, 6) of the motion.
         data, index, own: coefficients of the forces by columns, their rows, and whether these are
             rows of the block, not of balance; counts: how many in each column.
-        dual: (4, rows), what multipliers of the rows are of alpha, h and rho.
+        dual: (6, rows), what multipliers of the rows are of alpha, h and displacements.
         room: (rows,), where there has to be room in a leaf.
     """
 
@@ -132,7 +132,7 @@ class Relaxation:
         contacts: FloatContacts,
         wrench: RationalVector,
         cones: Cones,
-        within: Range = NO_RANGE,
+        max_displacement: Fraction | None = None,
     ) -> None:
         c, search = contacts, SpatialContinuation(contacts, wrench, cones)
         self.contacts, self.m, self.cones = c, len(c.grasp), cones
@@ -143,10 +143,8 @@ class Relaxation:
         self.normal, self.tangents = c.normal * self.arms, c.tangents * self.arms
         self.stiffness = c.stiffness * self.step / self.force
         self.preload, self.friction = c.preload / self.force, c.friction
-        turn, most = within.largest_turn, within.largest_force
-        #: The largest turn as the right-hand side of a cone, and the largest force.
-        self.turn = [] if turn is None else [nearest(turn) / self.scale[3], 0.0, 0.0, 0.0]
-        self.most = np.inf if most is None else nearest(most) / self.force
+        most = max_displacement
+        self.most = np.inf if most is None else nearest(most) / self.step
         self.settings = clarabel.DefaultSettings()
         self.settings.verbose = False
         self.settings.presolve_enable = False
@@ -159,24 +157,26 @@ class Relaxation:
 
     def _new_block(self, i: int, state: State) -> _Block:
         """Return the rows of a contact in a state."""
-        # Of each row: the motion, the force, the end; alpha, h, rho of a leaf; its room.
+        # Of each row: motion, force, end; alpha, h, displacements of a leaf; its room.
         cones: list[tuple[str, Floats]] = []
+        if state != "loose" and self.most < np.inf:
+            frame = np.array([self.normal[i], *self.tangents[i]])
+            rows = np.zeros((6, _WIDTH))
+            rows[:3, :6], rows[3:, :6], rows[:, 9] = frame, -frame, self.most
+            rows[:3, 13:16], rows[3:, 13:16] = np.eye(3), -np.eye(3)
+            cones.append(("plus", rows))
         if state != "loose":
-            row = np.zeros((1, 15))
+            row = np.zeros((1, _WIDTH))
             row[0, :6] = -self.stiffness[i] * self.normal[i]
             row[0, [6, 9, 10]] = -float(state != "detached"), -self.preload[i], 1.0
             cones.append(("plus" if state in ("undecided", "detached") else "zero", row))
         if state != "detached":
             for kind, slips, forces in self.cones.conditions(self.friction[i], state):
-                rows = np.zeros((len(slips), 15))
+                rows = np.zeros((len(slips), _WIDTH))
                 rows[:, :6], rows[:, 6:9] = slips @ self.tangents[i], forces
                 rows[:, 11:13] = slips
                 cones.append((kind, rows))
-            cones[-1][1][: 1 if cones[-1][0] == "round" else None, 14] = 1.0
-            if self.most < np.inf:
-                row = np.zeros((1, 15))
-                row[0, [6, 9, 13]] = 1.0, self.most, 1.0
-                cones.append(("plus", row))
+            cones[-1][1][: 1 if cones[-1][0] == "round" else None, -1] = 1.0
         table = np.concatenate([rows for _, rows in cones])
         felt = np.flatnonzero(table[:, :6].any(axis=1))
         # A contact without friction has no unknown but its normal force.
@@ -193,8 +193,8 @@ class Relaxation:
             np.bincount(column, minlength=count).tolist(),
             table[:, 9],
             [_KINDS[kind](len(rows)) for kind, rows in cones],
-            table[:, 10:14].T,
-            table[:, 14],
+            table[:, 10:16].T,
+            table[:, -1],
         )
 
     def _program(
@@ -205,17 +205,12 @@ class Relaxation:
         starts = [6]
         for block in blocks:
             starts.append(starts[-1] + len(block.right))
-        rows = starts[-1] + len(self.turn)
+        rows = starts[-1]
         felt = [block.rows + start for block, start in zip(blocks, starts, strict=False)]
         place = np.concatenate(felt or [np.zeros(0, int)])
         motion = np.concatenate([block.motion for block in blocks] or [np.zeros((0, 6))])
         data, index = [motion.T.ravel()], [np.tile(place, 6)]
         counts = [len(place)] * 6
-        if self.turn:
-            # The rotation is in a cone of its own, in the last rows.
-            data = [*motion.T[:3], *(np.append(column, -1.0) for column in motion.T[3:])]
-            index = [place] * 3 + [np.append(place, rows + k) for k in (-3, -2, -1)]
-            counts = [*counts[:3], *(count + 1 for count in counts[3:])]
         for block, start in zip(blocks, starts, strict=False):
             data.append(block.data)
             index.append(block.index + start * block.own)
@@ -223,9 +218,8 @@ class Relaxation:
         pointer = np.concatenate([[0], np.cumsum(counts)])
         entries = np.concatenate(data), np.concatenate(index), pointer
         matrix = _Columns(*entries, (rows, len(counts)))
-        ends = [self.load, *(block.right for block in blocks), self.turn]
+        ends = [self.load, *(block.right for block in blocks)]
         kinds = [clarabel.ZeroConeT(6), *(kind for block in blocks for kind in block.kinds)]
-        kinds += [clarabel.SecondOrderConeT(4)] * bool(self.turn)
         return blocks, starts, matrix, np.concatenate(ends), kinds
 
     def solve(self, states: Sequence[State]) -> Ray | Point | None:
@@ -282,24 +276,23 @@ class Relaxation:
             block.dual @ dual[start:end]
             for block, (start, end) in zip(blocks, pairwise(starts), strict=True)
         ]
-        numbers = np.array(found).reshape(self.m, 4)
-        multipliers, room = numbers[:, :3], np.zeros((self.m, 3))
+        multipliers, room = np.array(found).reshape(self.m, 6), np.zeros((self.m, 6))
         along, across = self.normal @ virtual, self.tangents @ virtual
         most = self.cones.support("stick", across)
         for i, state in enumerate(states):
             if isinstance(state, tuple):
                 most[i] = self.cones.support(state, across[i])
                 ends = np.array(self.cones.ends(state), dtype=float)
-                room[i, 1:] = min(-(ends @ multipliers[i, 1:]) / np.hypot(*ends.T))
+                room[i, 1:3] = min(-(ends @ multipliers[i, 1:3]) / np.hypot(*ends.T))
         slack, alpha = along - multipliers[:, 0] - self.friction * most, multipliers[:, 0]
         kinds = np.array([state if isinstance(state, str) else "" for state in states])
         room[:, 0] = np.where(kinds == "undecided", np.minimum(alpha, slack), slack)
         room[:, 0] = np.where(kinds == "detached", alpha, room[:, 0])
-        room[kinds == "stick", 1:] = np.inf
+        room[kinds == "stick", 1:3] = np.inf
+        room[:, 3:] = np.inf
         sizes = np.abs(multipliers) / max(float(np.abs(virtual).max()), 1e-300)
-        units = np.array([1.0, *[self.force / self.step] * 2])
-        turn = -dual[-3:] * self.force / self.scale[3] * bool(self.turn)
-        return Ray(virtual * self.arms, multipliers * units, room, sizes, turn, numbers[:, 3])
+        units = np.array([1.0, *[self.force / self.step] * 5])
+        return Ray(virtual * self.arms, multipliers * units, room, sizes)
 
     def inner_ray(self, states: Sequence[State], room: float = 1.0) -> Ray | None:
         """Return the ray with the most work, and room in the cones, if any has some.

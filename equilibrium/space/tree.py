@@ -9,6 +9,7 @@ from __future__ import annotations
 import copy
 from collections.abc import Callable
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import partial
 from itertools import chain
 from typing import Any
@@ -18,7 +19,6 @@ import numpy as np
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from equilibrium.model.effort import Effort
-from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import FloatContacts, nearest
 
@@ -79,8 +79,8 @@ class SpatialSearch:
         accept: whether a proposal is proved to be an equilibrium.
         effort: that is left.
         nodes: of a tree, at most.
-        within: the range in which equilibria count; `accept` knows it, too.
-        memory: of other loads on the grasp, with the same cones and range.
+        max_displacement: how far contact points may move, if bounded; `accept` knows it, too.
+        memory: of other loads on the grasp, with the same cones and bound.
     """
 
     def __init__(
@@ -90,17 +90,17 @@ class SpatialSearch:
         accept: Callable[[Solution], bool],
         effort: Effort | None = None,
         nodes: int = NODES,
-        within: Range = NO_RANGE,
+        max_displacement: Fraction | None = None,
         cones: RoundCones | Pyramids | None = None,
         memory: Memory | None = None,
     ) -> None:
         self.memory = memory or Memory()
-        self.within, self.cones = within, cones or RoundCones()
+        self.max_displacement, self.cones = max_displacement, cones or RoundCones()
         self.contacts, self.wrench = contacts, wrench
         self.root: Node = ("undecided",) * len(contacts.grasp)
         self.accept, self.effort, self.nodes = accept, effort or Effort(), nodes
-        self.relaxation = Relaxation(contacts, wrench, self.cones, within)
-        self.leaves = Leaves(contacts, wrench, self.cones, within)
+        self.relaxation = Relaxation(contacts, wrench, self.cones, max_displacement)
+        self.leaves = Leaves(contacts, wrench, self.cones, max_displacement)
         if self.effort.seconds is not None:
             self.relaxation.settings.time_limit = max(0.01, self.effort.remaining)
         self.smooth = SpatialContinuation(contacts, wrench, self.cones)
@@ -115,9 +115,10 @@ class SpatialSearch:
         self.exactly = False
         self.exact: ExactParts | PyramidParts
         if isinstance(self.cones, Pyramids):
-            self.exact = PyramidParts(contacts, wrench, self.effort, self.cones)
+            how = self.effort, self.cones, max_displacement
+            self.exact = PyramidParts(contacts, wrench, *how)
         else:
-            self.exact = ExactParts(contacts, wrench, self.effort)
+            self.exact = ExactParts(contacts, wrench, self.effort, max_displacement)
         #: States that an equilibrium was looked for in, the latest last.
         self.states: list[States] = []
         self.residual = 1.0
@@ -168,7 +169,8 @@ class SpatialSearch:
             if not i:
                 found = self.go_on(tree, min(_FEW, self.nodes))
                 if isinstance(found, Open) and isinstance(self.cones, RoundCones):
-                    question = self.contacts.grasp, self.wrench, self.effort, self.within
+                    grasp = self.contacts.grasp
+                    question = grasp, self.wrench, self.effort, self.max_displacement
                     found = decide_in_plane(*question) or found
                 if isinstance(found, Open):
                     found = self._exact_equilibrium() or found

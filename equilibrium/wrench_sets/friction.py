@@ -28,9 +28,9 @@ from equilibrium.plane.contact_rows import (
     Pair,
     balance_rows,
     cone_rows,
+    displacement_rows,
     negated,
     normal_force_row,
-    range_rows,
     slip_row,
     sum_row,
     unit_row,
@@ -106,7 +106,7 @@ class _Search:
     """The state of one search, from small coefficients to large ones."""
 
     def __init__(self, solver: Solver, wrench: RationalVector, width: Fraction) -> None:
-        self.grasp, self.within = solver.grasp, solver.within
+        self.grasp, self.max_displacement = solver.grasp, solver.max_displacement
         self.wrench, self.width = wrench, width
         self.first_open: Fraction | None = None
         self.open = 0
@@ -153,15 +153,14 @@ class _Search:
         kept = []
         for choice in watched(states, "contact states"):
             equalities, inequalities, n = _relaxed_rows(self.grasp, choice, self.wrench, low, high)
-            normals = (normal_force_row(contact, n) for contact in self.grasp)
-            inequalities += range_rows(self.within, normals, n)
+            inequalities += displacement_rows(self.max_displacement, self.grasp, n)
             if programs.Program(n, inequalities, equalities).feasible:
                 kept.append(choice)
         return kept
 
     def resists(self, coefficient: Fraction) -> bool:
         """Return whether the wrench is resisted at one coefficient; exact."""
-        solver = Solver(self.grasp.with_friction(coefficient), **self.within.bounds)
+        solver = Solver(self.grasp.with_friction(coefficient), self.max_displacement)
         return solver.solve(self.wrench).stable
 
 

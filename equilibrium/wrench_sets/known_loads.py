@@ -20,7 +20,6 @@ from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.model.solution import Solution
 
 #: The works of the leaves of a tree: of each a virtual motion, and what the preloads add.
@@ -36,18 +35,18 @@ class KnownLoads:
 
     Args:
         nodes: of the tree of each verdict, at most.
-        within: the range in which equilibria count; all between two of them are in it, too.
+        max_displacement: see `equilibrium.solve`; all motions between two that count do, too.
 
     Attributes:
         trees: the works of the leaves of each proof of a "no".
     """
 
-    def __init__(self, grasp: Grasp, nodes: int, within: Range = NO_RANGE) -> None:
-        self.grasp, self.nodes, self.within = grasp, nodes, within
-        self.solver = Solver(grasp, **within.bounds)
+    def __init__(self, grasp: Grasp, nodes: int, max_displacement: Fraction | None = None) -> None:
+        self.grasp, self.nodes, self.max_displacement = grasp, nodes, max_displacement
+        self.solver = Solver(grasp, max_displacement)
         self.trees: list[Works] = []
         #: Without preload all multiples of a load have its verdict: the law scales.
-        self.scales = within == NO_RANGE and not any(contact.preload for contact in grasp)
+        self.scales = max_displacement is None and not any(contact.preload for contact in grasp)
         self._verdicts: dict[RationalVector, Verdict] = {}
 
     def ask(self, wrench: RationalVector, nodes: int | None = None, tree: Any = None) -> Verdict:

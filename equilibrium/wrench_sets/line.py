@@ -95,7 +95,9 @@ def resisted_magnitudes(
     screen = solver.screen
     possible = screen.codes[screen.possible(start, along)].tolist()
     systems = (
-        state_system(solver.grasp, states_of_code(row), start, within=solver.within)
+        state_system(
+            solver.grasp, states_of_code(row), start, max_displacement=solver.max_displacement
+        )
         for row in watched(possible, "states")
     )
     found = (interval_between(system, system.with_more(along)) for system in systems)
@@ -141,7 +143,7 @@ def ends_within_error(solver: Solver, found: Magnitudes) -> RoundedEnds | None:
     at = sum_row(found.base, found.direction, (low or Fraction(0)) + 1 if high is None else high)
     verdict, ends = solver.solve(at), [_ends(found.intervals)]
     for k, grasp in enumerate(others(verdict)):
-        prepared = Solver(grasp, **solver.within.bounds)
+        prepared = Solver(grasp, solver.max_displacement)
         other = resisted_magnitudes(prepared, found.direction, found.base).intervals
         if k >= ROUNDINGS and not solver.grasp.data_error.as_given:
             common = (intersection(*two) for two in product(other, found.intervals))

@@ -112,10 +112,10 @@ def sufficient_preloads(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Preload
     >>> sufficient_preloads(read_grasp("paper-three-contacts"), [0, 3, 0]).least
     Fraction(3, 1)
     """
-    w, within = read_wrench(wrench), prepare(grasp).within
+    w, bound = read_wrench(wrench), prepare(grasp).max_displacement
     given = prepare(grasp).grasp
     unloaded, loaded = (given.with_preload(p) for p in (0, 1))
-    held = Solver(unloaded, **within.bounds).solve(w).stable
+    held = Solver(unloaded, bound).solve(w).stable
     parts: list[Interval] = [(Fraction(0), Fraction(0))] if held else []
     # Without a range a preload of p resists w where one of 1 resists w / p.
     screen = Solver(loaded).screen
@@ -123,7 +123,9 @@ def sufficient_preloads(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Preload
     possible = screen.possible(rest, w) if any(w) else screen.possible(w)
     tried = watched(screen.codes[possible].tolist(), "contact states")
     for states in map(states_of_code, tried):
-        systems = (state_system(one, states, w, within=within) for one in (unloaded, loaded))
+        systems = (
+            state_system(one, states, w, max_displacement=bound) for one in (unloaded, loaded)
+        )
         if found := interval_between(*systems):
             parts.append(found)
     return Preloads(w, union(parts))

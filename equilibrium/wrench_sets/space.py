@@ -28,12 +28,11 @@ from arrangement.numbers.linear.separation import surely_outside
 from arrangement.numbers.packing import pack
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.plane.contact_rows import (
+    displacement_rows,
     friction_edges,
     negated,
     normal_force_row,
-    range_rows,
     slip_edge,
 )
 from equilibrium.plane.states.state_system import States
@@ -70,7 +69,7 @@ class StateImages:
     force in between is a mixture of the two at the same d, and the maps are linear.)
     """
 
-    def __init__(self, grasp: Grasp, within: Range = NO_RANGE) -> None:
+    def __init__(self, grasp: Grasp, max_displacement: Fraction | None = None) -> None:
         springs = [normal_force_row(contact) for contact in grasp]
         edges = []
         for contact in grasp:
@@ -90,7 +89,7 @@ class StateImages:
         ]
         self._whole = Cone(4)
         self._whole.cut((0, 0, 0, 1), keep_positive=True)
-        for row in range_rows(within, springs):
+        for row in displacement_rows(max_displacement, grasp):
             self._whole.cut(primitive(row), keep_positive=True)
         self._grasp = grasp
         self._path: list[tuple[str, Cone]] = []
@@ -306,7 +305,7 @@ def images_of(
     solver: Solver, plane: IntegerVector | None = None
 ) -> Iterator[tuple[States, Polyhedron | None]]:
     """Yield all contact states with `StateImages.resisted_with`."""
-    images, listed = StateImages(solver.grasp, solver.within), solver.states
+    images, listed = StateImages(solver.grasp, solver.max_displacement), solver.states
     contacts = len(solver.grasp)
     budget.ask(
         f"all resisted wrenches of {contacts} contacts, {len(listed):,} choices of states",

@@ -17,9 +17,9 @@ from typing import Any, TypeAlias
 from arrangement.numbers.exact import RationalVector, rational, shown, to_text
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
 from equilibrium.grasps.inputs.conversion import simplest_between
+from equilibrium.model.displacement import read_displacement
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.model.range import Range
 
 from .known_loads import KnownLoads, KnownMagnitudes
 
@@ -115,8 +115,7 @@ def spatial_magnitudes(
     nodes: int = _NODES,
     loads: KnownLoads | None = None,
     every: int = 1,
-    largest_turn: Any = None,
-    largest_force: Any = None,
+    max_displacement: Any = None,
 ) -> SpatialMagnitudes:
     """Bracket the magnitudes that a grasp in space resists along a direction.
 
@@ -126,7 +125,7 @@ def spatial_magnitudes(
         nodes: of the tree of each verdict, at most.
         loads: what is known of the grasp already, which grows; with its own number of nodes.
         every: which of the sampled magnitudes are taken: each, every other, ...
-        largest_turn, largest_force: see `equilibrium.solve`; without `loads`.
+        max_displacement: see `equilibrium.solve`; without `loads`.
 
     Raises:
         GraspError: the direction is zero, or a width below 2^-100.
@@ -142,8 +141,8 @@ def spatial_magnitudes(
     share = rational(width, "width")
     if share < _LEAST_WIDTH:
         raise GraspError(f"width is {shown(share)}; it must be at least 2^-100")
-    within = Range.of(largest_turn, largest_force)
-    known = KnownMagnitudes(loads or KnownLoads(grasp, nodes, within), along, start)
+    bound = read_displacement(max_displacement)
+    known = KnownMagnitudes(loads or KnownLoads(grasp, nodes, bound), along, start)
     unit = max((c.preload for c in grasp), default=Fraction(0)) or Fraction(1)
     tried = [Fraction(0), *(unit * Fraction(2) ** k for k in _POWERS[::every])]
     found = {k: known.verdict(tried[k]) for k in _ends_first(len(tried))}

@@ -41,11 +41,15 @@ def asked(grasp: Grasp, wrench: Sequence[Fraction | int]) -> Question:
 
 
 def solutions(
-    grasp: Grasp, wrench: Sequence[Fraction], bound: Fraction | int | None = None
+    grasp: Grasp,
+    wrench: Sequence[Fraction],
+    bound: Fraction | int | None = None,
+    displacement: Fraction | int | None = None,
 ) -> Iterator[Solution]:
     """Yield one solution for each choice of states that has any.
 
-    With a bound, only motions whose three components are at most that large count.
+    With a bound, only motions whose three components are at most that large count; with a largest
+    displacement, those that move each contact point by at most that along normal and tangent.
     """
     question = asked(grasp, wrench)
     systems = Systems(question)
@@ -56,6 +60,13 @@ def solutions(
         for unit in (units if bound is not None else ())
         for side in (1, -1)
     ]
+    if displacement is not None:
+        box += [
+            (*(side * x for x in wrench_of_one), *[Fraction(0)] * (n - 3), Fraction(displacement))
+            for touch in question.touches
+            for wrench_of_one in (touch.normal, touch.tangential)
+            for side in (1, -1)
+        ]
     for states in all_states(question):
         equal, least = systems.rows(states)
         least += box
@@ -71,9 +82,12 @@ def solutions(
 
 
 def is_stable(
-    grasp: Grasp, wrench: Sequence[Fraction], bound: Fraction | int | None = None
+    grasp: Grasp,
+    wrench: Sequence[Fraction],
+    bound: Fraction | int | None = None,
+    displacement: Fraction | int | None = None,
 ) -> bool:
-    return any(True for _ in solutions(grasp, wrench, bound))
+    return any(True for _ in solutions(grasp, wrench, bound, displacement))
 
 
 def intervals(

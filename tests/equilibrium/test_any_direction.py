@@ -252,9 +252,9 @@ def test_a_load_that_is_not_resisted_is_the_answer_itself():
     assert (found.size_squared, found.beyond) == (0, (0, 0, 0))
 
 
-def test_a_bound_on_forces_counts():
-    """A push t sideways is shared by four springs: two bear 1 + t / 4, at most 11/10."""
-    found = agrees_with_rays_and_verdicts(Solver(read_grasp(FOUR), largest_force="11/10"))
+def test_a_bound_on_displacements_counts():
+    """A push t sideways is shared by four springs of stiffness 1: all move by t / 4."""
+    found = agrees_with_rays_and_verdicts(Solver(read_grasp(FOUR), max_displacement="1/10"))
     assert found.size == Fraction(2, 5)
     assert found.wrench in [(Fraction(2, 5), 0, 0), (Fraction(-2, 5), 0, 0)]
 

@@ -27,7 +27,6 @@ from equilibrium.certificate import checker, enclosure, law, reading, robust, sp
 from equilibrium.certificate.checker import MAX_DEPTH, Report, check
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
 from equilibrium.grasps.schemas import certificate_schema
-from equilibrium.model.range import NO_RANGE, Range
 from proofs_check.routes.oracle import Touch
 
 from . import judge, oracle, trees
@@ -255,10 +254,10 @@ def random_leaf(source: Random) -> tuple[Any, ...]:
 
 
 def leaf_holds(
-    grasp: Grasp, wrench: Any, leaf: Any, region: Any, states: Any, within: Range = NO_RANGE
+    grasp: Grasp, wrench: Any, leaf: Any, region: Any, states: Any, most: Fraction | None = None
 ) -> bool:
     """Return whether the checker accepts a leaf."""
-    asked = checker.IntegerQuestion(grasp, wrench, within)
+    asked = checker.IntegerQuestion(grasp, wrench, most)
     generators = []
     for vector in region:
         whole = tuple(map(int, vector))
@@ -313,55 +312,63 @@ def test_a_region_on_one_side_of_slip_has_one_friction_and_multipliers_their_sig
 
 
 @pytest.mark.parametrize(
-    ("bounds", "motion", "used", "turned", "holds"),
+    ("most", "used", "moved", "holds"),
     [
-        # A turn costs v Q of the work 1/3 of the load, and gives u r.
-        (("1/4", 0), 1, {"turn": ["1", "1"]}, 1, True),
-        (("1/3", 0), 1, {"turn": ["1", "1"]}, 1, False),
-        (("1/4", 0), 1, {"turn": ["1", "1"]}, -1, False),
-        (("1/4", 0), 1, {"turn": ["1", "-1"]}, -1, True),
-        (("1/4", 0), 1, {"turn": ["1", "-1"]}, 1, False),
-        (("1/4", 0), 1, {"turn": ["4/5", "1"]}, 1, False),
-        (("1/4", 0), 1, {"turn": ["-1", "1"]}, 1, False),
-        (("1/4", 0), 1, {"turn": ["0", "0"], "forces": {"0": "0"}}, 1, True),
-        (("1/4", 0), 1, {"turn": ["1/2", "1/2"]}, 1, True),
-        # The contacts take 1 each, unless rho makes up for it at a price of F.
-        ((0, "1/7"), -1, {"forces": {"0": "1", "1": "1"}}, 1, True),
-        ((0, "1/6"), -1, {"forces": {"0": "1", "1": "1"}}, 1, False),
-        ((0, "1/4"), -1, {"forces": {"0": "1"}}, 1, False),
-        ((0, "1/16"), -1, {"forces": {"0": "9/10", "1": "9/10"}}, 1, True),
-        ((0, "1/12"), -1, {"forces": {"0": "9/10", "1": "9/10"}}, 1, False),
-        ((0, "1/7"), 1, {"forces": {"0": "-1"}}, 1, False),
-        (("1/7", "1/13"), -1, {"turn": ["1", "1"], "forces": {"0": "1", "1": "1"}}, 1, True),
-        (("1/5", "1/13"), -1, {"turn": ["1", "1"], "forces": {"0": "1", "1": "1"}}, 1, False),
+        # A displacement costs D times its size of the work 1/3 of the load, and gives what it is.
+        ("1/4", {"0": ["0", "-1"]}, (1, 1), True),
+        ("1/3", {"0": ["0", "-1"]}, (1, 1), False),
+        ("1/4", {"0": ["0", "-1"]}, (1, -1), False),
+        ("1/4", {"0": ["0", "1"]}, (1, -1), True),
+        ("1/4", {"0": ["1", "0"]}, (2, 1), True),
+        ("1/4", {"0": ["1", "0"]}, (2, -1), False),
+        ("1/7", {"0": ["1", "-1"]}, (1, 1), True),
+        ("1/6", {"0": ["1", "-1"]}, (1, 1), False),
+        ("1/7", {"0": ["0", "-1"], "1": ["0", "-1"]}, (1, 1), True),
+        ("1/6", {"0": ["0", "-1"], "1": ["0", "-1"]}, (1, 1), False),
+        # Lever arms of both contacts: 1 to the right, 1 to the left.
+        ("1/4", {"1": ["1", "0"]}, (3, 1), False),
+        ("1/4", {"1": ["-1", "0"]}, (3, 1), True),
+        ("1/4", {"0": ["0", "0"]}, (1, 1), True),
+        (None, {"0": ["0", "0"]}, (1, 1), False),
     ],
 )
-def test_a_leaf_pays_for_the_bounds_of_a_range(bounds, motion, used, turned, holds):
-    """Two contacts without friction, whose springs do not change; a load along the motion."""
-    contacts = Grasp([Contact((0, 0), (0, 1), 0, "1/3", 1)] * 2)
-    leaf = {"virtual_motion": ["0", str(motion), "0"], "multipliers": {}, "range": used}
-    load = (Fraction(0), Fraction(motion, 3), Fraction(0))
-    region = [judge.ORIGIN, judge.axis(1, 1), judge.axis(1, -1), judge.axis(3, turned)]
-    states = dict.fromkeys(range(2), "attached" if motion < 0 else "detached")
-    assert leaf_holds(contacts, load, leaf, region, states, Range.of(*bounds)) == holds
+def test_leaf_pays_for_bounded_displacements(most, used, moved, holds):
+    """Two detached contacts on a floor; a load that works 1/3 on the virtual motion."""
+    contacts = Grasp([Contact((x, 0), (0, 1), 0, 1, 0) for x in (1, -1)])
+    leaf = {"virtual_motion": ["0", "1", "0"], "multipliers": {}, "displacements": used}
+    load = (Fraction(0), Fraction(1, 3), Fraction(0))
+    region = [judge.ORIGIN, *[judge.axis(*moved)] * 3]
+    bound = None if most is None else Fraction(most)
+    states = dict.fromkeys(range(2), "detached")
+    assert leaf_holds(contacts, load, leaf, region, states, bound) == holds
 
 
 @pytest.mark.parametrize(
-    ("bounds", "motion", "forces", "words"),
+    ("point", "most", "motion", "words"),
     [
-        (("1/2",), (9, 9, "-1/2"), [], ""),
-        (("1/3",), (0, 0, "-1/2"), [], "by more than the largest turn 1/3"),
-        ((5,), (9, 9, 9, 0, 3, -4), [], ""),
-        ((4,), (0, 0, 0, 3, 0, 3), [], "by more than"),
-        ((None, 2), (9, 9, 9), [(2, 9), (1, 3)], ""),
-        ((None, 2), (0, 0, 0), [(2, 0), ("5/2", 0)], "contact 2: normal force 5/2, the largest"),
+        ((2, 0), "1/2", (0, "-1/2", 0), ""),
+        ((2, 0), "1/2", ("1/2", 0, 0), ""),
+        (
+            (2, 0),
+            "1/2",
+            ("-2/3", 0, 0),
+            "its point moves by 2/3, and at most 1/2 counts",
+        ),
+        ((2, 0), "1/2", (0, "-3/2", "1/2"), ""),
+        ((2, 0), "1/2", (0, "-3/2", "1/4"), "contact 1: its point moves by -1,"),
+        ((2, 0, 0), 1, (0, 0, 1, 9, 1, 0), ""),
+        ((2, 0, 0), 1, (0, 0, 1, 9, 2, 0), "contact 1: its point moves by -3"),
+        ((0, 0, 0), 1, (1, -1, 1, 9, 9, 9), ""),
+        ((0, 0, 0), 1, (1, "-5/4", 1, 0, 0, 0), "contact 1: its point moves by"),
     ],
 )
-def test_an_equilibrium_keeps_the_bounds_of_its_range(bounds, motion, forces, words):
-    numbers = [tuple(map(Fraction, row)) for row in (motion, *forces)]
-    problem = law.range_problem(Range.of(*bounds), numbers[0], numbers[1:])
+def test_equilibrium_moves_no_point_further_than_counts(point, most, motion, words):
+    normal = (0, 1) if len(point) == 2 else (0, 0, 1)
+    grasp = Grasp([Contact(point, normal, 1)])
+    problem = law.displacement_problem(grasp, tuple(map(Fraction, motion)), Fraction(most))
     assert bool(problem) == bool(words)
     assert words in problem
+    assert not law.displacement_problem(grasp, tuple(map(Fraction, motion)), None)
 
 
 @pytest.mark.parametrize(
@@ -528,7 +535,7 @@ def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
     }
     values |= {"equilibrium.model.contact", "arrangement.console.number_form"}
     values |= {"equilibrium.model.errors", "equilibrium.model.contact", "collections.abc"}
-    values |= {f"equilibrium.model.{name}" for name in ("plane", "range", "solution")}
+    values |= {f"equilibrium.model.{name}" for name in ("plane", "displacement", "solution")}
     values |= {"arrangement.numbers.linear.rank"}
     values |= {"enclosure", "law", "reading", "robust", "space", "uncertain"}
     assert imported <= standard | values
@@ -657,10 +664,10 @@ def test_another_question_is_refused(documents):
         assert report.question[-1].startswith(f"contact {len(grasp)} ")
         other = grasp, (*wrench[:2], wrench[2] + 1)
         for asked, bounds, words in (
-            ((grasp, wrench), (4, NO_RANGE), "it is about other cones of friction"),
-            ((grasp, wrench), (None, Range.of(1)), "it is about another range"),
-            ((grasp, wrench), (4, Range.of(1)), "it is about other cones of friction"),
-            (other, (4, Range.of(1)), "it is about another wrench"),
+            ((grasp, wrench), (4, None), "it is about other cones of friction"),
+            ((grasp, wrench), (None, Fraction(1)), "it is about other displacements"),
+            ((grasp, wrench), (4, Fraction(1)), "it is about other cones of friction"),
+            (other, (4, Fraction(1)), "it is about another wrench"),
         ):
             assert check(document, asked, *bounds).problem.startswith(words)
         hair = Fraction(1, 10**50)

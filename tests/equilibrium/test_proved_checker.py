@@ -69,7 +69,7 @@ def test_a_certificate_of_planes_is_none_of_a_grasp(folder):
         ({}, ""),
         ({"enclosure": {}}, "Krawczyk"),
         ({"pyramid": 4}, "friction pyramids"),
-        ({"largest_turn": "1"}, "a range of motions"),
+        ({"max_displacement": "1"}, "a largest displacement"),
         ({"bounds": {}}, "bounds of grasps"),
         ({"tree": {"plane": [], "tree": []}}, "planar along two axes"),
         ({"tree": {"contact": 0, "faces": []}}, "friction pyramids"),

@@ -299,7 +299,7 @@ class TestRobust:
 
     def test_a_verdict_in_a_range_or_with_pyramids_is_not_asked_for_all(self):
         pyramids = solve(Grasp(SPATIAL), (0, 0, 1, 0, 0, 0), pyramid=4)
-        for verdict in (pyramids, solve(self.grasp, (0, 1, 0), largest_turn=1)):
+        for verdict in (pyramids, solve(self.grasp, (0, 1, 0), max_displacement=1)):
             with pytest.raises(GraspError, match="leave these out"):
                 verdict.robust(friction="1%")
 

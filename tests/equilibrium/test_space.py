@@ -29,7 +29,6 @@ from equilibrium.grasps.schemas import certificate_schema
 from equilibrium.model.contact import Contact, pyramid_edges
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import GraspError, UndecidedError
-from equilibrium.model.range import Range
 from equilibrium.plane.contacts import FloatContacts
 from equilibrium.space.plane import decide_in_plane
 from equilibrium.space.relaxation import Relaxation
@@ -215,9 +214,9 @@ class TestKnownLoads:
         for base, bounds, asked in [
             ((0,) * 6, {}, {(0, 0, -1, 0, 0, 0)}),
             ((0, 0, -1, 0, 0, 0), {}, {(0, 0, -3, 0, 0, 0), (0, 0, -5, 0, 0, 0)}),
-            ((0,) * 6, {"largest_force": 1}, {(0, 0, -2, 0, 0, 0), (0, 0, -4, 0, 0, 0)}),
+            ((0,) * 6, {"max_displacement": 1}, {(0, 0, -2, 0, 0, 0), (0, 0, -4, 0, 0, 0)}),
         ]:
-            loads = KnownLoads(FEET.with_preload(0), 100, Range.of(**bounds))
+            loads = KnownLoads(FEET.with_preload(0), 100, **bounds)
             known = KnownMagnitudes(loads, (0, 0, -1, 0, 0, 0), base)
             found = [known.verdict(Fraction(t)) for t in (2, 4)]
             direct = [

@@ -34,11 +34,11 @@ def test_what_is_reported_is_true_and_proved(grasp, wrench):
 
 
 @given(grasps(4), st.lists(wrenches, min_size=1, max_size=4), st.sampled_from([None, 0, 1]))
-def test_each_of_many_loads_has_the_verdict_of_its_own_and_a_proof(grasp, loads, force):
-    found = list(Solver(grasp, largest_force=force).solve_many(loads))
+def test_each_of_many_loads_has_the_verdict_of_its_own_and_a_proof(grasp, loads, most):
+    found = list(Solver(grasp, max_displacement=most).solve_many(loads))
     for wrench, verdict in zip(loads, found, strict=True):
         assert verdict.wrench == tuple(wrench)
-        assert verdict.stable == solve(grasp, wrench, largest_force=force).stable
+        assert verdict.stable == solve(grasp, wrench, max_displacement=most).stable
         assert verdict.verify()
 
 

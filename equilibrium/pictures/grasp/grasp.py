@@ -15,9 +15,9 @@ from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import Labels, flattened, ring
 from arrangement.drawing.scene.scene import AROUND, Legend, Scene, arrow, fitted, turning_arrow
 from equilibrium.decide.solver import Solver
+from equilibrium.model.displacement import NOT_SMALL, displacement_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.range import SMALL, Range
 from equilibrium.model.solution import Solution
 from equilibrium.pictures.parts.style import (
     CONE_EDGE,
@@ -42,8 +42,7 @@ def draw_grasp(
     piece: int = 1,
     direction: Vector | None = None,
     azimuth: float = 0.0,
-    largest_turn: Exact | None = None,
-    largest_force: Exact | None = None,
+    max_displacement: Exact | None = None,
     width: float = 88.0,
 ) -> Scene:
     """Draw contacts with friction cones and preloads; with a wrench, the equilibrium too.
@@ -69,7 +68,7 @@ def draw_grasp(
         direction: exact, towards the viewer, in space; if omitted, one from above that sees forces
             from the side.
         azimuth: so many degrees the viewer then goes round to the right, in space.
-        largest_turn, largest_force: exact; only equilibria within them count, see `solve`.
+        max_displacement: exact; only equilibria up to it count, see `solve`.
 
     Raises:
         GraspError: a bad outline, or no such piece.
@@ -77,14 +76,13 @@ def draw_grasp(
     if grasp.dimension == 3:
         if outline is not None or piece != 1:
             raise GraspError("outline and piece are for grasps in the plane; leave them out")
-        bounds = Range.of(largest_turn, largest_force)
-        solid, note = solved_in_space(grasp, wrench, bounds)
+        solid, note = solved_in_space(grasp, wrench, max_displacement)
         return drawn_in_space(solid, direction, azimuth, width, note)
     if direction is not None or azimuth:
         raise GraspError("a direction or a turn is for grasps in space; leave it out")
     if wrench is None and piece != 1:
         raise GraspError("without a wrench nothing is solved; give one with the piece")
-    verdict = None if wrench is None else Solver(grasp, largest_turn, largest_force).solve(wrench)
+    verdict = None if wrench is None else Solver(grasp, max_displacement).solve(wrench)
     return drawn(Layout(grasp, verdict, outline, piece), width)
 
 
@@ -270,11 +268,11 @@ def _lines(layout: Layout) -> Iterator[tuple[str, bool]]:
     if found is not None and layout.step is None:
         yield "no motion", False
     if verdict.warnings:
-        yield SMALL, True
+        yield NOT_SMALL, True
     if verdict.doubt:
         yield verdict.doubt, True
     if found is None:
-        yield f"no equilibrium{verdict.within}", True
+        yield f"no equilibrium{displacement_words(verdict.max_displacement)}", True
     elif isinstance(found, Solution):
         yield "the equilibrium found; there may be others", False
     else:

@@ -162,7 +162,7 @@ def _example(
     half, name = _SMALL[len(verdict.grasp) > _WRITTEN], f"{i + 3}-"
     scale = size / 2 / half
     drawn = _grasp(scene, layout, scale, middle, name)
-    done = works(verdict.grasp, verdict.wrench, together, verdict.within)
+    done = works(verdict.grasp, verdict.wrench, together, verdict.max_displacement)
     load, least, both = map(LABEL.number, (done.load, done.least, done.load + done.least))
     for k, text in enumerate((f"{i + 1}: load {load}, contacts ≥ {least}", f"together ≥ {both}")):
         place = middle[0], middle[1] + size / 2 + 12 - 9 * k

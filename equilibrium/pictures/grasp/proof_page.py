@@ -117,7 +117,7 @@ def _motion(maps: ProofMaps, motion: RationalVector) -> dict[str, Any]:
 
 def _part(maps: ProofMaps, part: ClosedPart) -> dict[str, Any]:
     """Return a part: its motions, and the numbers of its inequality."""
-    done = works(maps.verdict.grasp, maps.verdict.wrench, [part], maps.verdict.within)
+    done = works(maps.verdict.grasp, maps.verdict.wrench, [part], maps.verdict.max_displacement)
     total = done.load + done.least
     return {
         "motion": maps.ranks[part.leaf.motion],

@@ -181,7 +181,8 @@ def read_start(text: str) -> tuple[Grasp, Any]:
         numbers = one.split(",")
         if len(numbers) != 7:
             raise InputError(f"contact {shown(one)} needs seven numbers, with commas between them")
-        contacts.append(Contact(numbers[:2], numbers[2:4], *numbers[4:]))
+        friction, stiffness, preload = numbers[4:]
+        contacts.append(Contact(numbers[:2], numbers[2:4], friction, stiffness, preload))
     return Grasp(contacts), read_wrench(parts[1].split(","))
 
 

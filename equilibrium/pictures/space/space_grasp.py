@@ -29,9 +29,9 @@ from arrangement.numbers.exact import IntegerVector
 from equilibrium.certificate.leaves import spatial_leaves
 from equilibrium.decide import NOT_RESISTED
 from equilibrium.decide.solver import solve
+from equilibrium.model.displacement import NOT_SMALL, displacement_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.range import NO_RANGE, SMALL, Range
 from equilibrium.pictures.parts.style import CONE_EDGE, CONE_FILL, explain_grasp, symbol
 
 from .solid_grasp import INKS, SolidGrasp
@@ -46,19 +46,19 @@ _DASHES: dict[str, Any] = {"axis": (0, (6, 2, 1, 2)), "link": (0, (5, 2.5))}
 
 
 def solved_in_space(
-    grasp: Grasp, wrench: Wrench | None, within: Range = NO_RANGE
+    grasp: Grasp, wrench: Wrench | None, max_displacement: Any = None
 ) -> tuple[SolidGrasp, str]:
     """Return the pieces of a grasp, with the equilibrium under a wrench, and what is said of it."""
     if wrench is None:
         return SolidGrasp(grasp), ""
-    verdict = solve(grasp, wrench, **within.bounds)
+    verdict = solve(grasp, wrench, max_displacement=max_displacement)
     found = verdict.solution
     if found is None:
-        return SolidGrasp(grasp, wrench=verdict.wrench), "; ".join(
-            filter(None, (f"{verdict.verdict}{within}", verdict.doubt))
-        )
+        answer = verdict.verdict + displacement_words(verdict.max_displacement)
+        note = "; ".join(filter(None, (answer, verdict.doubt)))
+        return SolidGrasp(grasp, wrench=verdict.wrench), note
     forces = [contact.force(shares) for contact, shares in zip(grasp, found.forces, strict=True)]
-    note = "; ".join(filter(None, (SMALL if verdict.warnings else "", verdict.doubt)))
+    note = "; ".join(filter(None, (NOT_SMALL if verdict.warnings else "", verdict.doubt)))
     return SolidGrasp(grasp, list(found.motion), forces, verdict.wrench), note
 
 

@@ -13,7 +13,6 @@ import json
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -107,11 +106,10 @@ class MotionRegions:
         self.lengths = np.array([1.0, *(1 / scale)])
         self.batch = max(1, _NUMBERS // (50 * max(len(contacts), 30)))
         self.solution: Solution | None = None
-        rows, forms = contacts.bounds
-        #: Rows of the range, those of the turn first.
-        self.rows = np.array([_shortened(row) for row in rows.tolist()]).reshape(-1, 4)
+        #: Rows of bounded displacements.
+        self.rows = np.array([_shortened(row) for row in contacts.bounds[0].tolist()])
+        self.rows = self.rows.reshape(-1, 4)
         self.rows /= np.abs(self.rows).max(axis=1, keepdims=True, initial=1e-300)
-        self.turns = sum(name == "turn" for name, *_ in forms)
 
     def search(self) -> Node | Solution:
         """Return the tree, or an equilibrium.
@@ -191,11 +189,10 @@ class MotionRegions:
         if not len(self.rows):
             none = np.zeros(len(generators), dtype=np.intp)
             return Regions(generators[..., 0], spring, slip, np.zeros(spring.shape[:2]), none)
-        # The row of the range that most of the region is beyond; of a force, where it presses.
+        # The row that most of the region breaks.
         values = generators @ self.rows.T
         least, most = values.min(axis=1), values.max(axis=1)
         share = np.where(least < -_TINY, -least / (most - least + 1e-300), 0.0)
-        share[:, self.turns :] *= spring.min(axis=1)[:, : share.shape[1] - self.turns] >= 0
         row = share.argmax(axis=1)
         beyond = np.take_along_axis(values, row[:, None, None], axis=2)[:, :, 0]
         beyond = np.where(share.max(axis=1)[:, None] > 0, beyond, 0.0)
@@ -220,13 +217,13 @@ class MotionRegions:
                 continue
             leaf: Node = [to_text(x) for x in motion]
             if multiplier:
-                leaf = self.contacts.bound_leaf(motion, rows[place], multiplier)
+                leaf = self.contacts.bound_leaf(motion, {rows[place]: multiplier})
             regions[n].close(leaf)
             done.add(n)
         return [region for n, region in enumerate(regions) if n not in done]
 
     def _outside(self, region: _OpenRegion) -> bool:
-        """Close a region in which one bound of the range holds nowhere; return whether it does."""
+        """Close a region outside one bounded displacement; return whether it is."""
         if not len(self.rows):
             return False
         rows, _ = self.contacts.bounds
@@ -234,7 +231,7 @@ class MotionRegions:
         values = generators.dot(rows.T)
         least = (values < 0) | ((values == 0) & (generators[:, :1] == 0))
         for k in np.flatnonzero(least.all(axis=0))[:1]:
-            region.close(self.contacts.bound_leaf((0, 0, 0), int(k), Fraction(1)))
+            region.close(self.contacts.bound_leaf((0, 0, 0), {int(k): 1}))
             return True
         return False
 

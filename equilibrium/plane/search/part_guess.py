@@ -79,10 +79,8 @@ class PartGuess:
         for columns, values in ((part.alpha, floats.spring), (part.h, floats.slip)):
             chosen = np.abs(values[:, list(columns)]).max(axis=0, initial=0.0)
             scale[list(columns.values())] = 1 / np.where(chosen > 0, chosen, 1.0)
-        if part.rho:
-            scale[list(part.rho.values())] = 1 / (floats.most or 1.0)
-        for u, column in part.turn.items():
-            scale[column] = 1 / np.abs(floats.turns[u]).max()
+        for k, column in part.pins.items():
+            scale[column] = 1 / np.abs(floats.beyond[k]).max()
         scale[-1] = 1 / floats.weight.max()
         return scale
 
@@ -117,10 +115,8 @@ class PartGuess:
         rows[:, :3] += floats.weight[at, None] * floats.load
         rows[:, list(part.alpha.values())] = spring[:, list(part.alpha)]
         rows[:, list(part.h.values())] = floats.slip[at][:, list(part.h)]
-        if part.rho:
-            rows[:, list(part.rho.values())] = -(floats.most or 0) * floats.weight[at, None]
-        for u, column in part.turn.items():
-            rows[:, column] = -floats.turns[u][at]
+        for k, column in part.pins.items():
+            rows[:, column] = -floats.beyond[k][at]
         rows[:, -2] = -floats.weight[at]
         rows[:, :-1] *= self._scale
         rows[floats.weight[at] == 0, -2] = -self._room
@@ -144,7 +140,7 @@ class PartGuess:
     def hopeful(self, tried: list[Sequence[int]]) -> list[Sequence[int]]:
         """Leave out integer multipliers with a work that is surely below 0 at a generator."""
         part, floats, c = self.part, self.floats, self.floats.contacts
-        if part.rho or part.turn:
+        if part.pins:
             return tried
         numbers = np.array(tried, dtype=float)[:, None]
         along, across = numbers[..., :3] @ c.normal.T, numbers[..., :3] @ c.pull.T
@@ -199,6 +195,6 @@ class PartGuess:
         slip = c.tangent @ motion
         slip[np.abs(slip) <= _OBEYED * (1e-3 + np.abs(motion).max())] = 0.0
         force = c.preload + c.spring[:, 1:] @ motion
-        wrong = part.violations(force, slip, normal, rub, c.friction, floats.most)
+        wrong = part.violations(force, slip, normal, rub, c.friction)
         worst = int(wrong.argmax())
         return worst if wrong[worst] > _OBEYED * (1.0 + np.abs(normal).max()) else None

@@ -1,7 +1,7 @@
 """The linear program of one part: a region of motions, with the states of some contacts fixed.
 
 Its variables are the virtual motion and, for contacts with a state, the multipliers of spring and
-slip, and of the bounds of a range. Either it finds numbers that close the part, or its own
+slip, and of bounded displacements. Either it finds numbers that close the part, or its own
 multipliers are a motion with forces that balance the load, and obey the law at all contacts with a
 state (Farkas).
 """
@@ -61,8 +61,11 @@ class RegionRows:
         self.presses = self.spring > 0
         one, other = (self.slip > 0).all(axis=0), (self.slip < 0).all(axis=0)
         self.known = one.astype(int) - other.astype(int)
-        #: The ways to turn in which some motions of the region go beyond the range.
-        self.turns = [u for u in (1, -1) if min(self.turn_row(u)) < 0]
+        beyond = product(rows, contacts.bounds[0].T)
+        #: The rows of bounded displacements that some motions of the region break.
+        self.beyond = {
+            int(k): beyond[:, k].tolist() for k in np.flatnonzero((beyond < 0).any(axis=0))
+        }
         #: Whether contacts without a state have a multiplier of their spring.
         self.whole = len(generators) > 4
 
@@ -70,11 +73,6 @@ class RegionRows:
     def floats(self) -> RegionFloats:
         """The same in floating point."""
         return RegionFloats(self)
-
-    def turn_row(self, u: int) -> list[Any]:
-        """Return ``Q g_0 - u r`` at the generators; zeros where there is no largest turn."""
-        most = self.contacts.within.largest_turn
-        return [0 if most is None else most * g[0] - u * g[3] for g in self.generators]
 
 
 class RegionFloats:
@@ -88,13 +86,9 @@ class RegionFloats:
         self.spring = (region.spring / (sizes * c.spring_unit)).astype(float)
         self.slip = (region.slip / (sizes * c.wrench_unit)).astype(float)
         self.load = np.array([nearest(w) for w in region.wrench])
-        most = c.within.largest_force
-        self.most = None if most is None else nearest(most)
-        self.turns = {
-            u: np.array(
-                [x / n for x, n in zip(region.turn_row(u), sizes[:, 0], strict=True)], float
-            )
-            for u in region.turns
+        self.beyond = {
+            k: np.array([x / n for x, n in zip(row, sizes[:, 0], strict=True)], float)
+            for k, row in region.beyond.items()
         }
 
 
@@ -137,34 +131,28 @@ class PartProgram:
         self.alpha = {i: 3 + n for n, i in enumerate(self.springs)}
         self.h = {i: 3 + len(self.springs) + n for n, i in enumerate(self.slips)}
         used = 3 + len(self.springs) + len(self.slips)
-        #: Multipliers of the range: rho of contacts with alpha, two of the turn where it matters.
-        most = region.contacts.within.largest_force is not None
-        forced = [i for i in self.springs if most and states.get(i) != "detached"]
-        self.rho = {i: used + n for n, i in enumerate(forced)}
-        used += len(forced)
-        self.turn = {u: used + n for n, u in enumerate(region.turns)}
-        self.size = used + len(self.turn) + 1
+        #: Multipliers of bounded displacements, by their rows.
+        self.pins = {k: used + n for n, k in enumerate(region.beyond)}
+        self.size = used + len(self.pins) + 1
         self.cuts = [Cut(cut.generator, cut.signs * self.is_free) for cut in cuts]
         self.binding: list[Cut] = []
         #: The motion is bounded.
         self.box = [self._row({k: sign}, 1) for k in range(3) for sign in (1, -1)]
         self.limits: list[tuple[int, int]] = []
-        #: Of each limit the columns of alpha and rho, and integers: ``unit alpha <= arm . motion``.
-        self._most: list[tuple[int, int | None, list[int], int]] = []
+        #: Of each limit the column of alpha, and integers: ``unit alpha <= arm . motion``.
+        self._most: list[tuple[int, list[int], int]] = []
         self.bounds: list[list[Any]] = []
         for i in self.springs:
             for sign in self._signs(i):
                 arm, unit = self._limit(i, sign)
                 entries = {**dict(enumerate(arm)), self.alpha[i]: -unit}
-                if i in self.rho:
-                    entries[self.rho[i]] = unit
                 self.bounds.append(self._row(entries))
                 self.limits.append((i, sign))
-                self._most.append((self.alpha[i], self.rho.get(i), arm, unit))
+                self._most.append((self.alpha[i], arm, unit))
         for i in self.springs:
             if states.get(i) in (None, "detached"):
                 self.bounds.append(self._row({self.alpha[i]: 1}))
-        for column in (*self.rho.values(), *self.turn.values()):
+        for column in self.pins.values():
             self.bounds.append(self._row({column: 1}))
         for i in self.slips:
             if states[i] != "stick":
@@ -227,10 +215,8 @@ class PartProgram:
             entries[self.alpha[i]] = region.spring[j, i] * (unit // spring_unit[i])
         for i in self.slips:
             entries[self.h[i]] = region.slip[j, i] * (unit // wrench_unit[i])
-        for column in self.rho.values():
-            entries[column] = -(region.contacts.within.largest_force or 0) * unit * region.weight[j]
-        for u, column in self.turn.items():
-            entries[column] = -unit * region.turn_row(u)[j]
+        for k, column in self.pins.items():
+            entries[column] = -unit * region.beyond[k][j]
         return entries
 
     def solve(self, effort: Effort) -> Node | Solution:
@@ -271,23 +257,17 @@ class PartProgram:
             # A detached contact without multipliers has these.
             if alpha or h or self.states.get(i) != "detached":
                 given[str(i)] = [to_text(alpha), *([to_text(h)] if h else [])]
-        used: dict[str, Any] = {}
-        if any(turns := [tried[column] for column in self.turn.values()]):
-            u = sum(sign * x for sign, x in zip(self.turn, turns, strict=True))
-            used["turn"] = [to_text(sum(turns)), to_text(u)]
-        if forces := {str(i): to_text(tried[k]) for i, k in self.rho.items() if tried[k]}:
-            used["forces"] = forces
-        leaf = {"virtual_motion": motion, "multipliers": given}
-        return {**leaf, "range": used} if used else leaf if given else motion
+        if used := {k: tried[column] for k, column in self.pins.items() if tried[column]}:
+            return self.region.contacts.bound_leaf(tried[:3], used, given)
+        return {"virtual_motion": motion, "multipliers": given} if given else motion
 
     def roundings(self, numbers: Sequence[Any]) -> Iterator[Sequence[int]]:
         """Yield roundings of multipliers, finer and finer; no alpha above its limit."""
         largest = max(map(abs, numbers[:3])) or max(map(abs, numbers)) or Fraction(1)
         for size in _SIZES:
             rounded = [round(x * size / largest) for x in numbers]
-            for alpha, rho, arm, unit in self._most:
-                most = dot(arm, rounded[:3]) // unit + (0 if rho is None else rounded[rho])
-                rounded[alpha] = min(rounded[alpha], most)
+            for alpha, arm, unit in self._most:
+                rounded[alpha] = min(rounded[alpha], dot(arm, rounded[:3]) // unit)
             yield rounded
 
     def closes(self, numbers: Sequence[int]) -> bool:
@@ -308,19 +288,14 @@ class PartProgram:
                 return False
         return True
 
-    def violations(
-        self, force: Any, slip: Any, normal: Any, rub: Any, friction: Any, most: Any
-    ) -> Any:
+    def violations(self, force: Any, slip: Any, normal: Any, rub: Any, friction: Any) -> Any:
         """Return how much contacts without a final state violate the law.
 
         Args:
             force, slip: of springs that pull as well, and along tangents, of a motion.
             normal, rub: forces.
-            most: the largest force of a range, or None.
         """
         wrong = 4 * abs(normal - np.maximum(force, 0))
-        if most is not None:
-            wrong = wrong + np.maximum(normal - most, 0)
         limit = friction * normal
         unlike = np.where(slip > 0, abs(limit + rub), abs(limit - rub))
         return np.where(self._unsettled, wrong + np.where(slip == 0, 0, unlike), 0)
@@ -337,8 +312,7 @@ class PartProgram:
         motion = np.array(found.motion, dtype=object)
         force = (c.spring[:, 0] + c.spring[:, 1:].dot(motion)) / c.spring_unit
         friction = np.array([x.friction for x in c.grasp], dtype=object)
-        slip, most = c.tangent.dot(motion), c.within.largest_force
-        wrong = self.violations(force, slip, normal, rub, friction, most)
+        wrong = self.violations(force, c.tangent.dot(motion), normal, rub, friction)
         largest = int(wrong.argmax())
         return largest if wrong[largest] else None
 

@@ -16,6 +16,7 @@ import numpy.typing as npt
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan, rank
+from equilibrium.model.displacement import displacement
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import IntegerContacts, product
 
@@ -129,7 +130,7 @@ def _checked(
     point: list[int],
     scale: int,
 ) -> Solution | None:
-    """Return the solution if it satisfies the law and the range; motion ``point[:3] / scale``."""
+    """Return the solution if it satisfies the law, and its motion counts; ``point[:3] / scale``."""
     motion = np.array([scale, *point[:3]], dtype=object)
     force = contacts.spring.dot(motion)
     slip = contacts.tangent.dot(motion[1:])
@@ -158,4 +159,5 @@ def _checked(
     if any(force[i] <= 0 and special[i] for i in special):
         return None
     found = Solution(tuple(Fraction(x, scale) for x in point[:3]), tuple(forces))
-    return found if contacts.within.holds(found.motion, found.forces) else None
+    most = contacts.max_displacement
+    return found if most is None or displacement(contacts.grasp, found.motion) <= most else None

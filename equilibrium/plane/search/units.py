@@ -25,7 +25,6 @@ from arrangement.numbers.exact import (
     without_denominators,
 )
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.range import Range
 from equilibrium.model.solution import Solution
 
 from .motion_regions import HALF_SPACE, ORTHANTS
@@ -81,13 +80,9 @@ class SearchUnits:
         x, y, torque = wrench
         return x / self.force, y / self.force, torque / (self.force * self.length)
 
-    def range(self, within: Range) -> Range:
-        """Return a range in these units."""
-        turn, force = within.largest_turn, within.largest_force
-        return Range(
-            None if turn is None else turn * self.length / self.step,
-            None if force is None else force / self.force,
-        )
+    def displacement(self, bound: Fraction | None) -> Fraction | None:
+        """Return a largest displacement in these units."""
+        return None if bound is None else bound / self.step
 
     def solution_back(self, found: Solution) -> Solution:
         """Return an equilibrium in the units of the question."""
@@ -125,12 +120,12 @@ class SearchUnits:
 
     @cached_property
     def _whole(self) -> tuple[int, ...]:
-        """One of a leaf's turn, its slips, its largest turn, its works, of a step and a turn.
+        """One of a leaf's turn, its slips, its works, of a step and a turn.
 
         All times the same, so that they are integers.
         """
         slip = self.force / self.step
-        units = 1 / self.length, slip, slip * self.length, Fraction(1), self.step
+        units = 1 / self.length, slip, Fraction(1), self.step
         return tuple(without_denominators((*units, self.step / self.length)))
 
     def _size(self, generator: IntegerVector) -> int:
@@ -140,23 +135,21 @@ class SearchUnits:
 
     def _leaf(self, leaf: dict[str, Any]) -> dict[str, Any]:
         """Return a leaf; its works are those in these units times a positive number."""
-        turn, slip, most, one, *_ = self._whole
+        turn, slip, one, *_ = self._whole
         x, y, r = map(_number, leaf["virtual_motion"])
-        used = leaf.get("range", {})
         rows = {
             i: [_number(z) * u for z, u in zip(row, (one, slip), strict=False)]
             for i, row in leaf["multipliers"].items()
         }
-        turns = [_number(z) * most for z in used.get("turn", ())]
-        rho = [_number(z) * one for z in used.get("forces", {}).values()]
-        every = [x * one, y * one, r * turn, *chain(*rows.values()), *turns, *rho]
+        pins = {
+            i: [_number(z) * slip for z in row] for i, row in leaf.get("displacements", {}).items()
+        }
+        every = [x * one, y * one, r * turn, *chain(*rows.values(), *pins.values())]
         texts = iter(map(to_text, primitive(every)))
         found: dict[str, Any] = {"virtual_motion": [next(texts) for _ in range(3)]}
         found["multipliers"] = {i: [next(texts) for _ in row] for i, row in rows.items()}
-        if used:
-            found["range"] = {"turn": [next(texts) for _ in turns]} if turns else {}
-            forces = {i: next(texts) for i in used.get("forces", ())}
-            found["range"] |= {"forces": forces} if forces else {}
+        if pins:
+            found["displacements"] = {i: [next(texts) for _ in row] for i, row in pins.items()}
         return found
 
 

@@ -23,7 +23,7 @@ from equilibrium.plane.contacts import FloatContacts, IntegerContacts, nearest, 
 #: Entries of the virtual motions tried first.
 _RANGE = 2
 _TINY = 1e-12
-#: Multipliers of a range have denominators up to this where that will do.
+#: Multipliers of bounded displacements have denominators up to this where that will do.
 _SIMPLE = 2**16
 #: Up to so many contacts all are added up, needed or not.
 _FEW = 30
@@ -133,8 +133,8 @@ class Regions:
         spring, shift: (R, 4, m), spring force and slip at the generators.
         touching, mixed: (R, m), where the spring force is >= 0 everywhere, where it changes sign.
         slip: (R, m), the sign of the slip where it is the same everywhere, else 0.
-        beyond: (R, 4), a row of the range at the generators, below 0 at some, or zeros; row: (R,),
-            which row that is.
+        beyond: (R, 4), a row of bounded displacements at the generators, below 0 at some, or zeros;
+            row: (R,), which row that is.
     """
 
     def __init__(
@@ -180,7 +180,8 @@ def closed(
 ) -> list[Fraction | None]:
     """Return for each region whether the virtual motion beside it closes it, exactly.
 
-    That is 0 where it does, or a multiplier of a row of the range with which it does, or None.
+    That is 0 where it does, or a multiplier of a row of bounded displacements with which it does,
+    or None.
 
     With ``a = lambda . N``, ``b = lambda . T``, the contacts' least work for the spring force e is
     ``kappa e``: kappa = a - mu b where the contact surely slips +, a + mu b where it slips -, else

@@ -23,15 +23,14 @@ from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primit
 from arrangement.numbers.linear import programs
 from arrangement.numbers.linear.rank import cross, gauss_jordan, rank
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.range import NO_RANGE, Range
 from equilibrium.plane.contact_rows import (
     DIRECTION,
     balance_rows,
     cone_rows,
+    displacement_rows,
     negated,
     normal_force_row,
     over_unit,
-    range_rows,
     slip_row,
     unit_row,
 )
@@ -48,7 +47,7 @@ class StateSystem:
     three balances times `unit`, then ``T . d`` of each sticking contact. Inequalities (``>= 0``),
     contact by contact: the spring (``stiffness N . d - preload`` when detached, else the normal
     force); then for slip the direction of ``T . d``, for stick ``friction c_n - c_t`` and the same
-    with ``+``; at last the bounds of a range.
+    with ``+``; at last bounded displacements.
 
     Attributes:
         forces: for each contact the (normal, tangential) force as two rows in the variables.
@@ -85,14 +84,14 @@ def state_system(
     *,
     friction_sign: int = 1,
     cell_check: bool = True,
-    within: Range = NO_RANGE,
+    max_displacement: Fraction | None = None,
 ) -> StateSystem:
     """Return the linear system of a choice of states.
 
     Args:
         friction_sign: -1 lets friction pull along the slip (a literal reading only).
         cell_check: False leaves out the direction of slip (a literal reading only).
-        within: conditions of this range come last.
+        max_displacement: the conditions on displacements come last.
     """
     n = 3 + states.count("stick")
     columns = iter(range(3, n))
@@ -123,7 +122,7 @@ def state_system(
                 inequalities.append(slip if direction < 0 else negated(slip))
         forces.append((normal, tangential))
     balance, unit = balance_rows(grasp, forces, wrench, n)
-    inequalities += range_rows(within, (normal for normal, _ in forces), n)
+    inequalities += displacement_rows(max_displacement, grasp, n)
     rows = tuple(inequalities)
     return StateSystem(states, (*balance, *equalities), rows, tuple(forces), unit)
 

@@ -233,7 +233,7 @@ let outside = "which is outside what is proved; omit --proved to have it checked
 
 (* What a certificate may have beside what is proved. *)
 let others =
-  [ ("largest_turn", "a range of motions"); ("largest_force", "a range of forces");
+  [ ("max_displacement", "a largest displacement of contact points");
     ("bounds", "bounds of grasps"); ("pyramid", "friction pyramids");
     ("enclosure", "an enclosure of an equilibrium (Krawczyk's test)") ]
 
