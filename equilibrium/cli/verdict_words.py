@@ -12,6 +12,7 @@ from equilibrium.certificate.leaves import SpatialLeaf, parts, spatial_leaves, w
 from equilibrium.certificate.reading import read_plane
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.displacement import STIFFNESS_ASSUMED, displacement_words, has_unit
+from equilibrium.plane.states.equilibrium import equilibria_words
 
 if TYPE_CHECKING:
     from equilibrium.certificate.leaves import ClosedPart
@@ -69,7 +70,7 @@ def piece_lines(
     if not pieces:
         yield f"not resisted{about}: no contact state admits an equilibrium"
         return
-    yield f"resisted{about}: {counted(len(pieces), 'equilibrium', 'equilibria')}"
+    yield f"resisted{about}: {equilibria_words(pieces)}"
     for piece in pieces:
         freedom = "(of least norm; neither motion nor forces need be determined)"
         if piece.forces_determined:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from arrangement.console.number_form import counted
 from arrangement.errors import refusal
 from arrangement.numbers.exact import RationalVector, shown
 from equilibrium.decide.solver import solve
@@ -20,6 +19,7 @@ from equilibrium.methods.weak_strong import FRICTIONLESS, STRONG, WEAK
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
+from equilibrium.plane.states.equilibrium import equilibria_words
 from equilibrium.wrench_sets.plane import resisted_region
 
 
@@ -31,7 +31,7 @@ def _decide(grasp: Grasp, wrench: RationalVector, pyramid: int | None = None) ->
         return found.stable, f"{pyramid_words(pyramid) or 'round cones'}, proved"
     if not found.lists_all():
         return True, "an equilibrium was found"
-    return found.stable, f"{counted(len(found.equilibria), 'maximal piece')} of solutions"
+    return found.stable, equilibria_words(found.equilibria)
 
 
 COMPLETE = Method(

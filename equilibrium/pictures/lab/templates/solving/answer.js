@@ -8,9 +8,8 @@ function describe() {
   if (!state.fits) return;
   const verdict = at("verdict");
   verdict.className = found.stable ? "yes" : "no";
-  const n = found.equilibria.length;
   verdict.textContent = found.stable ? "Resisted " : "Not resisted ";
-  make("small", {}, verdict, found.stable ? `${count(n, "equilibrium", "equilibria")}${found.more ? " so far" : ""}, exact`
+  make("small", {}, verdict, found.stable ? `${equilibriaWords(found.equilibria)}${found.more ? " so far" : ""}, exact`
     : `${count(leavesOf(found.tree).length, "virtual motion proves it", "virtual motions prove it")}`);
   verdict.classList.toggle("stale", state.searching && (found.grasp !== state.grasp || found.wrench !== state.wrench));
   verdict.setAttribute("aria-busy", String(state.searching));
@@ -25,12 +24,17 @@ function describe() {
   describeMotion();
 }
 
-// Whether the linear model is meant for an equilibrium; the same bounds as those of a verdict.
-function isSmall({ motion, forces }) {
-  const { grasp, wrench } = state.found;
-  const preload = grasp.reduce((most, contact) => (order(contact.preload, most) > 0 ? contact.preload : most), ZERO);
-  const limit = times(ratio(100n), plus(plus(size(wrench[0]), size(wrench[1])), preload));
-  return order(size(motion[2]), ratio(1n, 10n)) <= 0 && (!limit.n || forces.every(([normal]) => order(normal, limit) <= 0));
+// Whether the linear model is meant for an equilibrium: no contact point moves along its normal or
+// tangent by more than a tenth of the longest side of the box around the contacts.
+function isSmall({ motion }) {
+  const { grasp } = state.found;
+  const sides = [0, 1].map((k) => {
+    const along = grasp.map(({ point }) => point[k]).sort(order);
+    return along.length ? less(along[along.length - 1], along[0]) : ZERO;
+  });
+  const limit = times(ratio(1n, 10n), order(...sides) > 0 ? sides[0] : sides[1]);
+  const moved = grasp.flatMap((contact) => Object.values(wrenchesOf(contact)).map((row) => size(dotted(row, motion))));
+  return !limit.n || moved.every((x) => order(x, limit) <= 0);
 }
 
 function describeEquilibrium(box) {
@@ -58,7 +62,7 @@ function describeEquilibrium(box) {
   });
   make("p", {}, box, piece.motion.some((x) => x.n) ? `Motion d = ${vectorText(piece.motion)}: ${motionWords(piece.motion)}.`
     : "Motion d = 0: the object rests where it is.");
-  if (!isSmall(piece)) make("p", { class: "hint" }, box, "Beyond small motions: it turns by more than 1/10 or has a normal force above 100 times load and preload, too far for the linear model.");
+  if (!isSmall(piece)) make("p", { class: "hint" }, box, "Beyond small motions: it moves a contact point by more than 1/10 of the spread of the contacts, too far for the linear model.");
   const loose = (piece.ranges ?? []).slice(0, 3).flatMap((range, k) => (isPoint(range) ? [] : [`${"xyr"[k]} in ${rangeText(range)}`]));
   if (loose.length) make("p", {}, box, `All of them: ${loose.join(", ")}.`);
   make("p", { class: "hint" }, box, piece.ranges

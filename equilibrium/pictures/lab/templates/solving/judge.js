@@ -46,8 +46,8 @@ const GOALS = {
     return { value: stable, solved: stable === (wanted ?? stable), words: stable ? "The grasp resists this load." : REFUSED };
   },
   async equilibria(least, { grasp, wrench }) {
-    const { length } = await work.ask({ task: "all", grasp, wrench });
-    return { value: length, solved: length >= (least ?? 1), words: `This load has ${count(length, "equilibrium", "equilibria")}.` };
+    const found = await work.ask({ task: "all", grasp, wrench });
+    return { value: found.length, solved: found.length >= (least ?? 1), words: `This load has ${equilibriaWords(found)}.` };
   },
   async states(wanted, { grasp, wrench }) {
     const found = (await work.ask({ task: "all", grasp, wrench })).map(({ states }) => states);
