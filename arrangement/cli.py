@@ -308,7 +308,6 @@ def _identify(arguments: argparse.Namespace) -> int:
     name = f"not in the catalogue; it has rank 3 and up to {MOST_PLANES} distinct planes"
     if found.type is not None:
         name = ", ".join([f"{found.planes}.{found.type}", *found.names])
-    words = {"simple": found.is_simple, "simplicial": found.is_simplicial}
     order = zip(found.order or (), found.sides or (), strict=True)
     rows = {
         "type": name,
@@ -318,7 +317,8 @@ def _identify(arguments: argparse.Namespace) -> int:
         "f-vector": " ".join(map(str, found.f_vector)),
         "points": ", ".join(f"t{k} = {number}" for k, number in (found.t_vector or {}).items()),
         "automorphisms": found.automorphisms,
-        "it is": " and ".join(w if yes else f"not {w}" for w, yes in words.items()),
+        "simple": "yes" if found.is_simple else "no",
+        "simplicial": "yes" if found.is_simplicial else "no",
         "as in the list": " ".join(("-" if side < 0 else "+") + str(k) for k, side in order),
     }
     return _print_rows({k: value for k, value in rows.items() if value not in ("", None)})

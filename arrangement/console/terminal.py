@@ -63,8 +63,9 @@ class Parser(argparse.ArgumentParser):
         self.later: Callable[[], None] | None = None
         #: Options that take so many numbers or more, as many as there are.
         self.growing: list[argparse.Action] = []
-        #: What is parsed.
+        #: What is parsed, and the options with a value seen so far.
         self.words: Sequence[str] = ()
+        self._seen: list[argparse.Action] = []
         #: Commands and options of earlier releases and of other programs, with what to write now.
         self.renamed: Mapping[str, str] = {}
         #: Subcommands under the headings of ``--help``: names with what they do.
@@ -79,6 +80,7 @@ class Parser(argparse.ArgumentParser):
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         """Parse, with all options; ``--help`` comes through here too."""
         self.words = words = sys.argv[1:] if args is None else args
+        self._seen = []
         later, self.later = self.later, None
         if later is not None:
             later()
@@ -111,6 +113,19 @@ class Parser(argparse.ArgumentParser):
             parts = re.split(r"[\s,]+", word.strip(", "))
             due = max(due - len(parts), 0)
             yield from parts
+
+    def _get_values(self, action: argparse.Action, arg_strings: list[str]) -> Any:
+        """Refuse an option that is given again, whose last value would be taken, and ``-o=--``.
+
+        argparse drops the ``--``, and goes on with no value.
+        """
+        if action.option_strings and action.nargs != 0:
+            if "--" in arg_strings:
+                raise argparse.ArgumentError(action, "it is '--'; expected a value")
+            if action in self._seen and not isinstance(action, argparse._AppendAction):
+                raise argparse.ArgumentError(action, "it is given twice; give it once")
+            self._seen.append(action)
+        return super()._get_values(action, arg_strings)
 
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         """Name the nearest choices of a misspelt one."""

@@ -11,6 +11,7 @@ import sympy
 from hypothesis import given, strategies as st
 
 from arrangement import Arrangement, InputError, cli, families
+from arrangement.cli import main
 from arrangement.library.census import (
     PUBLISHED,
     catalogue,
@@ -326,3 +327,9 @@ def test_the_command_prints_the_type(capsys, tmp_path):
     ten.write_text(json.dumps(families.generic(10).to_dict()))
     assert cli.main(["identify", str(ten)]) == 0
     assert "not in the catalogue" in capsys.readouterr().out
+
+
+def test_identify_says_simple_and_simplicial_each_in_a_row(capsys):
+    assert main(["identify", "braid-a3"]) == 0
+    rows = dict(line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines())
+    assert (rows["simple"], rows["simplicial"]) == ("no", "yes")

@@ -159,6 +159,45 @@ def test_command_takes_any_steps_only_where_asked_explicitly(options, ends, caps
     assert terminal.run(parser, options) == 2 * ends
 
 
+@pytest.mark.parametrize("words", [["-o=--"], ["--jobs=--"]])
+def test_dashes_alone_are_no_value(words, capsys):
+    assert "it is '--'; expected a value" in refused(words, capsys)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [["-o", "a", "--output", "b"], ["--jobs", "2", "--jobs=2"], ["--wrench", "1", "--wrench", "2"]],
+)
+def test_option_given_twice_is_refused(words, capsys):
+    assert "it is given twice; give it once" in refused(words, capsys)
+
+
+def test_options_that_add_up_may_be_repeated():
+    words = ["--literal", "a", "--literal", "b", "--json", "--json", "-o", "x"]
+    found = repeating().parse_args(words)
+    assert (found.literal, found.json, found.output) == (["a", "b"], True, "x")
+    assert repeating().parse_args(words) == found
+
+
+def repeating() -> terminal.Parser:
+    parser = terminal.Parser(prog="try")
+    parser.add_argument("-o", "--output")
+    parser.add_argument("--jobs", type=terminal.integer_argument)
+    parser.add_argument("--wrench", nargs="+", type=terminal.rational_argument)
+    parser.add_argument("--literal", nargs="+", action="extend")
+    parser.add_argument("--json", action="store_true")
+    return parser
+
+
+def refused(words, capsys) -> str:
+    """Return the one line of an error about words of the command line."""
+    with pytest.raises(SystemExit) as caught:
+        repeating().parse_args(words)
+    assert caught.value.code == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    return line
+
+
 def test_json_is_one_line_with_rationals_as_strings(capsys):
     terminal.print_json({"x": [Fraction(-7, 3), Fraction(2)], "text": "ß\n", "n": 3, "none": None})
     out = capsys.readouterr().out
