@@ -232,7 +232,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ): ("equilibrium.certificate.document",),
     (
         "tests/equilibrium/test_proof_view.py",
-        "tests/equilibrium/test_range.py",
+        "tests/equilibrium/test_displacement.py",
     ): ("equilibrium.certificate.leaves",),
     ("tests/equilibrium/test_robustness.py",): (
         "equilibrium.decide.corners",
@@ -241,7 +241,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ),
     (
         "tests/equilibrium/test_verdict.py",
-        "tests/equilibrium/test_range.py",
+        "tests/equilibrium/test_displacement.py",
     ): (
         "equilibrium.decide.solver",
         "equilibrium.decide.verdict",

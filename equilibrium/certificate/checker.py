@@ -40,7 +40,7 @@ from typing import Any, NamedTuple, TypeAlias
 from arrangement.console.number_form import Shown
 from arrangement.numbers.exact import IntegerVector, RationalVector, to_text, vector_text
 from equilibrium.model.contact import VALUES, pyramid_edges
-from equilibrium.model.displacement import displacement_entry
+from equilibrium.model.displacement import along_tangents, displacement_entry
 from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp, in_plane, read_wrench
 
@@ -58,7 +58,7 @@ from .reading import (
     read_question,
 )
 from .robust import read_bounds, robust_problem
-from .space import SpatialQuestion, State, along_tangents, spatial_leaf_problem, split_states
+from .space import SpatialQuestion, State, spatial_leaf_problem, split_states
 from .uncertain import Bounds
 
 #: A grasp and a wrench.

@@ -258,13 +258,6 @@ def _named(state: State) -> str:
     return f"slip between {' and '.join(ends)}"
 
 
-def along_tangents(grasp: Grasp, axes: Sequence[RationalVector]) -> bool:
-    """Return whether each contact has a tangent in a plane, given by orthonormal axes."""
-    (a, b, c), (x, y, z) = axes
-    normal = b * z - c * y, c * x - a * z, a * y - b * x
-    return all(abs(dot(normal, contact.tangent)) in (0, 1) for contact in grasp)
-
-
 def turn(left: Sequence[Any], right: Sequence[Any]) -> Any:
     """Return a positive number where right is less than half a turn counter-clockwise of left."""
     return left[0] * right[1] - left[1] * right[0]

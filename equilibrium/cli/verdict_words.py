@@ -12,7 +12,7 @@ from equilibrium.certificate.leaves import SpatialLeaf, parts, spatial_leaves, w
 from equilibrium.certificate.reading import read_plane
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.displacement import STIFFNESS_ASSUMED, displacement_words, has_unit
-from equilibrium.plane.states.equilibrium import equilibria_words
+from equilibrium.model.labels import equilibria_words
 
 if TYPE_CHECKING:
     from equilibrium.certificate.leaves import ClosedPart

@@ -19,7 +19,7 @@ from equilibrium.methods.weak_strong import FRICTIONLESS, STRONG, WEAK
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.plane.states.equilibrium import equilibria_words
+from equilibrium.model.labels import equilibria_words
 from equilibrium.wrench_sets.plane import resisted_region
 
 

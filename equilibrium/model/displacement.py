@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from arrangement.numbers.exact import RationalVector, dot, rational, shown, to_text
+from arrangement.numbers.linear.rank import cross
 
 from .errors import GraspError
-from .grasp import Grasp
+
+if TYPE_CHECKING:
+    from .grasp import Grasp
 
 #: An equilibrium is not small where it moves a contact point by more than this share of the spread.
 SMALL_SHARE = Fraction(1, 10)
@@ -64,6 +67,15 @@ def small_displacement(grasp: Grasp) -> Fraction | None:
     """Return the largest displacement of small motions; None where nothing says what is small."""
     size = SMALL_SHARE * spread([contact.point for contact in grasp])
     return size if size and has_unit(grasp) else None
+
+
+def along_tangents(grasp: Grasp, axes: Sequence[RationalVector]) -> bool:
+    """Return whether each contact in space has a tangent in a plane, given by orthonormal axes.
+
+    Then the largest displacement of motions in the plane is that of the plane's own contacts.
+    """
+    normal = cross(*axes)
+    return all(abs(dot(normal, contact.tangent)) in (0, 1) for contact in grasp)
 
 
 def warning(every: bool) -> str:

@@ -7,11 +7,12 @@ coefficient has none.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.console.number_form import Documented
+from arrangement.console.number_form import Documented, counted
 from arrangement.library.files.json_files import check_keys
 from arrangement.numbers.exact import rational, shown
 
@@ -99,3 +100,17 @@ class DataError(Documented):
             raise GraspError("data_error.as_given is true or false")
         length, angle, value = errors
         return cls(length, angle, value, document["as_given"])
+
+
+def equilibria_words(pieces: Sequence[Any]) -> str:
+    """Return how many equilibria there are; one that is not unique stands for a family.
+
+    Args:
+        pieces: values of `equilibrium.plane.states.equilibrium.Equilibrium`.
+    """
+    if all(piece.unique for piece in pieces):
+        return counted(len(pieces), "equilibrium", "equilibria")
+    words = counted(len(pieces), "family of equilibria", "families of equilibria")
+    if not all(piece.forces_determined for piece in pieces):
+        return words
+    return f"{words} (contact forces unique{' in each' * (len(pieces) > 1)})"

@@ -13,7 +13,7 @@ from typing import Any
 
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from arrangement.numbers.linear.rank import cross, difference
-from equilibrium.certificate.space import along_tangents
+from equilibrium.model.displacement import along_tangents
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, in_plane

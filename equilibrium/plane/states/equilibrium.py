@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
-from arrangement.console.number_form import Documented, counted
+from arrangement.console.number_form import Documented
 from arrangement.numbers.exact import (
     RationalVector,
     dot,
@@ -90,16 +90,6 @@ class Equilibrium(Documented):
         return all(set(_range(self.system, row)) == {0} for row in equalities) and all(
             (low := _least(self.system, row)) is not None and low >= 0 for row in inequalities
         )
-
-
-def equilibria_words(pieces: Sequence[Equilibrium]) -> str:
-    """Return how many equilibria there are; one that is not unique stands for a family."""
-    if all(piece.unique for piece in pieces):
-        return counted(len(pieces), "equilibrium", "equilibria")
-    words = counted(len(pieces), "family of equilibria", "families of equilibria")
-    if not all(piece.forces_determined for piece in pieces):
-        return words
-    return f"{words} (contact forces unique{' in each' * (len(pieces) > 1)})"
 
 
 def equilibrium_of(system: StateSystem) -> Equilibrium | None:
