@@ -178,7 +178,7 @@ def _add_try(parser: argparse.ArgumentParser) -> None:
         "--of",
         default="distinct",
         metavar="DOMAIN",
-        help="which planes; or a family, as 'catalan(n=2..6)'",
+        help="which planes, as simple or affine(d=2); or a family, as 'catalan(n=2..6)'",
     )
     parser.add_argument("--when", metavar="STATEMENT", help="a hypothesis")
     _add_seed(parser)
