@@ -73,7 +73,8 @@ def rational(value: Rational, name: str = "number") -> Fraction:
         return Fraction(numerator, denominator)
     if hasattr(value, "p") and hasattr(value, "q"):  # python-flint's fmpq
         return Fraction(int(value.p), int(value.q))
-    if hasattr(value, "__index__"):  # python-flint's fmpz, gmpy2's mpz
+    # Arrays, which have lengths, are no numbers.
+    if hasattr(value, "__index__") and not hasattr(value, "__len__"):  # fmpz, mpz
         return Fraction(value.__index__())
     raise InputError(
         f"{name} is {shown(value)} of type {type(value).__name__}; give an integer, a Fraction, "
@@ -133,7 +134,7 @@ def shown(value: object) -> str:
     return text if len(text) <= 60 else f"{text[:40]}...{text[-10:]}"
 
 
-def from_floats(values: Any) -> Any:
+def from_floats(values: Any, name: str = "value to convert") -> Any:
     """Convert binary floats to the rationals that they are, exactly and on purpose.
 
     Args:
@@ -144,20 +145,31 @@ def from_floats(values: Any) -> Any:
         A `Fraction`, or nested tuples of them in the shape of `values`.
 
     Raises:
-        InputError: for NaN or an infinite value.
+        InputError: for NaN or an infinite value, a masked entry, a complex number; it has `name`.
 
     >>> from_floats([0.5, 0.1])
     (Fraction(1, 2), Fraction(3602879701896397, 36028797018963968))
     """
+    if hasattr(values, "filled") and values.count() < values.size:  # masked arrays of numpy
+        raise InputError(f"{name} has masked entries; leave them out, or fill them with numbers")
     if hasattr(values, "tolist"):  # numpy arrays and scalars
         values = values.tolist()
-    if isinstance(values, float):
-        if not math.isfinite(values):
-            raise InputError(f"float {values} is not a number; only finite floats can be converted")
-        return Fraction(values)
+    if isinstance(values, numbers.Real) and not isinstance(values, numbers.Rational):
+        try:
+            return Fraction(*values.as_integer_ratio())  # type: ignore[attr-defined]
+        except (OverflowError, ValueError):
+            raise InputError(f"{name} is {values}; only finite floats can be converted") from None
     if isinstance(values, Iterable) and not isinstance(values, (str, bytes)):
-        return tuple(from_floats(value) for value in values)
-    return rational(values, "value to convert")
+        return tuple(from_floats(value, name) for value in values)
+    return rational(values, name)
+
+
+def from_float(value: Any, name: str) -> Fraction:
+    """Return one number as `from_floats` does; refuse sequences."""
+    found = from_floats(value, name)
+    if isinstance(found, tuple):
+        raise InputError(f"{name} is {shown(value)}; give one number")
+    return Fraction(found)
 
 
 def rational_vector(
@@ -170,7 +182,8 @@ def rational_vector(
     """
     if callable(getattr(values, "flat", None)):  # SymPy's matrices
         values = values.flat()
-    if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
+    scalar = isinstance(values, (str, bytes)) or not getattr(values, "ndim", 1)
+    if scalar or not isinstance(values, Iterable):
         raise InputError(f"{name} is {shown(values)}; give a sequence of exact numbers")
     return tuple(read(value, f"{name}[{i}]") for i, value in enumerate(values))
 

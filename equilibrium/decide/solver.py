@@ -20,6 +20,7 @@ from arrangement.console.progress import watched
 from arrangement.console.workers import done, due
 from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
+from arrangement.numbers.arguments import entries
 from arrangement.numbers.exact import RationalVector, vector_text
 from equilibrium.certificate.checker import equilibrium_problem
 from equilibrium.model.contact import pyramid_edges
@@ -312,7 +313,8 @@ class Solver(Shown):
             jobs: processes of this machine.
             dask: address of a Dask scheduler whose workers decide.
         """
-        listed = [read_wrench(wrench, self.grasp.dimension) for wrench in wrenches]
+        given = entries(wrenches, "wrenches", "wrenches")
+        listed = [read_wrench(wrench, self.grasp.dimension) for wrench in given]
         parts = [listed[k : k + _PART] for k in range(0, len(listed), _PART)]
         due(len(parts), (1, 1), jobs)
         return self._in_order(parts, jobs, dask)

@@ -17,6 +17,7 @@ from arrangement.console.plugins import InlinePage, named
 from arrangement.console.writing import write_text_atomically
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers import budget
+from arrangement.numbers.arguments import entries
 from arrangement.numbers.exact import RationalVector, dot, rational_vector, shown
 from arrangement.numbers.linear.rank import cross
 
@@ -67,10 +68,10 @@ class Grasp:
         outline: Outline | None = None,
         data_error: DataError | None = None,
     ) -> None:
-        listed = tuple(contacts)
+        listed = entries(contacts, "contacts", "Contact values")
         for i, contact in enumerate(listed):
             if not isinstance(contact, Contact):
-                raise GraspError(f"contacts[{i}] is {contact!r}; give Contact values")
+                raise GraspError(f"contacts[{i}] is {shown(contact)}; give Contact values")
         if units is not None and not isinstance(units, Units):
             raise GraspError(f"units is {shown(units)}; give a Units value or omit it")
         if outline is not None and not isinstance(outline, (Polygon, Circle, Mesh)):

@@ -13,7 +13,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from arrangement.console.number_form import table
-from arrangement.numbers.exact import RationalVector, dot, from_floats, shown
+from arrangement.numbers.exact import RationalVector, dot, from_float, rational_vector, shown
 from arrangement.numbers.linear.rank import cross
 
 from .errors import GraspError
@@ -59,12 +59,16 @@ def unit_normal(direction: Iterable[Any], tolerance: Any = Fraction(1, 10**6)) -
     >>> unit_normal([1, 1], "1/100").normal
     (Fraction(119, 169), Fraction(120, 169))
     """
-    wanted = from_floats(list(direction))
-    bound = from_floats(tolerance)
+    wanted = rational_vector(direction, "direction", from_float)
+    bound = from_float(tolerance, "tolerance")
     if len(wanted) not in (2, 3) or not any(wanted):
-        raise GraspError(f"direction is {direction!r}; give two or three numbers, not all zero")
+        raise GraspError(
+            f"direction is {shown(direction)}; give two or three numbers, not all zero"
+        )
     if not 0 < bound <= 1:
-        raise GraspError(f"tolerance is {tolerance!r}; it must be above 0 and at most 1 (radians)")
+        raise GraspError(
+            f"tolerance is {shown(tolerance)}; it must be above 0 and at most 1 (radians)"
+        )
     exact = _exact_unit(wanted)
     if exact is not None:
         return UnitNormal(exact, Fraction(0))

@@ -1,21 +1,10 @@
-"""Checks of arguments and of size that all families share."""
+"""The check of size that all families share."""
 
 from __future__ import annotations
 
 import math
 
-from arrangement.errors import InputError
 from arrangement.numbers import budget
-from arrangement.numbers.exact import shown
-
-
-def at_least(value: int, least: int, name: str) -> int:
-    """Return an integer argument, or refuse it."""
-    if isinstance(value, bool) or not isinstance(value, int):
-        raise InputError(f"{name} is {value!r}; give an integer")
-    if value < least:
-        raise InputError(f"{name} is {shown(value)}; it must be at least {least}")
-    return value
 
 
 def planned(planes: float, dimension: float, bits: float = 0) -> None:

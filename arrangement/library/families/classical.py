@@ -14,8 +14,9 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.library.families.checks import at_least, planned
+from arrangement.library.families.checks import planned
 from arrangement.library.families.simplicial import mirrors
+from arrangement.numbers.arguments import at_least, flag
 from arrangement.numbers.exact import IntegerVector, shown
 from arrangement.numbers.linear.rank import unit_vectors
 
@@ -34,8 +35,7 @@ def generic(m: int, d: int = 3, *, affine: bool = False) -> Arrangement:
     >>> generic(4).f_vector
     (1, 12, 24, 14)
     """
-    at_least(m, 0, "m")
-    at_least(d, 1, "d")
+    m, d, affine = at_least(m, 0, "m"), at_least(d, 1, "d"), flag(affine, "affine")
     planned(m, d, d * m.bit_length())
     normals = [[t**power for power in range(d)] for t in range(1, m + 1)]
     offsets = [t**d for t in range(1, m + 1)] if affine else None
@@ -51,8 +51,8 @@ def pencil(m: int, d: int = 3) -> Arrangement:
     >>> pencil(5).f_vector
     (0, 1, 10, 10)
     """
-    at_least(m, 0, "m")
-    at_least(d, 2, "d")
+    m = at_least(m, 0, "m")
+    d = at_least(d, 2, "d")
     planned(m, d)
     return Arrangement([[1, t, *(0,) * (d - 2)] for t in range(m)], dimension=d)
 
@@ -69,8 +69,8 @@ def near_pencil(m: int, d: int = 3) -> Arrangement:
     >>> near_pencil(5).f_vector
     (1, 10, 24, 16)
     """
-    at_least(m, 3, "m")
-    at_least(d, 3, "d")
+    m = at_least(m, 3, "m")
+    d = at_least(d, 3, "d")
     planned(m, d)
     rows = [[1, t, *(0,) * (d - 2)] for t in range(m - 1)]
     return Arrangement([*rows, [0, 0, 1, *(0,) * (d - 3)]])
@@ -86,7 +86,7 @@ def coordinate(d: int) -> Arrangement:
     >>> coordinate(3).f_vector
     (1, 6, 12, 8)
     """
-    at_least(d, 1, "d")
+    d = at_least(d, 1, "d")
     planned(d, d)
     return Arrangement(unit_vectors(d))
 
@@ -100,7 +100,7 @@ def braid(n: int) -> Arrangement:
     >>> braid(3).f_vector
     (0, 1, 6, 6)
     """
-    at_least(n, 1, "n")
+    n = at_least(n, 1, "n")
     planned(comb(n, 2), n)
     return Arrangement(differences(n), dimension=n)
 
@@ -114,7 +114,7 @@ def type_b(n: int) -> Arrangement:
     >>> type_b(3).f_vector
     (1, 26, 72, 48)
     """
-    at_least(n, 1, "n")
+    n = at_least(n, 1, "n")
     planned(n * n, n)
     return Arrangement([*unit_vectors(n), *differences(n), *sums(n)])
 
@@ -128,7 +128,7 @@ def type_d(n: int) -> Arrangement:
     >>> type_d(3).f_vector
     (1, 14, 36, 24)
     """
-    at_least(n, 2, "n")
+    n = at_least(n, 2, "n")
     planned(n * (n - 1), n)
     return Arrangement([*differences(n), *sums(n)])
 
@@ -242,7 +242,7 @@ def coxeter(type: str) -> Arrangement:
     >>> coxeter("F4").f_vector[-1]
     1152
     """
-    if type in ("H3", "H4"):
+    if isinstance(type, str) and type in ("H3", "H4"):
         return h3() if type == "H3" else h4()
     polygon = re.fullmatch(r"I2\(([1-9][0-9]{0,2})\)", type) if isinstance(type, str) else None
     if polygon and int(polygon[1]) >= 3:

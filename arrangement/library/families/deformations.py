@@ -13,8 +13,9 @@ from math import comb
 from typing import TYPE_CHECKING
 
 from arrangement.arrangement import Arrangement
+from arrangement.numbers.arguments import at_least
 
-from .checks import at_least, planned
+from .checks import planned
 from .classical import differences, positive_roots, sums
 from .graphs import edge_differences
 
@@ -89,7 +90,7 @@ def ish(n: int) -> Arrangement:
     >>> ish(3).f_vector[-1]
     16
     """
-    at_least(n, 1, "n")
+    n = at_least(n, 1, "n")
     planned(n * n, n)
     pairs = [(i, j) for i in range(n) for j in range(i + 1, n)]
     first = [[int(k == 0) - int(k == j) for k in range(n)] for _, j in pairs]
@@ -107,7 +108,7 @@ def ish_b(n: int) -> Arrangement:
     >>> ish_b(2).f_vector[-1]
     25
     """
-    at_least(n, 1, "n")
+    n = at_least(n, 1, "n")
     planned(2 * n * n, n)
     axes = [(i, k) for i in range(1, n + 1) for k in range(i - n, n - i + 2)]
     units = [[int(j == i) for j in range(1, n + 1)] for i, _ in axes]

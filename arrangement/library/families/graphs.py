@@ -105,6 +105,11 @@ def edge_differences(graph: nx.Graph | str) -> tuple[list[list[int]], int]:
 
 def _checked(graph: nx.Graph | str) -> nx.Graph:
     found = _read(graph) if isinstance(graph, str) else graph
+    if not (hasattr(found, "is_directed") and hasattr(found, "edges")) or isinstance(found, type):
+        raise InputError(
+            f"the graph is {shown(graph)}; give a graph of networkx, such as Graph(edges), or a "
+            "text such as 1-2,2-3"
+        )
     if found.is_directed():
         raise InputError("the graph is directed; give graph.to_undirected()")
     if not len(found):

@@ -9,10 +9,11 @@ from math import comb
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.library.families.checks import at_least, planned
+from arrangement.library.families.checks import planned
 from arrangement.library.families.classical import sums
 from arrangement.library.families.randoms import random_integer
 from arrangement.numbers import budget
+from arrangement.numbers.arguments import at_least, flag
 from arrangement.numbers.exact import IntegerVector, shown
 from arrangement.numbers.linear.rank import determinant
 
@@ -27,7 +28,7 @@ _VERTICES: Mapping[str, Callable[[int], Iterator[IntegerVector]]] = {
 }
 
 
-def separations(polytope: str, n: int) -> Arrangement:
+def separations(polytope: str, n: int = 3) -> Arrangement:
     """Return w_0 + w . v = 0 for the vertices v of a cube, demicube, cross-polytope, permutohedron.
 
     A region is a way to separate vertices from the others by a hyperplane (or none from all).
@@ -46,9 +47,9 @@ def separations(polytope: str, n: int) -> Arrangement:
     >>> separations("cross-polytope", 3).f_vector[-1]
     46
     """
-    at_least(n, 1, "n")
-    if polytope not in _VERTICES:
+    if not isinstance(polytope, str) or polytope not in _VERTICES:
         raise InputError(f"the polytope is {shown(polytope)}; there are {', '.join(_VERTICES)}")
+    n = at_least(n, 1, "n")
     vertices = {"cross-polytope": 2 * n, "permutohedron": math.gamma(min(n, 169) + 1)}
     planned(vertices.get(polytope, budget.power(2, n)), n + 1)
     return Arrangement([(1, *vertex) for vertex in _VERTICES[polytope](n)])
@@ -70,8 +71,8 @@ def discriminantal(n: int, d: int = 3, *, affine: bool = False, seed: int = 0) -
     >>> discriminantal(5, 2, affine=True).f_vector[-1]
     41
     """
-    at_least(d, 1, "d")
-    at_least(n, d, "n")
+    d, affine = at_least(d, 1, "d"), flag(affine, "affine")
+    n = at_least(n, d, "n")
     width = d + affine
     planned(budget.choose(n, width - 1), width, 400 * width)
     points = random_integer(n, d, bound=999, seed=seed).integer_planes
@@ -95,7 +96,7 @@ def threshold(n: int) -> Arrangement:
     >>> threshold(4).f_vector[-1]
     46
     """
-    at_least(n, 1, "n")
+    n = at_least(n, 1, "n")
     planned(comb(n, 2), n)
     return Arrangement(sums(n), dimension=n)
 
@@ -110,7 +111,7 @@ def threshold_functions(n: int) -> Arrangement:
     >>> threshold_functions(2).f_vector[-1]
     14
     """
-    at_least(n, 0, "n")
+    n = at_least(n, 0, "n")
     planned(budget.power(2, n), n + 1)
     return Arrangement([(1, *x) for x in product((0, 1), repeat=n)])
 
@@ -125,6 +126,6 @@ def resonance(n: int) -> Arrangement:
     >>> resonance(3).f_vector[-1]
     32
     """
-    at_least(n, 1, "n")
+    n = at_least(n, 1, "n")
     planned(budget.power(2, n), n)
     return Arrangement([x for x in product((0, 1), repeat=n) if any(x)])

@@ -6,9 +6,10 @@ from math import isqrt
 from random import Random
 
 from arrangement.arrangement import Arrangement
+from arrangement.numbers.arguments import at_least, flag, whole
 from arrangement.numbers.exact import IntegerVector
 
-from .checks import at_least, planned
+from .checks import planned
 
 
 def random_integer(
@@ -22,9 +23,8 @@ def random_integer(
     >>> random_integer(3, 2, seed=7) == random_integer(3, 2, seed=7)
     True
     """
-    at_least(m, 0, "m")
-    at_least(d, 1, "d")
-    at_least(bound, 1, "bound")
+    m, d, bound = at_least(m, 0, "m"), at_least(d, 1, "d"), at_least(bound, 1, "bound")
+    affine, seed = flag(affine, "affine"), whole(seed, "seed")
     planned(m, d, bound.bit_length())
     source = Random(seed)
     normals = [_nonzero(source, d, bound) for _ in range(m)]
@@ -58,9 +58,8 @@ def random_sphere(m: int, d: int = 3, *, bits: int = 20, seed: int = 0) -> Arran
     >>> all(isqrt(s) ** 2 == s for s in squares)
     True
     """
-    at_least(m, 0, "m")
-    at_least(d, 1, "d")
-    at_least(bits, 1, "bits")
+    m, d, bits = at_least(m, 0, "m"), at_least(d, 1, "d"), at_least(bits, 1, "bits")
+    seed = whole(seed, "seed")
     planned(m, d, 4 * bits)
     source = Random(seed)
     return Arrangement([_unit_multiple(source, d, bits) for _ in range(m)], dimension=d)

@@ -31,7 +31,7 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.library.families.checks import at_least
+from arrangement.numbers.arguments import at_least, flag
 from arrangement.numbers.entries import real_vector
 from arrangement.numbers.exact import quotient, shown
 
@@ -81,6 +81,7 @@ def simplicial_entries(*, rational: bool = False) -> tuple[tuple[int, int], ...]
     Args:
         rational: only those whose planes have rational entries here.
     """
+    flag(rational, "rational")
     return tuple(key for key in _document() if not rational or _is_rational(*key))
 
 
@@ -91,12 +92,12 @@ def _is_rational(planes: int, number: int) -> bool:
 
 
 def _entry(planes: int, number: int) -> dict[str, Any]:
-    entry = (planes, number)
+    entry = (at_least(planes, 1, "planes"), at_least(number, 0, "number"))
     if entry not in _document():
-        known = ", ".join(f"A{key}" for key in _document() if key[0] == planes) or "A(6, 1), ..."
+        known = ", ".join(f"A{key}" for key in _document() if key[0] == entry[0]) or "A(6, 1), ..."
         raise InputError(
-            f"A{entry} is not here; known are {known}, as `simplicial_entries` lists them, and "
-            "near_pencil for A(n, 0)"
+            f"A{shown(entry)} is not here; known are {known}, as `simplicial_entries` lists them, "
+            "and near_pencil for A(n, 0)"
         )
     return _document()[entry]
 
@@ -119,7 +120,7 @@ def regular(planes: int) -> Arrangement:
     >>> regular(10).f_vector
     (1, 32, 90, 60)
     """
-    at_least(planes, 6, "planes")
+    planes = at_least(planes, 6, "planes")
     infinity = planes % 2
     n = planes // 2
     if infinity and (n % 2 or n < 4):

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple
 
+from arrangement.numbers.arguments import is_listed
 from arrangement.numbers.exact import (
     RationalVector,
-    from_floats,
+    from_float,
     number_text,
     rational,
     shown,
@@ -123,10 +124,9 @@ def snapped(value: Any, tolerance: Any = DEFAULT_TOLERANCE) -> tuple[Fraction, F
     >>> snapped(0.1)
     (Fraction(1, 10), Fraction(-1, 180143985094819840))
     """
-    exact: Fraction = from_floats(value)
-    bound: Fraction = from_floats(tolerance)
+    exact, bound = from_float(value, "value"), from_float(tolerance, "tolerance")
     if bound < 0:
-        raise GraspError(f"tolerance is {tolerance!r}; it must be at least 0")
+        raise GraspError(f"tolerance is {shown(tolerance)}; it must be at least 0")
     found = simplest_between(exact - bound, exact + bound)
     return found, found - exact
 
@@ -160,18 +160,18 @@ def contact_values(
 ) -> list[dict[str, Any]]:
     """Return the values of each contact by name, from one for all or a sequence of each kind."""
     given = zip(VALUES, (friction, stiffness, preload), strict=True)
-    columns = [[read(x, name) for x in _for_each(value, number, name)] for name, value in given]
+    columns = [[read(x, y) for x, y in _for_each(value, number, name)] for name, value in given]
     return [dict(zip(VALUES, row, strict=True)) for row in zip(*columns, strict=True)]
 
 
-def _for_each(value: Any, number: int, name: str) -> list[Any]:
-    """Return one value for each contact, from one for all or a sequence of them."""
-    if isinstance(value, Iterable) and not isinstance(value, (str, bytes)):
-        found = list(value)
-        if len(found) != number:
-            raise GraspError(f"{name} has {len(found)} values for {number} contacts")
-        return found
-    return [value] * number
+def _for_each(value: Any, number: int, name: str) -> list[tuple[Any, str]]:
+    """Return one value for each contact, and its name, from one for all or a sequence of them."""
+    if not is_listed(value):
+        return [(value, name)] * number
+    found = list(value)
+    if len(found) != number:
+        raise GraspError(f"{name} has {len(found)} values for {number} contacts")
+    return [(x, f"{name}[{i}]") for i, x in enumerate(found)]
 
 
 def unit_normals(directions: Iterable[Any], tolerance: Any) -> list[UnitNormal]:

@@ -22,7 +22,15 @@ from arrangement.library.files.json_files import (
     read_document,
     read_text,
 )
-from arrangement.numbers.exact import RationalVector, from_floats, rational, shown
+from arrangement.numbers.arguments import entries
+from arrangement.numbers.exact import (
+    RationalVector,
+    from_float,
+    number_text,
+    rational,
+    rational_vector,
+    shown,
+)
 from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
 
@@ -56,32 +64,52 @@ def from_float_data(
         points: (m, 2) contact points, (m, 3) in space.
         normals: (m, 2) or (m, 3) directions into the object, of any length.
         friction, stiffness, preload: one for all or one for each contact.
-        tolerance: largest change of a coordinate or value.
+        tolerance: largest change of a coordinate, and of a friction, stiffness or preload; where
+            all of one of these three are below 1, this share of the largest of them.
         angle_tolerance: largest tangent of the change of a normal's direction.
         as_given: round each number on its own.
 
     Raises:
-        GraspError: wrong shapes, zero normals, values out of range.
+        GraspError: wrong shapes, zero normals, values out of range, a stiffness or a
+            whole grasp within the tolerance of 0.
 
     >>> from_float_data([[0.1, 0.2]], [[0.0, 2.0]], 0.3).grasp.contacts[0].point
     (Fraction(1, 10), Fraction(1, 5))
     """
-    places = [_place(point, i) for i, point in enumerate(points)]
-    directions = list(normals)
+    places = [_place(x, i) for i, x in enumerate(entries(points, "points", "points"))]
+    directions = entries(normals, "normals", "vectors")
     check_number(len(directions), len(places))
-    how = rounding(tolerance, tolerance, angle_tolerance, as_given)
-    found = contact_values(len(places), friction, stiffness, preload, lambda x, _: from_floats(x))
-    worst = Fraction(0)
-    for name in VALUES:
-        given = [entry[name] for entry in found]
-        for entry, x in zip(found, equal_numbers(given, how.snap, how), strict=True):
-            worst, entry[name] = max(worst, abs(x - entry[name])), x
-    return converted(places, directions, found, how, worst, how.snap)
+    bound = from_float(tolerance, "tolerance")
+    how = rounding(bound, bound, angle_tolerance, as_given)
+    size = max((abs(x) for point, _ in places for x in point), default=Fraction(0))
+    if bound / 10**6 < size <= bound:  # smaller ones are errors of floats
+        raise GraspError(
+            f"the largest coordinate is {number_text(size)}, which is 0 within the tolerance "
+            f"{number_text(bound)}; give a smaller tolerance, or another unit of length"
+        )
+    found = contact_values(len(places), friction, stiffness, preload, from_float)
+    columns = {name: [entry[name] for entry in found] for name in VALUES}
+    snap, worst = bound * _unit(columns.values()), Fraction(0)
+    for name, given in columns.items():
+        for i, x in enumerate(equal_numbers(given, snap, how)):
+            if name == "stiffness" and x == 0 < given[i]:
+                raise GraspError(
+                    f"stiffness[{i}] is {number_text(given[i])}, which is 0 within the tolerance "
+                    f"{number_text(snap)}; give a smaller tolerance, or 0"
+                )
+            worst, found[i][name] = max(worst, abs(x - given[i])), x
+    return converted(places, directions, found, how, worst, snap)
+
+
+def _unit(columns: Iterable[list[Fraction]]) -> Fraction:
+    """Return the least of 1 and, for each column that has numbers other than 0, the largest."""
+    sizes = (max(map(abs, column), default=Fraction(0)) for column in columns)
+    return min([Fraction(1), *filter(None, sizes)])
 
 
 def _place(point: Any, index: int) -> tuple[RationalVector, Fraction]:
     """Return a point of floats, not changed yet."""
-    coordinates = tuple(from_floats(list(point)))
+    coordinates = rational_vector(point, f"points[{index}]", from_float)
     if len(coordinates) not in (2, 3):
         raise GraspError(f"points[{index}] has {len(coordinates)} coordinates; give two or three")
     return coordinates, Fraction(0)

@@ -18,7 +18,13 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.numbers.exact import RationalVector, dot, from_floats
+from arrangement.numbers.exact import (
+    RationalVector,
+    dot,
+    from_float,
+    from_floats,
+    rational_vector,
+)
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import difference
 from equilibrium.model.contact import VALUES, Contact
@@ -73,7 +79,10 @@ def converted(
         directions: normals of any length.
         value_error, value_bound: made, and the largest.
     """
-    wanted = [tuple(from_floats(list(direction))) for direction in directions]
+    wanted = [
+        rational_vector(direction, f"normals[{i}]", from_float)
+        for i, direction in enumerate(directions)
+    ]
     normals = unit_normals(wanted, how.angle)
     check_number(len(normals), len(places))
     points = [point for point, _ in places]

@@ -5,10 +5,19 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
+from numbers import Integral
 from typing import Any, NamedTuple
 
 from arrangement.library.files.json_files import Source, check_keys, check_list, read_document
-from arrangement.numbers.exact import RationalVector, rational, rational_vector, shown, sign
+from arrangement.numbers.arguments import at_least, entries
+from arrangement.numbers.exact import (
+    RationalVector,
+    from_float,
+    rational,
+    rational_vector,
+    shown,
+    sign,
+)
 from arrangement.numbers.linear.rank import cycle_edges, difference
 from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
@@ -45,10 +54,11 @@ def on_circle(
     >>> [c.normal for c in on_circle(2, 1).grasp]
     [(Fraction(-1, 1), Fraction(0, 1)), (Fraction(1, 1), Fraction(0, 1))]
     """
-    if isinstance(angles, int):
-        wanted = [360 * i / angles for i in range(angles)]
+    if isinstance(angles, Integral):
+        m = at_least(angles, 0, "angles")
+        wanted = [360 * i / m for i in range(m)]
     else:
-        wanted = [float(x) for x in angles]
+        wanted = [_degrees(x, f"angles[{i}]") for i, x in enumerate(entries(angles, "angles"))]
     size, middle = rational(radius, "radius"), rational_vector(centre, "centre")
     if size <= 0 or len(middle) != 2:
         raise GraspError(
@@ -64,6 +74,13 @@ def on_circle(
     ]
     values = contact_values(len(places), friction, stiffness, preload)
     return assembled(places, inward, values, outline=Circle(middle, size))
+
+
+def _degrees(value: Any, name: str) -> float:
+    try:
+        return float(from_float(value, name))
+    except OverflowError:
+        raise GraspError(f"{name} is {shown(value)}; give degrees that a float holds") from None
 
 
 def _direction(degrees: float) -> tuple[float, float]:
@@ -121,11 +138,12 @@ def from_polygon(
     >>> from_polygon(triangle, [OnEdge(1, "1/2")], 1).grasp.contacts[0].normal
     (Fraction(-3, 5), Fraction(-4, 5))
     """
-    corners = [coordinates(v, f"vertices[{i}]", 2) for i, v in enumerate(vertices)]
+    given = entries(vertices, "vertices", "points")
+    corners = [coordinates(v, f"vertices[{i}]", 2) for i, v in enumerate(given)]
     inside = _orientation(corners)
     found = [
         _placed(corners, place, i) if isinstance(place, OnEdge) else _located(corners, place, i)
-        for i, place in enumerate(places)
+        for i, place in enumerate(entries(places, "places", "places"))
     ]
     directions = []
     for edge, _ in found:

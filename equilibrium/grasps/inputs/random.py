@@ -7,7 +7,8 @@ from fractions import Fraction
 from random import Random
 from typing import Any
 
-from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.arguments import at_least, whole
+from arrangement.numbers.exact import RationalVector, shown
 from arrangement.numbers.linear.rank import cycle_edges
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
@@ -41,10 +42,9 @@ def random_grasp(
     >>> {contact.preload for contact in random_grasp(4, seed=2)}
     {Fraction(0, 1)}
     """
-    if contacts < 0:
-        raise GraspError(f"contacts is {contacts}; it must be at least 0")
+    contacts, seed = at_least(contacts, 0, "contacts"), whole(seed, "seed")
     if dimension not in _CONTACTS:
-        raise GraspError(f"dimension is {dimension}; give 2, the plane, or 3, space")
+        raise GraspError(f"dimension is {shown(dimension)}; give 2, the plane, or 3, space")
     ask_contacts(contacts)
     source = Random(f"grasp {contacts} {seed}" + (" in space" if dimension == 3 else ""))
     loaded = bool(seed % 2) if preload is None else preload

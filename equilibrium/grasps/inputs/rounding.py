@@ -8,7 +8,7 @@ from fractions import Fraction
 from random import Random
 from typing import Any
 
-from arrangement.numbers.exact import RationalVector, dot, from_floats
+from arrangement.numbers.exact import RationalVector, dot, from_float, shown
 from arrangement.numbers.linear.rank import cross
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
@@ -81,10 +81,12 @@ class Rounding:
 
 def rounding(snap: Any, error: Any, angle: Any, as_given: bool) -> Rounding:
     """Return how numbers are rounded, from what a user gives."""
-    bounds = [from_floats(x) for x in (snap, error, angle)]
-    for given, bound in zip((snap, error), bounds, strict=False):
+    names = ("tolerance", "tolerance", "angle_tolerance")
+    given = list(zip(names, (snap, error, angle), strict=True))
+    bounds = [from_float(x, name) for name, x in given]
+    for (name, x), bound in zip(given, bounds, strict=True):
         if bound < 0:
-            raise GraspError(f"tolerance is {given!r}; it must be at least 0")
+            raise GraspError(f"{name} is {shown(x)}; it must be at least 0")
     return Rounding(bounds[0], bounds[1], bounds[2], keep=not as_given)
 
 
