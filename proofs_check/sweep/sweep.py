@@ -143,7 +143,8 @@ def _at_once(plan: Plan, claim: Claim, indices: range) -> dict[int, bool]:
 
 
 @lru_cache(maxsize=4)
-def _found(source: str) -> Claim:
+def _found(source: str, digest: str) -> Claim:
+    """Return the claim of a source; one with another digest is another claim."""
     return target(source)
 
 
@@ -151,7 +152,7 @@ def _target(plan: Plan) -> Claim:
     file, _ = split(plan.source)
     if file is not None and file_digest(file) != plan.digest:
         raise SweepError(f"{file} has changed since the sweep began; begin a new store")
-    return _found(plan.source)
+    return _found(plan.source, plan.digest)
 
 
 def run_chunk(plan: Plan, number: int) -> Chunk:

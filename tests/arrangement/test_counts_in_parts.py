@@ -1,6 +1,7 @@
 """Counts in parts: however they are stopped, shared or spread, the numbers are the same."""
 
 import json
+import shutil
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -44,6 +45,13 @@ def files(folder: Path) -> dict[str, bytes]:
 )
 def test_parts_give_the_numbers_of_the_whole(planes, tmp_path):
     assert in_parts(planes, tmp_path) == counts.first_whitney_numbers(planes)
+
+
+def test_folder_made_anew_counts_its_new_planes(tmp_path):
+    folder = tmp_path / "parts"
+    for planes in (families.braid(4), families.type_b(3), families.generic(6, 4)):
+        assert in_parts(planes, folder) == counts.first_whitney_numbers(planes)
+        shutil.rmtree(folder)
 
 
 def test_flats_are_merged_in_portions_too(tmp_path, monkeypatch):

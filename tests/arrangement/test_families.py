@@ -1,14 +1,16 @@
 """Families of arrangements against the counts that the literature gives for them."""
 
+import inspect
 import math
 from collections import Counter
 from collections.abc import Callable
 from fractions import Fraction
 from functools import partial
-from itertools import combinations
+from itertools import combinations, product
 from typing import Any
 
 import networkx as nx
+import numpy as np
 import pytest
 import sympy
 
@@ -329,3 +331,27 @@ REFUSED: list[tuple[Callable[..., object], tuple[Any, ...], str]] = [
 def test_members_that_do_not_exist_are_refused(family, given, message):
     with pytest.raises(InputError, match=message):
         family(*given)
+
+
+ODD = ["abc", b"x", 1.5, float("nan"), None, (1, 2), [(0, 1)], {}, -1, -(10**30), 10**30, True]
+ODD += [Fraction(1, 2), 1j, np.array([1, 2]), nx.DiGraph([(0, 1)]), "x" * 5000, "24-cell", int]
+GOOD = {"type": "A3", "graph": "1-2,2-3", "polytope": "cube", "n": 3, "m": 4}
+GOOD |= {"d": 3, "planes": 10, "number": 1}
+
+
+@pytest.mark.parametrize("name", families.FAMILIES)
+def test_arguments_of_wrong_types_are_refused_in_one_line(name):
+    made = families.FAMILIES[name]
+    parameters = inspect.signature(made).parameters.values()
+    due = {p.name: GOOD[p.name] for p in parameters if p.default is inspect.Parameter.empty}
+    messages = []
+    for p, odd in product(parameters, ODD):
+        try:
+            made(**{**due, p.name: odd})
+        except InputError as error:
+            messages.append(str(error))
+    assert all(len(text) < 400 and "\n" not in text for text in messages)
+
+
+def test_numpy_integers_are_integers():
+    assert families.generic(np.int64(4), np.int64(2)) == families.generic(4, 2)

@@ -175,6 +175,14 @@ def test_a_file_that_changed_does_not_continue_a_sweep(tmp_path):
         sweep(plan_sweep(path, (3, 4), 20, 0, 5), place)
 
 
+def test_sweep_of_a_changed_file_runs_the_new_claim(tmp_path):
+    for number, (body, outcome) in enumerate((("return True", "holds"), ("return False", "fails"))):
+        path, place = own_file(tmp_path, body), str(tmp_path / f"{number}.sqlite")
+        sweep(plan_sweep(path, (3, 4), 10, 0, 5), place)
+        with store.read(place) as opened:
+            assert total(opened.chunks()).outcomes[outcome] == 10
+
+
 def test_a_worker_that_dies_takes_nothing_with_it(tmp_path):
     path = own_file(
         tmp_path,

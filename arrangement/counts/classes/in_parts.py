@@ -184,10 +184,15 @@ class _Made:
         return self.most if 2 * rank > self.classes.rank else 1
 
 
-@lru_cache(maxsize=1)
 def _made(root: str) -> _Made:
-    """Return what a folder is about; each process makes it once."""
-    plan = json.loads((Path(root) / "plan.json").read_bytes())
+    """Return what a folder is about."""
+    return _made_of((Path(root) / "plan.json").read_bytes())
+
+
+@lru_cache(maxsize=1)
+def _made_of(content: bytes) -> _Made:
+    """Return what a plan is about; each process makes it once, whatever the folder is."""
+    plan = json.loads(content)
     field = None
     if "field" in plan:
         from arrangement.numbers.fields import NumberField
