@@ -6,6 +6,7 @@ output lacks a sign, it is written in ASCII.
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, redirect_stdout
@@ -14,6 +15,8 @@ from unicodedata import category
 
 #: Categories of Unicode: controls, formats (bidirectional marks), surrogates, separators of lines.
 _UNSAFE = {"Cc", "Cf", "Cs", "Cn", "Co", "Zl", "Zp"}
+#: What a message repeats of a long value: a quoted text, or a word.
+_LONG = re.compile(r"'[^']{200,}'|\"[^\"]{200,}\"|\S{200,}")
 _ASCII = {"≈": "~", "−": "-", "±": "+-", "×": "x", "≤": "<=", "≥": ">=", "…": "..."}
 
 
@@ -26,6 +29,15 @@ def printable(text: str, keep: str = "") -> str:
     if text.isascii() and text.isprintable():
         return text
     return "".join(c if c in keep or category(c) not in _UNSAFE else ascii(c)[1:-1] for c in text)
+
+
+def error_text(message: str) -> str:
+    """Return a message as `printable`, with what it repeats of a user's long words shortened.
+
+    >>> len(error_text("cannot read " + "x" * 5000))
+    67
+    """
+    return printable(_LONG.sub(lambda found: f"{found[0][:40]}...{found[0][-12:]}", message))
 
 
 def one_line(text: str) -> str:

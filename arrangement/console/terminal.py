@@ -29,7 +29,7 @@ from arrangement.numbers.real import Irrational, written
 
 from . import number_form, progress
 from .entry import fault
-from .safe_text import printable, safe_stdout
+from .safe_text import error_text, safe_stdout
 
 YES = 0
 NO = 1
@@ -168,7 +168,7 @@ class Parser(argparse.ArgumentParser):
         for action in self._actions:
             if action.choices and message.endswith(f"required: {action.metavar}"):
                 message += f"; known are {', '.join(map(str, action.choices))}"
-        self.exit(_BAD_INPUT, f"error: {printable(message)} ({self.prog} --help tells more)\n")
+        self.exit(_BAD_INPUT, f"error: {error_text(message)} ({self.prog} --help tells more)\n")
 
 
 def _numbers_after(option: argparse.Action) -> int:
@@ -425,7 +425,7 @@ def _encode(value: Any) -> str | list[str]:
 
 
 def _refuse(message: str) -> int:
-    print(f"error: {printable(message)}", file=sys.stderr)
+    print(f"error: {error_text(message)}", file=sys.stderr)
     return _BAD_INPUT
 
 

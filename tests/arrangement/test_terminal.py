@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 from arrangement import InputError, MissingExtraError
+from arrangement.cli import main
 from arrangement.console import progress, terminal
 from arrangement.console.entry import entry
 from arrangement.console.progress import Bar, shown, watched
@@ -448,3 +449,25 @@ def test_commands_answer_in_ascii(line, monkeypatch, capsys):
     stream.flush()
     assert (code, capsys.readouterr().err) == (0, "")
     assert stream.buffer.getvalue().endswith(b"\n")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["make", "shi", "--type", "9" * 5000],
+        ["make", "separations", "--polytope", "cube", "--n", "x" * 5000],
+        ["make", "separations", "--polytope", "cube", "--n", "x y " * 1250],
+        ["show", "x" * 5000],
+        ["x" * 5000],
+        ["--" + "x" * 5000],
+    ],
+    ids=lambda words: " ".join(words)[:30],
+)
+def test_long_words_are_repeated_in_short(words, capsys):
+    try:
+        code = main(words)
+    except SystemExit as ended:
+        code = ended.code
+    text = capsys.readouterr().err
+    assert (code, text[:7]) == (2, "error: ")
+    assert len(text) < 500

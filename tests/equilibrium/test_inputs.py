@@ -205,7 +205,7 @@ class TestCircle:
     def test_a_radius_must_be_positive(self):
         with pytest.raises(GraspError, match="radius"):
             on_circle(3, 1, radius=0)
-        with pytest.raises(GraspError, match="finite"):
+        with pytest.raises(InputError, match=r"angles\[0\] is inf; only finite"):
             on_circle([math.inf], 1)
 
 
@@ -333,3 +333,18 @@ def test_commands_take_tables_and_round_normals_on_demand(capsys, tmp_path):
     assert main(["lab", str(table), "-o", str(tmp_path / "lab.html")]) == 0
     assert main(["solve", str(slanted), "--wrench", "0,0,0", "--round-normals"]) in (0, 1)
     assert "rounded: points by 0, normals by 3.3e-10 radians" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["points", "normals", "friction", "stiffness", "preload"])
+def test_numbers_beyond_floats_are_no_float_data(name):
+    given = {"points": [[1, 0]], "normals": [[1, 0]], "friction": 1}
+    given[name] = [["1e9999", 0]] if name in ("points", "normals") else "1e9999"
+    with pytest.raises(
+        GraspError, match=rf"{name}.* is 1e\+9999; expected a number up to 1\.79e308"
+    ):
+        from_float_data(**given)
+
+
+def test_tiny_tolerances_are_no_obstacle():
+    found = from_float_data([[0.1, 0]], [[1, 0]], 0.5, tolerance="1e-9999")
+    assert found.grasp.contacts[0].point[0] == Fraction(0.1)

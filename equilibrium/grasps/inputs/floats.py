@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import os
 import re
+import sys
 from collections.abc import Iterable
 from fractions import Fraction
 from pathlib import Path
@@ -39,6 +40,8 @@ from .csv_file import each_line, parts_of
 from .incidences import check_number, converted
 from .rounding import equal_numbers, rounding
 
+#: No float is larger.
+_LARGEST = Fraction(sys.float_info.max)
 _DECIMAL = re.compile(r"[+-]?([0-9]{1,400}\.?[0-9]{0,400}|\.[0-9]{1,400})([eE][+-]?[0-9]{1,4})?")
 
 
@@ -77,7 +80,10 @@ def from_float_data(
     (Fraction(1, 10), Fraction(1, 5))
     """
     places = [_place(x, i) for i, x in enumerate(entries(points, "points", "points"))]
-    directions = entries(normals, "normals", "vectors")
+    directions = [
+        rational_vector(x, f"normals[{i}]", _real)
+        for i, x in enumerate(entries(normals, "normals", "vectors"))
+    ]
     check_number(len(directions), len(places))
     bound = from_float(tolerance, "tolerance")
     how = rounding(bound, bound, angle_tolerance, as_given)
@@ -87,7 +93,7 @@ def from_float_data(
             f"the largest coordinate is {number_text(size)}, which is 0 within the tolerance "
             f"{number_text(bound)}; give a smaller tolerance, or another unit of length"
         )
-    found = contact_values(len(places), friction, stiffness, preload, from_float)
+    found = contact_values(len(places), friction, stiffness, preload, _real)
     columns = {name: [entry[name] for entry in found] for name in VALUES}
     snap, worst = bound * _unit(columns.values()), Fraction(0)
     for name, given in columns.items():
@@ -101,6 +107,16 @@ def from_float_data(
     return converted(places, directions, found, how, worst, snap)
 
 
+def _real(value: Any, name: str) -> Fraction:
+    """Return a number exactly that may be a float, by its size."""
+    found = from_float(value, name)
+    if abs(found) > _LARGEST:
+        raise GraspError(
+            f"{name} is {number_text(found)}; expected a number up to 1.79e308, as floats are"
+        )
+    return found
+
+
 def _unit(columns: Iterable[list[Fraction]]) -> Fraction:
     """Return the least of 1 and, for each column that has numbers other than 0, the largest."""
     sizes = (max(map(abs, column), default=Fraction(0)) for column in columns)
@@ -109,7 +125,7 @@ def _unit(columns: Iterable[list[Fraction]]) -> Fraction:
 
 def _place(point: Any, index: int) -> tuple[RationalVector, Fraction]:
     """Return a point of floats, not changed yet."""
-    coordinates = rational_vector(point, f"points[{index}]", from_float)
+    coordinates = rational_vector(point, f"points[{index}]", _real)
     if len(coordinates) not in (2, 3):
         raise GraspError(f"points[{index}] has {len(coordinates)} coordinates; give two or three")
     return coordinates, Fraction(0)

@@ -85,8 +85,6 @@ def _degrees(value: Any, name: str) -> float:
 
 def _direction(degrees: float) -> tuple[float, float]:
     """Return the inward direction at an angle, exact at multiples of 90 degrees."""
-    if not math.isfinite(degrees):
-        raise GraspError(f"an angle is {degrees}; give finite degrees")
     turns, rest = divmod(degrees, 90)
     x, y = math.cos(math.radians(rest)), math.sin(math.radians(rest))
     if rest == 0:

@@ -8,7 +8,7 @@ from fractions import Fraction
 from random import Random
 from typing import Any
 
-from arrangement.numbers.exact import RationalVector, dot, from_float, shown
+from arrangement.numbers.exact import RationalVector, dot, from_float, shown, to_text
 from arrangement.numbers.linear.rank import cross
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
@@ -99,7 +99,7 @@ def equal_numbers(values: Sequence[Fraction], bound: Fraction, how: Rounding) ->
         low, end = abs(values[order[start]]), start + 1
         while how.keep and end < len(order) and abs(values[order[end]]) - low <= bound:
             end += 1
-        key = str(round(low / bound)) if how.keep else f"number {order[start]}"
+        key = to_text(round(low / bound)) if how.keep else f"number {order[start]}"
         size = how.number(low, abs(values[order[end - 1]]), key, bound)
         for i in order[start:end]:
             found[i] = -size if values[i] < 0 else size
