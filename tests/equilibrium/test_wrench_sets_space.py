@@ -333,7 +333,7 @@ def test_data_that_are_no_real_numbers_are_refused(argument, message):
 
 
 def test_stiffness_within_the_tolerance_of_zero_is_refused():
-    with pytest.raises(GraspError, match=r"stiffness\[1\] is 1e-08, which is 0 within the tol"):
+    with pytest.raises(GraspError, match=r"stiffness\[1\] is ≈1e-8, which is 0 within the tol"):
         check_loads(2 * ONE[0], 2 * ONE[1], 0.5, [[0.0, 0, 0]], stiffness=[1, 1e-8])
 
 
@@ -341,9 +341,8 @@ def test_soft_springs_are_not_rounded_to_nothing():
     """The tolerance of a millionth is a share of numbers that are all small."""
     points, normals = [[1.0, 0.0], [-1.0, 0.0]], [[-1.0, 0.0], [1.0, 0.0]]
     found = check_loads(points, normals, 0.5, [[0.0, 1e-9, 0.0]], stiffness=1e-6, preload=1e-9)
-    assert {(c.stiffness, c.preload) for c in found.grasp} == {
-        (Fraction(1, 10**6), Fraction(1, 10**9))
-    }
+    assert all(c.stiffness == Fraction(1, 10**6) for c in found.grasp)
+    assert all(abs(c.preload * 10**9 - 1) < Fraction(1, 10**5) for c in found.grasp)
     assert found.resisted.all()
     with pytest.raises(GraspError, match=r"coordinate is .*, which is 0 within"):
         check_loads([[1e-7, 0.0]], [[1.0, 0.0]], 0.5, [[0.0, 0, 0]])
