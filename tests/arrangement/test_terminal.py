@@ -430,7 +430,7 @@ COMMANDS = [
     "equilibrium limit paper-three-contacts --direction 0 -1 1/7",
     "equilibrium list",
     "proofs-check list",
-    "proofs-check show regions-in-print",
+    "proofs-check list regions-in-print",
     "proofs-check try regions>0 --of generic(m=3..5)",
     "proofs-check fit regions --of generic(m=2..9)",
 ]
