@@ -366,7 +366,7 @@ def test_it_answers_in_a_worker_and_without_one(broken, browser, tmp_path):
     name = browser.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", ahead)
     try:
         browser.show(lab_page(read_grasp("several-equilibria"), wrench=[-1, 0, 0]), tmp_path)
-        assert verdict(browser).startswith("Resisted 2 equilibria, exact")
+        assert verdict(browser).startswith("Resisted 2 families of equilibria, exact")
     finally:
         browser.driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", name)
     assert any(url.startswith("blob:") for url in browser.requests()) == (not broken)

@@ -24,6 +24,14 @@ function describe() {
   describeMotion();
 }
 
+// How many equilibria there are, as `equilibrium solve` says it: a family holds infinitely many.
+function equilibriaWords(equilibria) {
+  const n = equilibria.length, families = equilibria.filter(({ ranges }) => ranges);
+  if (!families.length) return count(n, "equilibrium", "equilibria");
+  const unique = families.every(({ ranges }) => ranges.slice(3).every(isPoint)) ? ` (contact forces unique${n > 1 ? " in each" : ""})` : "";
+  return count(n, "family of equilibria", "families of equilibria") + unique;
+}
+
 // Whether the linear model is meant for an equilibrium: no contact point moves along its normal or
 // tangent by more than a tenth of the longest side of the box around the contacts.
 function isSmall({ motion }) {

@@ -70,14 +70,6 @@ function drained(search) {
 
 const firstOf = (grasp, wrench) => drained(treeOf(grasp, wrench));
 
-// How many equilibria there are, as `equilibrium solve` says it: a family holds infinitely many.
-function equilibriaWords(equilibria) {
-  const n = equilibria.length, families = equilibria.filter(({ ranges }) => ranges);
-  if (!families.length) return count(n, "equilibrium", "equilibria");
-  const unique = families.every(({ ranges }) => ranges.slice(3).every(isPoint)) ? ` (contact forces unique${n > 1 ? " in each" : ""})` : "";
-  return count(n, "family of equilibria", "families of equilibria") + unique;
-}
-
 // The closed linear system of a choice of states; `free` is how many unknowns the load has.
 function solutionsOf(grasp, states, wrench, { printed = false, load = loadOf(wrench), watched = [] } = {}) {
   const system = systemOf(grasp, states, load, { free: load[0].length - 1, printed });
