@@ -5,17 +5,24 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.proved_program import ask_proved
 from arrangement.console.writing import write_text_atomically
-from arrangement.library.files.json_files import Source, read_document
+from arrangement.library.files.json_files import (
+    Source,
+    check_document,
+    parse_json,
+    read_document,
+    read_text,
+)
 from equilibrium.certificate.checker import Question, Report, check
 from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.reading import SCHEMA_VERSION
-from equilibrium.model.errors import CertificateError
+from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp
 
 if TYPE_CHECKING:
@@ -23,10 +30,51 @@ if TYPE_CHECKING:
 
 
 #: What takes floats, said where one is refused.
-OF_FLOATS = (
-    "Measured contacts are converted by `equilibrium make floats`, from a table (.csv) or from "
-    "lists of points and normals"
+_OF_FLOATS = (
+    "Measured contacts are converted by `equilibrium make floats`, from a table (.csv), from "
+    "contacts, or from lists of points and normals"
 )
+_ROOT = re.compile(r"\s*(?:<[?!][^>]*>\s*)*<([A-Za-z_][\w.:-]*)")
+_SCENE = re.compile(r'\s*\{\s*"schema_version":\s*1,\s*"law":')
+_XML = {
+    "COLLADA": "a COLLADA model",
+    "mujoco": "an MJCF model of MuJoCo (`equilibrium export` writes such scenes)",
+    "robot": "a URDF model",
+    "sdf": "an SDF model",
+}
+_READ = (
+    "a grasp is a JSON document with a list of contacts, or a .csv file with one contact a line "
+    "(contacts on a mesh: `equilibrium make mesh`)"
+)
+
+
+def read_contacts(source: Source, *kinds: str, floats: bool = False) -> dict[str, Any]:
+    """Read a document that has the key ``contacts``, or one of the kinds; a bare list is one, too.
+
+    Args:
+        floats: take them, for data whose conversion is the purpose.
+
+    Raises:
+        InputError: anything else, with what it seems to be, and what is read.
+    """
+    expected = ("contacts", *kinds)
+    if isinstance(source, Mapping):
+        return read_document(source, expected)
+    text, name = read_text(source)
+    if root := _ROOT.match(text):
+        kind = _XML.get(root[1], f"XML with the root <{root[1][:40]}>")
+        raise GraspError(f"{name} is {kind}; {_READ}")
+    if _SCENE.match(text):
+        raise GraspError(
+            f'{name} is a scene of `equilibrium export`; the value of its key "grasp" is a grasp '
+            "document"
+        )
+    document = parse_json(text, name, floats=floats, of_floats=_OF_FLOATS)
+    if isinstance(document, list) and all(
+        isinstance(entry, dict) and "normal" in entry for entry in document
+    ):
+        document = {"schema_version": 1, "contacts": document}
+    return check_document(document, expected, name)
 
 
 def read_grasp(source: Source) -> Grasp:
@@ -38,7 +86,7 @@ def read_grasp(source: Source) -> Grasp:
     >>> len(read_grasp("paper-three-contacts"))
     3
     """
-    return Grasp.from_dict(read_document(source, ("contacts",), of_floats=OF_FLOATS))
+    return Grasp.from_dict(read_contacts(source))
 
 
 def tangential_arrangement(document: Mapping[str, Any]) -> Arrangement:

@@ -27,6 +27,8 @@ from equilibrium.grasps.inputs import (
     star_outline,
 )
 from equilibrium.grasps.inputs.csv_file import parse_csv, tangential_arrangement
+from equilibrium.grasps.inputs.documents import read_any
+from equilibrium.scenes import EngineScene, document_text
 
 TRIANGLE = [(0, 0), (4, 0), (0, 3)]
 HEADER = "x,y,normal_x,normal_y,friction"
@@ -348,3 +350,49 @@ def test_numbers_beyond_floats_are_no_float_data(name):
 def test_tiny_tolerances_are_no_obstacle():
     found = from_float_data([[0.1, 0]], [[1, 0]], 0.5, tolerance="1e-9999")
     assert found.grasp.contacts[0].point[0] == Fraction(0.1)
+
+
+CONTACTS = read_grasp("paper-three-contacts-preload-1").to_dict()["contacts"]
+SCENE = EngineScene(read_grasp("paper-three-contacts-preload-1"), [[0, 1, 0]])
+
+
+def test_bare_list_of_contacts_is_a_grasp(tmp_path):
+    path = tmp_path / "a.json"
+    path.write_text(json.dumps(CONTACTS))
+    assert read_grasp(path) == read_any(path).grasp == read_grasp("paper-three-contacts-preload-1")
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (
+            '<?xml version="1.0"?>\n<!-- -->\n<robot name="a"/>',
+            "is a URDF model; a grasp is a JSON",
+        ),
+        (SCENE.mjcf(), "is an MJCF model of MuJoCo"),
+        ("<html>", "is XML with the root <html>"),
+        (document_text(SCENE.document()), "is a scene of `equilibrium export`"),
+        ('[{"point": ["1", "0"]}]', "holds a list; a document is a JSON object"),
+        ('[{"normal": [0.5, 1]}]', "equilibrium make floats"),
+    ],
+)
+def test_other_file_is_named(tmp_path, text, message):
+    path = tmp_path / "a.json"
+    path.write_text(text)
+    for read in (read_grasp, read_any):
+        with pytest.raises(InputError, match=message):
+            read(path)
+
+
+def test_contacts_in_floats_are_snapped(tmp_path):
+    path = tmp_path / "a.json"
+    floats = [
+        {key: [float(Fraction(x)) for x in c[key]] for key in ("point", "normal")}
+        | {"friction": float(Fraction(c["friction"])), "preload": 1.0}
+        for c in CONTACTS
+    ]
+    path.write_text(json.dumps(floats))
+    found = read_float_data(path).grasp
+    assert found.contacts == read_grasp("paper-three-contacts-preload-1").contacts
+    path.write_text(json.dumps({"schema_version": 1, "contacts": floats}))
+    assert read_float_data(path).grasp == found

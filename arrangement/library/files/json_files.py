@@ -43,7 +43,6 @@ def read_document(
     *,
     kind: str = "bytes of a file",
     floats: bool = False,
-    of_floats: str = "",
     versions: Collection[int] = (SCHEMA_VERSION,),
 ) -> dict[str, Any]:
     """Read a JSON object that has a known ``schema_version`` and exactly one of the keys `kinds`.
@@ -54,7 +53,6 @@ def read_document(
     Args:
         floats: take numbers such as 0.1 and 1e-3 too, as the binary floats that they are; for data
             whose conversion is the purpose.
-        of_floats: what converts them, for the refusal of one.
 
     Raises:
         InputError: a file that cannot be read, is too long, is not UTF-8, is not strict JSON
@@ -65,7 +63,7 @@ def read_document(
         name = "the document"
     else:
         text, name = read_text(source, kind)
-        document = parse_json(text, name, floats=floats, of_floats=of_floats)
+        document = parse_json(text, name, floats=floats)
     return check_document(document, kinds, name, versions)
 
 
@@ -179,7 +177,11 @@ def _limited(stream: BinaryIO, name: str, kind: str) -> bytes:
 
 
 def parse_json(text: str, name: str, *, floats: bool = False, of_floats: str = "") -> Any:
-    """Parse strict JSON: no duplicate keys, no floats unless wanted, no NaN, flat."""
+    """Parse strict JSON: no duplicate keys, no floats unless wanted, no NaN, flat.
+
+    Args:
+        of_floats: what converts them, for the refusal of one.
+    """
     try:
         return json.loads(
             text,

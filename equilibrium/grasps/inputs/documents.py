@@ -9,10 +9,10 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from arrangement.library.files.json_files import Source, check_keys, check_list, read_document
+from arrangement.library.files.json_files import Source, check_keys, check_list
 from arrangement.numbers import budget
 from arrangement.numbers.exact import to_text
-from equilibrium.grasps.files import OF_FLOATS
+from equilibrium.grasps.files import read_contacts
 from equilibrium.model.contact import VALUES
 from equilibrium.model.grasp import Grasp, read_wrench
 
@@ -61,7 +61,7 @@ def read_any(
         return read_csv(
             source, angle_tolerance=angle_tolerance, tolerance=tolerance, as_given=as_given
         )
-    document = read_document(source, ("contacts",), of_floats=OF_FLOATS)
+    document = read_contacts(source)
     if not round_normals:
         return Conversion(Grasp.from_dict(document), (), ())
     contacts = check_list(document["contacts"], "contacts")

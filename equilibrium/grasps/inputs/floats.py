@@ -2,8 +2,8 @@
 
 The JSON form of a file is ``{"schema_version": 1, "points": [[-0.1, 0], ...], "normals": [[1, 0],
 ...], "friction": 0.3}``, if wanted with ``stiffness`` and ``preload``; each of these three is one
-number for all contacts or a list. A CSV file has the columns of `csv_file`. Numbers are decimals,
-also with an exponent such as ``2.5e-3``, or ratios.
+number for all contacts or a list. A grasp document with floats is read too. A CSV file has the
+columns of `csv_file`. Numbers are decimals, also with an exponent such as ``2.5e-3``, or ratios.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -20,7 +20,6 @@ from arrangement.library.files.json_files import (
     Source,
     check_keys,
     check_list,
-    read_document,
     read_text,
 )
 from arrangement.numbers.arguments import entries
@@ -32,6 +31,7 @@ from arrangement.numbers.exact import (
     rational_vector,
     shown,
 )
+from equilibrium.grasps.files import read_contacts
 from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
 
@@ -154,7 +154,9 @@ def read_float_data(
             lambda row: parts_of({name: _number(entry, name) for name, entry in row.items()}),
             lambda points, normals, values: from_float_data(points, normals, **values, **options),
         )
-    document = read_document(source, ("points",), floats=True)
+    document = read_contacts(source, "points", floats=True)
+    if "contacts" in document:
+        document = _columns(document)
     required = ("schema_version", "points", "normals", VALUES[0])
     check_keys(document, required, (*VALUES[1:], "description"), "the document")
     points, normals = (
@@ -170,6 +172,22 @@ def read_float_data(
         if key in VALUES
     }
     return from_float_data(points, normals, **values, **options)
+
+
+def _columns(document: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the points, the normals and the values of a grasp document, each as a list."""
+    check_keys(document, ("schema_version", "contacts"), ("description",), "the document")
+    contacts = [
+        check_keys(entry, ("point", "normal", VALUES[0]), VALUES[1:], f"contacts[{i}]")
+        for i, entry in enumerate(check_list(document["contacts"], "contacts"))
+    ]
+    defaults = {"stiffness": 1, "preload": 0}
+    return {
+        "schema_version": document["schema_version"],
+        "points": [entry["point"] for entry in contacts],
+        "normals": [entry["normal"] for entry in contacts],
+        **{key: [entry.get(key, defaults.get(key)) for entry in contacts] for key in VALUES},
+    }
 
 
 def _plain(value: Any, where: str) -> Any:
