@@ -1,7 +1,7 @@
 # Each target creates .venv on first use and installs again when pyproject.toml or
 # constraints.txt change. PYTHON=... picks the interpreter, ARGS=... goes to pytest.
 
-.PHONY: help install verify test campaign lint types scripts check mutants census bench docs pdf atlas docs-check notebooks package-check formal clean
+.PHONY: help install verify test campaign lint types scripts check mutants census bench docs pdf atlas docs-check notebooks package-check versions-check formal clean
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
@@ -34,6 +34,7 @@ help:
 	@echo "make docs-check  build it and open every page in headless Chromium"
 	@echo "make notebooks  the lessons as notebooks in docs/_build/notebooks, each run from top to bottom"
 	@echo "make package-check  build the packages and try them in empty environments"
+	@echo "make versions-check  run the tests with the lowest and the newest versions of what is required"
 	@echo "make formal   compile the Coq proofs of checker and counts, build the program and compare it"
 	@echo "make clean    remove what the targets made"
 	@echo "PYTHON=python3.12 picks the interpreter, ARGS='-k faces' goes to pytest."
@@ -152,6 +153,9 @@ notebooks: docs
 
 package-check: $(VENV)/.stamp-package
 	$(BIN)/python tests/check_package.py $(ARGS)
+
+versions-check: $(VENV)/.stamp-package
+	$(BIN)/python tests/check_versions.py $(ARGS)
 
 formal: $(VENV)/.stamp-test
 	bash proofs_check/formal/build.sh

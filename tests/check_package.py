@@ -220,7 +220,7 @@ def complaints(command: Command, done: Done, folder: Path) -> list[str]:
     return [f"{command.line}: {text}\n{said}" for text in wrong]
 
 
-def _found(names: Sequence[str]) -> list[str]:
+def found_pythons(names: Sequence[str]) -> list[str]:
     """Return the interpreters that run and can make environments."""
     found = []
     for name in names:
@@ -248,7 +248,7 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--python", action="append", metavar="P", help="an interpreter to check")
     parser.add_argument("--archive", action="store_true", help="also run the suite from the sdist")
     options = parser.parse_args(arguments)
-    pythons = _found(options.python or PYTHONS)
+    pythons = found_pythons(options.python or PYTHONS)
     if len(pythons) < len(options.python or ()):
         return 1
     pythons = pythons or [sys.executable]
