@@ -30,6 +30,7 @@ from arrangement.duals.inscribed.report import inscribability
 from arrangement.duals.inscribed.search import decide
 from arrangement.duals.zonohedron import DualPolyhedron, dual_polyhedron
 from arrangement.library.families import generic, near_pencil, simplicial, type_b
+from arrangement.numbers import budget
 from arrangement.numbers.exact import dot
 from arrangement.numbers.linear.programs import Optimal, minimize
 
@@ -541,3 +542,10 @@ def test_polyhedral_graphs_are_the_planar_ones_of_connectivity_three(vertices, s
     graph = PolyhedralGraph.of(vertices, random_graph.edges)
     expected = nx.check_planarity(random_graph)[0] and nx.node_connectivity(random_graph) >= 3
     assert expected == (not graph._not_polyhedral)
+
+
+def test_search_counts_its_steps():
+    graph = PolyhedralGraph.of(12, nx.icosahedral_graph().edges)
+    decide.cache_clear()
+    with budget.metered(1000), pytest.raises(budget.WorkOver, match="without an end"):
+        decide(graph)

@@ -20,6 +20,7 @@ import networkx as nx
 import numpy as np
 
 from arrangement.errors import ArrangementError
+from arrangement.numbers.budget import spend
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.programs import Optimal, minimize
 from arrangement.numbers.linear.rank import cycle_edges
@@ -67,6 +68,7 @@ class DualDistances:
         lengths = [max(float(w), 0.0) for w in weights]
         self.least = self._distances(lengths)
         for e, (u, v) in enumerate(self.graph.edges):
+            spend(50 * len(self.graph.neighbours[u]) * len(self.graph.neighbours[v]))
             for at_u in self._others(u, v):
                 for at_v in self._others(v, u):
                     path = self._path(e, {e, at_u, at_v}, lengths, bound - lengths[e])
@@ -210,6 +212,7 @@ class _MarginProgram:
         rows, edges = self.rows(), self.graph.edges
         entries = [(i, e, -x) for i, (row, _) in enumerate(rows) for e, x in row.items()]
         entries += [(i, len(edges), 1) for i in range(len(rows))]
+        spend(50 * len(entries))
         i, j, x = (np.array(column) for column in zip(*entries, strict=True))
         shape = (len(rows), len(edges) + 1)
         ends = [(v, e) for e, edge in enumerate(edges) for v in edge]
