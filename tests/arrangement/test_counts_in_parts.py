@@ -185,7 +185,6 @@ def test_parts_of_another_division_are_refused(tmp_path):
     in_parts(RESONANCE, tmp_path)
     plan = tmp_path / "plan.json"
     plan.write_text(json.dumps(json.loads(plan.read_text()) | {"parts": 2}))
-    counts_in_parts._made.cache_clear()
     refused(tmp_path)
 
 
