@@ -19,8 +19,8 @@ from arrangement.console.number_form import Shown
 from arrangement.console.progress import watched
 from arrangement.console.workers import done, due
 from arrangement.errors import OutOfReachError
+from arrangement.library.arguments import entries
 from arrangement.numbers import budget
-from arrangement.numbers.arguments import entries
 from arrangement.numbers.exact import RationalVector, vector_text
 from equilibrium.certificate.checker import equilibrium_problem
 from equilibrium.model.contact import pyramid_edges

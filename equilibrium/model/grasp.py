@@ -15,9 +15,9 @@ import arrangement
 from arrangement.console.number_form import counted
 from arrangement.console.plugins import InlinePage, named
 from arrangement.console.writing import write_text_atomically
+from arrangement.library.arguments import entries
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers import budget
-from arrangement.numbers.arguments import entries
 from arrangement.numbers.exact import RationalVector, dot, rational_vector, shown
 from arrangement.numbers.linear.rank import cross
 

@@ -13,7 +13,7 @@ from math import comb
 from typing import TYPE_CHECKING
 
 from arrangement.arrangement import Arrangement
-from arrangement.numbers.arguments import at_least
+from arrangement.library.arguments import at_least
 
 from .checks import planned
 from .classical import differences, positive_roots, sums

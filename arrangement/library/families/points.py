@@ -9,11 +9,11 @@ from math import comb
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
+from arrangement.library.arguments import at_least, flag
 from arrangement.library.families.checks import planned
 from arrangement.library.families.classical import sums
 from arrangement.library.families.randoms import random_integer
 from arrangement.numbers import budget
-from arrangement.numbers.arguments import at_least, flag
 from arrangement.numbers.exact import IntegerVector, shown
 from arrangement.numbers.linear.rank import determinant
 

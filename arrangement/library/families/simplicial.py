@@ -31,7 +31,7 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.numbers.arguments import at_least, flag
+from arrangement.library.arguments import at_least, flag
 from arrangement.numbers.entries import real_vector
 from arrangement.numbers.exact import quotient, shown
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from arrangement.numbers.arguments import is_listed
+from arrangement.library.arguments import is_listed
 from arrangement.numbers.exact import (
     RationalVector,
     from_float,

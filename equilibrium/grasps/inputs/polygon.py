@@ -8,8 +8,8 @@ from fractions import Fraction
 from numbers import Integral
 from typing import Any, NamedTuple
 
+from arrangement.library.arguments import at_least, entries
 from arrangement.library.files.json_files import Source, check_keys, check_list, read_document
-from arrangement.numbers.arguments import at_least, entries
 from arrangement.numbers.exact import (
     RationalVector,
     from_float,
