@@ -1,8 +1,9 @@
-"""The command ``arrangement``: count, list and draw faces, make and list arrangements."""
+"""The program ``arrangement``: count, enumerate, identify, convert, make and draw."""
 
 from __future__ import annotations
 
 import argparse
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from importlib import import_module
@@ -12,7 +13,6 @@ from arrangement.console.number_form import sign_text, vector
 
 from .console import terminal
 from .errors import InputError, OutOfReachError
-from .library.commands import add_format_commands
 from .library.files import json_files
 from .numbers import budget
 from .numbers.exact import shown
@@ -32,100 +32,106 @@ def main(argv: Sequence[str] | None = None) -> int:
     return terminal.run(_parser(), argv)
 
 
+#: Names of earlier releases, and guesses, with what to write now.
+_RENAMED = {
+    "polynomial": "arrangement count FILE",
+    "chambers": "arrangement count FILE",
+    "regions": "arrangement count FILE",
+    "chi": "arrangement count FILE",
+    "bounds": "proofs-check run slip-state-counts fukuda-bound",
+    "census": "arrangement list --classes M",
+    "import": "arrangement convert FILE --from FORMAT --number K, or arrangement list FILE",
+    "plot": "arrangement draw",
+    "show": "arrangement draw",
+    "--proved": "--verified",
+    "--types": "--classes",
+}
+
+
 def _parser() -> terminal.Parser:
     parser = terminal.command_parser(
-        "arrangement", "Exact arrangements of planes: faces of every dimension, with witnesses."
+        "arrangement",
+        "Count, enumerate, identify and draw hyperplane arrangements, exactly.",
+        _RENAMED,
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    def add(name: str, function: _Command, help: str, *, file: str | None = "") -> terminal.Parser:
+    def add(
+        name: str,
+        function: _Command,
+        help: str,
+        *answers: str,
+        file: str | None = "",
+        heading: str = "common",
+    ) -> terminal.Parser:
         """Add a command; it takes a FILE, and need not where `file` is "?"."""
-        added: terminal.Parser = terminal.add_command(commands, name, help)
+        added: terminal.Parser = terminal.add_command(
+            commands, name, help, *answers, heading=heading
+        )
         if file is not None:
             added.add_argument("file", metavar="FILE", nargs=file or None, help=_FILE)
         terminal.add_common_options(added)
         added.set_defaults(command=function)
         return added
 
-    proved = "count by the program that is proved in Coq (built by `make formal`)"
-    count = add("count", _count, "count planes and faces")
-    count.add_argument("--proved", action="store_true", help=proved)
-
-    polynomial = add(
-        "polynomial",
-        _polynomial,
-        "compute the characteristic polynomial and numbers of regions, listing none",
-    )
-    polynomial.add_argument(
-        "--time-limit",
-        type=terminal.length_argument,
-        metavar="SECONDS",
-        help="then stop, with the coefficients that are final",
-    )
-    ways = polynomial.add_mutually_exclusive_group()
-    ways.add_argument(
-        "--store", metavar="FOLDER", help="keeps what is done; the same command goes on with it"
-    )
-    ways.add_argument(
-        "--forecast", action="store_true", help="only say how long it will take, from a sample"
-    )
-    ways.add_argument(
-        "--primes", type=_primes, metavar="P,Q,...", help="count points modulo these primes instead"
-    )
-    ways.add_argument("--proved", action="store_true", help=proved)
-    terminal.add_worker_options(polynomial)
-
-    faces = add("faces", _faces, "list sign vectors with dimension and witness")
+    text = "count regions and faces; print the characteristic polynomial"
+    _add_count(add("count", _count, text))
+    faces = add("faces", _faces, "enumerate faces: sign vector, dimension, witness")
     faces.add_argument(
         "--dimension", type=terminal.integer_argument, metavar="K", help="only faces of dimension K"
     )
+    faces.add_argument("--bounded", action="store_true", help="only the bounded regions")
     terminal.add_number_options(faces)
-
-    add(
-        "identify",
-        _identify,
-        "say which combinatorial type it has, of those of at most nine planes",
-    )
-
-    types = terminal.add_command(
-        commands, "census", "count or check all types of up to nine planes"
-    )
-    types.later = lambda: _later("library.commands").add_census(types)
-
-    text = "count faces of generic planes against the published bounds"
-    bounds = add("bounds", _bounds, text, file=None)
-    bounds.add_argument(
-        "--largest",
-        type=terminal.integer_argument,
-        default=12,
-        metavar="M",
-        help="4 to 30 (default 12)",
-    )
-    bounds.add_argument("-o", "--output", metavar="PATH", help="a picture: .svg, .pdf, .png")
-    bounds.add_argument("--width", metavar="LENGTH", help="of the picture (default 180mm)")
-
-    names = add("list", _list, "list the built-in arrangements", file=None)
-    names.add_argument("--families", action="store_true", help="list what `make` can make")
-
-    text = "make a member of a family, such as shi --type E6"
-    make = add("make", _make, text, file=None)
-    make.later = lambda: _later("library.commands").add_families(make)
-
-    add_format_commands(add)
-
-    draw = add("draw", _draw, "draw pictures and pages, or export models to hold")
+    add("identify", _identify, "find the isomorphism class, of those of up to nine hyperplanes")
+    draw = add("draw", _draw, "draw pictures and pages; export 3D-printable models")
     draw.later = lambda: _later("drawing.command").add_options(
         draw, _later("pictures.views").DRAWINGS
     )
 
-    text = "make a page in which lines and great circles are dragged, counted at once"
-    page = add("lab", _lab, text, file="?")
+    text = "list built-in arrangements, families, classes, or a file's arrangements"
+    names = add("list", _list, text, "done", "the verified program counts otherwise", file="?")
+    _later("library.commands").add_list_options(names)
+    text = "make a member of a family, such as shi --type E6"
+    make = add("make", _make, text, file=None, heading="more")
+    make.later = lambda: _later("library.commands").add_families(make)
+    text = "convert between the formats of other programs"
+    _later("library.commands").add_convert_options(add("convert", _convert, text, heading="more"))
+    text = "write a page in which lines and great circles are dragged and counted"
+    page = add("lab", _lab, text, file="?", heading="more")
     page.add_argument("-o", "--output", metavar="PATH", required=True, help="the page (.html)")
     page.add_argument("--title", metavar="TEXT", help="a heading")
     page.add_argument(
-        "--exercises", metavar="FILE", help="JSON with own exercises, in place of the built-in ones"
+        "--exercises", metavar="FILE", help="JSON with exercises, in place of the built-in ones"
     )
     return parser
+
+
+def _add_count(count: argparse.ArgumentParser) -> None:
+    count.add_argument(
+        "--time-limit",
+        type=terminal.length_argument,
+        metavar="SECONDS",
+        help="stop then and print the coefficients found so far",
+    )
+    instead = count.add_mutually_exclusive_group()
+    instead.add_argument(
+        "--store", metavar="FOLDER", help="keeps what is done; the same command continues it"
+    )
+    instead.add_argument(
+        "--forecast", action="store_true", help="only estimate the work, from a sample"
+    )
+    instead.add_argument(
+        "--primes",
+        type=_primes,
+        metavar="P,Q,...",
+        help="count points modulo these primes (the finite field method)",
+    )
+    instead.add_argument(
+        "--verified",
+        action="store_true",
+        help="count by the formally verified program (built by `make formal`)",
+    )
+    terminal.add_worker_options(count)
 
 
 def _later(module: str) -> Any:
@@ -141,42 +147,90 @@ def _read(arguments: argparse.Namespace) -> Arrangement:
 
 def _count(arguments: argparse.Namespace) -> int:
     arrangement = _read(arguments)
-    if arguments.proved:
+    if arguments.forecast:
+        return _forecast(arrangement, arguments)
+    numbers = _whitney_numbers(arrangement, arguments)
+    regions, relatively = sum(map(abs, numbers)), abs(sum(numbers))
+    f_vector, engine = _f_vector(arrangement, regions, verified=arguments.verified)
+    if arguments.json:
+        terminal.print_json(
+            {
+                "planes": len(arrangement),
+                "distinct_planes": len(arrangement.distinct),
+                "rank": arrangement.rank,
+                "f_vector": f_vector and list(f_vector),
+                "states": f_vector and sum(f_vector),
+                "engine": engine,
+                "first_whitney_numbers": numbers,
+                "regions": regions,
+                "bounded_regions": relatively * (arrangement.rank == arrangement.dimension),
+                "relatively_bounded_regions": relatively,
+            }
+        )
+        return terminal.YES
+    rows = {"planes": len(arrangement), "distinct planes": len(arrangement.distinct)}
+    return _print_rows(
+        {
+            **rows,
+            "rank": arrangement.rank,
+            **({} if arrangement.field is None else {"coefficients in": repr(arrangement.field)}),
+            **_polynomial_rows(arrangement, numbers),
+            **({f"faces of dim {k}": n for k, n in enumerate(f_vector)} if f_vector else {}),
+            **({"states": sum(f_vector)} if f_vector else {"faces": engine}),
+            **({"counted by": "the verified program"} if arguments.verified else {}),
+        }
+    )
+
+
+def _polynomial_rows(arrangement: Arrangement, numbers: Sequence[int]) -> dict[str, object]:
+    """Return chi, its factors, and the numbers of regions that follow from it."""
+    from sympy import ZZ, Mul, ring
+
+    from .counts.whitney import why_none_is_bounded
+
+    zeros = [0] * (arrangement.dimension + 1 - len(numbers))
+    chi = ring("t", ZZ)[0].from_list([*numbers, *zeros])
+    relatively = abs(sum(numbers))
+    rows: dict[str, object] = {
+        "chi(t)": chi,
+        "factors": Mul(*(factor.as_expr() ** power for factor, power in chi.factor_list()[1])),
+        "regions": sum(map(abs, numbers)),
+        "bounded regions": relatively,
+    }
+    if arrangement.rank < arrangement.dimension:
+        reason = why_none_is_bounded(arrangement)
+        rows["bounded regions"] = f"0 ({reason})" if reason else 0
+        if relatively:
+            rows["relatively bounded"] = f"{relatively} (in the span of the normals)"
+    return rows
+
+
+def _f_vector(
+    arrangement: Arrangement, regions: int, *, verified: bool
+) -> tuple[tuple[int, ...] | None, str]:
+    """Return the numbers of faces with what counted them, or None with the reason."""
+    if verified:
         from .planes.proved import proved_f_vector
 
-        f_vector, engine = proved_f_vector(arrangement), "none: counted by the proved program"
-    else:
-        f_vector, engine = _listed(arrangement)
-    counts: dict[str, object] = {
-        "planes": len(arrangement),
-        "distinct_planes": len(arrangement.distinct),
-        "rank": arrangement.rank,
-        "f_vector": list(f_vector),
-        "states": sum(f_vector),
-        "engine": engine,
-    }
-    if arguments.json:
-        terminal.print_json(counts)
-        return terminal.YES
-    rows = {name.replace("_", " "): counts[name] for name in ("planes", "distinct_planes", "rank")}
-    if arrangement.field is not None:
-        rows["entries in"] = repr(arrangement.field)
-    rows |= {f"faces of dim {k}": number for k, number in enumerate(f_vector)}
-    rows["states"] = counts["states"]
-    if arguments.proved:
-        rows["counted by"] = "the proved program"
-    return _print_rows(rows)
-
-
-def _listed(arrangement: Arrangement) -> tuple[tuple[int, ...], str]:
-    """Return the f-vector and the engine that listed the faces, if they can be listed."""
+        return proved_f_vector(arrangement), "none: counted by the verified program"
+    if regions > budget.FACES * budget.times() and not _counts_are_cheap(arrangement):
+        times = math.ceil(1.2 * regions / budget.FACES)
+        return None, f"not counted by dimension: {regions:,} regions; --limit {times} allows it"
     try:
         faces = arrangement.faces()
         return faces.f_vector, faces.engine
     except OutOfReachError as error:
         if error.f_vector is None:
-            raise
-        return error.f_vector, "none: counted by Zaslavsky's theorem, not listed"
+            return None, f"not counted by dimension: {error}"
+        return error.f_vector, "none: counted by Zaslavsky's theorem, not enumerated"
+
+
+def _counts_are_cheap(arrangement: Arrangement) -> bool:
+    """Whether faces are counted by formulas, however many there are."""
+    from .counts.configuration import configuration, is_generic
+    from .counts.low_rank import MAX_RANK
+
+    return arrangement.rank <= MAX_RANK or is_generic(configuration(arrangement))
 
 
 def _print_rows(rows: Mapping[str, object]) -> int:
@@ -186,44 +240,11 @@ def _print_rows(rows: Mapping[str, object]) -> int:
     return terminal.YES
 
 
-def _polynomial(arguments: argparse.Namespace) -> int:
-    arrangement = _read(arguments)
-    if arguments.forecast:
-        return _forecast(arrangement, arguments)
-    numbers = _whitney_numbers(arrangement, arguments)
-    relatively = abs(sum(numbers))
-    found = {
-        "regions": sum(map(abs, numbers)),
-        "bounded_regions": relatively if arrangement.rank == arrangement.dimension else 0,
-        "relatively_bounded_regions": relatively,
-    }
-    if arguments.json:
-        terminal.print_json({"first_whitney_numbers": numbers, **found})
-        return terminal.YES
-    from sympy import ZZ, Mul, ring
-
-    from .counts.whitney import why_none_is_bounded
-
-    zeros = [0] * (arrangement.dimension + 1 - len(numbers))
-    chi = ring("t", ZZ)[0].from_list([*numbers, *zeros])
-    factors = Mul(*(factor.as_expr() ** power for factor, power in chi.factor_list()[1]))
-    rows = {"chi(t)": chi, "factors": factors}
-    names = ("regions", "bounded regions", "relatively bounded")
-    values: dict[str, object] = dict(zip(names, found.values(), strict=True))
-    if reason := why_none_is_bounded(arrangement):
-        values["bounded regions"] = f"0 ({reason})"
-        values["relatively bounded"] = f"{relatively} (in the span of the normals)"
-    speaker = {"counted by": "the proved program"} if arguments.proved else {}
-    return _print_rows({**rows, **values, **speaker})
-
-
 def _primes(text: str) -> list[int]:
     try:
         return [terminal.count_argument(word) for word in text.split(",")]
     except argparse.ArgumentTypeError:
-        raise argparse.ArgumentTypeError(
-            f"{shown(text)} is no list of primes; write 5,7,11"
-        ) from None
+        raise argparse.ArgumentTypeError(f"{shown(text)}; expected primes such as 5,7,11") from None
 
 
 def _whitney_numbers(arrangement: Arrangement, arguments: argparse.Namespace) -> tuple[int, ...]:
@@ -237,7 +258,7 @@ def _whitney_numbers(arrangement: Arrangement, arguments: argparse.Namespace) ->
     shared = arguments.shard != (1, 1) or arguments.dask is not None
     if shared and arguments.store is None:
         raise InputError("--shard and --dask need --store, a folder that all machines see")
-    if arguments.proved:
+    if arguments.verified:
         from .planes.proved import proved_whitney_numbers
 
         return proved_whitney_numbers(arrangement)
@@ -284,7 +305,13 @@ def _faces(arguments: argparse.Namespace) -> int:
     arrangement = _read(arguments)
     if arrangement.field is not None and not arguments.json:
         print(f"points in {arrangement.field!r}")
-    found = arrangement.faces(arguments.dimension)
+    if arguments.bounded and arguments.dimension not in (None, arrangement.dimension):
+        raise InputError("--bounded lists regions; omit --dimension")
+    found = (
+        arrangement.bounded_regions()
+        if arguments.bounded
+        else arrangement.faces(arguments.dimension)
+    )
     steps = len(found) * (200 + 20 * len(arrangement))
     budget.ask(f"{len(found):,} faces, printed", "count them (arrangement count)", steps=steps)
     for face in found:
@@ -324,26 +351,6 @@ def _identify(arguments: argparse.Namespace) -> int:
     return _print_rows({k: value for k, value in rows.items() if value not in ("", None)})
 
 
-def _bounds(arguments: argparse.Namespace) -> int:
-    from .pictures.diagrams.counts import check_largest, counts_table
-
-    check_largest(arguments.largest)
-    table = counts_table(arguments.largest)
-    if arguments.output is not None:
-        from .pictures.diagrams.counts import write_counts
-
-        width = {} if arguments.width is None else {"width": arguments.width}
-        write_counts(arguments.output, largest=arguments.largest, **width)
-    if arguments.json:
-        terminal.print_json({"counts": table})
-        return terminal.YES
-    print("m central planes in general position in R^3, by Zaslavsky's theorem; with the printed")
-    print("m^2 - m + 2 regions and 4m^2 - 4m + 3 states, and the bound for planes off the origin")
-    for row in table:
-        print("  ".join(f"{name} {value}" for name, value in row.items()))
-    return terminal.YES
-
-
 def _draw(arguments: argparse.Namespace) -> int:
     from .drawing.command import given_options, write
     from .pictures.views import drawings_of
@@ -374,11 +381,25 @@ def _make(arguments: argparse.Namespace) -> int:
 
 
 def _list(arguments: argparse.Namespace) -> int:
-    if arguments.families:
-        from .library.commands import described
+    from .library import commands
 
-        return terminal.print_names(described(), arguments.json)
+    if (arguments.file is not None) + arguments.families + (arguments.classes is not None) > 1:
+        raise InputError("FILE, --families and --classes list different things; give one")
+    if arguments.verified and arguments.classes is None:
+        raise InputError("--verified counts the regions of all classes; give --classes M")
+    if arguments.file is not None:
+        return commands.list_file(arguments)
+    if arguments.classes is not None:
+        return commands.list_classes(arguments)
+    if arguments.families:
+        return terminal.print_names(commands.described(), arguments.json)
     return terminal.print_names(json_files.described("planes"), arguments.json)
+
+
+def _convert(arguments: argparse.Namespace) -> int:
+    from .library.commands import convert
+
+    return convert(arguments)
 
 
 if __name__ == "__main__":

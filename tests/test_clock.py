@@ -25,9 +25,9 @@ arrangement list
 arrangement count braid-a3
 arrangement count shi-a2-affine
 arrangement count braid-a3 --json
-arrangement polynomial shi-a2-affine
-arrangement polynomial shi-a2-affine --forecast
-arrangement polynomial braid-a3 --forecast --json
+arrangement count shi-a2-affine
+arrangement count shi-a2-affine --forecast
+arrangement count braid-a3 --forecast --json
 arrangement faces shi-a2-affine
 arrangement faces braid-a3 --json
 arrangement identify braid-a3
@@ -85,7 +85,7 @@ def answered(words: list[str]) -> tuple[int, str]:
 @pytest.fixture(scope="module")
 def _imported() -> None:
     """What takes long to import is there before this process is copied."""
-    for command in ("arrangement polynomial braid-a3", "proofs-check list"):
+    for command in ("arrangement count braid-a3", "proofs-check list"):
         answered(command.split())
 
 

@@ -65,7 +65,7 @@ def fault(error: Exception, argv: Sequence[str] | None) -> int:
         traceback.print_exc()
     what = "".join(c if c.isprintable() else " " for c in str(error)[:120])
     text = (
-        f"error: a fault of the program, no answer: {type(error).__name__}: {what}; please report "
+        f"error: internal error, no answer: {type(error).__name__}: {what}; please report "
         "it with the command, as CONTRIBUTING.md says (--traceback shows where)"
     )
     if isinstance(error, ModuleNotFoundError):

@@ -62,7 +62,7 @@ def _run(
     if found is None:
         raise error(
             f"the proved checker is not built: there is no program {PROGRAM}; run `make formal` in "
-            "a checkout of the project, or omit --proved"
+            "a checkout of the project, or omit --verified"
         )
     stdin = None if text is None else subprocess.PIPE
     with subprocess.Popen(

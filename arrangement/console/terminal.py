@@ -1,7 +1,7 @@
 """What the three commands share: arguments, one JSON object a line, errors, exit codes.
 
 Exit codes: 0 yes (or done), 1 no (or refuted), 2 bad input or output that cannot be written,
-3 undecided, 70 a fault of the program (``--traceback`` shows where).
+3 undecided, 70 internal error (``--traceback`` shows where).
 Answers go to stdout, everything else to stderr. With ``--json``, stdout carries nothing but JSON.
 Long loops show how far they are, on a terminal (`progress`).
 This module imports no numerical library, so that ``--help`` answers at once.
@@ -209,9 +209,8 @@ def command_parser(prog: str, description: str, renamed: Mapping[str, str] | Non
         renamed: commands and options of earlier releases and of other programs, with what to
             write now.
     """
-    every = ("yes or done", "no or refuted", "undecided", "a fault of the program")
-    more = " `COMMAND --help` says what they mean there."
-    parser = Parser(prog=prog, description=description, epilog=_exit_codes(every) + more)
+    every = ("yes or done", "no or refuted", "undecided", "internal error")
+    parser = Parser(prog=prog, description=description, epilog=_exit_codes(every))
     parser.add_argument("--version", action=_Version)
     parser.renamed = renamed or {}
     return parser
@@ -243,18 +242,17 @@ def _exit_codes(answers: Sequence[str]) -> str:
 
 def add_common_options(parser: argparse.ArgumentParser) -> None:
     """Add ``--json``, ``--limit`` and ``--traceback``, which every command has."""
-    parser.add_argument(
-        "--json", action="store_true", help="print JSON on stdout, and nothing else"
-    )
-    parser.add_argument(
+    group = parser.add_argument_group("other")
+    group.add_argument("--json", action="store_true", help="print JSON on stdout, and nothing else")
+    group.add_argument(
         "--limit",
         type=times_argument,
         default=1.0,
-        metavar="TIMES",
-        help="let it take so many times the usual faces, bytes and steps",
+        metavar="N",
+        help="scale the default limits on size, memory and work by N",
     )
-    parser.add_argument(
-        "--traceback", action="store_true", help="after a fault of the program, show where it was"
+    group.add_argument(
+        "--traceback", action="store_true", help="after an internal error, show where it was"
     )
 
 

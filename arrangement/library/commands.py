@@ -1,4 +1,4 @@
-"""The commands of the library: families are made, the census is shown, formats are converted.
+"""The commands of the library: make members of families, list classes, convert formats.
 
 The options of ``make`` are the parameters of the functions of the families. What takes time to
 import is imported when a command runs, so that ``--help`` of the others answers at once.
@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import argparse
 import inspect
-import math
 from collections.abc import Callable, Mapping
 from dataclasses import asdict
 from inspect import Parameter
@@ -18,10 +17,11 @@ from arrangement.console import terminal
 from arrangement.console.progress import note, watched
 from arrangement.console.writing import document_text, write_or_print
 from arrangement.errors import InputError
-from arrangement.numbers.budget import limit
 
 if TYPE_CHECKING:
     from arrangement.arrangement import Arrangement
+
+    from .files.table import Entries
 
 
 def described() -> dict[str, str]:
@@ -52,7 +52,11 @@ def add_families(parser: argparse.ArgumentParser) -> None:
                 help=_help(parameter),
             )
         made.add_argument(
-            "--limit", type=terminal.times_argument, default=argparse.SUPPRESS, metavar="TIMES"
+            "--limit",
+            type=terminal.times_argument,
+            default=argparse.SUPPRESS,
+            metavar="N",
+            help="scale the default limits by N",
         )
         made.add_argument("-o", "--output", metavar="PATH", help="a file (default: print it)")
 
@@ -108,147 +112,108 @@ def _value(text: str) -> int | str:
     return int(text) if text.isascii() and text.isdigit() else text
 
 
-def add_census(parser: argparse.ArgumentParser) -> None:
-    """Add ``show`` and ``check``."""
-    commands = parser.add_subparsers(required=True, metavar="WHAT")
-
-    show = terminal.add_command(
-        commands,
-        "show",
-        "say how many types have so many regions, or such points",
-        "done",
-        "the proved program counts otherwise",
+def add_list_options(parser: argparse.ArgumentParser) -> None:
+    """Add what ``list`` can list besides the built-in arrangements."""
+    parser.add_argument("--families", action="store_true", help="list what `make` can make")
+    parser.add_argument(
+        "--classes",
+        type=terminal.integer_argument,
+        metavar="M",
+        help="count the isomorphism classes of M hyperplanes of rank 3, 3 to 9",
     )
-    show.add_argument("planes", type=terminal.integer_argument, metavar="M", help="3 to 9")
-    show.add_argument(
-        "--proved",
+    parser.add_argument(
+        "--verified",
         action="store_true",
-        help="count the regions of all types by the program that is proved in Coq, too",
+        help="with --classes: count their regions by the formally verified program, too",
     )
-    show.set_defaults(command=_show)
-
-    check = terminal.add_command(
-        commands, "check", "check the list of nine planes without coordinates", "right", "wrong"
+    parser.add_argument(
+        "--from", dest="source", metavar="FORMAT", help="of FILE (default: seen from the text)"
     )
-    check.add_argument(
-        "--sample",
-        type=terminal.count_argument,
-        default=20,
-        metavar="N",
-        help="types of eight planes to extend (default: 20)",
-    )
-    check.add_argument("--seed", type=terminal.count_argument, default=0, help="of their choice")
-    check.add_argument(
-        "--proved",
-        action="store_true",
-        help="check the proofs by the program that is proved in Coq (built by `make formal`)",
-    )
-    check.set_defaults(command=_check)
-
-    for command in (show, check):
-        terminal.add_common_options(command)
-        command.set_defaults(long=True)
 
 
-def _planes(arguments: argparse.Namespace, least: int) -> int:
-    from .census import MOST_PLANES
-
-    planes: int = arguments.planes
-    if not least <= planes <= MOST_PLANES:
-        raise InputError(f"M is {planes}; give {least} to {MOST_PLANES} planes")
-    return planes
-
-
-def _show(arguments: argparse.Namespace) -> int:
-    from .census import PUBLISHED, PUBLISHED_SIMPLE
+def list_classes(arguments: argparse.Namespace) -> int:
+    """Print how many isomorphism classes have so many regions."""
+    from .census import MOST_PLANES, PUBLISHED, PUBLISHED_SIMPLE
     from .census.tables import counted_alike, table
 
-    planes = _planes(arguments, 3)
+    planes = arguments.classes
+    if not 3 <= planes <= MOST_PLANES:
+        raise InputError(f"--classes is {planes}; expected 3 to {MOST_PLANES} hyperplanes")
     found = table(planes)
-    counted, alike = counted_alike(planes) if arguments.proved else (0, 0)
+    counted, alike = counted_alike(planes) if arguments.verified else (0, 0)
     code = terminal.YES if counted == alike else terminal.NO
     if arguments.json:
         record = asdict(found)
         points = [{"t": row, "types": number} for row, number in found.by_points.items()]
-        proved = {"proved": {"types": counted, "alike": alike}} if arguments.proved else {}
+        proved = {"proved": {"types": counted, "alike": alike}} if arguments.verified else {}
         terminal.print_json({**record, "by_points": points, **proved})
         return code
-    print(f"types            {found.types:,} (published {PUBLISHED[planes]:,})")
+    print(f"classes          {found.types:,} (published {PUBLISHED[planes]:,})")
     print(f"simple           {found.simple:,} (published {PUBLISHED_SIMPLE[planes]:,})")
     print(f"simplicial       {found.simplicial}")
     print(f"SHA-256          {found.digest}")
-    if arguments.proved:
-        print(f"proved program   rays, facets and regions of {counted:,} types: {alike:,} alike")
-    print("regions          types")
+    if arguments.verified:
+        print(f"verified program rays, facets and regions of {counted:,} classes: {alike:,} equal")
+    print("regions          classes")
     for regions, number in found.by_regions.items():
         print(f"{regions:>7}  {number:>13,}")
     print(f"points           {len(found.by_points)} t-vectors; --json lists them")
     return code
 
 
-def _check(arguments: argparse.Namespace) -> int:
-    from .census import MOST_PLANES, PUBLISHED
-    from .census.tables import check
-
-    if not 0 <= arguments.sample <= PUBLISHED[MOST_PLANES - 1]:
-        raise InputError(f"--sample is {arguments.sample}; give 0 to {PUBLISHED[MOST_PLANES - 1]}")
-    with limit(math.inf):  # whoever asks for it waits, and is told how far it is
-        found = check(arguments.sample, arguments.seed, proved=arguments.proved)
-    speaker = "proved" if arguments.proved else "Python"
-    if arguments.json:
-        said = {**asdict(found), "checker": speaker.lower(), "holds": found.holds}
-        terminal.print_json(said)
-    else:
-        words = "all different" if found.different else "NOT in order: some may be the same"
-        print(f"the list's types are {words}")
-        print(
-            f"{found.proofs} types have no coordinates, by proofs that hold (by the {speaker} "
-            "checker)"
-        )
-        print(
-            f"{found.parents} types of eight planes have {found.extensions:,} extensions: "
-            f"{found.listed:,} in the list, {found.without} without coordinates, "
-            f"{found.extensions - found.listed - found.without} missing"
-        )
-    return terminal.YES if found.holds else terminal.NO
-
-
-def add_format_commands(add: Callable[..., argparse.ArgumentParser]) -> None:
-    """Add both, by a function of name, command and help."""
-    convert = add("convert", _convert, "write it in the language of another program")
-    imported = add("import", _import, "list a file of others, or take one out of it", file=None)
-    imported.add_argument("format", metavar="FORMAT", help="such as christ or chirotope")
-    imported.add_argument("file", metavar="FILE", help="a path, or - for standard input")
-    imported.add_argument(
-        "--number", type=terminal.count_argument, metavar="K", help="take this one, from 1 on"
+def add_convert_options(parser: argparse.ArgumentParser) -> None:
+    """Add from what and to what ``convert`` converts."""
+    parser.add_argument(
+        "--from",
+        dest="source",
+        metavar="FORMAT",
+        help="such as christ or chirotope (default: seen from the text)",
     )
-    for command, otherwise in ((convert, "print it; needs --to"), (imported, "print it")):
-        command.add_argument("-o", "--output", metavar="PATH", help=f"(default: {otherwise})")
-        command.add_argument(
-            "--to", metavar="FORMAT", help="such as sage (default: what the ending of PATH says)"
-        )
+    parser.add_argument(
+        "--number",
+        type=terminal.count_argument,
+        metavar="K",
+        help="take this one of a file of several, from 1 on",
+    )
+    parser.add_argument("-o", "--output", metavar="PATH", help="(default: print it; needs --to)")
+    parser.add_argument(
+        "--to", metavar="FORMAT", help="such as sage (default: by the suffix of PATH)"
+    )
 
 
-def _convert(arguments: argparse.Namespace) -> int:
-    from .files.table import read_with_rest
+def convert(arguments: argparse.Namespace) -> int:
+    """Write an arrangement in another format, to a file or to stdout, and report what is lost."""
+    from .files.table import converted, format_named, format_of_file, read_with_rest
 
     if arguments.to is None and arguments.output is None:
-        raise InputError("say where to or how: -o PATH, or --to FORMAT")
-    return _give(arguments, lambda: read_with_rest(arguments.file))
+        raise InputError("convert needs a target: give -o PATH, or --to FORMAT")
+    by_ending = arguments.to is None
+    form = format_of_file(arguments.output) if by_ending else format_named(arguments.to)
+    if arguments.source is None and arguments.number is None:
+        arrangement, rest = read_with_rest(arguments.file)
+    else:
+        entries, rest = _entries(arguments), ""
+        number = arguments.number
+        arrangement = entries.only() if number is None else entries[number]
+    text, lost = converted(arrangement, form), form.loses(arrangement)
+    lost = "; ".join(filter(None, (rest and f"{rest} of the file", lost)))
+    if arguments.output or not arguments.json:
+        write_or_print(arguments.output, text)
+    if arguments.json:
+        where = {"output": arguments.output} if arguments.output else {"text": text}
+        terminal.print_json({**where, "format": form.name, "lost": lost})
+    elif lost:
+        note(f"lost in {form.name}: {lost}")
+    return terminal.YES
 
 
-def _import(arguments: argparse.Namespace) -> int:
+def list_file(arguments: argparse.Namespace) -> int:
+    """Print the arrangements of a file, each with its isomorphism class."""
     from arrangement.counts import cone
 
     from .census import identify
-    from .files.json_files import read_text
-    from .files.table import Entries, format_named
 
-    form = format_named(arguments.format)
-    found = Entries(form, *read_text(arguments.file, "bytes of a file of many arrangements"))
-    if arguments.number is not None or arguments.output is not None:
-        number = arguments.number
-        return _give(arguments, lambda: (found[number] if number is not None else found.only(), ""))
+    found = _entries(arguments)
     for number in watched(range(1, len(found) + 1), "arrangements", len(found)):
         planes = found[number]
         known = identify(planes if planes.is_central else cone(planes))
@@ -262,20 +227,7 @@ def _import(arguments: argparse.Namespace) -> int:
     return terminal.YES
 
 
-def _give(arguments: argparse.Namespace, read: Callable[[], tuple[Arrangement, str]]) -> int:
-    """Write an arrangement to a file or print it, and say what is lost."""
-    from .files.table import converted, format_named, format_of_file
+def _entries(arguments: argparse.Namespace) -> Entries:
+    from .files.table import entries_of
 
-    by_ending = arguments.to is None and arguments.output is not None
-    form = format_of_file(arguments.output) if by_ending else format_named(arguments.to or "json")
-    arrangement, rest = read()
-    text, lost = converted(arrangement, form), form.loses(arrangement)
-    lost = "; ".join(filter(None, (rest and f"{rest} of the file", lost)))
-    if arguments.output or not arguments.json:
-        write_or_print(arguments.output, text)
-    if arguments.json:
-        where = {"output": arguments.output} if arguments.output else {"text": text}
-        terminal.print_json({**where, "format": form.name, "lost": lost})
-    elif lost:
-        note(f"lost in {form.name}: {lost}")
-    return terminal.YES
+    return entries_of(arguments.file, arguments.source)

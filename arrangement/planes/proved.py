@@ -83,7 +83,7 @@ def _document(planes: Planes) -> dict[str, Any]:
     if planes.field is not None:
         raise InputError(
             f"the entries are in {planes.field!r}, and the proved program counts rational planes; "
-            "omit --proved"
+            "omit --verified"
         )
     rows = [list(map(to_text, plane)) for plane in planes.integer_planes]
     return {

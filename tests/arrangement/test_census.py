@@ -185,7 +185,7 @@ def test_an_interrupted_build_goes_on_and_gives_the_same(built, tmp_path, monkey
 
 
 def test_the_commands_of_the_census(capsys, tmp_path):
-    assert cli.main(["census", "show", "6"]) == 0
+    assert cli.main(["list", "--classes", "6"]) == 0
     assert "17 (published 17)" in capsys.readouterr().out
 
 

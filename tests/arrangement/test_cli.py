@@ -43,6 +43,10 @@ def test_count_in_json(capsys):
         "f_vector": [0, 1, 4, 4],
         "states": 9,
         "engine": "great-circles",
+        "first_whitney_numbers": [1, -2, 1],
+        "regions": 4,
+        "bounded_regions": 0,
+        "relatively_bounded_regions": 0,
     }
     assert out.count("\n") == 1
 
@@ -124,30 +128,34 @@ def test_faces_appear_while_they_are_written(monkeypatch):
     assert sum(text.startswith("{") for text in writes) == 27
 
 
-def test_bounds_are_met_by_generic_planes_from_three_on(capsys, tmp_path):
-    picture = tmp_path / "bounds.svg"
-    assert main(["bounds", "--largest", "6", "--json", "-o", str(picture)]) == 0
-    table = json.loads(capsys.readouterr().out)["counts"]
-    assert [row["m"] for row in table] == [1, 2, 3, 4, 5, 6]
-    for row in table[2:]:
-        assert row["regions"] == row["printed_regions"] <= row["bound"]
-        assert row["states"] == row["printed_states"]
-    assert (table[1]["states"], table[1]["printed_states"]) == (9, 11)
-    assert picture.read_text().startswith("<?xml")
-    assert main(["bounds", "--largest", "4"]) == 0
-    assert "m 4  rays 12  facets 24  regions 14  states 51" in capsys.readouterr().out
+def test_what_takes_too_long_is_left_out_with_its_reason(capsys, tmp_path):
+    path = str(tmp_path / "e8.json")
+    call(capsys, "make", "coxeter", "--type", "E8", "-o", path)
+    code, out, _ = call(capsys, "count", path, "--json")
+    counted = json.loads(out)
+    assert (code, counted["regions"], counted["f_vector"]) == (0, 696729600, None)
+    assert counted["engine"].endswith("696,729,600 regions; --limit 42 allows it")
+
+
+def test_a_guess_of_the_field_is_answered(capsys):
+    for word, answer in (("chambers", "arrangement count FILE"), ("plot", "arrangement draw")):
+        with pytest.raises(SystemExit):
+            main([word])
+        assert f"'{word}' is now '{answer}'" in capsys.readouterr().err
+    assert main(["count", "A3"]) == 2
+    assert "did you mean the built-in braid-a3" in capsys.readouterr().err
 
 
 def test_regions_bounded_in_the_span_of_the_normals_are_counted(capsys, tmp_path):
     path = str(tmp_path / "linial.json")
     call(capsys, "make", "linial", "--type", "4", "-o", path)
     bounded = len(essentialization(read_arrangement(path)).bounded_regions())
-    code, out, _ = call(capsys, "polynomial", path, "--json")
-    assert (code, *list(json.loads(out).values())[1:]) == (0, 36, 0, bounded)
+    code, out, _ = call(capsys, "count", path, "--json")
+    assert (code, *list(json.loads(out).values())[-3:]) == (0, 36, 0, bounded)
     assert (
         "bounded regions     0 (every region contains a line, as the normals span 3 of 4 "
         f"dimensions)\nrelatively bounded  {bounded} (in the span of the normals)\n"
-        in call(capsys, "polynomial", path)[1]
+        in call(capsys, "count", path)[1]
     )
 
 

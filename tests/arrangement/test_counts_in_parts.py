@@ -232,7 +232,7 @@ def test_a_forecast_of_many_flats_is_near():
 
 
 def run(*words: str, capsys: pytest.CaptureFixture[str]) -> tuple[int, Any, str]:
-    code = cli.main(["polynomial", *words])
+    code = cli.main(["count", *words])
     printed = capsys.readouterr()
     return code, printed.out, printed.err
 

@@ -376,20 +376,20 @@ def test_convert_goes_by_endings_and_says_what_is_lost(tmp_path, capsys):
     assert "lost in matrix: contacts of the file" in capsys.readouterr()[1]
 
 
-def test_import_lists_and_takes_one(tmp_path, capsys):
+def test_a_file_of_several_is_listed_and_one_converted(tmp_path, capsys):
     path = tmp_path / "lines"
     other = Arrangement([[1, 0], [0, 1], [1, 1], [2, -1]], [0, 0, 1, 1])
     path.write_text(
         lines_of_christ(AFFINE, [1] * 4) + lines_of_christ(other, [1] * 4), encoding="utf-8"
     )
-    assert main(["import", "christ", str(path), "--json"]) == 0
+    assert main(["list", str(path), "--from", "christ", "--json"]) == 0
     rows = [json.loads(line) for line in capsys.readouterr()[0].splitlines()]
     assert [row["number"] for row in rows] == [1, 2]
     assert rows[0]["type"] == f"5.{identify(counts.cone(AFFINE)).type}"
     taken = str(tmp_path / "two.json")
-    assert main(["import", "christ", str(path), "--number", "2", "-o", taken]) == 0
+    assert main(["convert", str(path), "--from", "christ", "--number", "2", "-o", taken]) == 0
     assert read_arrangement(taken) == other
-    assert main(["import", "christ", str(path), "--number", "2", "--to", "matrix"]) == 0
+    assert main(["convert", str(path), "--from", "christ", "--number", "2", "--to", "matrix"]) == 0
     assert capsys.readouterr()[0].splitlines()[0] == "1 0 | 0"
 
 

@@ -228,12 +228,12 @@ def test_what_is_no_document_of_planes_is_malformed(tmp_path):
 
 @built
 def test_the_commands_name_the_speaker(capsys):
-    assert main(["count", "reflection-b3", "--proved"]) == 0
+    assert main(["count", "reflection-b3", "--verified"]) == 0
     proved = capsys.readouterr().out
     assert main(["count", "reflection-b3"]) == 0
     listed = capsys.readouterr().out
     assert proved == f"{listed}counted by       the proved program\n"
-    assert main(["polynomial", "reflection-b3", "--proved", "--json"]) == 0
+    assert main(["count", "reflection-b3", "--verified", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["first_whitney_numbers"] == [1, -9, 23, -15]
 
 
@@ -249,12 +249,12 @@ def test_a_list_is_certified_by_the_program():
 
 @built
 def test_types_are_counted_in_one_run(capsys, monkeypatch):
-    assert main(["census", "show", "6", "--proved", "--json"]) == 0
+    assert main(["list", "--classes", "6", "--verified", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["proved"] == {"types": 17, "alike": 17}
     wrong = [(1, 26, 48, 24), *tables.proved_f_vectors(census.census(6)[1:])]
     monkeypatch.setattr(tables, "proved_f_vectors", lambda many: wrong)
     assert tables.counted_alike(6) == (17, 16)
-    assert main(["census", "show", "6", "--proved"]) == 1
+    assert main(["list", "--classes", "6", "--verified"]) == 1
 
 
 @built
@@ -287,7 +287,7 @@ def test_families_have_the_numbers_in_print():
 def test_without_the_program_one_line_says_what_to_do(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(proved_program.sys, "executable", str(tmp_path / "python"))
     monkeypatch.setenv("PATH", str(tmp_path))
-    assert main(["count", "reflection-b3", "--proved"]) == 2
+    assert main(["count", "reflection-b3", "--verified"]) == 2
     assert "run `make formal`" in capsys.readouterr().err
 
 

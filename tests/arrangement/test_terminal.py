@@ -107,7 +107,7 @@ def test_a_fault_of_the_program_is_no_answer(error, capsys):
 
     assert terminal.run(parser_for(fails), ["go"]) == 70
     line = capsys.readouterr().err
-    assert line.startswith(f"error: a fault of the program, no answer: {type(error).__name__}: ")
+    assert line.startswith(f"error: internal error, no answer: {type(error).__name__}: ")
     assert line.count("\n") == 1
     assert len(line) < 300
     assert terminal.run(parser_for(fails), ["go", "--traceback"]) == 70
@@ -420,7 +420,7 @@ def test_answers_are_complete_under_any_encoding(encoding, monkeypatch):
 #: A command of each kind, of each program, whose answers have signs beyond ASCII or may have them.
 COMMANDS = [
     "arrangement count braid-a3",
-    "arrangement polynomial braid-a3 --forecast",
+    "arrangement count braid-a3 --forecast",
     "arrangement faces braid-a3 --dimension 1",
     "arrangement identify braid-a3",
     "arrangement list",

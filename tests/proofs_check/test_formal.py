@@ -107,7 +107,7 @@ def test_no_hand_sets_a_badge():
 
 @pytest.mark.skipif(program() is None, reason="`make formal` has not built the program")
 def test_the_proved_program_is_a_third_route(capsys):
-    assert main(["run", "--proved", "--json", "different-slip-states"]) == 0
+    assert main(["run", "--verified", "--json", "different-slip-states"]) == 0
     (result,) = json.loads(capsys.readouterr().out)["results"]
     assert result["routes"][-1] == "the program proved in Coq"
     assert [len(set(record["values"])) for record in result["records"]] == [1] * 8

@@ -164,6 +164,9 @@ def read_bytes(source: str | os.PathLike[str], name: str, kind: str) -> bytes:
         if isinstance(error, InputError):
             raise
         near = get_close_matches(str(source), instances(), 3)
+        short = str(source).lower()
+        if not near and len(short) > 1:  # "A3" means braid-a3
+            near = [name for name in instances() if short in name.split("-")][:3]
         meant = "" if os.sep in str(source) else "; `list` prints the built-in names"
         if near:
             meant = f"; did you mean the built-in {' or '.join(near)}?"

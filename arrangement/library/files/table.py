@@ -87,6 +87,18 @@ def _form_of(text: str, ending: str) -> Format:
     return known or _BY_ENDING.get(ending, FORMATS["json"])
 
 
+def entries_of(source: str | os.PathLike[str], form: str | None = None) -> Entries:
+    """Return the arrangements of a file of several.
+
+    Args:
+        source: a path, or ``"-"`` for standard input.
+        form: the name of its format; if omitted, it is seen from the text.
+    """
+    text, name = read_text(source, "bytes of a file of many arrangements")
+    found = format_named(form) if form else _form_of(text, Path(source).suffix.lower())
+    return Entries(found, text, name)
+
+
 class Entries:
     """The arrangements that a text holds; each is made when it is asked for."""
 
@@ -118,7 +130,7 @@ class Entries:
         if len(self) != 1:
             raise InputError(
                 f"{self._where}: there are {len(self)} arrangements; choose one with "
-                f"arrangement import {self._form} FILE --number 1 -o ONE.json"
+                f"arrangement convert FILE --from {self._form} --number 1 -o ONE.json"
             )
         return self[1]
 

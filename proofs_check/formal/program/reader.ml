@@ -229,7 +229,7 @@ let rec node contacts depth cone states value =
     Slip (Z.of_int i, stick, plus, part "slip-")
   | _ -> malformed "a node is a list of three numbers or an object that says how it splits"
 
-let outside = "which is outside what is proved; omit --proved to have it checked"
+let outside = "which is outside what is proved; omit --verified to have it checked"
 
 (* What a certificate may have beside what is proved. *)
 let others =
