@@ -1,7 +1,7 @@
 # Each target creates .venv on first use and installs again when pyproject.toml or
 # constraints.txt change. PYTHON=... picks the interpreter, ARGS=... goes to pytest.
 
-.PHONY: help install verify test campaign lint types scripts check mutants census bench docs pdf atlas docs-check notebooks package-check versions-check formal clean
+.PHONY: help install verify test test-extended lint types scripts check mutants census bench docs pdf atlas docs-check notebooks package-check versions-check formal clean
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
@@ -18,29 +18,29 @@ FOUND = $(shell for p in python3.13 python3.12 python3.11 python3; do \
 PYTHON ?= $(FOUND)
 
 help:
-	@echo "make install  .venv with the three commands and what pictures need"
-	@echo "make verify   check the claims of the paper; print a verdict for each, write report/verdicts.html"
-	@echo "make test     run every test, doctests included"
-	@echo "make campaign  the same laws on thousands of random cases"
-	@echo "make lint types  the quick part of the checks"
-	@echo "make scripts  types and lint of the JavaScript of the pages, with tools from npm"
-	@echo "make check    all that must be true of a commit: lint, types, tests, docs"
-	@echo "make mutants  mutation testing of what decides an answer; list the mutants that survive"
-	@echo "make census   make the lists of types again: ARGS='9 -o types9.npz'"
-	@echo "make bench    measure speed"
-	@echo "make docs     build the documentation in docs/_build/html"
-	@echo "make pdf      print its slides, exercise sheets and solutions as PDF, with Chromium"
-	@echo "make atlas    pages of 305 arrangements in docs/_build/atlas: pictures, TikZ, models, numbers"
-	@echo "make docs-check  build it and open every page in headless Chromium"
-	@echo "make notebooks  the lessons as notebooks in docs/_build/notebooks, each run from top to bottom"
-	@echo "make package-check  build the packages and try them in empty environments"
-	@echo "make versions-check  run the tests with the lowest and the newest versions of what is required"
-	@echo "make formal   compile the Coq proofs of checker and counts, build the program and compare it"
-	@echo "make clean    remove what the targets made"
-	@echo "PYTHON=python3.12 picks the interpreter, ARGS='-k faces' goes to pytest."
-	@echo "Scripts are checked where npm is; JAVASCRIPT_CHECKS=1 demands it."
-	@echo "Pages are tested where Chromium is; BROWSER_TESTS=1 demands it, BROWSER_TESTS=0 leaves it out."
-	@echo "TikZ files are compiled where pdflatex is; TEX_TESTS=1 and TEX_TESTS=0 likewise."
+	@echo "make install         create .venv with the three commands and the libraries for figures"
+	@echo "make verify          check the claims of the paper; print the verdicts, write report/verdicts.html"
+	@echo "make test            run the tests, doctests included"
+	@echo "make test-extended   run the slow tests: thousands of random cases, long pages"
+	@echo "make check           run all checks of a commit: lint, types, scripts, test, docs-check"
+	@echo "make lint            check style and format with ruff"
+	@echo "make types           check types with mypy"
+	@echo "make scripts         check the JavaScript of the interactive pages with tools from npm"
+	@echo "make docs            build the documentation in docs/_build/html"
+	@echo "make docs-check      build it and open every page in headless Chromium"
+	@echo "make pdf             print its slides, exercise sheets and solutions as PDF, with Chromium"
+	@echo "make notebooks       write the lessons as notebooks in docs/_build/notebooks and run each"
+	@echo "make atlas           write pages of 305 arrangements in docs/_build/atlas"
+	@echo "make bench           measure speed; ARGS='--only targets' compares it with the targets"
+	@echo "make mutants         run mutation tests; list the mutants that survive"
+	@echo "make census          compute the lists of isomorphism classes again: ARGS='9 -o types9.npz'"
+	@echo "make formal          compile the Coq proofs, extract the checker and compare it with Python"
+	@echo "make package-check   build the packages and install them in empty environments"
+	@echo "make versions-check  run the tests with the lowest and the newest versions of the requirements"
+	@echo "make clean           remove all that the targets made"
+	@echo "PYTHON=python3.12 picks the interpreter, ARGS='-k faces' goes to pytest, JOBS=4 sets the"
+	@echo "number of processes. BROWSER_TESTS=1, TEX_TESTS=1 and JAVASCRIPT_CHECKS=1 require"
+	@echo "Chromium, pdflatex and npm; BROWSER_TESTS=0 and TEX_TESTS=0 skip what needs them."
 
 $(BIN)/python:
 	@python="$(PYTHON)"; \
@@ -107,8 +107,8 @@ verify: $(VENV)/.stamp-install
 test: $(VENV)/.stamp-test
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal $(ARGS)
 
-campaign: $(VENV)/.stamp-test $(VENV)/.stamp-simulators
-	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal -m campaign $(ARGS)
+test-extended: $(VENV)/.stamp-test $(VENV)/.stamp-simulators
+	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal -m slow $(ARGS)
 
 lint: $(VENV)/.stamp-check
 	$(BIN)/ruff check .

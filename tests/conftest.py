@@ -43,8 +43,8 @@ def _uses_sympy(path: Path) -> bool:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Mark what meets SymPy, so that it can run with each of SymPy's ground types.
 
-    What opens pages or compiles TikZ is taken out where it is not wanted or cannot run, and a
-    campaign where it is not asked for by its name.
+    Tests that open pages or compile TikZ are deselected where they are not wanted or cannot run,
+    and slow ones unless the marker expression names them (`-m slow`).
     """
     for item in items:
         if _uses_sympy(item.path):
@@ -56,8 +56,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         unwanted |= {item for item in items if pages & set(getattr(item, "fixturenames", ()))}
     if tex.not_compiled():
         unwanted |= {item for item in items if "latex" in getattr(item, "fixturenames", ())}
-    if "campaign" not in config.option.markexpr:
-        unwanted |= {item for item in items if item.get_closest_marker("campaign")}
+    if "slow" not in config.option.markexpr:
+        unwanted |= {item for item in items if item.get_closest_marker("slow")}
     config.hook.pytest_deselected(items=[item for item in items if item in unwanted])
     items[:] = [item for item in items if item not in unwanted]
     items.sort(key=lambda item: item.path.name not in LONGEST)

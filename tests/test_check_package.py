@@ -150,14 +150,14 @@ SUITE = (
     " tests/test_check_package.py::test_a_page_that_holds_all_it_needs_is_right"
     " tests/test_layers.py::test_counts_work_with_the_enumerators_out_of_reach"
 )
-CAMPAIGN = pytest.mark.campaign
+SLOW = pytest.mark.slow
 
 
 @pytest.mark.parametrize(
     ("choice", "present", "command", "code", "said"),
     [
-        pytest.param(None, False, SUITE, 0, ["1 passed, 1 deselected", PACKAGES], marks=CAMPAIGN),
-        pytest.param("1", False, SUITE, 1, ["1 passed, 1 error", PACKAGES], marks=CAMPAIGN),
+        pytest.param(None, False, SUITE, 0, ["1 passed, 1 deselected", PACKAGES], marks=SLOW),
+        pytest.param("1", False, SUITE, 1, ["1 passed, 1 error", PACKAGES], marks=SLOW),
         (None, True, f"{SUITE} --collect-only", 0, ["2 tests collected"]),
         ("0", True, f"{SUITE} --collect-only", 0, ["1/2 tests collected", "BROWSER_TESTS=0"]),
         (None, False, "tests/check_site.py none", 0, [PACKAGES]),

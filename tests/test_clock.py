@@ -119,7 +119,7 @@ def printed(page: Path, folder: Path) -> tuple[list[Any], list[str]]:
     return running.names.get("__printed__", []), running.problems
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("page", [*PAGES, ROOT / "README.md"], ids=name)
 def test_page_prints_the_same_with_any_clock(page, tmp_path, monkeypatch):
     if page.stem in OTHER:

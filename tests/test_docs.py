@@ -50,7 +50,7 @@ def run(text: str) -> list[str]:
     return page.problems
 
 
-#: Pages with long runs, which are read in the campaign.
+#: Pages with long runs, which only the extended tests read.
 LONG = (
     "own-claim", "own-grasp", "checking", "cluster", "mesh", "gallery", "commands", "figure",
     "families", "formats", "census", "03-arrangements-and-sign-vectors", "10-paper-and-truth",
@@ -59,7 +59,7 @@ LONG = (
 
 
 def marked(page: Path) -> Any:
-    return pytest.param(page, marks=pytest.mark.campaign) if page.stem in LONG else page
+    return pytest.param(page, marks=pytest.mark.slow) if page.stem in LONG else page
 
 
 @pytest.mark.parametrize("page", [*map(marked, PAGES), ROOT / "README.md"], ids=name)

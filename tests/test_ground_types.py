@@ -18,7 +18,7 @@ FILES = (
 )
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 def test_exact_numbers_pass_on_both_ground_types_of_sympy():
     """The exact-number tests run again with the ground types that this process does not have."""
     ground_types = "python" if GROUND_TYPES == "flint" else "flint"

@@ -77,7 +77,7 @@ LARGE = {
 }
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize("normals", LARGE.values(), ids=LARGE)
 @pytest.mark.parametrize("kind", ["view", "page", "model"])
@@ -142,7 +142,7 @@ OTHER_OPTIONS: list[tuple[str, str, dict[str, Any]]] = [
 ]
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize(("view", "name", "options"), OTHER_OPTIONS)
 def test_no_label_is_cut_off_or_covers_another_or_an_edge(view, name, options):
     assert offences(laid_out(scene(OF_PLANES, view, name, **options))) == []
@@ -393,7 +393,7 @@ def differences(folder: Path, scenes: list[Scene], texts: list[str]) -> Iterator
         yield unlike(drawn[:rows, :columns], expected)
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.usefixtures("latex")
 def test_tikz_shows_what_our_own_pictures_show(tmp_path):
     """What is wrong is seen: of wide, pale, shifted and missing lines and of another fill."""
@@ -414,7 +414,7 @@ def test_tikz_shows_what_our_own_pictures_show(tmp_path):
     assert min(found) > 1.5 * LIMIT, found
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.usefixtures("latex")
 def test_every_view_is_the_same_in_tikz(tmp_path):
     """Without letters: of these, fonts differ."""
@@ -465,7 +465,7 @@ def test_a_document_compiles_and_its_letters_are_where_ours_are(drawings, view, 
     check_letters(made, *sheets)
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.usefixtures("latex")
 def test_letters_of_every_view_are_where_ours_are(tmp_path):
     """On pages of one document, in the corner of each."""
@@ -540,7 +540,7 @@ def digests(names: Sequence[str], tried: Sequence[str], seed: str, kept: str = "
     return sorted(done.stdout.splitlines())
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("part", range(4))
 def test_all_pictures_of_all_instances_repeat_keep_labels_apart_and_compile(part, tmp_path):
     """The pictures of each instance on pages of one document; what a view refuses has none."""

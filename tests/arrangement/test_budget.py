@@ -194,7 +194,7 @@ def test_a_hostile_question_is_answered_or_refused_soon(number: int, tmp_path: P
     check(number, tmp_path)
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("number", range(100, 1000, 18))
 def test_hostile_questions_are_answered_or_refused_soon(number, tmp_path):
     check(number, tmp_path)

@@ -121,7 +121,7 @@ def test_every_type_stands_where_its_code_is_looked_for():
     assert (catalogue.places(chirotope_of(catalogue.normals(9)[places])) == places).all()
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 def test_extensions_without_coordinates_are_all_in_the_list():
     found = check(3, order=False)
     assert found.holds

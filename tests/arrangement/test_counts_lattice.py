@@ -104,7 +104,7 @@ def test_covectors_are_the_sign_vectors_that_occur(planes):
     assert counts.topes(planes) == {signs for signs in expected if 0 not in signs}
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @given(arrangements(dimensions=(1, 4), planes=(0, 6), central=True))
 def test_cocircuits_are_the_nonzero_covectors_of_least_support(planes):
     nonzero = [x for x in oracle.sign_vectors(planes) if any(x)]
@@ -267,7 +267,7 @@ def is_supersolvable(planes: Arrangement) -> bool:
     return bool(ends)
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @given(CENTRAL)
 def test_no_chain_is_missed(planes):
     assert (counts.modular_chain(planes) is not None) == is_supersolvable(planes)

@@ -73,7 +73,7 @@ def agree(planes: Arrangement) -> None:
         assert counts.first_whitney_numbers(planes, symmetry=found) == numbers
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(5))
 def test_classes_agree_with_all_other_routes(seed):
     for planes in random_planes(seed, 80):
@@ -127,7 +127,7 @@ def test_symmetric_planes_agree_with_the_lattice(planes):
                 families.graphical(nx.petersen_graph().subgraph(range(7))),
                 *random_planes(3, 12),
             ],
-            marks=pytest.mark.campaign,
+            marks=pytest.mark.slow,
         ),
     ],
     ids=["few", "many"],
@@ -149,7 +149,7 @@ def test_numbers_beyond_one_prime_are_told_from_their_residues():
     assert max(map(abs, numbers)) > 1 << 34
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 def test_faces_beyond_one_prime_are_told_from_their_residues():
     planes = families.braid(12)
     faces = tuple(math.factorial(12 - k) * stirling(12, 12 - k) for k in range(12))
@@ -171,7 +171,7 @@ def test_a_prime_that_divides_a_moebius_value_is_replaced(monkeypatch):
     assert symmetric.flats_and_faces(planes, configuration(planes), faces=True) == expected
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 def test_rays_of_e7_are_cosets_of_its_maximal_parabolic_subgroups():
     # D6, A6, A1 A5, A1 A2 A3, A4 A2, D5 A1, E6 (Humphreys, sections 1.15 and 2.11)
     orders = (23040, 5040, 2 * 720, 2 * 6 * 24, 120 * 6, 1920 * 2, 51840)

@@ -100,7 +100,7 @@ def wrong_pairs(stage: Stage, facets: Sequence[Facet], samples: random.Random) -
     return wrong
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @given(
     spatial,
     st.tuples(*[st.integers(-3, 3)] * 3).filter(any),
@@ -326,7 +326,7 @@ def test_no_cell_apart_is_painted_over_one_that_is_nearer(planes, explode, direc
             )
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["simplex", "one", "none"])
 def test_the_page_opens_turns_and_tells(name, browser, tmp_path):
     browser.show(cells_page(PLANES[name]), tmp_path)
@@ -404,7 +404,7 @@ def test_models_and_pages_are_made_of_the_essentialisation(planes):
         assert "essentialisation of an arrangement in R\\u2074" in arrangement_page(planes)
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PLANAR)
 def test_by_default_there_is_what_suits_the_planes(name, tmp_path):
     planes = read_arrangement(name)
@@ -502,7 +502,7 @@ def shells(path: FilePath) -> list[Any]:
     return list(loaded(path).split(only_watertight=False))
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("body", ["ball", "cube"])
 @pytest.mark.parametrize("name", CASES)
 def test_the_shells_of_an_stl_are_closed_and_together_as_large_as_the_body(name, body, tmp_path):

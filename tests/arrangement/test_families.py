@@ -66,7 +66,7 @@ def test_characteristic_polynomials(name, n):
     assert counts.characteristic_polynomial(family(n)) == sympy.Poly(chi(n), T, domain=sympy.ZZ)
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "entry",
     [entry for entry in published_counts() if entry.regions < 10**9],
@@ -80,7 +80,7 @@ EXPONENTS = {"A4": (1, 2, 3, 4), "B3": (1, 3, 5), "C4": (1, 3, 5, 7), "D5": (1, 
 EXPONENTS |= {"E6": (1, 4, 5, 7, 8, 11), "F4": (1, 5, 7, 11), "G2": (1, 5)}
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 # Orlik and Solomon (1980) for mirrors; Athanasiadis (2004) for Shi and Catalan planes
 @pytest.mark.parametrize("type", EXPONENTS)
 def test_polynomials_of_types(type):
@@ -121,7 +121,7 @@ def test_graphical_arrangements_have_the_chromatic_polynomial(graph):
 CONNECTED = [g for g in nx.graph_atlas_g()[2:] if len(g) <= 5 and nx.is_connected(g)]
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("graph", CONNECTED, ids=lambda graph: str(graph.edges))
 def test_bigraphical_planes_have_their_tutte_polynomial(graph):
     # Hopkins and Perkinson (2016): (-2)^(n-1) t T(1 - t/2, 1)

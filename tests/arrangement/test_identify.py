@@ -52,12 +52,12 @@ def test_extensions_without_coordinates_give_the_published_numbers(planes):
     assert pseudoline_types(planes) == PUBLISHED[planes + 1]
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 def test_eight_pseudolines_have_the_published_number_of_types():
     assert pseudoline_types(7) == PUBLISHED[8]
 
 
-@pytest.mark.parametrize("planes", [*range(3, 8), pytest.param(8, marks=pytest.mark.campaign)])
+@pytest.mark.parametrize("planes", [*range(3, 8), pytest.param(8, marks=pytest.mark.slow)])
 def test_codes_tell_the_types_of_the_census_apart(planes):
     assert len(np.unique(canonical(chirotopes(planes), planes).codes, axis=0)) == PUBLISHED[planes]
 
@@ -295,7 +295,7 @@ CATALOGUE = {
 }
 
 
-@pytest.mark.parametrize("planes", [3, 4, 5, 6, 7, pytest.param(8, marks=pytest.mark.campaign)])
+@pytest.mark.parametrize("planes", [3, 4, 5, 6, 7, pytest.param(8, marks=pytest.mark.slow)])
 def test_representatives_and_numbers_are_those_of_finschi_and_fukuda(planes):
     found = finschi_fukuda.texts(finschi_fukuda.representatives(chirotopes(planes), planes))
     numbers = [finschi_fukuda.number(planes, place) for place in range(PUBLISHED[planes])]

@@ -436,7 +436,7 @@ def test_each_region_has_its_point_and_opposite_regions_opposite_ones(planes):
         assert by_signs[tuple(-s for s in signs)] == tuple(-x for x in point)
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @settings(max_examples=20)
 @given(rank_three)
 def test_hull_agrees_with_brute_force(planes):

@@ -103,7 +103,7 @@ def test_its_counts_are_those_of_the_enumerators(opened):
     assert_agreement(opened, arrangements(150, seed=1))
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 def test_its_counts_are_those_of_the_enumerators_on_a_thousand(opened):
     for seed in range(4):
         assert_agreement(opened, arrangements(250, seed=100 + seed, most=14))
@@ -346,7 +346,7 @@ def link(planes: Arrangement) -> str:
     return f"1|{planes.dimension}|{';'.join(','.join(map(str, row)) for row in rows)}"
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 def test_unusual_arrangements_are_shown(browser, page):
     for planes in (
         made(3, []),

@@ -298,7 +298,7 @@ def test_the_command_names_the_field(tmp_path, capsys):
     assert "a^2 - 5 = 0" in capsys.readouterr().out
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(3))
 @pytest.mark.parametrize(
     "root",

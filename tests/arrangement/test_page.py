@@ -129,7 +129,7 @@ def untick(browser: Browser, plane: int) -> None:
     browser.click_at(*browser.middle(f"#planes li:nth-child({plane + 1}) input"))
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["braid-a3", "reflection-b3", "coincident-planes", "near-pencil"])
 def test_a_plane_taken_away_leaves_the_arrangement_of_the_others(name, browser, opened):
     planes = read_arrangement(name)

@@ -189,8 +189,8 @@ def check_forgeries(seed: str, number: int, folder: Path) -> None:
     assert {line.partition(":")[0] for line in said} == {"refused", "malformed"}
 
 
-CAMPAIGN = pytest.mark.campaign
-PARTS = [pytest.param(f"campaign {part}", 1000, marks=CAMPAIGN) for part in range(2)]
+SLOW = pytest.mark.slow
+PARTS = [pytest.param(f"slow {part}", 1000, marks=SLOW) for part in range(2)]
 
 
 @built
@@ -201,7 +201,7 @@ def test_it_counts_what_engines_and_closed_forms_count(seed, number, tmp_path):
 
 @built
 @pytest.mark.parametrize(
-    ("seed", "number"), [("quick", 35), pytest.param("campaign", 4000, marks=CAMPAIGN)]
+    ("seed", "number"), [("quick", 35), pytest.param("slow", 4000, marks=SLOW)]
 )
 def test_forged_certificates_are_refused(seed, number, tmp_path):
     check_forgeries(seed, number, tmp_path)
@@ -258,7 +258,7 @@ def test_types_are_counted_in_one_run(capsys, monkeypatch):
 
 
 @built
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("planes", [7, 8, 9])
 def test_types_are_counted_alike(planes):
     """All of up to eight planes, a tenth of those of nine, one of which is irrational."""
@@ -270,7 +270,7 @@ def test_types_are_counted_alike(planes):
 
 
 @built
-@pytest.mark.campaign
+@pytest.mark.slow
 def test_families_have_the_numbers_in_print():
     """Of rational planes, as far as the budget allows; the rest is said to be out of reach."""
     counted, beyond = 0, 0

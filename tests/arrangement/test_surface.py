@@ -111,7 +111,7 @@ def test_flat_parts_stay_as_far_as_they_stick_out(corners):
 POINTS = st.lists(st.tuples(*[st.integers(-4, 4)] * 3), min_size=4, max_size=6)
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @given(st.lists(POINTS, min_size=1, max_size=3), st.tuples(*[st.integers(-5, 5)] * 3))
 def test_nothing_is_hidden_by_what_is_painted_before_it(clouds, direction):
     """Along random lines of sight, patches come in the order of their depths."""

@@ -153,7 +153,7 @@ def test_the_nearest_point_of_a_facet_is_on_whichever_edge_is_nearest(base):
         assert part.nearest == (foot if solid.contains(foot) else sizes.nearest(corners))
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize(("contacts", "seeds"), [(2, 50), (3, 50), (4, 15), (5, 4)])
 def test_hundreds_of_random_grasps_agree_with_rays_and_with_the_surface(contacts, seeds):
     for seed in range(seeds):
@@ -163,7 +163,7 @@ def test_hundreds_of_random_grasps_agree_with_rays_and_with_the_surface(contacts
         agrees_with_the_surface(grasp, length=length)
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @settings(max_examples=60)
 @given(wide_grasps(most=5, preload=st.integers(0, 2)), loads, lengths)
 def test_awkward_grasps_agree_with_rays_and_with_the_surface(grasp, base, length):

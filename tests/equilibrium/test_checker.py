@@ -270,7 +270,7 @@ def leaf_holds(
 
 
 @pytest.mark.parametrize(
-    ("cases", "kinds"), [(800, 20), pytest.param(4000, 24, marks=pytest.mark.campaign)]
+    ("cases", "kinds"), [(800, 20), pytest.param(4000, 24, marks=pytest.mark.slow)]
 )
 def test_the_bounds_of_a_leaf_are_exact(cases, kinds):
     source, found = Random("leaves"), Counter()
@@ -601,7 +601,7 @@ def _may_be(touch: Touch, motion: list[Fraction], state: str) -> bool:
     return force < 0 if state == "detached" else force >= 0 and slips.get(state, True)
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 def test_changes_of_every_kind(documents):
     """Numbers, indices and names; nodes moved, dropped, exchanged and given twice."""
     found = Counter()
@@ -624,7 +624,7 @@ def test_no_tree_for_a_resisted_question_is_accepted(documents):
     assert tried > 100
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 def test_the_published_schema_is_as_strict_as_the_checker(documents):
     schema = certificate_schema()
     jsonschema.Draft202012Validator.check_schema(schema)

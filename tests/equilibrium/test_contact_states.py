@@ -54,7 +54,7 @@ def test_every_face_has_listed_states(grasp):
     assert_every_face_has_states(grasp)
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(0, 60, 3))
 def test_every_face_of_an_awkward_grasp_has_listed_states(seed):
     assert_every_face_has_states(question(seed).grasp)
@@ -156,7 +156,7 @@ def test_a_choice_that_touches_the_line_in_one_point_is_kept(seed):
     assert resisted_magnitudes(grasp, W, base).contains(Fraction(1))
 
 
-@pytest.mark.parametrize("seed", [1, 3, pytest.param(0, marks=pytest.mark.campaign)])
+@pytest.mark.parametrize("seed", [1, 3, pytest.param(0, marks=pytest.mark.slow)])
 def test_most_choices_are_decided_in_floating_point(seed):
     grasp = random_grasp(7, seed)
     if seed:

@@ -135,7 +135,7 @@ def test_damaged_file_is_read_or_refused(kind, tmp_path, capfd):
     assert "".join(capfd.readouterr()) == ""
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="measures memory on Linux")
 @pytest.mark.parametrize("kind", files())
 def test_damaged_files_are_read_or_refused(kind, tmp_path, capfd):

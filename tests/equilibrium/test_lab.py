@@ -84,7 +84,7 @@ def grip(browser: Browser, name: str) -> tuple[float, float]:
     return browser.middle(f"[data-grip='{name}'] .knob")
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 def test_its_answers_are_those_of_the_solver_and_its_proofs_are_accepted(opened):
     """A third route to the verdict: it shares nothing with the solver but the form of files."""
     seen = set()
@@ -321,7 +321,7 @@ def test_a_refuted_load_shows_its_proof(opened):
     assert opened.count("#grasp .ghost") == 1
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "grasp",
     [

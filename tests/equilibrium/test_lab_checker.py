@@ -104,7 +104,7 @@ def test_verdicts_agree_and_each_side_accepts_the_proofs_of_the_other(ask):
     assert_agreement([*questions(60, seed=21), *exotic(30, seed=22)], ask)
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(2))
 def test_hundreds_of_verdicts_agree(seed, ask):
     assert_agreement([*questions(150, 100 + seed, most=5), *exotic(100, 200 + seed)], ask)

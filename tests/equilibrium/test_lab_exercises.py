@@ -111,7 +111,7 @@ def test_there_are_twelve():
         assert len(exercise["hints"]) >= 3
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("name", EXERCISES)
 def test_each_is_solved_by_an_answer_and_refuses_wrong_ones(name, page, browser):
     start = EXERCISES[name]["start"]

@@ -445,7 +445,7 @@ def probes(region: Region) -> list[RationalVector]:
     return [*near, *middles]
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("method", WITH_REGION)
 @settings(max_examples=12)
 @given(grasp=grasps(), torque=st.sampled_from([0, 0, HALF, -1]))

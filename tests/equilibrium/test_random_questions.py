@@ -114,13 +114,13 @@ def test_arrays_of_loads_agree_with_brute_force():
     assert asked("loads", 8, loads_agree) == []
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("part", range(10))
 def test_thirty_smallest_wrenches_agree_with_brute_force(part):
     assert asked(f"wrench {part}", 30, is_smallest_unresisted) == []
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("part", range(10))
 def test_hundred_loads_agree_with_brute_force(part):
     assert asked(f"loads {part}", 10, loads_agree) == []

@@ -59,7 +59,7 @@ def assert_true(grasp: Grasp, wrench: Wrench, found: Any) -> bool:
     return False
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(0, 80, 2))
 def test_regions_alone_and_states_alone_give_the_same_answer(seed):
     asked = question(seed)
@@ -71,7 +71,7 @@ def test_regions_alone_and_states_alone_give_the_same_answer(seed):
     assert answers == [oracle.is_stable(asked.grasp, wrench)] * 2
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("contacts", [6, 10, 20, 50])
 def test_proofs_for_contacts_on_one_side_are_small(contacts):
     counts = []
@@ -120,7 +120,7 @@ def test_beyond_the_border_of_the_paper_a_handful_of_leaves_is_enough(power, dir
     assert report.leaves <= 12
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [3, 7])
 def test_beyond_the_border_of_ten_contacts_no_distance_is_too_small(seed):
     near = [c for c in random_grasp(80, seed) if c.point[0] > 0]

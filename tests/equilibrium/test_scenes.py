@@ -190,9 +190,9 @@ def test_claims_on_an_engine_that_is_missing_have_no_verdict(benchmarks, monkeyp
     assert told.err.count("no verdict: not tried: needs the extra simulators") == 2
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 def test_mujoco_reads_scenes_and_slips_near_the_exact_load():
-    import mujoco  # the extra simulators, which make campaign installs
+    import mujoco  # the extra simulators, which make test-extended installs
 
     for _, scene in islice(benchmark(), 0, None, 7):
         model = mujoco.MjModel.from_xml_string(scene.mjcf())

@@ -506,7 +506,7 @@ def test_a_load_on_the_border_is_given_up_early(load, solved):
 OPEN = {"box": 1}
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", exotic.KINDS)
 def test_most_questions_that_are_not_in_general_position_are_decided(kind):
     assert decided(kind, range(50)) >= 50 - OPEN.get(kind, 0)
@@ -527,7 +527,7 @@ class TestPlanes:
         "seed",
         [
             *(1, 3, 6, 7, 8, 9, 17, 19, 20, 32, 36),
-            *(pytest.param(seed, marks=pytest.mark.campaign) for seed in range(1000, 1040, 2)),
+            *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1000, 1040, 2)),
         ],
     )
     def test_in_any_plane_of_space_they_answer_as_in_the_plane(self, seed):
@@ -911,7 +911,7 @@ MANY_SECTORS = [
 
 @pytest.mark.parametrize(
     ("asked", "least", "undecided"),
-    [(FEW_SECTORS, 1, 0), pytest.param(MANY_SECTORS, 9, 2, marks=pytest.mark.campaign)],
+    [(FEW_SECTORS, 1, 0), pytest.param(MANY_SECTORS, 9, 2, marks=pytest.mark.slow)],
     ids=["few", "many"],
 )
 def test_verdicts_on_round_cones_are_those_of_narrow_sectors(asked, least, undecided):
@@ -939,7 +939,7 @@ MANY = [(2, range(100, 115)), (3, range(4))]
 
 @pytest.mark.parametrize(
     ("m", "seeds"),
-    [(2, range(8)), *(pytest.param(*row, marks=pytest.mark.campaign) for row in MANY)],
+    [(2, range(8)), *(pytest.param(*row, marks=pytest.mark.slow) for row in MANY)],
 )
 def test_verdicts_on_pyramids_are_those_of_all_states(m, seeds):
     # No load of these on two contacts is resisted.

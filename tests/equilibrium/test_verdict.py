@@ -218,9 +218,8 @@ def test_wrong_question_to_contains_is_refused():
 CHUNK = 15
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
-    "chunk", [0, *(pytest.param(k, marks=pytest.mark.campaign) for k in range(1, 12))]
+    "chunk", [0, *(pytest.param(k, marks=pytest.mark.slow) for k in range(1, 12))]
 )
 def test_solver_agrees_with_brute_force(chunk):
     for seed in range(CHUNK * chunk, CHUNK * (chunk + 1)):

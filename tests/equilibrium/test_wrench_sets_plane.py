@@ -78,7 +78,7 @@ def test_membership_is_the_verdict_of_the_solver(grasp, spans, origin, point):
     assert bool(region.states_at(point)) == region.contains(point)
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @settings(max_examples=20)
 @given(grasps(least=2))
 def test_resistance_ends_at_the_border_and_nowhere_else(grasp):

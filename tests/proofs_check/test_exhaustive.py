@@ -91,7 +91,7 @@ def test_the_counts_grow_about_as_stated():
         assert abs(exponents[-1] - power) < 0.6
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("id", ["step-1-time", "step-2-time", "step-3-time", "census-types"])
 def test_each_holds(id):
     assert evaluate(registry()[id], seed=2).verdict is ClaimVerdict.HOLDS
@@ -108,7 +108,7 @@ def test_the_code_does_not_see_labels_and_sides(index, rng):
     assert types._code(from_covectors(changed)) == types._code(from_covectors(plain))
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("change", [lambda found: found[1:], lambda found: (*found[1:], found[1])])
 def test_a_missing_or_repeated_type_is_caught(change, monkeypatch):
     right = arrangement.library.census.census

@@ -144,7 +144,7 @@ def noticed(program: Path, folder: Path, monkeypatch: pytest.MonkeyPatch) -> boo
         return formal_agreement.compare(program, 40, 4, 0, folder) > 0
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.skipif(not (BUILT / "checker.ml").exists(), reason="`make formal` has not been run")
 @pytest.mark.parametrize(
     "fault", FAULTS, ids=lambda fault: f"{fault.file} {fault.after}{fault.new}"

@@ -73,7 +73,7 @@ def test_a_type_that_both_routes_find_otherwise_breaks_the_sweep(monkeypatch):
     assert found["counts"] == {"9": [0, 0, 0, 3, 0]}
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("part", range(2))
 def test_a_sample_of_the_types_of_nine_planes_with_weights_is_decided(part):
     """Of types that have weights some cutset may still be too light; each answer is verified."""

@@ -65,12 +65,12 @@ def unexpected(*ids: str) -> list[str]:
     return [id for id in ids if not evaluate(known[id]).as_expected]
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 def test_without_a_bug_all_are_as_expected():
     assert unexpected(*QUICK) == []
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("bug", [dropped_region, flipped_sign, merged_ray])
 def test_a_wrong_enumerator_is_caught(bug, monkeypatch):
     plant(bug, monkeypatch)

@@ -25,7 +25,7 @@ def test_the_simplicial_catalogue_agrees_with_its_vectors_in_print():
     assert all(row.agrees for row in rows)
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 def test_numbers_of_types_agree_and_the_conflict_in_print_is_found(capsys):
     assert main(["run", str(EXAMPLES / "oeis.csv"), "--json"]) == 1
     rows = [json.loads(line) for line in capsys.readouterr()[0].splitlines()]

@@ -231,7 +231,7 @@ def test_a_card_has_statement_formula_routes_picture_and_python(record):
         assert python_lines(result) in card
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 def test_the_python_of_a_card_gives_its_verdict(record, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert main(["new", "mine"]) == 0

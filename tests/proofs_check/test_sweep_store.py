@@ -239,7 +239,6 @@ def test_a_changed_cell_is_never_believed(whole, place, row, value):
 
 
 @pytest.mark.slow
-@pytest.mark.campaign
 @pytest.mark.parametrize("place", COLUMNS, ids=".".join)
 def test_no_changed_cell_is_believed(whole, place):
     for row in (0, 3) if place[0] == "chunks" else (0,):

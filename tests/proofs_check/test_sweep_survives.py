@@ -56,7 +56,6 @@ def wait_for(condition: Callable[[], bool], seconds: float = 60) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.campaign
 def test_a_sweep_killed_three_times_has_the_report_of_one_that_was_not(tmp_path):
     whole, killed = tmp_path / "whole.sqlite", tmp_path / "killed.sqlite"
     assert run(swept(whole, 1500)).returncode == 0
@@ -132,7 +131,6 @@ def cluster(tmp_path: Path) -> Iterator[tuple[Path, list[subprocess.Popen[bytes]
 
 
 @pytest.mark.slow
-@pytest.mark.campaign
 def test_a_cluster_counts_flats_in_parts(tmp_path, cluster, monkeypatch):
     monkeypatch.setattr(in_parts, "_FEW", 0)
     address = json.loads(cluster[0].read_text(encoding="utf-8"))["address"]
@@ -143,7 +141,6 @@ def test_a_cluster_counts_flats_in_parts(tmp_path, cluster, monkeypatch):
 
 
 @pytest.mark.slow
-@pytest.mark.campaign
 def test_a_cluster_that_loses_a_worker_finds_what_one_process_finds(tmp_path, cluster):
     place, (_, first, second) = cluster
     whole, spread = tmp_path / "whole.sqlite", tmp_path / "spread.sqlite"
