@@ -95,7 +95,7 @@ def _parser() -> terminal.Parser:
     _add_output(report, remark="(default: Markdown on stdout)")
     report.add_argument(
         "--format",
-        choices=("html", "json", "md", "pdf", "tex", "txt"),
+        choices=("html", "json", "md", "txt"),
         help="(default: by the suffix of the output)",
     )
     _add_seed(report)
@@ -271,7 +271,7 @@ def _add_seed(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_output(parser: argparse.ArgumentParser, *, remark: str) -> None:
-    endings = "FILE.json, FILE.md, FILE.html, FILE.tex, FILE.pdf or FILE.txt"
+    endings = "FILE.html, FILE.md, FILE.json or FILE.txt"
     parser.add_argument("-o", "--output", metavar="FILE", help=f"{endings} {remark}")
 
 

@@ -139,7 +139,7 @@ def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
         results.append(found)
     record = report.json_record(results, asked.seed, **_about(asked))
     if make:
-        forms.write(arguments.output, make(record))
+        write_text_atomically(arguments.output, make(record))
     if arguments.json:
         terminal.print_json(record)
     elif not asked.from_files:

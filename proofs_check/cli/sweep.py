@@ -11,6 +11,7 @@ from jinja2 import UndefinedError
 from arrangement.console import terminal
 from arrangement.console.number_form import counted
 from arrangement.console.progress import Bar, duration, shown
+from arrangement.console.writing import write_text_atomically
 from arrangement.errors import InputError
 from arrangement.library.files.json_files import read_document
 from proofs_check.errors import OwnClaimError, SweepError
@@ -114,8 +115,6 @@ def run_report(arguments: argparse.Namespace) -> int:
     """Make a report of a file of claims, of the store of a sweep, or of the record of a run."""
     ending = Path(arguments.output).suffix if arguments.output else ".md"
     make = forms.form(f".{arguments.format}" if arguments.format else ending)
-    if arguments.format == "pdf" and not arguments.output:
-        raise InputError("a report as PDF needs a file: -o FILE.pdf")
     lost = ""
     if split(arguments.source)[0]:
         record, lost = file_record(arguments.source, arguments)
@@ -123,7 +122,7 @@ def run_report(arguments: argparse.Namespace) -> int:
         record = _read(arguments.source)
     made = _made(make, record, arguments.source)
     if arguments.output:
-        forms.write(arguments.output, made)
+        write_text_atomically(arguments.output, made)
     if arguments.json:
         terminal.print_json(record)
     elif not arguments.output:
@@ -146,10 +145,10 @@ def _read(source: str) -> dict[str, Any]:
     return read_document(source, ("results",), kind="bytes of a record")
 
 
-def _made(make: Any, record: dict[str, Any], source: str) -> str | bytes:
+def _made(make: Any, record: dict[str, Any], source: str) -> str:
     try:
         check_record(record)
-        text: str | bytes = make(record)
+        text: str = make(record)
     except InputError:
         raise
     except (

@@ -1,7 +1,7 @@
 """The forms of a report, by the endings of files, each made from the JSON record of a run alone.
 
 A record may come from a file that someone else wrote: every text in it is escaped for the form
-that it goes into. Markdown is made here, the HTML page in `page`, LaTeX and PDF in `document`.
+that it goes into. Markdown is made here, the HTML page in `page`; a browser prints it as PDF.
 """
 
 from __future__ import annotations
@@ -11,13 +11,11 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from arrangement.console.safe_text import printable, safe_lines
-from arrangement.console.writing import write_bytes_atomically, write_text_atomically
 from arrangement.errors import InputError
 
-from .document import latex, pdf, require_pdflatex
+from .formula import is_formula
 from .page import html_page
 from .report import digest
-from .tex_words import is_formula
 from .text import badge_text, overview, remark, value_text, verdict
 
 Record = Mapping[str, Any]
@@ -109,34 +107,25 @@ def _footer(record: Record) -> list[str]:
     return [f"Seed {record['seed']}; {good}.", "", *lines, *again, found]
 
 
-FORMS: dict[str, Callable[[Record], str | bytes]] = {
+FORMS: dict[str, Callable[[Record], str]] = {
     ".json": lambda record: json.dumps(record, indent=1) + "\n",
     ".md": markdown,
     ".html": html_page,
     ".htm": html_page,
-    ".tex": latex,
-    ".pdf": pdf,
     ".txt": lambda record: safe_lines(overview(record)) + "\n",
 }
 
 
-def form(ending: str) -> Callable[[Record], str | bytes]:
+def form(ending: str) -> Callable[[Record], str]:
     """Return what makes the form that the ending of a file name says.
 
     Raises:
         InputError: no form has this ending.
-        MissingExtraError: it is PDF, and there is no pdflatex.
     """
+    if ending.lower() in (".pdf", ".tex"):
+        raise InputError(
+            f"a report is not written as {ending}; write .html and print it from a browser"
+        )
     if ending.lower() not in FORMS:
         raise InputError(f"a report ends with {', '.join(FORMS)}; got {ending!r}")
-    if ending.lower() == ".pdf":
-        require_pdflatex()
     return FORMS[ending.lower()]
-
-
-def write(path: str, content: str | bytes) -> None:
-    """Write a report to a file, whole or not at all."""
-    if isinstance(content, bytes):
-        write_bytes_atomically(path, content)
-    else:
-        write_text_atomically(path, content)

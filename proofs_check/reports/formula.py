@@ -77,3 +77,11 @@ def _is_whole(element: ET.Element) -> bool:
     if name == "mi":
         return bool(element.text and element.text not in "{}")
     return len(element) == _PARTS[name] if name in _PARTS else name in _OTHERS
+
+
+def is_formula(text: str) -> bool:
+    """Return whether a text is a formula that can do nothing but print."""
+    try:
+        return bool(text and mathml(text))
+    except InputError:
+        return False
