@@ -129,7 +129,7 @@ mutants: $(VENV)/.stamp-test
 	$(BIN)/python tests/mutants.py --jobs $(JOBS) $(ARGS)
 
 census: $(VENV)/.stamp-test
-	$(BIN)/python -m arrangement.library.census.workshop $(ARGS)
+	$(BIN)/python -m tests.census $(ARGS)
 
 bench: $(VENV)/.stamp-bench
 	$(BIN)/python tests/benchmarks/run.py $(ARGS)

@@ -51,8 +51,6 @@ RUBBISH = re.compile(
     r"(^|/)(__pycache__|_build|_generated|build|dist|report|reference|counterexamples|\.(?!gitignore)"
     r"[^/]*)(/|$)|\.(pyc|sqlite|egg-info)$"
 )
-#: Makes shipped data, in a checkout.
-WORKSHOP = "arrangement/library/census/workshop/"
 #: Seconds of processor time for --help: the median of so many runs, on a machine that may be busy.
 HELP_LIMIT, HELP_RUNS = 1.0, 3
 
@@ -92,7 +90,6 @@ def wrong_files(archived: set[str], wheel: set[str], tracked: set[str]) -> list[
     """
     wanted = {path for path in tracked if path.startswith((*PACKAGES, "tests/", "docs/"))}
     packages = {path for path in archived if path.startswith(tuple(f"{p}/" for p in PACKAGES))}
-    packages = {path for path in packages if not path.startswith(WORKSHOP)}
     return [
         *(f"rubbish in the source archive: {p}" for p in sorted(archived) if RUBBISH.search(p)),
         *(f"not in the source archive: {p}" for p in sorted((wanted | FILES) - archived)),

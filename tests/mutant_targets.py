@@ -97,7 +97,7 @@ TARGETS = {
     "loads": Target("equilibrium.wrench_sets.spatial", LOADS),
     "known": Target("equilibrium.wrench_sets.known_loads", LOADS),
     "final": Target("arrangement.library.census.final_polynomials", FINAL),
-    "proofs": Target("arrangement.library.census.workshop.proofs", FINAL),
+    "proofs": Target("tests.census.proofs", FINAL),
     "inscribed": Target("arrangement.duals.inscribed.certificates", (INSCRIBED,)),
     "modular": Target("arrangement.counts.modular", (SYMMETRIC, FIELD)),
     "lowrank": Target("arrangement.counts.low_rank", (COUNTS,)),

@@ -223,7 +223,6 @@ ANNEXES = {
     "contact modes": ("equilibrium/modes.py",),
     "scenes of engines": ("equilibrium/scenes.py",),
     "census": ("arrangement/library/census",),
-    "workshop of the census": ("arrangement/library/census/workshop",),
     "counting by classes": ("arrangement/counts/classes",),
     "families": ("arrangement/library/families",),
     "irrational entries": ("arrangement/numbers/fields",),

@@ -26,7 +26,7 @@ from arrangement.library.census.chirotopes import (
 )
 from arrangement.library.census.final_polynomials import proves_no_coordinates
 from arrangement.library.census.tables import check, table
-from arrangement.library.census.workshop import __main__ as workshop, build, generate
+from tests.census import __main__ as workshop, build, generate
 
 
 @pytest.mark.parametrize("planes", range(3, MOST_PLANES + 1))

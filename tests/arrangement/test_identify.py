@@ -33,8 +33,8 @@ from arrangement.library.census.final_polynomials import (
     proved_no_coordinates,
     proves_no_coordinates,
 )
-from arrangement.library.census.workshop import generate
-from arrangement.library.census.workshop.proofs import _comparisons, final_polynomial
+from tests.census import generate
+from tests.census.proofs import _comparisons, final_polynomial
 
 
 def chirotopes(planes: int) -> np.ndarray:

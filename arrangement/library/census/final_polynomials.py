@@ -8,8 +8,8 @@ add up to 0. Where a chirotope's signs make two of them positive and one negativ
 way), each of the two is smaller than the one in absolute value; where one of them is 0, the other
 two are equal. Multiply such strict inequalities and equations: when the products of the brackets
 on both sides come out the same, something is smaller than itself, and no vectors have these signs
-([BokowskiRichter1990]). What is multiplied was found by a linear program in floats (in the
-workshop of the census); the check is in integers and looks at nothing but the signs.
+([BokowskiRichter1990]). What is multiplied was found by a linear program in floats (in
+`tests/census`); the check is in integers and looks at nothing but the signs.
 """
 
 from __future__ import annotations

@@ -1,0 +1,1 @@
+"""How the lists of isomorphism classes are made; ``make census`` runs it."""
