@@ -304,6 +304,7 @@ def test_numbers_on_pages_are_those_of_the_code():
 LIMITS = {
     "CSV file)": ("bytes of a file",),
     "a certificate": ("bytes of a certificate",),
+    "of a mesh": ("bytes of a mesh",),
     "one number": ("characters of a number", "digits of a number on a page"),
     "space in a file": ("coordinates",),
     "planes in a picture": ("planes in a picture",),
@@ -315,6 +316,7 @@ LIMITS = {
     "symmetry is drawn": ("planes whose symmetry is looked for",),
     "is exponential": ("contacts with a choice of three states",),
     "of one picture": ("contacts in a picture", "directions in a picture", "wrenches in a picture"),
+    "in ``margin``": ("open ranges of friction coefficients",),
     "combinatorial types": ("arrangement.library.census.catalogue:MOST_PLANES",),
     "tables of types": (
         "arrangement.library.files.others.chirotope:MOST_ELEMENTS",
