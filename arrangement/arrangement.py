@@ -54,11 +54,12 @@ _SYNONYMS = {
 
 
 class Arrangement(Planes):
-    """A hyperplane arrangement: finitely many planes ``n_i . x = b_i`` in R^d, and its faces.
+    """A hyperplane arrangement: finitely many hyperplanes in R^d, and its faces.
 
-    Each plane keeps its own orientation and its place in the input. It is stored as the positive
-    multiple with coprime integer entries, so that equal planes compare equal: ``[2, 0, 0]`` and
-    ``[1, 0, 0]`` give equal arrangements, ``[-1, 0, 0]`` does not (its sides are exchanged).
+    The planes are ``n_i . x = b_i``. Each keeps its own orientation and its place in the input. It
+    is stored as the positive multiple with coprime integer entries, so that equal planes compare
+    equal: ``[2, 0, 0]`` and ``[1, 0, 0]`` give equal arrangements, ``[-1, 0, 0]`` does not (its
+    sides are exchanged).
 
     Args:
         normals: m vectors of length d, exact numbers: integers, fractions, texts such as "7/3".

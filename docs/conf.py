@@ -18,7 +18,6 @@ copyright = "2026, the slipstates authors"
 version = release = arrangement.__version__
 
 extensions = [
-    "sphinx.ext.apidoc",
     "sphinx.ext.autodoc",
     "sphinx.ext.mathjax",
     "sphinx.ext.napoleon",
@@ -27,33 +26,24 @@ extensions = [
     "sphinx_copybutton",
     "sphinxarg.ext",
     "handouts",
+    "pagetools",
 ]
 exclude_patterns = ["_build", "_generated"]
 default_role = "code"
 highlight_language = "python"
 nitpicky = False
-# What is made of the lessons, and the parsers of the commands.
+# What is made of the lessons, directives of these pages, and the parsers of the commands.
 sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parent / "figures")]
 # The bibliography is a list to cite from; a docstring may use a word that several classes have as
 # the name of an attribute.
 suppress_warnings = ["ref.citation", "ref.python"]
 
-# One reference page per module, made from what exists.
-apidoc_modules = [
-    {
-        "path": f"../{package}",
-        "destination": f"reference/{package}",
-        "separate_modules": True,
-        "module_first": True,
-        "exclude_patterns": ["**/__main__.py"],
-        "automodule_options": {"members", "show-inheritance"},
-    }
-    for package in ("arrangement", "equilibrium", "proofs_check")
-]
 # matplotlib gives each kind of figure a method `set`, in markup of its own.
 autodoc_default_options = {"ignore-module-all": True, "exclude-members": "set"}
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
+maximum_signature_line_length = 72
+toc_object_entries_show_parents = "hide"
 napoleon_use_ivar = True
 
 # What is copied is what is typed: no prompts, no output.
@@ -63,7 +53,7 @@ copybutton_line_continuation_character = "\\"
 
 html_theme = "furo"
 html_static_path = ["static"]
-html_css_files = ["print.css"]
+html_css_files = ["site.css", "print.css"]
 html_title = f"slipstates {release}"
 html_copy_source = False
 html_show_sphinx = False
@@ -116,15 +106,6 @@ def make_figures(app):
         shutil.copy(page, pages)
 
 
-def fold_reference(app, name, template, context, tree):
-    """Unfold the reference in the sidebar on its own pages alone.
-
-    Else each of its pages stands in the sidebar of every page, which takes most of the build.
-    """
-    if whole := context.get("toctree"):
-        context["toctree"] = lambda **options: whole(**{**options, "collapse": True})
-
-
 def drop_bundles(app, error):
     """Remove the bundles of MathJax that no page loads: more than half of its files."""
     folder, loaded = Path(app.outdir) / "_static" / "mathjax", Path(app.config.mathjax_path).name
@@ -134,7 +115,6 @@ def drop_bundles(app, error):
 
 
 def setup(app):
-    app.connect("html-page-context", fold_reference, priority=100)  # before the theme asks for it
     app.connect("builder-inited", make_figures)
     app.connect("build-finished", drop_bundles)
     app.connect("autodoc-process-docstring", escape_mathematics, priority=400)

@@ -48,7 +48,7 @@ FILES = {
     "constraints.txt",
 }
 RUBBISH = re.compile(
-    r"(^|/)(__pycache__|_build|_generated|build|dist|report|reference|counterexamples|\.(?!gitignore)"
+    r"(^|/)(__pycache__|_build|_generated|build|dist|report|counterexamples|\.(?!gitignore)"
     r"[^/]*)(/|$)|\.(pyc|sqlite|egg-info)$"
 )
 #: Seconds of processor time for --help: the median of so many runs, on a machine that may be busy.

@@ -59,7 +59,9 @@ def deletion(arrangement: AnyPlanes, planes: Indices) -> AnyPlanes:
 
 
 def addition(arrangement: AnyPlanes, normal: Iterable[Any], offset: Any = 0) -> AnyPlanes:
-    """Return the arrangement with the plane ``normal . x = offset`` as its last one.
+    """Return the arrangement with one more plane, as its last one.
+
+    It is ``normal . x = offset``.
 
     >>> from arrangement import Arrangement
     >>> addition(Arrangement([[1, 0], [0, 1]]), [1, 1], 2).integer_planes

@@ -1,4 +1,4 @@
-"""The two pictures of the first page: a grasp under a load, and planes with their dual."""
+"""The strip of the first page: great circles, a grasp under a load, and the forces it resists."""
 
 from arrangement import read_arrangement
 from arrangement.pictures import write_drawing as draw_planes
@@ -6,6 +6,6 @@ from equilibrium import read_grasp
 from equilibrium.pictures import write_drawing as draw_grasp
 
 grasp = read_grasp("paper-three-contacts-preload-1")
-draw_grasp(grasp, "first-page-grasp.svg", "grasp", wrench=(0, 1, 0))
-draw_grasp(grasp, "first-page-slice.svg", "slice")
-draw_planes(read_arrangement("cube-diagonals"), "first-page-dual.svg", "dual")
+draw_planes(read_arrangement("cube-diagonals"), "first-page-sphere.svg", "sphere", width=80)
+draw_grasp(grasp, "first-page-grasp.svg", "grasp", wrench=(0, 1, 0), width=80)
+draw_grasp(grasp, "first-page-resist.svg", "resist", width=80)
