@@ -325,7 +325,7 @@ LIMITS = {
     "arrangement lab": ("planes in the lab",),
     "symmetry is drawn": ("planes whose symmetry is looked for",),
     "is exponential": ("contacts with a choice of three states",),
-    "of one picture": ("contacts in a picture", "directions in a picture", "wrenches in a picture"),
+    "of one picture": ("contacts in a picture", "rays in a picture", "wrenches in a picture"),
     "in ``margin``": ("open ranges of friction coefficients",),
     "combinatorial types": ("arrangement.library.census.catalogue:MOST_PLANES",),
     "tables of types": (

@@ -24,7 +24,7 @@ from arrangement import Arrangement, ArrangementError, InputError, read_arrangem
 from arrangement.cli import main as draw_planes
 from arrangement.console import number_form
 from arrangement.drawing.command import _KINDS
-from arrangement.drawing.output import own_settings, picture_bytes
+from arrangement.drawing.output import font_settings, own_settings, picture_bytes
 from arrangement.drawing.path_artist import Paths, figure, into
 from arrangement.drawing.scene.items import ROLES, Ball, Item, Label, Mark, Path as Drawn
 from arrangement.drawing.scene.layout import BELOW, laid_out, picture_width
@@ -33,9 +33,10 @@ from arrangement.drawing.themes import _from_oklab, _oklab, themed
 from arrangement.drawing.tikz.tex_text import tex_text
 from arrangement.drawing.tikz.tikz import tikz
 from arrangement.library.families import catalan, generic, shi
-from arrangement.pictures import DRAWINGS as OF_PLANES, animate, compose
+from arrangement.pictures import DRAWINGS as OF_PLANES, compose, draw_sphere
 from arrangement.pictures.views import drawings_of, write_drawing
 from equilibrium import read_grasp
+from equilibrium.cli import main as draw_grasps
 from equilibrium.pictures import DRAWINGS as OF_GRASPS
 from tests.docpages import ROOT
 from tests.drawn import VIEWS, offences, scene, usual
@@ -123,7 +124,7 @@ OTHER_OPTIONS: list[tuple[str, str, dict[str, Any]]] = [
     ("planes", "cube-diagonals", {"lift": ["++++", "+-+-"], "sides": True, "axes": "x,y,z"}),
     ("planes", "braid-a3", {"lift": ["++++++"], "body": "cube"}),
     ("stereographic", "reflection-b3", {"whole": True, "labels": "signs"}),
-    ("gnomonic", "reflection-b3", {"direction": (0, 0, 1)}),
+    ("gnomonic", "reflection-b3", {"camera": (0, 0, 1)}),
     ("dual", "five-generic-planes", {"hull": True}),
     ("dual", "reflection-b3", {"width": 88.0}),
     ("graph", "reflection-b3", {"labels": "signs"}),
@@ -134,7 +135,7 @@ OTHER_OPTIONS: list[tuple[str, str, dict[str, Any]]] = [
     ("lattice", "reflection-b3", {"width": 180.0, "moebius": False}),
     ("stereographic", "reflection-b3", {"whole": False}),
     ("stereographic", "reflection-b3", {"colour": "signs", "width": 60.0}),
-    ("gnomonic", "reflection-b3", {"direction": (1, 0, 1), "colour": "none"}),
+    ("gnomonic", "reflection-b3", {"camera": (1, 0, 1), "colour": "none"}),
     ("dual", "reflection-b3", {"hull": True}),
     ("dual", "reflection-b3", {"coordinates": "even", "colour": "signs"}),
     ("graph", "reflection-b3", {"colour": "signs"}),
@@ -670,7 +671,7 @@ def test_several_views_on_the_command_line_are_panels_of_one_width(tmp_path, cap
 
 def test_what_turns_is_a_gif_of_so_many_pictures(tmp_path, capsys):
     path = tmp_path / "turn.gif"
-    animate(read_arrangement("coordinate-planes"), path, "planes", turn=3)
+    write_drawing(read_arrangement("coordinate-planes"), path, "planes", frames=3)
     with Image.open(path) as found:
         assert found.n_frames == 3
     assert draw_planes(["draw", "braid-a3", "-o", str(path), "--view", "graph"]) == 2
@@ -679,7 +680,7 @@ def test_what_turns_is_a_gif_of_so_many_pictures(tmp_path, capsys):
 
 def test_a_quarter_turn_of_the_viewer_is_that_of_the_direction():
     planes = read_arrangement("coordinate-planes")
-    turned, meant = ({"direction": (3, 1, 2), "azimuth": 90.0}, {"direction": (-1, 3, 2)})
+    turned, meant = ({"camera": (3, 1, 2), "azimuth": 90.0}, {"camera": (-1, 3, 2)})
     one, other = (OF_PLANES.draw(planes, "cells", **how).scene.items for how in (turned, meant))
     for a, b in zip(one, other, strict=True):
         assert a.name == b.name
@@ -712,9 +713,94 @@ def test_help_explains_the_options_of_a_view_and_of_no_other(name, capsys):
         helps.append(capsys.readouterr().out)
     assert "draw_" not in helps[0]
     assert helps[1].count("\n") < 80
-    for option in {x for view in OF_PLANES.views for x in OF_PLANES.options("view", view)}:
-        flag = f"  --{option.replace('_', '-')}"
-        assert re.search(rf"^{flag}\b", helps[1], re.MULTILINE)
-        if option in OF_PLANES.options(kind, name):
-            assert re.search(rf"^{flag}\b", helps[0], re.MULTILINE)
+    for option in OF_PLANES.options(kind, name):
+        assert re.search(rf"^  --{option.replace('_', '-')}\b", helps[0], re.MULTILINE)
     assert ("--window" in helps[0]) == (name == "lines")
+
+
+@pytest.mark.parametrize(
+    ("main", "drawings"), [(draw_planes, OF_PLANES), (draw_grasps, OF_GRASPS)], ids=["arr", "eq"]
+)
+def test_help_without_a_view_lists_views_and_common_options(main, drawings, capsys):
+    with pytest.raises(SystemExit):
+        main(["draw", "--help"])
+    text = capsys.readouterr().out
+    assert "draw --view VIEW --help" in text.splitlines()[2]
+    for kind in ("view", "model", "page"):
+        for name in getattr(drawings, f"{kind}s"):
+            shown = name if kind == "view" else f"{kind} {name}"
+            first = drawings.summary(kind, name).split()[0]
+            assert re.search(rf"^  {shown} +{first}", text, re.MULTILINE), shown
+    for option in ("view", "model", "width", "font", "font-size", "theme", "legend", "camera"):
+        assert re.search(rf"^  --{option}\b", text, re.MULTILINE), option
+    for option in ("labels", "lift", "rays", "tolerance", "frames", "fragment"):
+        assert f"--{option}" not in text
+
+
+@pytest.mark.parametrize(
+    ("main", "words", "old", "new"),
+    [
+        (draw_planes, "braid-a3", "direction", "camera"),
+        (draw_planes, "braid-a3", "base", "bottom"),
+        (draw_planes, "braid-a3", "plane", "section"),
+        (draw_grasps, "ladder", "direction", "camera"),
+        (draw_grasps, "ladder", "directions", "rays"),
+        (draw_grasps, "ladder", "axes", "slice"),
+        (draw_grasps, "ladder", "turn", "rotation"),
+        (draw_grasps, "ladder", "piece", "equilibrium"),
+    ],
+)
+def test_an_old_option_is_answered_with_its_new_name(main, words, old, new, tmp_path, capsys):
+    path = str(tmp_path / "a.svg")
+    with pytest.raises(SystemExit):
+        main(["draw", words, "-o", path, f"--{old}", "1", "2", "3"])
+    assert f"'--{old}' is now '--{new}'" in capsys.readouterr().err
+
+
+def test_an_old_keyword_raises_a_type_error_with_the_new_one(tmp_path):
+    planes, grasp = read_arrangement("braid-a3"), read_grasp("three-fingers-on-a-ball")
+    for call in (
+        lambda: planes.draw("sphere", direction=(1, 2, 3)),
+        lambda: planes.draw("sphere,dual", direction=(1, 2, 3)),
+        lambda: draw_sphere(planes, direction=(1, 2, 3)),
+        lambda: write_drawing(planes, tmp_path / "a.svg", "planes", direction=(1, 2, 3)),
+    ):
+        with pytest.raises(TypeError, match="'direction' is now 'camera'"):
+            call()
+    with pytest.raises(TypeError, match="'axes' is now 'slice'"):
+        grasp.draw("slice", axes="fx,fz")
+    with pytest.raises(InputError, match="no option 'base'"):
+        planes.draw("sphere", base="1")
+
+
+@pytest.mark.parametrize("suffix", [".svg", ".pdf", ".png"])
+def test_a_font_is_used_in_every_drawn_format(suffix, tmp_path):
+    planes = read_arrangement("braid-a3")
+    plain, serif, named = (tmp_path / f"{name}{suffix}" for name in ("plain", "serif", "named"))
+    write_drawing(planes, plain)
+    write_drawing(planes, serif, font="dejavu serif")
+    write_drawing(planes, named, font="DejaVu Sans")
+    assert serif.read_bytes() != plain.read_bytes()
+    if suffix == ".pdf":
+        assert b"DejaVuSerif" in serif.read_bytes()
+    if suffix == ".png":
+        assert named.read_bytes() == plain.read_bytes()
+
+
+def test_a_font_is_named_in_editable_text_and_measured(tmp_path):
+    planes, path = read_arrangement("braid-a3"), tmp_path / "a.svg"
+    write_drawing(planes, path, font="DejaVu Sans Mono", text="text")
+    assert "'DejaVu Sans Mono'" in path.read_text()
+    with own_settings():
+        plain = measure("regions")
+    with own_settings(font_settings("DejaVu Sans Mono")):
+        assert measure("regions") != plain
+
+
+def test_a_font_that_is_not_installed_is_refused_with_near_names(tmp_path, capsys):
+    for font, expected in (("serif", "DejaVu Serif"), ("DejaVu Seriff", "DejaVu Serif")):
+        with pytest.raises(InputError, match=expected):
+            write_drawing(read_arrangement("braid-a3"), tmp_path / "a.svg", font=font)
+    with pytest.raises(InputError, match="TeX sets"):
+        write_drawing(read_arrangement("braid-a3"), tmp_path / "a.tex", font="DejaVu Sans")
+    assert not [*tmp_path.iterdir()]

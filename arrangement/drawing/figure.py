@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, ParamSpec, Protocol, overload
 
 from arrangement.errors import InputError
 
-from .output import require_matplotlib
+from .output import check_renamed, require_matplotlib
 from .scene.layout import composed, laid_out
 from .scene.scene import Scene, checked_width
 
@@ -53,6 +53,7 @@ def picture(least: float = 40.0) -> Callable[[Callable[P, Scene]], DrawingView[P
     def decorate(view: Callable[P, Scene]) -> DrawingView[P]:
         @functools.wraps(view)
         def scene(*args: P.args, **options: P.kwargs) -> Scene:
+            check_renamed(options, view.__annotations__)
             if "width" in options:
                 options["width"] = checked_width(options["width"], least)
             return view(*args, **options)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import io
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Container, Iterable, Mapping
 from contextlib import AbstractContextManager, suppress
+from difflib import get_close_matches
 from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -33,6 +34,25 @@ _METADATA: dict[str, dict[str, Any]] = {
     ".pdf": {"CreationDate": None},
     ".png": {"Software": None},
 }
+
+
+#: Options of earlier releases, each with its name now.
+RENAMED_OPTIONS = {
+    "axes": "slice",
+    "base": "bottom",
+    "direction": "camera",
+    "directions": "rays",
+    "piece": "equilibrium",
+    "plane": "section",
+    "turn": "rotation",
+}
+
+
+def check_renamed(options: Iterable[str], known: Container[str]) -> None:
+    """Refuse an option of an earlier release as an unknown argument, with its name now."""
+    for option in options:
+        if option not in known and (now := RENAMED_OPTIONS.get(option, "")) in known:
+            raise TypeError(f"{option!r} is now {now!r}")
 
 
 def check_choice(name: str, value: object, known: tuple[str, ...]) -> None:
@@ -118,13 +138,45 @@ def save_figure(path: str | os.PathLike[str], make: Callable[[], Figure]) -> Non
 
 
 def picture_bytes(
-    suffix: str, make: Callable[[], Figure], letters: bool = False, dpi: int = 300
+    suffix: str,
+    make: Callable[[], Figure],
+    letters: bool = False,
+    dpi: int = 300,
+    font: str | None = None,
 ) -> bytes:
     """Return the figure that `make` returns as a file; in SVG with letters instead of outlines."""
     stream = io.BytesIO()
-    with own_settings({"svg.fonttype": "none"} if letters else {}):
+    with own_settings(font_settings(font) | ({"svg.fonttype": "none"} if letters else {})):
         make().savefig(stream, format=suffix[1:], dpi=dpi, metadata=_METADATA[suffix])
     return stream.getvalue()
+
+
+def font_settings(font: str | None) -> dict[str, Any]:
+    """Return the settings for an installed font; what it lacks is drawn in the default one.
+
+    Raises:
+        InputError: no such font is installed.
+        MissingExtraError: matplotlib is absent.
+    """
+    if font is None:
+        return {}
+    require_matplotlib()
+    from matplotlib.font_manager import fontManager
+
+    names = {name.lower(): name for name in sorted(fontManager.get_font_names(), reverse=True)}
+    asked = str(font).strip().lower()
+    name = names.get(asked)
+    if name is None:
+        near = [n for n in names if asked and asked in n] or get_close_matches(asked, names, 5, 0.5)
+        like = "installed are" if near else f"{len(names)} others are installed, such as"
+        listed = ", ".join(names[n] for n in (near or sorted(names))[:5])
+        raise InputError(f"the font is {shown(font)}, which is not installed; {like} {listed}")
+    slanted, heavy = f"{name}:italic", f"{name}:bold"
+    mathematics = {"fontset": "custom", "rm": name, "it": slanted, "bf": heavy}
+    return {
+        "font.family": [name, "DejaVu Sans"],
+        **{f"mathtext.{key}": value for key, value in mathematics.items()},
+    }
 
 
 def movie_bytes(suffix: str, pictures: Iterable[bytes]) -> bytes:

@@ -292,6 +292,7 @@ def write_scene(
     make: Callable[[], Scene],
     *,
     letters: bool = False,
+    font: str | None = None,
     fragment: bool = False,
 ) -> None:
     """Write the scene that `make` returns, as it is, in the format of the suffix.
@@ -307,7 +308,7 @@ def write_scene(
         with own_settings():
             write_text_atomically(path, tikz(make(), fragment=fragment))
     else:
-        content = picture_bytes(suffix, lambda: figure(make()), letters=letters)
+        content = picture_bytes(suffix, lambda: figure(make()), letters=letters, font=font)
         write_bytes_atomically(path, content)
 
 

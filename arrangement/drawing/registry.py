@@ -32,7 +32,9 @@ from .output import (
     THEMES,
     TIKZ,
     check_choice,
+    check_renamed,
     ending,
+    font_settings,
     millimetres,
     movie_bytes,
     own_settings,
@@ -114,6 +116,7 @@ class Drawings:
         model: str | None = None,
         *,
         font_size: object = None,
+        font: str | None = None,
         text: str | None = None,
         fragment: bool = False,
         theme: str | None = None,
@@ -136,6 +139,8 @@ class Drawings:
             model: the same for a model alone.
             font_size: of the larger letters of a picture, in points; if omitted, 7. All other
                 letters and the lines keep their proportions to it; the width stays.
+            font: of the text of a picture, by the name of an installed family, "Times New Roman";
+                if omitted, "DejaVu Sans", which comes with matplotlib. TeX sets TikZ in its own.
             text: in SVG "outlines", which look the same everywhere, or "text", which can be found
                 and edited, in the fonts that the reader has.
             fragment: TikZ for ``\\input`` instead of a document.
@@ -146,8 +151,7 @@ class Drawings:
             frames: how many pictures make a full turn; 36, if omitted. They have no
                 labels of regions unless these are asked for.
             options: those of the function of the view, model or page. The width of a view and the
-                size of a model are in millimetres, or texts with a unit: ``"8.4cm"``, ``"252pt"``;
-                the size of a view is its width.
+                size of a model are in millimetres, or texts with a unit: ``"8.4cm"``, ``"252pt"``.
 
         Returns:
             What was written: ``{"view": name}``, ``{"model": name}`` or ``{"page": name}``.
@@ -156,19 +160,16 @@ class Drawings:
             InputError: unknown suffix, view, model or option, what the view refuses, no place to
                 write.
             MissingExtraError: matplotlib is absent.
+            TypeError: an option has another name now.
         """
         kind, name = self.target(path, view, model)
         known = self.options(kind, name)
-        if "size" in options and "size" not in known and "width" in known:
-            if "width" in options:
-                raise InputError("a picture has one size, its width, and both are given; give one")
-            options["width"] = options.pop("size")
         self._check_options(kind, name, options)
         for length in LENGTHS & options.keys():
             options[length] = millimetres(options[length], f"the {length}")
         suffix = Path(path).suffix.lower()
         printing = {"font_size": font_size, "theme": theme, "legend": legend, "text": text}
-        printing |= {"fragment": fragment, "frames": frames, "columns": columns}
+        printing |= {"fragment": fragment, "frames": frames, "columns": columns, "font": font}
         _check_form(kind, suffix, printing, name)
         if kind == "view":
             from .path_artist import finished, write_scene
@@ -193,11 +194,11 @@ class Drawings:
                 return finished(made, place, theme or THEMES[0], scale)
 
             if suffix not in MOVIES:
-                write_scene(path, scene, letters=text == "text", fragment=fragment)
+                write_scene(path, scene, letters=text == "text", font=font, fragment=fragment)
             elif "azimuth" in known:
                 if "labels" in known:
                     options.setdefault("labels", "none")
-                write_movie(path, scene, FRAMES if frames is None else frames)
+                write_movie(path, scene, FRAMES if frames is None else frames, font)
             else:
                 able = [view for view in self.views if "azimuth" in self.options("view", view)]
                 raise InputError(f"the view {name} does not turn; there are {', '.join(able)}")
@@ -238,6 +239,7 @@ class Drawings:
         Raises:
             InputError: an unknown view or option, or what the view refuses.
             MissingExtraError: matplotlib is absent.
+            TypeError: an option has another name now.
         """
         name = next(iter(self.views)) if view is None else view
         own = {option: value for option, value in options.items() if option != "ax"}
@@ -272,6 +274,7 @@ class Drawings:
         """Refuse a name that is unknown, and options that it lacks or needs."""
         self._check_name(kind, name)
         found = self.options(kind, name)
+        check_renamed(options, found)
         for option in options:
             if option not in found:
                 raise refusal(
@@ -320,6 +323,10 @@ class Drawings:
         self._check_name(kind, name)
         return kind, name
 
+    def summary(self, kind: str, name: str) -> str:
+        """Return what a view, model or page is: the first line of the docstring."""
+        return (self._named(kind, name).__doc__ or "").partition("\n")[0]
+
     def options(self, kind: str, name: str) -> dict[str, Option]:
         """Return the options of a view, model or page by name; of panels those of all."""
         parts = name.split(",") if kind == "view" else [name]
@@ -329,7 +336,9 @@ class Drawings:
         return found
 
 
-def write_movie(path: str | os.PathLike[str], make: Callable[..., Scene], count: int) -> None:
+def write_movie(
+    path: str | os.PathLike[str], make: Callable[..., Scene], count: int, font: str | None = None
+) -> None:
     """Write the pictures that `make` returns for angles ``azimuth`` all around, one after another.
 
     Raises:
@@ -342,9 +351,9 @@ def write_movie(path: str | os.PathLike[str], make: Callable[..., Scene], count:
         raise InputError(f"a turn has {shown(count)} frames; give 2 to 720")
     frames = []
     for k in watched(range(count), "pictures"):
-        with own_settings():
+        with own_settings(font_settings(font)):
             sheet = make(azimuth=360 * k / count)
-            frames.append(picture_bytes(".png", partial(figure, sheet), dpi=150))
+            frames.append(picture_bytes(".png", partial(figure, sheet), dpi=150, font=font))
     write_bytes_atomically(path, movie_bytes(ending(path, MOVIES), frames))
 
 
@@ -363,6 +372,11 @@ def _check_form(kind: str, suffix: str, printing: Mapping[str, Any], name: str =
             {"font_size", "theme", "legend"},
             kind == "view",
             "a font size, legend or theme is for pictures",
+        ),
+        (
+            {"font"},
+            kind == "view" and suffix not in TIKZ,
+            "a font is for pictures other than TikZ, which TeX sets in its own",
         ),
         ({"fragment"}, suffix in TIKZ, "a fragment is TikZ, .tex"),
         ({"text"}, suffix == ".svg", "text or outlines is a choice of .svg"),

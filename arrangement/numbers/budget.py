@@ -48,7 +48,7 @@ MOST = {
     "contacts with a choice of three states": 12,
     "contacts in a picture": 200,
     "open ranges of friction coefficients": 2000,
-    "directions in a picture": 720,
+    "rays in a picture": 720,
     "wrenches in a picture": 24,
 }
 #: So many times.

@@ -14,7 +14,6 @@ from .sphere.stereographic import draw_stereographic as draw_stereographic
 from .views import (
     DRAWINGS as DRAWINGS,
     DrawnRegion as DrawnRegion,
-    animate as animate,
     compose as compose,
     save_figure as save_figure,
     write_drawing as write_drawing,

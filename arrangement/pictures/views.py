@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import replace
 from html import escape
 from typing import TYPE_CHECKING, Any
@@ -53,23 +52,6 @@ def drawings_of(planes: Planes) -> Drawings:
 def draw(planes: Planes, view: str | None = None, **options: Any) -> Drawing:
     """Draw planes as a figure; arguments and errors are those of `Drawings.draw`."""
     return drawings_of(planes).draw(planes, view, **options)
-
-
-def animate(
-    planes: Planes,
-    path: str | os.PathLike[str],
-    view: str | None = None,
-    *,
-    turn: int = 36,
-    **options: Any,
-) -> None:
-    """Write planes that turn about the upright axis, as ``.gif``, or ``.mp4`` where ffmpeg is.
-
-    Args:
-        planes, path, view, options: those of `Drawings.write`.
-        turn: how many pictures make the full turn.
-    """
-    write_drawing(planes, path, view, frames=turn, **options)
 
 
 def write_drawing(planes: Planes, *args: Any, **options: Any) -> dict[str, str]:

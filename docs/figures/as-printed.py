@@ -7,5 +7,5 @@ for suffix in ("svg", "tex"):
     write_drawing(shi(3), f"as-printed-shi.{suffix}", "lines", width=110)
     write_drawing(
         simplicial(13, 2), f"as-printed-catalogue.{suffix}", "gnomonic", width=110,
-        direction=(0, 0, 1), coordinates="given", labels="none",
+        camera=(0, 0, 1), coordinates="given", labels="none",
     )  # fmt: skip

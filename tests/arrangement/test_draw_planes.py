@@ -224,7 +224,7 @@ def test_numbers_name_the_planes_and_coincident_ones_share_a_place():
 def test_the_command_takes_signs_that_begin_with_a_minus(tmp_path, capsys):
     target = tmp_path / "a.svg"
     arguments = ["draw", "coordinate-planes", "-o", str(target), "--view", "planes"]
-    more = ["--lift=-+-", "--lift=---", "--body", "cube", "--direction", "-1/2", "3", "0.7"]
+    more = ["--lift=-+-", "--lift=---", "--body", "cube", "--camera", "-1/2", "3", "0.7"]
     assert main([*arguments, *more, "--width", "120", "--json"]) == 0
     assert '"view": "planes"' in capsys.readouterr().out
     assert b"cell--+-" in target.read_bytes()

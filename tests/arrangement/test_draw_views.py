@@ -95,7 +95,7 @@ def test_elements_drawn_are_those_counted(view, name):
         "lattice": {"flat": sum(whitney_numbers(planes).second)},
     }.get(view, {})
     if not expected:
-        options = {"direction": VIEW}
+        options = {"camera": VIEW}
         *_, arcs, seen = f_vector(Arrangement([*planes.normals, VIEW]))
         expected = {"region": seen // 2, "front and limb": arcs}
         if view == "gnomonic":
@@ -147,7 +147,7 @@ def test_sign_vectors_stand_in_their_regions():
     """The place of each label, taken back to the sphere, has the signs that the label says."""
     planes, direction = read_arrangement("braid-a3"), (4, 3, 4)
     figure = draw_stereographic(
-        planes, direction=direction, whole=True, labels="numbers", coordinates="given"
+        planes, camera=direction, whole=True, labels="numbers", coordinates="given"
     )
     axes, regions = figure.axes[0], planes.regions()
     limb = next(path for path in paths(figure) if path.name == "limb")
@@ -203,9 +203,9 @@ def test_chart_is_to_scale_inside_and_takes_infinity_to_the_rim():
 def test_a_plane_at_infinity_is_named():
     planes = read_arrangement("coordinate-planes")
     for ahead, named in (((0, 0, 1), True), ((1, 1, 1), False)):
-        made = draw_gnomonic.scene(planes, direction=ahead, rim=True)
+        made = draw_gnomonic.scene(planes, camera=ahead, rim=True)
         assert any("line at infinity, plane 3;" in text for text, _ in made.legend.lines) == named
-        made = draw_gnomonic.scene(planes, direction=ahead)
+        made = draw_gnomonic.scene(planes, camera=ahead)
         assert any("farther out: plane 3" in text for text in made.legend.captions) == named
 
 
@@ -417,7 +417,7 @@ def test_motions_have_axes_and_other_spaces_when_asked():
 def test_arrows_point_to_the_positive_side_of_each_plane(name):
     """Both ends of an arrow, taken back to the sphere; a leader line is no arrow."""
     planes = read_arrangement(name)
-    scene = draw_sphere.scene(planes, direction=VIEW, sides=True, coordinates="given")
+    scene = draw_sphere.scene(planes, camera=VIEW, sides=True, coordinates="given")
     ball = next(item for item in scene.items if item.role == "ball")
     ahead = np.array(VIEW) / np.linalg.norm(VIEW)
     right = np.array([-VIEW[1], VIEW[0], 0.0]) / np.hypot(*VIEW[:2])
@@ -548,7 +548,7 @@ def test_numbers_at_a_common_point_of_the_rim_have_the_order_of_their_lines(norm
         scene = view.scene(Arrangement(rows, offsets), projective=True, labels="none")
     else:
         cone = Arrangement([(*row, -c) for row, c in zip(rows, offsets, strict=True)])
-        scene = view.scene(cone, direction=(0, 0, 1), labels="none", coordinates="given", rim=True)
+        scene = view.scene(cone, camera=(0, 0, 1), labels="none", coordinates="given", rim=True)
     numbers = [item for item in scene.items if isinstance(item, Label) and item.text in "123"]
     middle = np.array(np.mean([item.place for item in numbers], axis=0))
     for side in (1, -1):
@@ -689,7 +689,7 @@ def test_the_dual_names_the_vertices_in_front_or_says_which_it_leaves_out():
 def test_a_gnomonic_chart_shows_lines_where_the_planes_meet_it(planes):
     """Each piece lies on the line of its plane; regions fill the disc and have these signs."""
     ahead = (1, 2, 4)
-    made = draw_gnomonic.scene(planes, direction=ahead, coordinates="given", labels="none")
+    made = draw_gnomonic.scene(planes, camera=ahead, coordinates="given", labels="none")
     (rim,) = (item for item in made.items if item.name == "border")
     units = np.array([[float(x) for x in plane[:3]] for plane in planes.integer_planes])
     units /= np.linalg.norm(units, axis=1)[:, None]

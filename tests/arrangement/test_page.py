@@ -77,7 +77,7 @@ def test_the_page_shows_every_cell_and_stays_silent(name, browser, opened):
 
 def test_the_whole_disk_is_covered_by_regions(browser, opened):
     """Every place of the disk that is on no line belongs to exactly one region."""
-    opened("braid-a3", direction=(4, 5, 3))
+    opened("braid-a3", camera=(4, 5, 3))
     wrong = browser.run(
         """
         const view = document.getElementById("sphere");
@@ -100,7 +100,7 @@ def test_the_whole_disk_is_covered_by_regions(browser, opened):
 
 def test_pointing_at_a_region_tells_its_signs_and_an_inner_point(browser, opened):
     planes = read_arrangement("coordinate-planes")
-    opened(planes, direction=(1, 1, 1))
+    opened(planes, camera=(1, 1, 1))
     browser.pointer("mouseMoved", *browser.middle("#sphere .ball"))
     told = facts(browser)
     assert told["signs"] == "+++"
@@ -171,7 +171,7 @@ def test_dragging_one_view_turns_both(view, browser, opened):
 
 
 def test_a_finger_turns_and_a_tap_chooses(browser, opened):
-    opened("coordinate-planes", direction=(1, 1, 1))
+    opened("coordinate-planes", camera=(1, 1, 1))
     before = shapes(browser)
     x, y = browser.middle("#sphere .ball")
     browser.fingers([(x, y)], [(x + 30, y)], [(x + 60, y + 20)])

@@ -23,7 +23,7 @@ from arrangement.pictures.duals.dual import dual_model
 from arrangement.pictures.duals.schlegel import symmetric_diagram
 from arrangement.pictures.parts.coordinates import orbits
 from arrangement.pictures.parts.essential import in_space
-from arrangement.pictures.parts.sections import section
+from arrangement.pictures.parts.sections import cut_out
 from arrangement.pictures.views import drawings_of
 from tests.drawn import elements
 
@@ -129,7 +129,7 @@ def test_the_point_of_view_is_beyond_one_facet_exactly(planes):
 @EVERY
 def test_a_section_cuts_the_regions_that_it_meets(planes):
     """Signs and faces are those of the restriction to the hyperplane, added as one more plane."""
-    flat, equation = section(planes, None, None)
+    flat, equation = cut_out(planes, None, None)
     given = restriction(addition(planes, equation[:-1], equation[-1]), len(planes))
     assert f_vector(flat)[-1] == f_vector(given)[-1]
     assert {f.signs for f in flat.regions()} <= {f.signs for f in planes.regions()}
@@ -139,7 +139,7 @@ def test_a_section_cuts_the_regions_that_it_meets(planes):
 
 def test_a_section_is_where_it_is_asked_for_or_refused():
     planes = generic(5, 4)
-    _, equation = section(planes, ["1", "0", "1/2", "0", "3"], None)
+    _, equation = cut_out(planes, ["1", "0", "1/2", "0", "3"], None)
     assert equation == (2, 0, 1, 0, 6)
     for wrong, said in (
         ([1, 2], "give 4 coefficients"),
@@ -147,9 +147,9 @@ def test_a_section_is_where_it_is_asked_for_or_refused():
         ([*planes.integer_planes[2][:4], 1], "plane 3 does not meet"),
     ):
         with pytest.raises(InputError, match=said):
-            section(planes, wrong, None)
+            cut_out(planes, wrong, None)
     with pytest.raises(InputError, match="not of the space"):
-        section(IN_R6, [1, 0, 0, 0, 0, 0, 1], None)
+        cut_out(IN_R6, [1, 0, 0, 0, 0, 0, 1], None)
 
 
 @pytest.mark.parametrize(
@@ -179,7 +179,7 @@ def test_the_graph_of_lines_is_a_tiling_whose_edges_do_not_cross():
 def test_a_poset_rises_from_its_base_by_one_plane_at_a_time(base, signs):
     planes = generic(4, 4)
     with own_settings():
-        made = draw_poset.scene(planes, base=base)
+        made = draw_poset.scene(planes, bottom=base)
     assert made.legend.lines[0][0].endswith(sign_text(signs or planes.regions()[2].signs))
     left = [x for x in made.items if isinstance(x, Label) and x.place[0] < 5]
     counts = [x.text for x in sorted(left, key=lambda x: x.place[1])]

@@ -6,7 +6,6 @@ import ast
 import inspect
 import json
 import re
-import time
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace

@@ -246,7 +246,7 @@ LABELLED: list[tuple[Any, Grasp, dict[str, Any]]] = [
     (draw_resist, COINCIDENT, {}),
     (draw_slice, THREE, {}),
     (draw_slice, FOUR, {"wrench": (0, 2, 0)}),
-    (draw_polar, LOADED, {"directions": 36}),
+    (draw_polar, LOADED, {"rays": 36}),
     (draw_compare, LOADED, {"wrench": (0, 1, 0)}),
     (draw_compare, FOUR, {"methods": ["complete", "weak"], "width": 88.0}),
     (draw_methods, LOADED, {"wrenches": [(0, k, "-1/2") for k in range(6)]}),
@@ -317,7 +317,7 @@ def test_the_three_parts_are_the_data_of_the_paper_figure():
 
 def test_polar_marks_are_the_entries_of_the_map():
     gap = next(g for g in gaps(3, 29, 60) if g.direction[2] == 0 and len(g.intervals) > 1)
-    options: dict[str, Any] = {"directions": 24, "tolerance": "1/100", "extent": 4}
+    options: dict[str, Any] = {"rays": 24, "tolerance": "1/100", "extent": 4}
     scene = draw_polar.scene(gap.grasp, **options)
     found = search_map(gap.grasp, 24, "1/100", 4000)
     assert found.disagreements
@@ -382,7 +382,7 @@ EXTREME = Grasp(
     [
         *((draw_grasp, {"wrench": w}) for w in ((0, 0, 0), (FAINT, 0, VAST), (VAST, 1, 0))),
         (draw_resist, {}),
-        (draw_polar, {"directions": 3}),
+        (draw_polar, {"rays": 3}),
     ],
 )
 def test_forces_and_places_of_any_size_can_be_drawn(view, options):

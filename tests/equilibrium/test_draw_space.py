@@ -61,7 +61,7 @@ def test_every_contact_has_its_number_and_nothing_leaves_the_paper(name):
 def test_three_edges_of_a_cube_are_hidden_and_nine_are_seen():
     grasp = read_grasp("two-opposed-fingers")
     assert isinstance(grasp.outline, Mesh)
-    scene = scene_of(grasp, direction=(3, -5, 4))
+    scene = scene_of(grasp, camera=(3, -5, 4))
     seen, hidden = lines(scene, "edge"), lines(scene, "hidden")
     # Parallel edges have one length on paper: three quarters of all that is drawn is seen.
     assert length(seen) == pytest.approx(3 * length(hidden))
@@ -134,7 +134,7 @@ def test_a_slice_without_a_border_ends_where_the_proofs_end(monkeypatch):
 
     monkeypatch.setattr(space_slice, "spatial_magnitudes", known)
     fingers = read_grasp("two-opposed-fingers")
-    scene: Scene = draw_slice.scene(fingers, axes="fy,fz", directions=3)
+    scene: Scene = draw_slice.scene(fingers, slice=("fy", "fz"), rays=3)
     for i in range(3):
         held, undecided = (
             [x for x in scene.items if isinstance(x, Line) and x.name == f"{name}-{i}"]
@@ -150,7 +150,7 @@ def test_a_slice_without_an_end_says_how_far_it_was_tried(monkeypatch):
 
     monkeypatch.setattr(space_slice, "spatial_magnitudes", known)
     fingers = read_grasp("two-opposed-fingers")
-    scene: Scene = draw_slice.scene(fingers, axes="fy,fz", directions=3)
+    scene: Scene = draw_slice.scene(fingers, slice=("fy", "fz"), rays=3)
     assert scene.legend.lines[-1][0] == "no end was found up to 64, the most tried, in all"
     axis, spoke = (next(x for x in scene.items if x.name == name) for name in ("", "spoke-1"))
     assert length([spoke]) == pytest.approx(64 / 160 * length([axis]))
@@ -159,14 +159,14 @@ def test_a_slice_without_an_end_says_how_far_it_was_tried(monkeypatch):
 
 def test_a_slice_ends_at_the_proved_borders():
     fingers = read_grasp("two-opposed-fingers")
-    scene: Scene = draw_slice.scene(fingers, axes="fy,fz", directions=3)
+    scene: Scene = draw_slice.scene(fingers, slice=("fy", "fz"), rays=3)
     spokes = [x for x in scene.items if x.name.startswith("spoke")]
     sizes = [float(np.linalg.norm(x.points[1] - x.points[0])) for x in spokes]
     # The fingers resist a disc of these forces.
     assert sizes == pytest.approx([sizes[0]] * 3, rel=2e-3)
     for axes in ("fx", "fx,fx", "fx,up"):
         with pytest.raises(GraspError, match="give two of"):
-            draw_slice.scene(fingers, axes=axes)
+            draw_slice.scene(fingers, slice=axes)
 
 
 def test_what_is_for_the_plane_is_refused_in_space_and_the_other_way():
@@ -175,9 +175,9 @@ def test_what_is_for_the_plane_is_refused_in_space_and_the_other_way():
         with pytest.raises(GraspError):
             scene_of(space, **options)
     with pytest.raises(GraspError, match="in space"):
-        scene_of(plane, direction=(1, 2, 3))
+        scene_of(plane, camera=(1, 2, 3))
     with pytest.raises(GraspError, match="turn"):
-        draw_proof.scene(space, wrench=WRENCH, turn=1)
+        draw_proof.scene(space, wrench=WRENCH, rotation=1)
 
 
 def data_of(page: str) -> dict[str, Any]:

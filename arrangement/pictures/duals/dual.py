@@ -46,7 +46,7 @@ SIDE_BY_SIDE = 120.0
 def draw_dual(
     arrangement: Arrangement,
     *,
-    direction: Vector | None = None,
+    camera: Vector | None = None,
     azimuth: float = 0.0,
     colour: Choice | None = None,
     antipodes: str | None = None,
@@ -77,7 +77,7 @@ def draw_dual(
 
     Args:
         arrangement: central, of rank 1 to 4; rank 3 for the hull.
-        direction: the exact direction towards the viewer; if omitted, one from above in which no
+        camera: the exact direction towards the viewer; if omitted, one from above in which no
             circle is edge-on and no vertex hides its opposite.
         azimuth, colour, antipodes, labels: as for `draw_sphere`.
         width: of the figure, in millimetres; below 120 the panels stand one above the other.
@@ -93,12 +93,12 @@ def draw_dual(
     if arrangement.rank == 4:
         if hull:
             raise InputError("the hull is that of regions in R^3; leave it out")
-        seen = (direction, azimuth)
+        seen = (camera, azimuth)
         return draw_schlegel(arrangement, coordinates, seen, colour, antipodes, labels, width)
     names = RegionLabels(arrangement, labels)
-    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
-    globe = Globe(arrangement, direction)
-    if direction is None and not hull:
+    arrangement, camera = in_coordinates(coordinates, arrangement, camera)
+    globe = Globe(arrangement, camera)
+    if camera is None and not hull:
         globe = Globe(arrangement, _oblique_direction(globe))
     if azimuth:
         globe = Globe(arrangement, globe.direction, azimuth)
@@ -305,7 +305,7 @@ def dual_model(
     explode: float = 1.3,
     coordinates: str | None = None,
 ) -> bytes:
-    """Return the dual polyhedron as a file; see `DualPolyhedron.export`.
+    """Return the dual polyhedron as a file.
 
     In GLB a face is coloured by its number of corners. In rank 4 there are the cells of the
     Schlegel diagram instead, as parts that stand apart.
@@ -313,7 +313,7 @@ def dual_model(
     Args:
         arrangement: central, of rank 3 or 4; in another space its essentialisation.
         suffix: ``.stl``, ``.glb`` or ``.obj``.
-        size: the largest side of the bounding box, in millimetres, before parts move.
+        size: the longest side of the bounding box, in millimetres, before parts move.
         explode: of rank 4, how far the cells stand apart; with 1 they stay together.
         coordinates: as for `draw_dual`, with generators of length 1; with "given" those of the
             file, in rank 3 of its lengths.

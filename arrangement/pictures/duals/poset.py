@@ -30,7 +30,7 @@ _MARGIN = 22.0
 def draw_poset(
     arrangement: Arrangement,
     *,
-    base: str | None = None,
+    bottom: str | None = None,
     colour: Choice | None = None,
     antipodes: str | None = None,
     labels: Labels | None = None,
@@ -47,7 +47,7 @@ def draw_poset(
 
     Args:
         arrangement: any, central or not.
-        base: the region at the bottom, by signs as ``"++-"`` or by number; if omitted, the one on
+        bottom: the region at the bottom, by signs as ``"++-"`` or by number; if omitted, the one on
             the positive side of all planes where there is one, else region 1.
         colour, antipodes, labels: as for `draw_sphere`; no labels for more than 150 regions if
             omitted.
@@ -58,9 +58,9 @@ def draw_poset(
     signs, edges = region_edges(arrangement)
     names = RegionLabels(arrangement, labels)
     positive = (1,) * len(arrangement)
-    bottom = names.signs_of(base or ("1" if positive not in signs else positive))
+    lowest = names.signs_of(bottom or ("1" if positive not in signs else positive))
     regions = arrangement.regions()
-    first = regions[signs.index(bottom)]
+    first = regions[signs.index(lowest)]
     heights = np.array(distances(arrangement, regions, first))
     across, rows = np.empty(len(signs)), Counter(heights.tolist())
     most = max(rows.values())
@@ -72,8 +72,8 @@ def draw_poset(
     top = int(heights.max())
     tall = min(1.3, max(0.4, 0.18 * top))
     scene = Scene(width, width * tall)
-    number = names.element("region", bottom).removeprefix("region-")
-    text = sign_text(bottom) if len(bottom) <= 24 else ""
+    number = names.element("region", lowest).removeprefix("region-")
+    text = sign_text(lowest) if len(lowest) <= 24 else ""
     scene.legend.line(f"bottom: region {number}, {text}".rstrip(", "))
     graph = PlacedGraph(np.column_stack([across, tall * heights / max(top, 1)]), signs, edges)
     drawn = GraphPicture(arrangement, graph, scene, names, colour, antipodes, _MARGIN)

@@ -43,7 +43,7 @@ def arrangement_page(
     *,
     title: str | None = None,
     colour: str | None = None,
-    direction: Vector | None = None,
+    camera: Vector | None = None,
     coordinates: str | None = None,
 ) -> str:
     """Return one HTML page, complete in itself, for central planes in R^3.
@@ -57,7 +57,7 @@ def arrangement_page(
         title: a heading; if omitted, the number of planes.
         colour: of the regions at first: "sides" (by number of sides), "signs" (by number of minus
             signs), "parity" (two colours), "none"; if omitted, sides if they differ, else parity.
-        direction: the exact first direction towards the viewer; if omitted, a clear one.
+        camera: the exact first direction towards the viewer; if omitted, a clear one.
         coordinates: at first: "given"; "symmetric", after a linear map that shows the symmetry of
             the planes; "even", after one that spreads the normals evenly. If omitted, symmetric
             where that differs, but for planes of motions, and even where the planes are narrow.
@@ -72,7 +72,7 @@ def arrangement_page(
     budget.keep(len(arrangement.distinct), "great circles on a page")
     if coordinates is not None and coordinates not in CHOICES:
         raise refusal(f"the coordinates are {shown(coordinates)}", coordinates, CHOICES)
-    globe = Globe(arrangement, direction)
+    globe = Globe(arrangement, camera)
     number = counted(len(arrangement), "plane")
     heading = title if title is not None else f"Arrangement of {number}"
     data = {
@@ -80,7 +80,7 @@ def arrangement_page(
         "summary": summary,
         "colour": colour,
         "axes": _floats(globe.axes),
-        "even": _shaped(globe, arrangement, coordinates, direction),
+        "even": _shaped(globe, arrangement, coordinates, camera),
         **_cells(globe.whole),
     }
     return one_page(

@@ -23,7 +23,7 @@ from .essential import brought, in_space, inverse_root, rounded_map
 _NEVER, _COST = 1e-9, 1.0
 
 
-def section(
+def cut_out(
     arrangement: Arrangement, plane: Equation | None, coordinates: str | None
 ) -> tuple[Arrangement, IntegerVector]:
     """Return what planes cut out on a hyperplane, and the hyperplane.
@@ -47,17 +47,17 @@ def section(
     if plane is None:
         equation: IntegerVector = (*_clear_normal(normals, mapped(matrix, space)[0]), 1)
     else:
-        equation = primitive(real_vector(plane, "plane"))
+        equation = primitive(real_vector(plane, "section"))
         d = arrangement.dimension
         if len(equation) != d + 1 or not any(equation[:-1]):
             raise InputError(
-                f"the plane is {shown(plane)}; give {d} coefficients, not all 0, and what the sum "
-                "is equal to"
+                f"the section is {shown(plane)}; give {d} coefficients, not all 0, and what the "
+                "sum is equal to"
             )
         if rank([*normals, equation[:-1]]) > 4:
             raise InputError(
-                f"the plane {shown(plane)} is not of the space of the planes; give a sum of their "
-                "normals"
+                f"the section {shown(plane)} is not of the space of the planes; give a sum of "
+                "their normals"
             )
     both = Arrangement([*normals, equation[:-1]], [0] * len(normals) + [equation[-1]])
     *given, (*normal, offset) = mapped(matrix, in_space(both, 4))[0].integer_planes

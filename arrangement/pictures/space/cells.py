@@ -53,7 +53,7 @@ def draw_cells(
     centre: Vector | None = None,
     radius: Exact | None = None,
     explode: float = 1.5,
-    direction: Vector | None = None,
+    camera: Vector | None = None,
     azimuth: float = 0.0,
     labels: Labels | None = None,
     coordinates: str | None = None,
@@ -72,7 +72,7 @@ def draw_cells(
         body: "cube" or "ball".
         centre, radius: exact, of the body, instead of one that contains all vertices.
         explode: by how much the middles of the cells are farther apart than in place; at least 1.
-        direction: exact, towards the viewer; if omitted, one in which no plane is edge-on.
+        camera: exact, towards the viewer; if omitted, one in which no plane is edge-on.
         azimuth: as for `draw_sphere`.
         labels: of cells, as for `draw_sphere`, on faces that have room; none for more than 60 cells
             if omitted.
@@ -83,9 +83,9 @@ def draw_cells(
     """
     if coordinates is None and not (centre is None and radius is None):
         coordinates = "given"
-    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
+    arrangement, camera = in_coordinates(coordinates, arrangement, camera)
     cells = _cells(arrangement, body, centre, radius, explode)
-    towards = clear_sight(cells) if direction is None else view_direction(direction)
+    towards = clear_sight(cells) if camera is None else view_direction(camera)
     stage = Stage(cells, turned(towards, azimuth))
     lifted = []
     for cell in cells.cells:
@@ -112,7 +112,7 @@ def cells_page(
     centre: Vector | None = None,
     radius: Exact | None = None,
     explode: float = 1.3,
-    direction: Vector | None = None,
+    camera: Vector | None = None,
 ) -> str:
     """Return one HTML page, complete in itself: the cells of planes in R^3, in a cube, to turn.
 
@@ -124,7 +124,7 @@ def cells_page(
         title: a heading; if omitted, the number of planes.
         centre, radius: exact, of the cube, instead of one that contains all vertices.
         explode: how far the cells stand apart at first, from 1 to 3.
-        direction: exact, towards the viewer at first; if omitted, one in which no plane is edge-on.
+        camera: exact, towards the viewer at first; if omitted, one in which no plane is edge-on.
 
     Raises:
         InputError: rank above 3, too many planes or cells, a bad factor.
@@ -132,7 +132,7 @@ def cells_page(
     number = counted(len(arrangement), "plane")
     note, arrangement = caption(arrangement, 3), brought(arrangement, "cells")
     cells = _cells(arrangement, "cube", centre, radius, explode)
-    towards = clear_sight(cells) if direction is None else view_direction(direction)
+    towards = clear_sight(cells) if camera is None else view_direction(camera)
     points = unit_points(cells)
     faces: list[tuple[tuple[int, ...], PageFace]] = []
     told = []
@@ -221,8 +221,7 @@ def cells_model(
         body: "ball" or "cube".
         centre, radius: exact, of the body; see `body_around`.
         explode: at least 1; with 1 the parts stay together.
-        size: the diameter of the ball or the edge of the cube before the parts move, in
-            millimetres.
+        size: the longest side of the bounding box, in millimetres, before parts move.
         colour: in GLB. "planes" (a wall has the colour of its plane), "sides" (a cell by its
             number of walls), "signs" (by its number of minus signs), "none", or a function of a
             `DrawnRegion`.

@@ -17,7 +17,7 @@ from arrangement.duals.cells import cut_cells, read_signs
 from arrangement.pictures.parts.coordinates import drawn_axes, in_coordinates
 from arrangement.pictures.parts.essential import caption, shown_as
 from arrangement.pictures.parts.names import RegionLabels, equation
-from arrangement.pictures.parts.sections import section
+from arrangement.pictures.parts.sections import cut_out
 
 from .lifted_cells import lifted_cells
 from .planes_sheet import DrawnFacet, FacetPainter, PlanesSheet
@@ -32,7 +32,7 @@ def draw_planes(
     body: str = "ball",
     centre: Vector | None = None,
     radius: Exact | None = None,
-    direction: Vector | None = None,
+    camera: Vector | None = None,
     azimuth: float = 0.0,
     lift: Iterable[str] = (),
     colour: str | FacetPainter = "planes",
@@ -55,7 +55,7 @@ def draw_planes(
         body: "ball" or "cube".
         centre, radius: exact, of the body, instead of one that contains all vertices. For planes
             whose vertices are far apart; what is outside is left out.
-        direction: exact, towards the viewer; if omitted, one in which no plane is edge-on.
+        camera: exact, towards the viewer; if omitted, one in which no plane is edge-on.
         azimuth: as for `draw_sphere`.
         lift: sign vectors of cells such as ``"+-+"``, over the input planes. These cells are
             drawn as solids, moved outward.
@@ -78,8 +78,8 @@ def draw_planes(
     if coordinates is None and not (centre is None and radius is None):
         coordinates = "given"
     shown, coordinates = drawn_axes(arrangement, axes, coordinates)
-    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
-    toward = None if direction is None else view_direction(direction)
+    arrangement, camera = in_coordinates(coordinates, arrangement, camera)
+    toward = None if camera is None else view_direction(camera)
     cells = cut_cells(arrangement, body, centre, radius)
     if toward is None:
         toward = clear_sight(cells, raised)
@@ -99,9 +99,9 @@ def draw_planes(
 def draw_section(
     arrangement: Arrangement,
     *,
-    plane: Equation | None = None,
+    section: Equation | None = None,
     body: str = "ball",
-    direction: Vector | None = None,
+    camera: Vector | None = None,
     azimuth: float = 0.0,
     lift: Iterable[str] = (),
     colour: str | FacetPainter = "planes",
@@ -110,26 +110,26 @@ def draw_section(
     width: float = 88.0,
     coordinates: str | None = None,
 ) -> Scene:
-    """Draw what central planes of rank 4 cut out on a hyperplane, as `draw_planes` does.
+    """Draw what central hyperplanes of rank 4 cut out on another one, as planes in R^3.
 
     A caption has the equation of the hyperplane. Elements and signs are those of planes in R^3.
 
     Args:
         arrangement: central, of rank 4.
-        plane: the hyperplane ``a x1 + b x2 + c x3 + d x4 = e`` as ``a,b,c,d,e``; if omitted, one
+        section: the hyperplane ``a x1 + b x2 + c x3 + d x4 = e`` as ``a,b,c,d,e``; if omitted, one
             with small coefficients that meets lines of intersection not far off.
         body, azimuth, lift, colour, labels, sides: as for `draw_planes`.
-        direction: as for `draw_planes`, in orthonormal coordinates of the hyperplane.
+        camera: as for `draw_planes`, in orthonormal coordinates of the hyperplane.
         coordinates: as for `draw_sphere`.
 
     Raises:
         InputError: other planes, a bad hyperplane; or as for `draw_planes`.
     """
-    flat, (*normal, offset) = section(arrangement, plane, coordinates)
+    flat, (*normal, offset) = cut_out(arrangement, section, coordinates)
     scene: Scene = draw_planes.scene(
         flat,
         body=body,
-        direction=direction,
+        camera=camera,
         azimuth=azimuth,
         lift=lift,
         colour=colour,

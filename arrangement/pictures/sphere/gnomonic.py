@@ -35,7 +35,7 @@ _BOTH_ENDS = 16
 def draw_gnomonic(
     arrangement: Arrangement,
     *,
-    direction: Vector | None = None,
+    camera: Vector | None = None,
     colour: Choice | None = None,
     antipodes: str | None = None,
     labels: Labels | None = None,
@@ -62,7 +62,7 @@ def draw_gnomonic(
 
     Args:
         arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
-        direction: the exact direction of the middle; if omitted, one in which all rays stay far
+        camera: the exact direction of the middle; if omitted, one in which all rays stay far
             from infinity; of more than six planes an axis of most symmetries, if there is one, else
             one in which the crossings spread evenly.
         colour, antipodes, labels: as for `draw_sphere`.
@@ -73,9 +73,9 @@ def draw_gnomonic(
         InputError: another space, planes off the origin, too many circles, unknown colouring.
     """
     names = RegionLabels(arrangement, labels)
-    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
-    globe = Globe(arrangement, direction)
-    if direction is None:
+    arrangement, camera = in_coordinates(coordinates, arrangement, camera)
+    globe = Globe(arrangement, camera)
+    if camera is None:
         globe = _upright(Globe(arrangement, _central_direction(globe)))
     colours = globe.colouring(colour, antipodes)
     disc = alone(globe, _chart(globe) if rim else _cut(globe), names, width)

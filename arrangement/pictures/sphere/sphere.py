@@ -36,7 +36,7 @@ from .projections import orthographic
 def draw_sphere(
     arrangement: Arrangement,
     *,
-    direction: Vector | None = None,
+    camera: Vector | None = None,
     azimuth: float = 0.0,
     colour: Choice | None = None,
     antipodes: str | None = None,
@@ -56,7 +56,7 @@ def draw_sphere(
 
     Args:
         arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
-        direction: exact, towards the viewer; if omitted, one in which no circle is edge-on.
+        camera: exact, towards the viewer; if omitted, one in which no circle is edge-on.
         azimuth: so many degrees the viewer then goes round to the right.
         colour: "sides" (by number of sides), "parity" (two colours, by number of minus signs),
             "signs" (shades, by number of minus signs), "orbits" (of the symmetry), "none", or a
@@ -81,8 +81,8 @@ def draw_sphere(
     """
     names = RegionLabels(arrangement, labels)
     shown, coordinates = drawn_axes(arrangement, axes, coordinates)
-    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
-    globe = Globe(arrangement, direction, azimuth)
+    arrangement, camera = in_coordinates(coordinates, arrangement, camera)
+    globe = Globe(arrangement, camera, azimuth)
     colours = globe.colouring(colour, antipodes)
     disc = alone(globe, front(globe, orthographic), names, width, solid=True)
     arms, arrows = [], []

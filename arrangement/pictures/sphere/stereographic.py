@@ -45,7 +45,7 @@ FARTHEST = 3.3
 def draw_stereographic(
     arrangement: Arrangement,
     *,
-    direction: Vector | None = None,
+    camera: Vector | None = None,
     colour: Choice | None = None,
     antipodes: str | None = None,
     labels: Labels | None = None,
@@ -68,7 +68,7 @@ def draw_stereographic(
 
     Args:
         arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
-        direction: the exact direction of the middle; if omitted, one is chosen.
+        camera: the exact direction of the middle; if omitted, one is chosen.
         colour, antipodes, labels: as for `draw_sphere`.
         whole: both halves, or the front half; if omitted, both where all circles stay within
             3.3 radii, as for few circles.
@@ -79,9 +79,9 @@ def draw_stereographic(
             the whole is asked for and the direction lies on a plane.
     """
     names = RegionLabels(arrangement, labels)
-    arrangement, direction = in_coordinates(coordinates, arrangement, direction)
-    globe = Globe(arrangement, direction)
-    if direction is None and whole is not False:
+    arrangement, camera = in_coordinates(coordinates, arrangement, camera)
+    globe = Globe(arrangement, camera)
+    if camera is None and whole is not False:
         # The direction that keeps farthest from all planes.
         units = unit_vectors(globe.whole.circle_normals)
         inner = far_direction(globe.whole.arrangement, units) if len(units) else (1, 1, 1)
@@ -99,8 +99,8 @@ def draw_stereographic(
     if math.isinf(_farthest(globe)):
         k = next(i for i, s in enumerate(arrangement.signs_at(globe.direction)) if s == 0)
         raise InputError(
-            f"the direction lies on plane {k + 1}, whose circle would pass through infinity; "
-            "choose another direction, or the front half alone (whole=False)"
+            f"the camera lies on plane {k + 1}, whose circle would pass through infinity; "
+            "choose another camera, or the front half alone (whole=False)"
         )
     scene = Scene(width, width)
     _Whole(globe, scene, colours.paint, names).draw()

@@ -39,8 +39,8 @@ def draw_grasp(
     *,
     wrench: Wrench | None = None,
     outline: Iterable[Corner] | None = None,
-    piece: int = 1,
-    direction: Vector | None = None,
+    equilibrium: int = 1,
+    camera: Vector | None = None,
     azimuth: float = 0.0,
     max_displacement: Exact | None = None,
     width: float = 88.0,
@@ -64,26 +64,26 @@ def draw_grasp(
         wrench: applied (f_x, f_y, tau), the torque about the origin, or six numbers in space; if
             omitted, none acts and nothing is solved.
         outline: corners of the object, exact, instead of the outline of the grasp, in the plane.
-        piece: which of the equilibria found (see `solve`), from 1, in the plane.
-        direction: exact, towards the viewer, in space; if omitted, one from above that sees forces
+        equilibrium: which of the equilibria found (see `solve`), from 1, in the plane.
+        camera: exact, towards the viewer, in space; if omitted, one from above that sees forces
             from the side.
         azimuth: so many degrees the viewer then goes round to the right, in space.
         max_displacement: exact; only equilibria up to it count, see `solve`.
 
     Raises:
-        GraspError: a bad outline, or no such piece.
+        GraspError: a bad outline, or no such equilibrium.
     """
     if grasp.dimension == 3:
-        if outline is not None or piece != 1:
-            raise GraspError("outline and piece are for grasps in the plane; leave them out")
+        if outline is not None or equilibrium != 1:
+            raise GraspError("outline and equilibrium are for grasps in the plane; leave them out")
         solid, note = solved_in_space(grasp, wrench, max_displacement)
-        return drawn_in_space(solid, direction, azimuth, width, note)
-    if direction is not None or azimuth:
+        return drawn_in_space(solid, camera, azimuth, width, note)
+    if camera is not None or azimuth:
         raise GraspError("a direction or a turn is for grasps in space; leave it out")
-    if wrench is None and piece != 1:
-        raise GraspError("without a wrench nothing is solved; give one with the piece")
+    if wrench is None and equilibrium != 1:
+        raise GraspError("without a wrench nothing is solved; give one with the equilibrium")
     verdict = None if wrench is None else Solver(grasp, max_displacement).solve(wrench)
-    return drawn(Layout(grasp, verdict, outline, piece), width)
+    return drawn(Layout(grasp, verdict, outline, equilibrium), width)
 
 
 def _content(layout: Layout) -> Floats:

@@ -52,7 +52,7 @@ class Layout:
         grasp: Grasp,
         verdict: Verdict | None = None,
         outline: Iterable[Iterable[Any]] | None = None,
-        piece: int = 1,
+        equilibrium: int = 1,
     ) -> None:
         shape = grasp.outline if outline is None else Polygon(outline)
         self.grasp, self.verdict, self.given = grasp, verdict, shape is not None
@@ -71,7 +71,7 @@ class Layout:
             _cone_rim(self.curve, place, normal, contact.friction)
             for contact, place, normal in zip(grasp, self.places, self.normals, strict=True)
         ]
-        self.found = _chosen(verdict, piece)
+        self.found = _chosen(verdict, equilibrium)
         self._scale_forces()
         self.states: States = ()
         self.step: Fraction | None = None
@@ -102,13 +102,15 @@ class Layout:
         self.preloads = [max(factor * float(q / unit), _LEAST) if q else 0.0 for q in preloads]
 
 
-def _chosen(verdict: Verdict | None, piece: int) -> Equilibrium | Solution | None:
+def _chosen(verdict: Verdict | None, number: int) -> Equilibrium | Solution | None:
     """Return an equilibrium by its number; of many contacts the one that was found is the first."""
-    if verdict is None or (piece == 1 and not (verdict.stable and verdict.lists_all())):
+    if verdict is None or (number == 1 and not (verdict.stable and verdict.lists_all())):
         return None if verdict is None else verdict.solution
-    if not 1 <= piece <= len(verdict.equilibria):
-        raise GraspError(f"piece is {piece}; there are {len(verdict.equilibria)} equilibria")
-    return verdict.equilibria[piece - 1]
+    if not 1 <= number <= len(verdict.equilibria):
+        raise GraspError(
+            f"the equilibrium is number {number}; there are {len(verdict.equilibria)} equilibria"
+        )
+    return verdict.equilibria[number - 1]
 
 
 def _cone_rim(curve: Floats | None, place: Floats, normal: Floats, friction: Fraction) -> Floats:

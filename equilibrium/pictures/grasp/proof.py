@@ -56,7 +56,7 @@ _EXAMPLES = (
 
 @picture(60.0)
 def draw_proof(
-    grasp: Grasp, *, wrench: Wrench, turn: Exact | None = None, width: float = 180.0
+    grasp: Grasp, *, wrench: Wrench, rotation: Exact | None = None, width: float = 180.0
 ) -> Scene:
     """Draw why a wrench is not resisted: regions of motions, and the virtual motion against each.
 
@@ -74,17 +74,17 @@ def draw_proof(
     Args:
         grasp: contacts.
         wrench: one that is not resisted.
-        turn: the angle r of the rotations shown (linearised), above 0, where it matters; if
+        rotation: the angle r of the rotations shown (linearised), above 0, where it matters; if
             omitted, about the largest one at which a preloaded spring still touches, and no border.
 
     Raises:
-        GraspError: the wrench is resisted, or a turn that is not above 0.
+        GraspError: the wrench is resisted, or a rotation that is not above 0.
     """
     if grasp.dimension == 3:
-        if turn is not None:
-            raise GraspError("turn is for grasps in the plane; leave it out")
+        if rotation is not None:
+            raise GraspError("rotation is for grasps in the plane; leave it out")
         return proof_in_space(grasp, wrench, width)
-    maps = proof_maps(grasp, wrench, turn)
+    maps = proof_maps(grasp, wrench, rotation)
     verdict, ranks = maps.verdict, maps.ranks
     layout = Layout(grasp, verdict)
     width = checked_width(width, 150.0)

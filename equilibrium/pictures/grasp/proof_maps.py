@@ -55,11 +55,11 @@ class ProofMaps:
     ranks: Mapping[RationalVector, int]
 
 
-def proof_maps(grasp: Grasp, wrench: Wrench, turn: Exact | None) -> ProofMaps:
+def proof_maps(grasp: Grasp, wrench: Wrench, rotation: Exact | None) -> ProofMaps:
     """Return the maps of the proof that a wrench is not resisted (see `draw_proof`).
 
     Raises:
-        GraspError: the wrench is resisted, or a turn that is not above 0.
+        GraspError: the wrench is resisted, or a rotation that is not above 0.
     """
     verdict = Solver(grasp).solve(wrench)
     if verdict.stable:
@@ -68,7 +68,7 @@ def proof_maps(grasp: Grasp, wrench: Wrench, turn: Exact | None) -> ProofMaps:
         )
     frame = frame_of(grasp, grasp.outline)
     found = list(parts(verdict.proof))
-    angle = _angle(grasp, frame, found, turn)
+    angle = _angle(grasp, frame, found, rotation)
     window = Window(frame.centre, MAP * frame.half)
     shapes = [
         Shape(part, sense, corners)
@@ -85,13 +85,13 @@ def proof_maps(grasp: Grasp, wrench: Wrench, turn: Exact | None) -> ProofMaps:
 
 
 def _angle(
-    grasp: Grasp, frame: Frame, found: list[ClosedPart], turn: Exact | None
+    grasp: Grasp, frame: Frame, found: list[ClosedPart], rotation: Exact | None
 ) -> Fraction | None:
     """Return the rotation to be shown; None if regions do not depend on the size of motions."""
-    if turn is not None:
-        angle = rational(turn, "turn")
+    if rotation is not None:
+        angle = rational(rotation, "rotation")
         if angle <= 0:
-            raise GraspError(f"turn is {angle}; it must be above 0")
+            raise GraspError(f"rotation is {angle}; it must be above 0")
         return angle
     plain = all(g[0] == 0 or not any(g[1:]) for part in found for g in part.region)
     if plain and not any(grasp.contacts[i].preload for part in found for i in part.states):

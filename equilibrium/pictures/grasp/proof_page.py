@@ -33,7 +33,7 @@ _LABEL = (0.05, 0.06)
 
 
 def proof_page(
-    grasp: Grasp, *, wrench: Wrench, turn: Exact | None = None, title: str | None = None
+    grasp: Grasp, *, wrench: Wrench, rotation: Exact | None = None, title: str | None = None
 ) -> str:
     """Return one HTML page, complete in itself: why a wrench is not resisted.
 
@@ -45,14 +45,14 @@ def proof_page(
     Args:
         grasp: contacts.
         wrench: one that is not resisted.
-        turn: the angle r of the rotations shown (linearised), above 0, where it matters; if
+        rotation: the angle r of the rotations shown (linearised), above 0, where it matters; if
             omitted, about the largest one at which a preloaded spring still touches, and no border.
         title: a heading; if omitted, the wrench.
 
     Raises:
-        GraspError: the wrench is resisted, or a turn that is not above 0.
+        GraspError: the wrench is resisted, or a rotation that is not above 0.
     """
-    maps = proof_maps(grasp, wrench, turn)
+    maps = proof_maps(grasp, wrench, rotation)
     heading = (
         f"Why w = {LABEL.vector(maps.verdict.wrench)} is not resisted" if title is None else title
     )

@@ -35,7 +35,7 @@ def grasp_page(
     grasp: Grasp,
     *,
     wrench: Wrench | None = None,
-    direction: Vector | None = None,
+    camera: Vector | None = None,
     title: str | None = None,
 ) -> str:
     """Return one HTML page, complete in itself: a grasp in space that turns.
@@ -46,11 +46,11 @@ def grasp_page(
     Args:
         grasp: contacts, in space.
         wrench: applied, six numbers; if omitted, none acts and nothing is solved.
-        direction: exact, towards the viewer at first; if omitted, as for the picture.
+        camera: exact, towards the viewer at first; if omitted, as for the picture.
         title: a heading; if omitted, the number of contacts.
     """
     solid, note = solved_in_space(grasp, wrench)
-    towards = clear_side(solid) if direction is None else view_direction(direction)
+    towards = clear_side(solid) if camera is None else view_direction(camera)
     tree = solid.tree()
     number_of = counted(len(grasp), "contact")
     facts = [note or None, wrench_text(solid.wrench, grasp.units) if any(solid.wrench) else None]
@@ -110,7 +110,7 @@ def grasp_model(
         grasp: contacts, in space.
         suffix: ``.stl``, ``.glb`` or ``.obj``.
         wrench: applied, six numbers; if omitted, none acts and nothing is solved.
-        size: the longest side of the box around body and contacts, in millimetres.
+        size: the longest side of the bounding box, in millimetres.
 
     Raises:
         InputError: a grasp without contacts.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 import numpy as np
@@ -32,19 +32,21 @@ _MORE_NODES = 400
 _HELD, _REFUTED = "#5f93bd", "#f6e3d3"
 
 
-def slice_in_space(grasp: Grasp, axes: str, directions: int, width: float) -> Scene:
+def slice_in_space(grasp: Grasp, axes: Iterable[str], rays: int, width: float) -> Scene:
     """Return the picture; see `equilibrium.pictures.wrenches.forces.draw_slice`."""
-    chosen = axes.split(",")
+    chosen = (axes if isinstance(axes, str) else ",".join(axes)).split(",")
     if len(set(chosen)) != 2 or not set(chosen) <= set(NAMES):
-        raise GraspError(f"the axes are {shown(axes)}; give two of {', '.join(NAMES)}, as in fx,fz")
-    if not 3 <= directions <= 360:
-        raise GraspError(f"directions is {directions}; give 3 to 360")
+        raise GraspError(
+            f"the slice is {shown(' '.join(chosen))}; give two of {', '.join(NAMES)}, as in fx fz"
+        )
+    if not 3 <= rays <= 360:
+        raise GraspError(f"the number of rays is {rays}; give 3 to 360")
     first, second = map(NAMES.index, chosen)
     spokes, loads = [], KnownLoads(grasp, _NODES)
     patient = KnownLoads(grasp, _MORE_NODES)
     patient.trees, patient.solver = loads.trees, loads.solver
-    for k in watched(range(directions), "directions"):
-        angle = 2 * math.pi * k / directions
+    for k in watched(range(rays), "rays"):
+        angle = 2 * math.pi * k / rays
         way = unit_normal((math.cos(angle), math.sin(angle)), Fraction(1, 100)).normal
         load = [Fraction(0)] * 6
         load[first], load[second] = way

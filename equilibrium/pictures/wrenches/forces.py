@@ -136,16 +136,17 @@ def draw_slice(
     wrench: Wrench | None = None,
     preload: Exact | None = None,
     extent: Exact | None = None,
-    axes: str = "",
-    directions: int = 16,
+    slice: Iterable[str] = (),
+    rays: int = 16,
     width: float = 180.0,
 ) -> Scene:
-    """Draw the resisted forces three times in the same plane, with the same axes.
+    """Draw the resisted forces by wrench space, without preload and with it, side by side.
 
-    (a) The slice of the Grasp Wrench Space with normal forces that sum to at most 1: it knows
-    neither springs nor preload. (b) The exact set without preload. (c) The same with the grasp's
-    own preloads or, where it has none or one is given, with one preload at every contact. The
-    border is drawn only where resistance ends; what reaches the edge has no end, and fades.
+    All three in the same plane, with the same axes. (a) The slice of the Grasp Wrench Space with
+    normal forces that sum to at most 1: it knows neither springs nor preload. (b) The exact set
+    without preload. (c) The same with the grasp's own preloads or, where it has none or one is
+    given, with one preload at every contact. The border is drawn only where resistance ends; what
+    reaches the edge has no end, and fades.
 
     In space, one picture: the wrenches along directions of a plane of two coordinates, as far as
     they are proved to be resisted, with both ends of each bracket of a border; thick where the
@@ -158,8 +159,9 @@ def draw_slice(
         preload: at every contact of part (c); if omitted, the grasp's own preloads, or 1 where it
             has none.
         extent: half the side of each part, about the origin; if omitted, all borders are shown.
-        axes: in space, two of fx, fy, fz, tx, ty, tz; "fx,fy" if omitted.
-        directions: how many, in space.
+        slice: in space, the two coordinates of the plane, of fx, fy, fz, tx, ty, tz; if omitted,
+            fx and fy.
+        rays: in space, in how many directions borders are looked for, evenly spaced.
 
     Raises:
         GraspError: an extent that is not above 0.
@@ -167,9 +169,9 @@ def draw_slice(
     if grasp.dimension == 3:
         if not (wrench is preload is extent is None):
             raise GraspError("wrench, preload and extent are for slices in the plane")
-        return slice_in_space(grasp, axes or "fx,fy", directions, min(width, 88.0))
-    if axes:
-        raise GraspError("axes are for grasps in space; leave them out")
+        return slice_in_space(grasp, slice or ("fx", "fy"), rays, min(width, 88.0))
+    if slice:
+        raise GraspError("slice is for grasps in space; leave it out")
     question = PlaneQuestion(wrench, extent)
     given = None if preload is None else rational(preload, "preload")
     parts = slices(grasp, question.torque, given)

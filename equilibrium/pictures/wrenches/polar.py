@@ -28,7 +28,7 @@ from equilibrium.wrench_sets.search_map import Entry
 def draw_polar(
     grasp: Grasp,
     *,
-    directions: int = 72,
+    rays: int = 72,
     tolerance: Exact | None = None,
     extent: Exact | None = None,
     width: float = 88.0,
@@ -42,7 +42,7 @@ def draw_polar(
 
     Args:
         grasp: contacts.
-        directions: how many, evenly spaced from f_x, counter-clockwise.
+        rays: how many, evenly spaced from f_x, counter-clockwise.
         tolerance: of the search; if omitted, a thousandth of the radius of the picture.
         extent: that radius; if omitted, it holds the largest preload and the ends of the border.
             The search tries magnitudes up to 1000 times as much.
@@ -50,17 +50,17 @@ def draw_polar(
     Raises:
         GraspError: a number that is out of range.
     """
-    if directions < 1:
-        raise GraspError(f"directions is {directions}; give at least 1")
-    budget.keep(directions, "directions in a picture")
+    if rays < 1:
+        raise GraspError(f"the number of rays is {rays}; give at least 1")
+    budget.keep(rays, "rays in a picture")
     region = resisted_region(grasp)
     radius = read_extent(extent) or _radius(grasp, region)
     step = radius / 1000 if tolerance is None else rational(tolerance, "tolerance")
-    found = search_map(grasp, directions, step, 1000 * radius)
+    found = search_map(grasp, rays, step, 1000 * radius)
     window = Window((Fraction(0), Fraction(0)), radius)
     scene, (panel,) = row_of_panels(1, window, width, grasp)
     _describe(found.entries, region, scene.legend)
-    panel.title(f"largest resisted force in {directions} directions", above=8.0)
+    panel.title(f"largest resisted force in {rays} directions", above=8.0)
     middle, half = panel.at((0, 0)), panel.side / 2
     panel.region(region, by_states=False, clip=(middle, half))
     scene.circle(middle, half, fill=False, ec=RIM, lw=0.5, gid="rim")

@@ -103,7 +103,7 @@ def wrench_set_model(
         grasp: contacts.
         suffix: ``.stl``, ``.glb`` or ``.obj``.
         extent: half the sides of the box, about the origin, as for the picture.
-        size: the edge of the box, in millimetres.
+        size: the longest side of the bounding box, in millimetres.
 
     Raises:
         GraspError: an extent that is not above 0.

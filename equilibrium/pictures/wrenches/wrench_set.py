@@ -49,7 +49,7 @@ def draw_wrench_set(
     *,
     wrench: Wrench | None = None,
     extent: Exact | None = None,
-    direction: Vector | None = None,
+    camera: Vector | None = None,
     azimuth: float = 0.0,
     width: float = 180.0,
 ) -> Scene:
@@ -69,7 +69,7 @@ def draw_wrench_set(
             set it shines through.
         extent: half the sides of the box, about the origin; if omitted, the box holds the corners
             of the set, except single ones far out.
-        direction: exact, towards the viewer, in the coordinates of the box; if omitted, from where
+        camera: exact, towards the viewer, in the coordinates of the box; if omitted, from where
             much of the set is seen.
         azimuth: so many degrees the viewer then goes round to the right.
         width: of the figure, in millimetres; below 120 the grasp is left out.
@@ -79,7 +79,7 @@ def draw_wrench_set(
     """
     applied = None if wrench is None else read_wrench(wrench)
     box = wrench_box(grasp, read_extent(extent))
-    towards = box.clear_side if direction is None else view_direction(direction)
+    towards = box.clear_side if camera is None else view_direction(camera)
     towards = turned(towards, azimuth)
     if width < _BOTH:
         return _WrenchSetPicture(grasp, box, towards, applied, width).scene
