@@ -171,7 +171,7 @@ def test_a_slice_ends_at_the_proved_borders():
 
 def test_what_is_for_the_plane_is_refused_in_space_and_the_other_way():
     space, plane = read_grasp("wedge"), read_grasp("paper-three-contacts")
-    for options in ({"outline": [(0, 0)]}, {"piece": 2}, {"wrench": (0, 1, 0)}):
+    for options in ({"outline": [(0, 0)]}, {"equilibrium": 2}, {"wrench": (0, 1, 0)}):
         with pytest.raises(GraspError):
             scene_of(space, **options)
     with pytest.raises(GraspError, match="in space"):
