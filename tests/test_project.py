@@ -6,11 +6,13 @@ import pydoc
 import re
 import subprocess
 import sys
+from collections import Counter
 from pathlib import Path
 
 import pytest
 
 import arrangement
+from proofs_check.claims import registry
 from tests import mutant_targets
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -137,7 +139,7 @@ def paths_named(text: str) -> set[str]:
     }
 
 
-@pytest.mark.parametrize("page", ["CONTRIBUTING.md", "docs/architecture.rst"])
+@pytest.mark.parametrize("page", ["README.md", "CONTRIBUTING.md", "docs/architecture.rst"])
 def test_every_path_on_a_page_for_developers_exists(page):
     folders = (ROOT / name for name in (*PACKAGES, "docs", "tests"))
     known = [
@@ -153,3 +155,17 @@ def test_every_path_on_a_page_for_developers_exists(page):
 def test_a_path_that_is_not_there_is_found():
     text = "a file in `equilibrium/methods/contact_laws/`, [why](docs/gone.rst), `x` and ``a.py``"
     assert paths_named(text) == {"equilibrium/methods/contact_laws/", "docs/gone.rst", "a.py"}
+
+
+def test_readme_is_short_and_true():
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert len(text.encode()) <= 4096
+    assert len(text.splitlines()) <= 60
+    for term in ("hyperplane arrangement", "force closure", "Farkas"):
+        assert term in text
+    pictures = re.findall(r'(?:src|srcset)="([^"]+)"', text)
+    assert len(pictures) == 2
+    assert all((ROOT / picture).is_file() for picture in pictures)
+    count = Counter(claim.expected.value for claim in registry() if not claim.large)
+    line = ", ".join(f"{number} {verdict}" for verdict, number in sorted(count.items()))
+    assert f"{count.total()} claims: {line}; all as expected" in text
