@@ -95,7 +95,7 @@ TARGETS = {
     "robust": Target("equilibrium.certificate.robust", ROBUST),
     "plane": Target("equilibrium.model.grasp", (GRASP, PLANES)),
     "loads": Target("equilibrium.wrench_sets.spatial", LOADS),
-    "known": Target("equilibrium.wrench_sets.known_loads", LOADS),
+    "known": Target("equilibrium.decide.known_loads", LOADS),
     "final": Target("arrangement.library.census.final_polynomials", FINAL),
     "proofs": Target("tests.census.proofs", FINAL),
     "inscribed": Target("arrangement.duals.inscribed.certificates", (INSCRIBED,)),
@@ -264,6 +264,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_grasp.py",
         "tests/equilibrium/test_space.py::TestModel",
     ): ("equilibrium.model.contact",),
+    ("tests/equilibrium/test_grasp.py",): ("equilibrium.decide.as_printed",),
     ("tests/equilibrium/test_resistance.py",): ("equilibrium.model.effort",),
     ("tests/equilibrium/test_displacement.py",): ("equilibrium.model.displacement",),
     (
@@ -306,6 +307,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "equilibrium.space.tree",
     ),
     ("tests/equilibrium/test_any_direction.py",): ("equilibrium.wrench_sets.any_direction",),
+    ("tests/equilibrium/test_resisted_set.py",): ("equilibrium.wrench_sets.resisted_set",),
     (
         "tests/equilibrium/test_contact_states.py",
         "tests/equilibrium/test_wrench_sets_plane.py",

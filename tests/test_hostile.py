@@ -415,7 +415,7 @@ CASES = [
         ("limit no-such-grasp --direction 0 1 0", "no-such-grasp"),
         (f"region {THREE} --second 2 0 0", "parallel"),
         (f"map {THREE} --directions 0", "directions"),
-        (f"margin {THREE} {UP} --width 0", "width"),
+        (f"margin {THREE} {UP} --width 0", "tolerance"),
         (f"compare no-such-grasp {UP}", "no-such-grasp"),
         ("compare two-opposed-fingers --wrench 0 1 1 0 0 0 --cone pyramid:7", "7"),
         (f"compare {THREE} {UP} --cone pyramid:8", "pyramid"),

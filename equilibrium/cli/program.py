@@ -148,7 +148,6 @@ def _list(arguments: argparse.Namespace) -> int:
 
 def _solve(arguments: argparse.Namespace) -> int:
     from equilibrium.decide.solver import solve
-    from equilibrium.grasps.files import write_certificate
     from equilibrium.model.errors import GraspError
 
     if arguments.literal and arguments.certificate is not None:
@@ -156,18 +155,16 @@ def _solve(arguments: argparse.Namespace) -> int:
     grasp = grasp_of(arguments)
     wrench = applied(arguments, grasp)
     if arguments.literal:
-        from equilibrium.methods.printed_model import solve_literal
-
         if arguments.max_displacement is not None:
             raise GraspError("a literal reading bounds no displacement; omit one of the two")
-        literal = solve_literal(grasp, wrench, arguments.literal)
+        literal = solve(grasp, wrench, as_printed=arguments.literal)
         lines = piece_lines(literal.equilibria, grasp)
         return show(arguments, literal.to_dict(), lines, literal.stable, grasp)
     bound, deadline = arguments.max_displacement, Deadline(arguments.time_limit)
     asked = {"shorten": arguments.shorten, "pyramid": arguments.cone, "max_displacement": bound}
     found = solve(grasp, wrench, time_limit=arguments.time_limit, **asked)
     if arguments.certificate is not None and found.certificate is not None:
-        write_certificate(arguments.certificate, found.certificate)
+        found.certificate.save(arguments.certificate)
     every = arguments.all or None
     lines = verdict_lines(found, every, arguments.certificate)
     yes = found.stable if found.decided else None
@@ -185,7 +182,6 @@ def _answer(
     """Print a verdict with what other grasps within the error or within bounds say."""
     from equilibrium.certificate.uncertain import Bounds
     from equilibrium.decide import robustness
-    from equilibrium.grasps.files import write_certificate
     from equilibrium.model.errors import GraspError
 
     lines = list(lines)
@@ -203,7 +199,7 @@ def _answer(
         document["robust"] = robust.to_dict()
         lines += robust.lines()
         if arguments.certificate is not None and robust.certificate is not None:
-            write_certificate(arguments.certificate, robust.certificate)
+            robust.certificate.save(arguments.certificate)
             lines.append("the certificate written is the proof for all of them")
         yes = True if robust else None if robust.turned is None else False
     return show(arguments, document, lines, yes, found.grasp)

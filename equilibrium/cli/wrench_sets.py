@@ -107,7 +107,7 @@ def _solver(arguments: argparse.Namespace, grasp: Grasp) -> Solver:
 
 
 def _limit(arguments: argparse.Namespace) -> int:
-    from equilibrium.wrench_sets import resisted_magnitudes
+    from equilibrium.wrench_sets.line import resisted_magnitudes
 
     if arguments.any_direction:
         return _smallest(arguments)
@@ -125,12 +125,13 @@ def _limit(arguments: argparse.Namespace) -> int:
 
 
 def _smallest(arguments: argparse.Namespace) -> int:
-    from equilibrium.wrench_sets import smallest_unresisted_wrench
+    from equilibrium.wrench_sets import ResistedSet
 
     force_given(arguments)  # refuses a place without a force
     grasp = grasp_of(arguments)
     length = 1 if arguments.length is None else arguments.length
-    found = smallest_unresisted_wrench(_solver(arguments, grasp), arguments.base, length)
+    whole = ResistedSet(grasp, max_displacement=arguments.max_displacement)
+    found = whole.smallest_outside(arguments.base, length)
     lines = _smallest_lines(found, grasp)
     return show(arguments, found.to_dict(), lines, found.size_squared != 0, grasp)
 
@@ -213,7 +214,7 @@ def _border_lines(found: SpatialMagnitudes) -> Iterator[str]:
 
 
 def _region(arguments: argparse.Namespace) -> int:
-    from equilibrium.wrench_sets import resisted_region
+    from equilibrium.wrench_sets.plane import resisted_region
 
     grasp, spans = grasp_of(arguments), (arguments.first, arguments.second)
     region = resisted_region(_solver(arguments, grasp), spans, arguments.origin)
@@ -241,17 +242,17 @@ def _region_lines(region: Region) -> Iterator[str]:
 
 
 def _polyhedra(arguments: argparse.Namespace) -> int:
-    from equilibrium.wrench_sets import resisted_set
+    from equilibrium.wrench_sets import ResistedSet
 
     grasp = grasp_of(arguments)
-    whole = resisted_set(_solver(arguments, grasp))
-    return show(arguments, whole.to_dict(), _set_lines(whole), bool(whole.pieces), grasp)
+    whole = ResistedSet(grasp, max_displacement=arguments.max_displacement)
+    return show(arguments, whole.to_dict(), _set_lines(whole), bool(whole.polyhedra), grasp)
 
 
 def _set_lines(whole: ResistedSet) -> Iterator[str]:
-    many = counted(len(whole.pieces), "polyhedron", "polyhedra")
+    many = counted(len(whole.polyhedra), "polyhedron", "polyhedra")
     yield f"{many} (conditions a f_x + b f_y + c tau + d >= 0 or = 0)"
-    for piece in whole.pieces:
+    for piece in whole.polyhedra:
         yield f"  {' '.join(piece.states)}"
         yield from (f"    {vector(row)} >= 0" for row in piece.polyhedron.inequalities)
         yield from (f"    {vector(row)} = 0" for row in piece.polyhedron.equalities)
@@ -259,7 +260,7 @@ def _set_lines(whole: ResistedSet) -> Iterator[str]:
 
 def _margin(arguments: argparse.Namespace) -> int:
     from equilibrium.grasps.inputs.documents import question_document
-    from equilibrium.wrench_sets import least_friction, margin, sufficient_preloads
+    from equilibrium.wrench_sets.margin import margin
 
     grasp = grasp_of(arguments)
     wrench = applied(arguments, grasp)
@@ -269,8 +270,7 @@ def _margin(arguments: argparse.Namespace) -> int:
     solver = _solver(arguments, grasp)
     solver.ask(_MARGIN)
     found = margin(solver, wrench)
-    preloads = sufficient_preloads(solver, wrench)
-    friction = least_friction(solver, wrench, arguments.width)
+    preloads, friction = found.preloads, found.friction(arguments.width)
     remedies = {"preload": preloads.to_dict(), "friction": friction.to_dict()}
     more, again = _rounded(solver, found.magnitudes) if any(wrench) else ({}, [])
     doubt = grasp.data_error is not None and solver.solve(wrench).doubt
@@ -288,7 +288,7 @@ def _margin(arguments: argparse.Namespace) -> int:
 
 
 def _map(arguments: argparse.Namespace) -> int:
-    from equilibrium.wrench_sets import search_map
+    from equilibrium.wrench_sets.search_map import search_map
 
     grasp = grasp_of(arguments)
     found = search_map(grasp, arguments.directions, arguments.tolerance, arguments.largest)

@@ -36,7 +36,7 @@ from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.contact_rows import sum_row
 from equilibrium.plane.states.contact_states import states_of_code
 from equilibrium.plane.states.state_system import StateSystem, state_system
-from equilibrium.wrench_sets.space import resisted_set
+from equilibrium.wrench_sets.space import magnitudes_in, resisted_pieces
 
 #: All magnitudes.
 ALL: Interval = (Fraction(0), None)
@@ -235,9 +235,9 @@ def gaps(contacts: int, seed: int, tries: int) -> Iterator[Gap]:
     random = Random(seed)
     for _ in watched(range(tries), "grasps"):
         grasp = Grasp(_contact(random) for _ in range(contacts))
-        whole = resisted_set(grasp)
+        pieces = resisted_pieces(Solver(grasp))
         for direction in _AXES:
-            found = whole.along(direction)
+            found = magnitudes_in(pieces, (Fraction(0),) * 3, direction)
             if found and (len(found) > 1 or found[0][0] != 0):
                 yield Gap(grasp, direction, found)
 

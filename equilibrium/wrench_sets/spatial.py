@@ -16,12 +16,11 @@ from typing import Any, TypeAlias
 
 from arrangement.numbers.exact import RationalVector, rational, shown, to_text
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
+from equilibrium.decide.known_loads import KnownLoads, KnownMagnitudes
 from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.displacement import read_displacement
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-
-from .known_loads import KnownLoads, KnownMagnitudes
 
 #: A magnitude and its verdict.
 Sample: TypeAlias = tuple[Fraction, str]

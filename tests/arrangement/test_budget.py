@@ -21,10 +21,10 @@ from arrangement.enumeration.choose import most_faces
 from arrangement.library.files import table
 from arrangement.numbers import budget
 from arrangement.numbers.linear.rank import PRIME
-from equilibrium import contact_states
 from equilibrium.cli.program import main as equilibrium_main
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.methods.compare import compare
+from equilibrium.plane.states.contact_states import contact_states
 from proofs_check.cli.program import main as proofs_check_main
 
 #: No question may eat the machine: seconds of the processor and megabytes that none may take. How

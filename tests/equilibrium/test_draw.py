@@ -33,7 +33,9 @@ from equilibrium.pictures.grasp.proof_page import proof_page
 from equilibrium.pictures.parts.body import body, frame_of
 from equilibrium.pictures.parts.style import nice
 from equilibrium.pictures.wrenches.forces import slices
-from equilibrium.wrench_sets import gaps, resisted_region, search_map
+from equilibrium.wrench_sets import gaps
+from equilibrium.wrench_sets.plane import resisted_region
+from equilibrium.wrench_sets.search_map import search_map
 from tests.drawn import offences
 
 from .strategies import grasps, wrenches

@@ -14,7 +14,7 @@ from arrangement.drawing.scene.items import Label, Path as Line
 from arrangement.drawing.scene.layout import laid_out
 from arrangement.drawing.scene.scene import Scene
 from arrangement.errors import InputError
-from equilibrium import Contact, Grasp, GraspError, Mesh, read_grasp, resisted_set
+from equilibrium import Contact, Grasp, GraspError, Mesh, ResistedSet, read_grasp
 from equilibrium.cli.program import main
 from equilibrium.decide import RESISTED, UNDECIDED
 from equilibrium.pictures import draw_grasp, draw_proof, draw_slice
@@ -241,7 +241,7 @@ def beside(
 def test_resistance_ends_at_every_face(name):
     """Decided at exact points on both sides of each face."""
     grasp = read_grasp(name)
-    box, whole = wrench_box(grasp), resisted_set(grasp)
+    box, whole = wrench_box(grasp), ResistedSet(grasp)
     patches = [p for node in box.tree for p in node.patches if len(p.corners) > 2]
     for patch in patches:
         corners = [tuple(Fraction(x, c[3]) for x in c[:3]) for c in patch.corners]

@@ -13,7 +13,7 @@ from scipy.spatial import ConvexHull
 
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.exact import RationalVector, dot
-from equilibrium import Contact, Grasp, margin, methods, read_grasp, solve, solve_literal
+from equilibrium import Contact, Grasp, methods, read_grasp, solve
 from equilibrium.cli.program import main
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.methods.compare import ask, compare
@@ -40,6 +40,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.pictures.wrenches.forces import draw_methods
 from equilibrium.plane.contact_rows import friction_edges
 from equilibrium.wrench_sets import Region
+from equilibrium.wrench_sets.margin import margin
 
 from .strategies import grasps
 
@@ -227,7 +228,7 @@ def test_a_result_is_true_exactly_when_it_says_yes(wrench, yes):
     compared = compare(grasp, wrench)
     for found in (
         solve(grasp, wrench),
-        solve_literal(grasp, wrench, ["single-solution"]),
+        solve(grasp, wrench, as_printed=["single-solution"]),
         margin(grasp, wrench),
         frictionless_slip(grasp, wrench),
         compared,

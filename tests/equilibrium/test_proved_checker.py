@@ -8,7 +8,7 @@ import pytest
 from arrangement.console import proved_program
 from arrangement.console.proved_program import PROGRAM
 from arrangement.errors import InputError
-from equilibrium import CertificateError, read_grasp, solve, verify, write_certificate
+from equilibrium import CertificateError, read_grasp, solve, verify
 from equilibrium.cli import main
 from equilibrium.grasps.files import verify_proved
 
@@ -101,7 +101,7 @@ def test_a_path_is_no_option(folder):
 
 def test_the_command_says_which_checker_spoke(folder, capsys):
     path, asked = str(folder / "certificate.json"), ["--wrench", "1", "0", "0", "--grasp"]
-    write_certificate(path, solve(read_grasp("single-contact"), (1, 0, 0)).certificate)
+    solve(read_grasp("single-contact"), (1, 0, 0)).certificate.save(path)
     program(folder, "accepted: not resisted", 0)
     assert main(["verify", "--proved", path]) == 0
     answer, *question = capsys.readouterr().out.splitlines()

@@ -12,10 +12,12 @@ import pytest
 
 from arrangement.numbers import deadline
 from arrangement.numbers.exact import dot
-from equilibrium import Contact, Grasp, GraspError, Solver, check, read_grasp, solve
+from equilibrium import Contact, Grasp, GraspError, read_grasp, solve
+from equilibrium.certificate.checker import check
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.cli.program import main
 from equilibrium.decide.corners import moved
+from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs import from_float_data, read_csv
 from equilibrium.grasps.inputs.incidences import other_rounding
 from equilibrium.model.labels import DataError

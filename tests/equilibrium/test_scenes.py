@@ -13,10 +13,11 @@ import pytest
 
 import equilibrium.scenes
 from arrangement.numbers import budget
-from equilibrium import Contact, Grasp, Polygon, Solver, read_grasp
+from equilibrium import Contact, Grasp, Polygon, read_grasp
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.law import frame
 from equilibrium.cli import main
+from equilibrium.decide.solver import Solver
 from equilibrium.scenes import EngineScene, benchmark, document_text
 from proofs_check.cli import main as claims
 

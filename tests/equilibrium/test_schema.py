@@ -9,7 +9,8 @@ import jsonschema
 import pytest
 
 from arrangement.errors import InputError
-from equilibrium import CertificateError, Circle, Contact, Grasp, GraspError, Polygon, Units, check
+from equilibrium import CertificateError, Circle, Contact, Grasp, GraspError, Polygon, Units
+from equilibrium.certificate.checker import check
 from equilibrium.cli.program import main
 from equilibrium.decide.solver import solve
 from equilibrium.grasps.files import read_grasp
