@@ -262,7 +262,7 @@ def test_least_friction_with_many_open_ranges_is_refused(monkeypatch):
         for k, (p, n) in enumerate(contacts)
     )
     monkeypatch.setitem(budget.MOST, "open ranges of friction coefficients", 1)
-    with pytest.raises(OutOfReachError, match="tolerance 1/4: 2 open ranges of friction coefficients"):
+    with pytest.raises(OutOfReachError, match="tolerance 1/4: 2 open ranges of friction coeff"):
         least_friction(grasp, (2, -2, 0), "1/4")
 
 
