@@ -9,9 +9,8 @@ w / p, if no range bounds motions and forces.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
 from typing import Any
 
 from arrangement.console.number_form import Documented
@@ -23,7 +22,6 @@ from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.states.contact_states import states_of_code
 from equilibrium.plane.states.state_system import state_system
 
-from .friction import TOLERANCE, FrictionBracket, least_friction
 from .line import ALL, Magnitudes, interval_between, resisted_magnitudes
 
 
@@ -41,7 +39,6 @@ class Margin(Documented):
     wrench: RationalVector
     resisted: bool
     intervals: tuple[Interval, ...]
-    _solver: Solver = field(compare=False)
 
     def __bool__(self) -> bool:
         """Return whether the wrench itself is resisted."""
@@ -69,19 +66,6 @@ class Margin(Documented):
         """The factors as magnitudes of the wrench."""
         return Magnitudes((Fraction(0),) * len(self.wrench), self.wrench, self.intervals)
 
-    @cached_property
-    def preloads(self) -> Preloads:
-        """All uniform preloads with which the grasp resists the wrench, exactly."""
-        return sufficient_preloads(self._solver, self.wrench)
-
-    def friction(self, tolerance: Any = TOLERANCE) -> FrictionBracket:
-        """Bracket the least uniform friction coefficient that resists the wrench.
-
-        Args:
-            tolerance: the wanted length of the bracket; see `least_friction`.
-        """
-        return least_friction(self._solver, self.wrench, tolerance)
-
 
 def margin(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Margin:
     """Return the exact factors by which a wrench may be scaled.
@@ -90,12 +74,13 @@ def margin(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Margin:
     >>> margin(read_grasp("paper-three-contacts-preload-1"), [0, "1/2", 0]).around
     (Fraction(0, 1), Fraction(2, 1))
     """
-    solver, w = prepare(grasp), read_wrench(wrench)
+    w = read_wrench(wrench)
+    solver = prepare(grasp)
     if any(w):
         found = resisted_magnitudes(solver, w).intervals
     else:
         found = (ALL,) if solver.solve(w).stable else ()
-    return Margin(w, holds(found, Fraction(1)), found, solver)
+    return Margin(w, holds(found, Fraction(1)), found)
 
 
 @dataclass(frozen=True)
