@@ -1,5 +1,5 @@
 # Each target creates .venv on first use and installs again when pyproject.toml or
-# constraints.txt change. PYTHON=... picks the interpreter, ARGS=... goes to pytest.
+# constraints.txt change. `make help` lists the targets and variables.
 
 .PHONY: help install verify test test-extended lint types scripts check mutants census bench docs pdf atlas docs-check notebooks package-check versions-check formal clean
 .DEFAULT_GOAL := help
@@ -45,15 +45,15 @@ help:
 $(BIN)/python:
 	@python="$(PYTHON)"; \
 	if [ -z "$$python" ]; then \
-	  echo "error: no Python >= 3.11 with ensurepip was found; install one, or name it: make PYTHON=/path/to/python" >&2; exit 1; fi; \
+	  echo "error: no Python >= 3.11 with ensurepip found; install one, or run make PYTHON=/path/to/python" >&2; exit 1; fi; \
 	if ! "$$python" -c '$(USABLE)' >/dev/null 2>&1; then \
 	  echo "error: $$python does not run, is older than 3.11, or lacks ensurepip (Debian: python3-venv)" >&2; exit 1; fi; \
 	echo "creating $(VENV) with $$("$$python" --version)"; \
 	"$$python" -m venv --clear $(VENV)
 
-# Python compiles a module when it is first imported; pip would compile all, most of its time.
-# Where it may not keep what it compiled, as in many containers, each program that a test starts would
-# compile again all that it imports.
+# Compiling all modules takes most of pip's time; Python compiles each on first import instead.
+# With PYTHONDONTWRITEBYTECODE, set in many containers, every program that a test starts would
+# compile its imports again.
 unexport PYTHONDONTWRITEBYTECODE
 INSTALL = $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile --constraint constraints.txt --editable
 
@@ -83,12 +83,12 @@ $(VENV)/.stamp-check: pyproject.toml constraints.txt | $(BIN)/python
 	@touch $@ $(VENV)/.stamp-run $(VENV)/.stamp-test $(VENV)/.stamp-docs $(VENV)/.stamp-package $(VENV)/.stamp-install
 
 $(VENV)/.stamp-package: pyproject.toml constraints.txt | $(BIN)/python
-	@echo "installing the package and what builds it"
+	@echo "installing the package and its build tools"
 	@$(INSTALL) '.[package]'
 	@touch $@ $(VENV)/.stamp-run
 
 $(VENV)/.stamp-bench: pyproject.toml constraints.txt | $(BIN)/python
-	@echo "installing the package and what it is measured against"
+	@echo "installing the package and what the benchmarks compare it with"
 	@$(INSTALL) '.[bench,simulators]'
 	@touch $@ $(VENV)/.stamp-run $(VENV)/.stamp-simulators
 

@@ -7,7 +7,7 @@ import os
 from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 import numpy.typing as npt
@@ -21,7 +21,7 @@ from .enumeration import regions
 from .enumeration.choose import enumerate_faces
 from .enumeration.great_circles import SphereArrangement, sphere_arrangement
 from .enumeration.sequence import FaceSequence
-from .errors import InputError, missing_attribute
+from .errors import HintsMixin, InputError
 from .numbers.exact import shown, vector_text
 from .planes.faces import Face
 from .planes.planes import Planes
@@ -35,25 +35,8 @@ if TYPE_CHECKING:
     from .duals.zonotope import DualPolygon, DualSegment
     from .library.census import Identification
 
-#: Other names of the field for what an arrangement has.
-_SYNONYMS = {
-    "chi": "characteristic_polynomial()",
-    "hyperplanes": "len(A), A.normals and A.offsets",
-    "lattice": "intersection_lattice()",
-    "moebius": "counts.moebius(A)",
-    "n_bounded_regions": "bounded_region_count()",
-    "n_hyperplanes": "len(A)",
-    "n_regions": "region_count()",
-    "number_of_regions": "region_count()",
-    "plot": "draw()",
-    "poincare_polynomial": "characteristic_polynomial() or whitney_numbers()",
-    "show": "draw()",
-    "tutte_polynomial": "characteristic_polynomial()",
-    "zonotope": "dual()",
-}
 
-
-class Arrangement(Planes):
+class Arrangement(HintsMixin, Planes):
     """A hyperplane arrangement: finitely many hyperplanes in R^d, and its faces.
 
     The planes are ``n_i . x = b_i``. Each keeps its own orientation and its place in the input. It
@@ -74,6 +57,22 @@ class Arrangement(Planes):
     >>> three.f_vector
     (1, 6, 12, 8)
     """
+
+    _synonyms: ClassVar[Mapping[str, str]] = {
+        "chi": "characteristic_polynomial()",
+        "hyperplanes": "len(A), A.normals and A.offsets",
+        "lattice": "intersection_lattice()",
+        "moebius": "counts.moebius(A)",
+        "n_bounded_regions": "bounded_region_count()",
+        "n_hyperplanes": "len(A)",
+        "n_regions": "region_count()",
+        "number_of_regions": "region_count()",
+        "plot": "draw()",
+        "poincare_polynomial": "characteristic_polynomial() or whitney_numbers()",
+        "show": "draw()",
+        "tutte_polynomial": "characteristic_polynomial()",
+        "zonotope": "dual()",
+    }
 
     def iter_faces(self, dimension: int | None = None) -> Iterator[Face]:
         """Yield every face (of one dimension, if given) with an exact witness, as `faces` does."""
@@ -420,10 +419,3 @@ class Arrangement(Planes):
         """Return what a notebook shows where there is no picture: a table of counts."""
         text: str | None = named("arrangement.pictures.views:arrangement_html")(self)
         return text
-
-    if not TYPE_CHECKING:
-
-        def __getattr__(self, name: str) -> Any:
-            if hasattr(type(self), name):  # an error inside a property is not a missing name
-                return object.__getattribute__(self, name)
-            raise missing_attribute(self, name, _SYNONYMS)

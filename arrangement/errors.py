@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any, ClassVar
 
 
 class ArrangementError(ValueError):
@@ -75,3 +76,21 @@ def missing_attribute(owner: object, name: str, synonyms: Mapping[str, str]) -> 
     use = synonyms.get(name, " or ".join(near))
     hint = "" if not use or name.startswith("_") else f"; use {use}"
     return AttributeError(f"{what} has no attribute {name!r}{hint}", name=name)
+
+
+class HintsMixin:
+    """A value that answers an attribute which it does not have with the name to use.
+
+    Attributes:
+        _synonyms: other names of the field, each with what to write here.
+    """
+
+    __slots__ = ()
+    _synonyms: ClassVar[Mapping[str, str]] = {}
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            if hasattr(type(self), name):  # an error inside a property is not a missing name
+                return object.__getattribute__(self, name)
+            raise missing_attribute(self, name, self._synonyms)

@@ -1,6 +1,6 @@
 """Decide whether a frictional grasp resists a wrench, with a certificate for either answer.
 
->>> from equilibrium import Contact, Grasp, solve
+>>> from equilibrium import Contact, Grasp, ResistedSet, solve
 >>> grasp = Grasp([Contact([-1, 0], [1, 0], "1/2", preload=1),   # point, normal, friction
 ...                Contact([1, 0], [-1, 0], "1/2", preload=1)])
 >>> verdict = solve(grasp, [0, -1, 0])                           # wrench (f_x, f_y, tau)
@@ -8,36 +8,73 @@
 <Verdict: resisted, wrench (0, -1, 0), 2 contacts>
 >>> bool(verdict.verify())                                       # without the solver
 True
+>>> [str(t) for t in ResistedSet(grasp).along([0, -1, 0]).intervals[0]]
+['0', '1']
 
 Describe a grasp
-    Grasp, Contact, Circle, Polygon, Mesh, Units, unit_normal, UnitNormal
+    Grasp, Contact       contacts on a rigid object, in the plane or in space
+    unit_normal          rational unit vector near a direction: UnitNormal
+    Circle, Polygon, Mesh, Units    outline of the object, and what its numbers are measured in
     read_grasp           read a file, or a built-in grasp by name
     inputs               grasps from tables of numbers, polygons, meshes, at random
 
 Decide one wrench
-    solve                decide; returns a Verdict with Solution or Equilibrium
-    Solver               many wrenches of one grasp
-    solve_literal        decide by the equations as printed in the paper: LiteralVerdict
+    solve, solve_many    decide one wrench, or many on one grasp
+    Verdict              the answer, with its proof: a Solution, all Equilibrium families
 
 Set of resisted wrenches
-    wrench_sets, check_loads, least_friction, margin, resisted_magnitudes, resisted_region,
-    resisted_set, smallest_unresisted_wrench
+    ResistedSet          along a direction, in a plane, as polyhedra; margins; arrays of wrenches
 
 Certificates
-    verify, check        check a certificate; returns a Report
-    Certificate, read_certificate, write_certificate
+    verify               check a certificate without the solver: Report
+    Certificate, read_certificate
 
 Other models
-    methods              the methods that the paper compares with
-    contact_states       the slip states of a grasp
-    ContactModes, Mode   contact modes of one or several bodies
+    compare              the verdicts of all methods that the paper compares with
+    GraspWrenchSpace     force closure, epsilon and volume
+    ContactModes         contact modes of one or several bodies
 
-Errors
+Pictures and errors
+    pictures             every picture and page; `Grasp.draw` draws one
     EquilibriumError     base class; GraspError, CertificateError, TimeLimitError
+
+``help(equilibrium.ResistedSet)`` lists the methods.
 """
 
 from arrangement import __version__ as __version__
 from arrangement.console.entry import lazy_names
 
+#: Other words for the names, and earlier names, each with what to write here.
+_SYNONYMS = {
+    "LiteralVerdict": "solve(grasp, wrench, as_printed=[...])",
+    "Mode": "ContactModes",
+    "Solver": "ResistedSet(grasp), with solve and solve_many",
+    "WrenchSet": "ResistedSet",
+    "check": "verify(source)",
+    "check_loads": "ResistedSet(grasp).check(wrenches)",
+    "contact_modes": "ContactModes.of_grasp(grasp)",
+    "contact_states": "equilibrium.plane.states.contact_states.contact_states",
+    "draw": "Grasp.draw",
+    "epsilon": "GraspWrenchSpace(grasp).epsilon",
+    "force_closure": "GraspWrenchSpace(grasp).force_closure",
+    "from_float_data": "equilibrium.inputs.from_float_data",
+    "grasp_wrench_space": "GraspWrenchSpace(grasp)",
+    "is_force_closure": "GraspWrenchSpace(grasp).force_closure",
+    "is_stable": "solve(grasp, wrench).stable",
+    "least_friction": "ResistedSet(grasp).margin(wrench).friction()",
+    "margin": "ResistedSet(grasp).margin(wrench)",
+    "random_grasp": "equilibrium.inputs.random_grasp",
+    "resisted_magnitudes": "ResistedSet(grasp).along(direction)",
+    "resisted_region": "ResistedSet(grasp).slice(u, v)",
+    "resisted_set": "ResistedSet(grasp)",
+    "search_map": "ResistedSet(grasp).search()",
+    "smallest_unresisted_wrench": "ResistedSet(grasp).smallest_outside()",
+    "solve_literal": "solve(grasp, wrench, as_printed=[...])",
+    "spatial_magnitudes": "ResistedSet(grasp).along(direction)",
+    "sufficient_preloads": "ResistedSet(grasp).margin(wrench).preloads",
+    "wrench_space": "GraspWrenchSpace(grasp)",
+    "write_certificate": "Certificate.save(path)",
+}
+
 # Without __all__, help() shows this page alone.
-__getattr__, __dir__ = lazy_names(__name__, __file__)
+__getattr__, __dir__ = lazy_names(__name__, __file__, _SYNONYMS)

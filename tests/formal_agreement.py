@@ -27,7 +27,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from arrangement import InputError
 from arrangement.numbers.exact import to_text
-from equilibrium import Contact, Grasp, Solution, check, read_certificate, solve
+from equilibrium import Contact, Grasp, Solution, read_certificate, solve
+from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.certificate.reading import read_question
 from equilibrium.grasps.inputs.random import random_grasp

@@ -3,7 +3,7 @@
 from itertools import product
 
 from arrangement import Arrangement, counts, read_arrangement
-from equilibrium import check, read_grasp, solve
+from equilibrium import read_grasp, solve, verify
 from proofs_check import exercise
 
 
@@ -80,4 +80,4 @@ def let_go(load):
     points=3,
 )
 def too_much(document):
-    return check(document, (read_grasp("paper-three-contacts-preload-1"), (0, 2, 0)))
+    return verify(document, (read_grasp("paper-three-contacts-preload-1"), (0, 2, 0)))

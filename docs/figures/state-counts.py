@@ -5,8 +5,8 @@ from math import comb
 from matplotlib.figure import Figure
 
 from arrangement.drawing.output import save_figure
-from equilibrium import contact_states
 from equilibrium.grasps.inputs import random_grasp
+from equilibrium.plane.states.contact_states import contact_states
 
 BLACK, BLUE, VERMILION = "black", "#0072b2", "#d55e00"
 

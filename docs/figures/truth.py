@@ -6,7 +6,7 @@ from _plane import BLUE, GREY, arrow, body, dot, label, panels, save
 
 from arrangement import read_arrangement
 from arrangement.pictures import write_drawing as draw_planes
-from equilibrium import read_grasp, solve_literal
+from equilibrium import read_grasp, solve
 from equilibrium.pictures import write_drawing as draw_grasp
 
 TENTHS = [
@@ -32,7 +32,7 @@ GRASPS = {
 def along():
     """The answer of the printed algorithm on a grasp that has no equilibrium."""
     grasp = read_grasp("friction-along-slip")
-    (found,) = solve_literal(grasp, (0, 0, 1), ["cell-check", "detachment"]).equilibria
+    (found,) = solve(grasp, (0, 0, 1), as_printed=["cell-check", "detachment"]).equilibria
     figure, (axes,) = panels([(-2.1, 1.5, -1.2, 1.3)], scale=22)
     body(axes, [(float(x), float(y)) for x, y in ANGLED])
     x, y, r = (float(value) for value in found.motion)

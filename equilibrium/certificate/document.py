@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from arrangement.console.number_form import Shown
+from arrangement.console.writing import write_text_atomically
 from arrangement.numbers.exact import RationalVector, to_text
 from equilibrium.model.displacement import displacement_entry
 from equilibrium.model.grasp import Grasp
@@ -40,6 +42,14 @@ class Certificate(Shown):
     def verify(self) -> Report:
         """Check the certificate; see `check`."""
         return check(self.to_dict())
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the certificate as a JSON file, whole or not at all; `verify` checks it there.
+
+        Raises:
+            InputError: the place cannot be written.
+        """
+        write_text_atomically(path, self.text + "\n")
 
 
 def resisted_certificate(

@@ -8,10 +8,10 @@ for each is solved. In space the search may end without either.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from fractions import Fraction
 from functools import cached_property, lru_cache, partial
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 
@@ -26,7 +26,12 @@ from equilibrium.certificate.checker import equilibrium_problem
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.displacement import read_displacement
 from equilibrium.model.effort import Effort
-from equilibrium.model.errors import CertificateError, EquilibriumError, TimeLimitError
+from equilibrium.model.errors import (
+    CertificateError,
+    EquilibriumError,
+    GraspError,
+    TimeLimitError,
+)
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import FloatContacts, IntegerContacts, are_moderate, nearest
@@ -38,25 +43,50 @@ from equilibrium.plane.states.interval_filter import Screen
 from equilibrium.plane.states.state_system import SingularStates, States, StateSystem, state_system
 
 from . import NOT_RESISTED, RESISTED, UNDECIDED
+from .as_printed import PrintedVerdict, solve_as_printed
 from .verdict import Verdict
+
+
+@overload
+def solve(
+    grasp: Grasp,
+    wrench: Iterable[Any],
+    *,
+    as_printed: None = None,
+    time_limit: float | None = None,
+    shorten: bool = False,
+    nodes: int | None = None,
+    pyramid: int | None = None,
+    max_displacement: Any = None,
+) -> Verdict: ...
+
+
+@overload
+def solve(
+    grasp: Grasp, wrench: Iterable[Any], *, as_printed: Collection[str]
+) -> PrintedVerdict: ...
 
 
 def solve(
     grasp: Grasp,
     wrench: Iterable[Any],
     *,
+    as_printed: Collection[str] | None = None,
     time_limit: float | None = None,
     shorten: bool = False,
     nodes: int | None = None,
     pyramid: int | None = None,
     max_displacement: Any = None,
-) -> Verdict:
+) -> Verdict | PrintedVerdict:
     """Decide exactly whether a grasp resists a wrench; the verdict finds all ways when asked.
 
     Args:
         grasp: contacts in the object frame.
         wrench: applied, ``(f_x, f_y, tau)``, the torque about the origin; in space
             ``(f_x, f_y, f_z, tau_x, tau_y, tau_z)``.
+        as_printed: follow the printed text of the paper in these points, and the full model in all
+            others; see `equilibrium.decide.as_printed.OPTIONS`. A `PrintedVerdict` is returned, in
+            the plane alone, without a certificate; no other option goes with it.
         time_limit: in seconds, by a clock on the wall. Without one the work is limited, to the same
             steps on every machine (`STEPS`), times `arrangement.limit`. In space the verdict is
             undecided when a limit is reached.
@@ -70,7 +100,8 @@ def solve(
     Raises:
         TimeLimitError: in the plane, the time has passed without an answer.
         OutOfReachError: in the plane, that many steps have led to no answer.
-        GraspError: a wrench of the wrong length, or a pyramid in the plane or of no such number.
+        GraspError: a wrench of the wrong length, a pyramid in the plane or of no such number, or
+            as_printed with an unknown point or with another option.
 
     The search is in floating point, each answer exact. In the plane it always ends: see
     "Completeness" in the documentation of proofs. On random grasps the time is nearly linear in the
@@ -81,9 +112,50 @@ def solve(
     True
     >>> solve(read_grasp("two-opposed-fingers"), [0, "3/5", "4/5", 0, 0, 0]).verdict
     'resisted'
+    >>> solve(read_grasp("single-contact"), [0, 0, 0], as_printed=["all-stick"]).options
+    ('all-stick',)
     """
+    if as_printed is not None:
+        others = {"time_limit": time_limit, "nodes": nodes, "pyramid": pyramid}
+        others |= {"shorten": shorten or None, "max_displacement": max_displacement}
+        for name, value in others.items():
+            if value is not None:
+                raise GraspError(f"as_printed takes no {name}; omit one of the two")
+        return solve_as_printed(grasp, wrench, as_printed)
     solver = Solver(grasp, max_displacement, pyramid)
     return solver.solve(wrench, time_limit=time_limit, shorten=shorten, nodes=nodes)
+
+
+def solve_many(
+    grasp: Grasp,
+    wrenches: Iterable[Iterable[Any]],
+    *,
+    jobs: int = 1,
+    dask: str | None = None,
+    pyramid: int | None = None,
+    max_displacement: Any = None,
+) -> Iterator[Verdict]:
+    """Yield the verdict of each wrench on one grasp, in order.
+
+    In the plane, where contacts are few, the choices of contact states are tried first: that gives
+    the same verdicts, a thousand of eight contacts in seconds, and maybe another one of several
+    equilibria. The checker has accepted each equilibrium. The proof that nothing balances a wrench
+    is searched for, and checked, when it is asked for.
+
+    In space what one proof leaves for the next is kept for as many wrenches as one process takes at
+    once, so answers do not depend on the number of processes.
+
+    Args:
+        jobs: processes of this machine.
+        dask: address of a Dask scheduler whose workers decide.
+        pyramid, max_displacement: see `solve`.
+
+    >>> from equilibrium.grasps.files import read_grasp
+    >>> grasp = read_grasp("paper-three-contacts-preload-1")
+    >>> [verdict.stable for verdict in solve_many(grasp, [[0, 1, 0], [0, 2, 0]])]
+    [True, False]
+    """
+    return Solver(grasp, max_displacement, pyramid).solve_many(wrenches, jobs=jobs, dask=dask)
 
 
 #: Steps of one question in the plane and in space, see `Effort`: about 20 and 60 seconds.
@@ -97,13 +169,8 @@ _EXACT = 700
 class Solver(Shown):
     """A grasp prepared for many wrenches: what one question computes serves the next.
 
-    Every function about the wrenches that a planar grasp resists takes a solver in its place.
-    With a largest displacement only equilibria within it count; see the function `solve`.
-
-    >>> from equilibrium.grasps.files import read_grasp
-    >>> solver = Solver(read_grasp("paper-three-contacts-preload-1"))
-    >>> [verdict.stable for verdict in solver.solve_many([[0, 1, 0], [0, 2, 0]])]
-    [True, False]
+    `equilibrium.ResistedSet` is its public form. With a largest displacement only equilibria within
+    it count; see the function `solve`.
     """
 
     shown_fields = ("grasp",)
@@ -299,20 +366,7 @@ class Solver(Shown):
     def solve_many(
         self, wrenches: Iterable[Iterable[Any]], *, jobs: int = 1, dask: str | None = None
     ) -> Iterator[Verdict]:
-        """Yield the verdict of each wrench, in order.
-
-        In the plane, where contacts are few, the choices of contact states are tried first: that
-        gives the same verdicts, a thousand of eight contacts in seconds, and maybe another one of
-        several equilibria. The checker has accepted each equilibrium. The proof that nothing
-        balances a wrench is searched for, and checked, when it is asked for.
-
-        In space what one proof leaves for the next is kept for as many wrenches as one process
-        takes at once, so answers do not depend on the number of processes.
-
-        Args:
-            jobs: processes of this machine.
-            dask: address of a Dask scheduler whose workers decide.
-        """
+        """Yield the verdict of each wrench, in order; see the function `solve_many`."""
         given = entries(wrenches, "wrenches", "wrenches")
         listed = [read_wrench(wrench, self.grasp.dimension) for wrench in given]
         parts = [listed[k : k + _PART] for k in range(0, len(listed), _PART)]

@@ -10,15 +10,15 @@ neither proof may close: then the answer is "undecided".
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 from arrangement.console.number_form import counted
 from arrangement.console.plugins import named
-from arrangement.errors import OutOfReachError
+from arrangement.errors import HintsMixin, OutOfReachError
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, dot, to_text, vector_text
 from equilibrium.certificate.checker import Report, check
@@ -46,7 +46,7 @@ MOST_LISTED = 20
 
 
 @dataclass(frozen=True)
-class Verdict:
+class Verdict(HintsMixin):
     """The answer for one grasp and wrench, true when resisted, with what is needed to check it.
 
     Attributes:
@@ -71,6 +71,18 @@ class Verdict:
     pyramid: int | None = None
     reason: str = ""
     residual: float = 0.0
+
+    _synonyms: ClassVar[Mapping[str, str]] = {
+        "check": "verify()",
+        "forces": "solution.forces",
+        "is_stable": "stable",
+        "margin": "ResistedSet(grasp).margin(wrench)",
+        "motion": "solution.motion",
+        "plot": "grasp.draw(wrench=wrench)",
+        "resisted": "stable",
+        "save": "certificate.save(path)",
+        "show": "grasp.draw(wrench=wrench)",
+    }
 
     def __repr__(self) -> str:
         count = counted(len(self.grasp), "contact") + " in space" * (self.grasp.dimension == 3)

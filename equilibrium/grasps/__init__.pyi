@@ -3,5 +3,4 @@ from .files import (
     read_certificate as read_certificate,
     read_grasp as read_grasp,
     verify as verify,
-    write_certificate as write_certificate,
 )

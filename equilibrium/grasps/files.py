@@ -11,7 +11,6 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.proved_program import ask_proved
-from arrangement.console.writing import write_text_atomically
 from arrangement.library.files.json_files import (
     Source,
     check_document,
@@ -20,7 +19,6 @@ from arrangement.library.files.json_files import (
     read_text,
 )
 from equilibrium.certificate.checker import Question, Report, check
-from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.reading import SCHEMA_VERSION
 from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp
@@ -38,7 +36,7 @@ _ROOT = re.compile(r"\s*(?:<[?!][^>]*>\s*)*<([A-Za-z_][\w.:-]*)")
 _SCENE = re.compile(r'\s*\{\s*"schema_version":\s*1,\s*"law":')
 _XML = {
     "COLLADA": "a COLLADA model",
-    "mujoco": "an MJCF model of MuJoCo (`equilibrium draw --model scene` writes such scenes)",
+    "mujoco": "an MJCF model of MuJoCo (`equilibrium export` writes such scenes)",
     "robot": "a URDF model",
     "sdf": "an SDF model",
 }
@@ -66,8 +64,8 @@ def read_contacts(source: Source, *kinds: str, floats: bool = False) -> dict[str
         raise GraspError(f"{name} is {kind}; {_READ}")
     if _SCENE.match(text):
         raise GraspError(
-            f"{name} is a scene of `equilibrium draw --model scene`; the value of its key "
-            '"grasp" is a grasp document'
+            f'{name} is a scene of `equilibrium export`; the value of its key "grasp" is a grasp '
+            "document"
         )
     document = parse_json(text, name, floats=floats, of_floats=_OF_FLOATS)
     if isinstance(document, list) and all(
@@ -94,11 +92,6 @@ def tangential_arrangement(document: Mapping[str, Any]) -> Arrangement:
     return Grasp.from_dict(document).tangential_arrangement()
 
 
-def write_certificate(path: str | os.PathLike[str], certificate: Certificate) -> None:
-    """Write a certificate as a JSON file, whole or not at all."""
-    write_text_atomically(path, certificate.text + "\n")
-
-
 def read_certificate(source: Source) -> dict[str, Any]:
     """Return the document of a certificate, strictly read but not yet checked."""
     # Of old versions the checker says what they are.
@@ -115,7 +108,7 @@ def verify(
     """Check a certificate from a path, ``"-"`` (stdin) or a mapping; no solver is involved.
 
     Args:
-        question, pyramid, within: what it has to be about; see
+        question, pyramid, max_displacement: what it has to be about; see
             `equilibrium.certificate.checker.check`.
 
     Raises:

@@ -8,13 +8,14 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 # Its facade is loaded when a grasp is asked for its planes; the checker never does.
 import arrangement
 from arrangement.console.number_form import counted
 from arrangement.console.plugins import InlinePage, named
 from arrangement.console.writing import write_text_atomically
+from arrangement.errors import HintsMixin
 from arrangement.library.arguments import entries
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers import budget
@@ -43,7 +44,7 @@ def ask_contacts(count: int) -> None:
 
 
 @dataclass(frozen=True)
-class Grasp:
+class Grasp(HintsMixin):
     """Finitely many contacts on one rigid object, all in the plane or all in space.
 
     None is allowed too, and is a grasp in the plane.
@@ -60,6 +61,22 @@ class Grasp:
     units: Units | None = field(default=None, compare=False)
     outline: Outline | None = field(default=None, compare=False)
     data_error: DataError | None = field(default=None, compare=False)
+
+    _synonyms: ClassVar[Mapping[str, str]] = {
+        "epsilon": "GraspWrenchSpace(grasp).epsilon",
+        "force_closure": "GraspWrenchSpace(grasp).force_closure",
+        "is_force_closure": "GraspWrenchSpace(grasp).force_closure",
+        "is_stable": "solve(grasp, wrench).stable",
+        "margin": "ResistedSet(grasp).margin(wrench)",
+        "modes": "ContactModes.of_grasp(grasp)",
+        "n_contacts": "len(grasp)",
+        "planes": "tangential_arrangement() or motion_arrangement()",
+        "plot": "draw()",
+        "resists": "solve(grasp, wrench).stable",
+        "show": "draw()",
+        "solve": "solve(grasp, wrench)",
+        "wrench_space": "GraspWrenchSpace(grasp)",
+    }
 
     def __init__(
         self,

@@ -18,7 +18,7 @@ from fractions import Fraction
 from heapq import heappop, heappush
 from itertools import combinations, count
 from math import isqrt
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from arrangement.console.number_form import Documented
 from arrangement.console.progress import watched
@@ -33,13 +33,15 @@ from arrangement.numbers.exact import (
 from arrangement.numbers.linear.cones import Cone
 from arrangement.numbers.linear.polyhedron import Polyhedron
 from arrangement.numbers.linear.rank import difference
-from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import read_wrench
 from equilibrium.plane.contact_rows import negated, sum_row
 from equilibrium.wrench_sets.outline import polygons_near, tight
-from equilibrium.wrench_sets.space import ResistedSet, resisted_set
+from equilibrium.wrench_sets.space import Piece, states_with
+
+if TYPE_CHECKING:
+    from equilibrium.wrench_sets.resisted_set import ResistedSet
 
 #: How far `SmallestUnresisted.beyond` is from the border at most, as a share of the size.
 _BEYOND = Fraction(1, 1000)
@@ -76,7 +78,7 @@ class SmallestUnresisted(Documented):
 
 
 def smallest_unresisted_wrench(
-    grasp: Grasp | Solver, base: Iterable[Any] = (0, 0, 0), length: Any = 1
+    whole: ResistedSet, base: Iterable[Any] = (0, 0, 0), torque_length: Any = 1
 ) -> SmallestUnresisted:
     """Return how small a wrench may be, in any direction, without being resisted; exact.
 
@@ -85,29 +87,25 @@ def smallest_unresisted_wrench(
 
     Args:
         base: a wrench that acts in any case; the smallest one is added to it.
-        length: that torques are divided by, above 0, to compare them with forces.
+        torque_length: that torques are divided by, above 0, to compare them with forces.
 
     Raises:
-        GraspError: a length that is not above 0, a base of wrong length, or a grasp in space.
+        GraspError: a torque_length that is not above 0, a base of wrong length, or a grasp in
+            space.
 
-    Complexity: `resisted_set`, then O(n^2) rounded tests of whether one of n polyhedra is near a
-    facet of another one, and exact cuts of the facets that are nearer than the answer.
-
-    >>> from equilibrium.grasps.files import read_grasp
-    >>> found = smallest_unresisted_wrench(read_grasp("paper-three-contacts-preload-1"))
-    >>> found.size_squared, [str(x) for x in found.wrench]
-    (Fraction(4, 9), ['2/9', '4/9', '-4/9'])
+    Complexity: the polyhedra of the set, then O(n^2) rounded tests of whether one of n polyhedra is
+    near a facet of another one, and exact cuts of the facets that are nearer than the answer.
     """
-    if (grasp.grasp if isinstance(grasp, Solver) else grasp).dimension == 3:
+    if whole.grasp.dimension == 3:
         raise GraspError(
             "in space no proof says that a whole ball of wrenches is resisted; "
-            "ask for one direction after the other (resisted magnitudes, `equilibrium resisted`)"
+            "ask for one direction after the other (`ResistedSet.along`)"
         )
-    sizes = _Sizes(read_wrench(base), rational(length, "length"))
+    sizes = _Sizes(read_wrench(base), rational(torque_length, "torque_length"))
     if sizes.length <= 0:
-        raise GraspError(f"length is {shown(sizes.length)}; it must be above 0")
-    whole = resisted_set(grasp)
-    solids = [p.polyhedron for p in whole.pieces if p.polyhedron.dimension == 3]
+        raise GraspError(f"torque_length is {shown(sizes.length)}; it must be above 0")
+    pieces = whole.polyhedra
+    solids = [p.polyhedron for p in pieces if p.polyhedron.dimension == 3]
     part, square = None, Fraction(0)
     if any(solid.contains(sizes.base) for solid in solids):
         part = _nearest_border(solids, sizes)
@@ -115,7 +113,7 @@ def smallest_unresisted_wrench(
             return SmallestUnresisted(*sizes, None, None, None)
         square = sizes.square(part.nearest)
     end = sizes.base if part is None else part.nearest
-    beyond = _beyond(whole, part, sizes, _BEYOND * (_root(square) or 1))
+    beyond = _beyond(pieces, part, sizes, _BEYOND * (_root(square) or 1))
     added = (difference(load, sizes.base) for load in (end, beyond))
     return SmallestUnresisted(*sizes, square, *added)
 
@@ -276,7 +274,7 @@ def _both_ways(
 
 
 def _beyond(
-    whole: ResistedSet, part: _FacetPart | None, sizes: _Sizes, reach: Fraction
+    pieces: Sequence[Piece], part: _FacetPart | None, sizes: _Sizes, reach: Fraction
 ) -> RationalVector:
     """Return a load that is not resisted, near the nearest point of a part of the border.
 
@@ -297,9 +295,9 @@ def _beyond(
     else:
         end, inward = part.nearest, tuple(map(Fraction, part.row[:3]))
         corners = _generators(part.cone)
-    if not whole.contains(end):
+    if not states_with(pieces, end):
         return end
-    inner = _generic(end, corners, [piece.polyhedron for piece in whole.pieces])
+    inner = _generic(end, corners, [piece.polyhedron for piece in pieces])
     step, back = _short(difference(inner, end)), _short(inward)
     for k in count(1):
         far = reach / 2**k
@@ -308,7 +306,7 @@ def _beyond(
         simple = tuple(simplest_between(x - room, x + room) for x in load)
         for found in (simple, load):
             away = difference(found, end)
-            if sizes.product(away, away) <= reach**2 and not whole.contains(found):
+            if sizes.product(away, away) <= reach**2 and not states_with(pieces, found):
                 return found
     raise AssertionError  # a load is found: see above
 

@@ -40,6 +40,8 @@ from equilibrium.plane.states.state_system import States
 
 #: Coefficients above this are tried all at once only.
 LARGEST = 64
+#: Of the bracket, if none is stated.
+TOLERANCE = Fraction(1, 2**20)
 #: Least width of the bracket: each halving takes one more search with longer numbers.
 _LEAST_WIDTH = Fraction(1, 2**100)
 
@@ -73,18 +75,18 @@ class FrictionBracket(Documented):
 
 
 def least_friction(
-    grasp: Grasp | Solver, wrench: Iterable[Any], width: Any = Fraction(1, 2**20)
+    grasp: Grasp | Solver, wrench: Iterable[Any], tolerance: Any = TOLERANCE
 ) -> FrictionBracket:
     """Bracket the least coefficient that, the same at all contacts, makes a grasp resist a wrench.
 
     Args:
         grasp: its own coefficients are replaced.
-        width: the wanted length of the bracket. It comes out longer where coefficients are resisted
-            only on a range shorter than this, or just missed by less than this.
+        tolerance: the wanted length of the bracket. It comes out longer where coefficients are
+            resisted only on a range shorter than this, or just missed by less than this.
 
     Raises:
-        GraspError: a width below 2^-100.
-        OutOfReachError: too many ranges of that width are neither refuted nor resisted.
+        GraspError: a tolerance below 2^-100.
+        OutOfReachError: too many ranges of that length are neither refuted nor resisted.
 
     Complexity: one exact linear program for each choice of contact states and each range that is
     looked at; after the first few ranges few states are left. Without any program where 0 is
@@ -95,9 +97,9 @@ def least_friction(
     >>> found.low < Fraction(1, 2) <= found.high
     True
     """
-    goal = rational(width, "width")
+    goal = rational(tolerance, "tolerance")
     if goal < _LEAST_WIDTH:
-        raise GraspError(f"width is {shown(goal)}; it must be at least 2^-100")
+        raise GraspError(f"tolerance is {shown(goal)}; it must be at least 2^-100")
     search = _Search(prepare(grasp), read_wrench(wrench), goal)
     return search.run()
 
@@ -140,7 +142,9 @@ class _Search:
         if self.first_open is None:
             self.first_open = low
         self.open += 1
-        budget.keep(self.open, "open ranges of friction coefficients", f"width {shown(self.width)}")
+        budget.keep(
+            self.open, "open ranges of friction coefficients", f"tolerance {shown(self.width)}"
+        )
         if not self.resists(high):
             return None
         simple = simplest_between(low, high)

@@ -7,20 +7,22 @@ number each. Loads within this bound of a border are decided in fractions.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import IntegerVector, from_floats, shown
 from arrangement.numbers.float_filter import EXACT, SMALLEST, Booleans, Floats, error_bound, scaled
-from equilibrium.decide.solver import Solver
-from equilibrium.grasps.inputs import from_float_data
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 
-from .space import ResistedSet, resisted_set
+from .space import Piece
+
+if TYPE_CHECKING:
+    from .resisted_set import ResistedSet
 
 #: Of a sum of four products: a rounded factor, the product, three sums.
 _ERROR = error_bound(1 + 1 + 3)
@@ -30,10 +32,10 @@ _NUMBERS = 500_000
 
 @dataclass(frozen=True, eq=False)
 class CheckedLoads:
-    """The answers to n loads, for the grasp that the float data were rounded to.
+    """The answers to n loads, for one exact grasp.
 
     Attributes:
-        grasp: this grasp, exact.
+        grasp: if it was converted from float data, the one that they were rounded to.
         resisted: (n,), whether each load is resisted.
         proved: (n,), true for all: by the bound on the errors of floats, or in fractions.
         near_border: (n,), which were decided in fractions, because floats could not tell.
@@ -45,39 +47,10 @@ class CheckedLoads:
     near_border: Booleans
 
 
-def check_loads(
-    points: Any,
-    normals: Any,
-    friction: Any,
-    wrenches: Any,
-    *,
-    preload: Any = 0,
-    stiffness: Any = 1,
-) -> CheckedLoads:
-    """Decide many loads on one planar grasp.
-
-    Args:
-        points, normals, friction, preload, stiffness: see `from_float_data`.
-        wrenches: (n, 3) floats ``(f_x, f_y, tau)``, taken for the binary fractions that they are.
-            Other numbers are taken if floats hold them.
-
-    How far a load may grow the function `margin` says, exactly, of one load.
-
-    Raises:
-        GraspError: wrong shapes, values out of range, contacts in space; loads that are complex,
-            masked, texts or not finite, or that floats round.
-        OutOfReachError: too many contacts for all resisted wrenches.
-
-    >>> import numpy as np
-    >>> normals = np.array([[1, 0], [0, 1], [-1, 0.0]])
-    >>> points = -normals
-    >>> found = check_loads(points, normals, 0.5, [[0, 0.5, 0], [0, 1, 0], [0, 1.5, 0]], preload=1)
-    >>> found.resisted.tolist()
-    [True, True, False]
-    """
-    grasp = from_float_data(points, normals, friction, stiffness=stiffness, preload=preload).grasp
-    grasp.require_plane()
-    return _Facets(resisted_set(Solver(grasp))).check(_loads(wrenches))
+def check_loads(whole: ResistedSet, wrenches: Any) -> CheckedLoads:
+    """Decide many loads on one planar grasp; see `ResistedSet.check`."""
+    loads = _loads(wrenches)
+    return _Facets(whole.grasp, whole.polyhedra).check(loads)
 
 
 def _loads(wrenches: Any) -> Floats:
@@ -91,7 +64,7 @@ def _loads(wrenches: Any) -> Floats:
     if given.dtype.kind not in "iuf":
         raise GraspError(
             f"wrenches is an array of {given.dtype}; give real numbers of numpy, or ask "
-            "`Solver.solve_many` about exact ones"
+            "`ResistedSet.solve_many` about exact ones"
         )
     if given.ndim != 2 or given.shape[1] != 3 or not np.isfinite(given).all():
         raise GraspError(
@@ -107,7 +80,7 @@ def _loads(wrenches: Any) -> Floats:
         first = given[~kept][0]
         raise GraspError(
             f"wrenches has {shown(first.item())}, which floats round; give what they hold, or ask "
-            "`Solver.solve_many`"
+            "`ResistedSet.solve_many`"
         )
     return loads
 
@@ -118,8 +91,8 @@ class _Facets:
     `usable` are the pieces whose rows floats can hold.
     """
 
-    def __init__(self, found: ResistedSet) -> None:
-        self.grasp, self.shapes = found.grasp, [piece.polyhedron for piece in found.pieces]
+    def __init__(self, grasp: Grasp, pieces: Sequence[Piece]) -> None:
+        self.grasp, self.shapes = grasp, [piece.polyhedron for piece in pieces]
         rows: list[IntegerVector] = []
         starts = []
         for shape in self.shapes:

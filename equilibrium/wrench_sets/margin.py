@@ -9,8 +9,9 @@ w / p, if no range bounds motions and forces.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 from arrangement.console.number_form import Documented
@@ -22,6 +23,7 @@ from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.states.contact_states import states_of_code
 from equilibrium.plane.states.state_system import state_system
 
+from .friction import TOLERANCE, FrictionBracket, least_friction
 from .line import ALL, Magnitudes, interval_between, resisted_magnitudes
 
 
@@ -39,6 +41,7 @@ class Margin(Documented):
     wrench: RationalVector
     resisted: bool
     intervals: tuple[Interval, ...]
+    _solver: Solver = field(compare=False)
 
     def __bool__(self) -> bool:
         """Return whether the wrench itself is resisted."""
@@ -66,6 +69,19 @@ class Margin(Documented):
         """The factors as magnitudes of the wrench."""
         return Magnitudes((Fraction(0),) * len(self.wrench), self.wrench, self.intervals)
 
+    @cached_property
+    def preloads(self) -> Preloads:
+        """All uniform preloads with which the grasp resists the wrench, exactly."""
+        return sufficient_preloads(self._solver, self.wrench)
+
+    def friction(self, tolerance: Any = TOLERANCE) -> FrictionBracket:
+        """Bracket the least uniform friction coefficient that resists the wrench.
+
+        Args:
+            tolerance: the wanted length of the bracket; see `least_friction`.
+        """
+        return least_friction(self._solver, self.wrench, tolerance)
+
 
 def margin(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Margin:
     """Return the exact factors by which a wrench may be scaled.
@@ -74,13 +90,12 @@ def margin(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Margin:
     >>> margin(read_grasp("paper-three-contacts-preload-1"), [0, "1/2", 0]).around
     (Fraction(0, 1), Fraction(2, 1))
     """
-    w = read_wrench(wrench)
-    solver = prepare(grasp)
+    solver, w = prepare(grasp), read_wrench(wrench)
     if any(w):
         found = resisted_magnitudes(solver, w).intervals
     else:
         found = (ALL,) if solver.solve(w).stable else ()
-    return Margin(w, holds(found, Fraction(1)), found)
+    return Margin(w, holds(found, Fraction(1)), found, solver)
 
 
 @dataclass(frozen=True)

@@ -23,6 +23,7 @@ from arrangement.numbers.linear.intervals import (
     remainder,
     union,
 )
+from equilibrium.decide.solver import Solver
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
@@ -81,10 +82,10 @@ class SearchMap:
 
 
 def search_map(
-    grasp: Grasp,
-    directions: int = 72,
+    grasp: Grasp | Solver,
+    rays: int = 72,
     tolerance: Any = Fraction(1, 1000),
-    limit: Any = 1000,
+    max_magnitude: Any = 1000,
     spans: Sequence[Iterable[Any]] = FORCES,
 ) -> SearchMap:
     """Return the map by binary search in evenly spaced directions, beside the exact sets.
@@ -93,25 +94,25 @@ def search_map(
     every verdict in the search is about an exact wrench.
 
     Args:
-        directions: how many, starting with the first span, counter-clockwise.
+        rays: how many directions, starting with the first span, counter-clockwise.
         tolerance: the searches end when the answer is known to within this.
-        limit: the largest magnitude tried.
+        max_magnitude: the largest magnitude tried.
 
     Raises:
-        GraspError: a count, tolerance or limit that is not positive.
+        GraspError: a number of rays, tolerance or magnitude that is not positive.
 
     Source: [HaasHeger2018], Section VI, the maps of resisted forces.
     """
-    step, largest = rational(tolerance, "tolerance"), rational(limit, "limit")
-    if directions < 1 or step <= 0 or largest <= 0:
+    step, largest = rational(tolerance, "tolerance"), rational(max_magnitude, "max_magnitude")
+    if rays < 1 or step <= 0 or largest <= 0:
         raise GraspError(
-            f"directions {shown(directions)}, tolerance {shown(step)}, limit {shown(largest)}: "
+            f"rays {shown(rays)}, tolerance {shown(step)}, max_magnitude {shown(largest)}: "
             "all must be above 0"
         )
     region = resisted_region(grasp, spans)
     entries = []
-    for i in watched(range(directions), "directions"):
-        angle = 2 * pi * i / directions
+    for i in watched(range(rays), "directions"):
+        angle = 2 * pi * i / rays
         direction = unit_normal([cos(angle), sin(angle)]).normal
         entries.append(compare(direction, region.along(direction), step, largest))
     return SearchMap(step, largest, tuple(entries))

@@ -5,7 +5,7 @@ It is the union, over all contact states, of what `StateImages.resisted_with` re
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import compress
@@ -26,8 +26,8 @@ from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
 from arrangement.numbers.linear.rank import difference
 from arrangement.numbers.linear.separation import surely_outside
 from arrangement.numbers.packing import pack
-from equilibrium.decide.solver import Solver, prepare
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.decide.solver import Solver
+from equilibrium.model.grasp import Grasp
 from equilibrium.plane.contact_rows import (
     displacement_rows,
     friction_edges,
@@ -255,50 +255,15 @@ class Piece(Shown):
         return {"states": list(self.states), **self.polyhedron.to_dict()}
 
 
-@dataclass(frozen=True, repr=False)
-class ResistedSet(Shown):
-    """A finite union of convex polyhedra of wrenches ``(f_x, f_y, tau)``.
-
-    Attributes:
-        pieces: those that lie in no other single one; they may overlap and touch.
-    """
-
-    grasp: Grasp
-    pieces: tuple[Piece, ...]
-
-    def contains(self, wrench: Iterable[Any]) -> bool:
-        """Return whether a wrench is resisted; the same answer as `solve`."""
-        return bool(self.states_at(wrench))
-
-    def states_at(self, wrench: Iterable[Any]) -> tuple[States, ...]:
-        """Return the contact states of all pieces that contain a wrench."""
-        return states_with(self.pieces, read_wrench(wrench))
-
-    def along(
-        self, direction: Iterable[Any], base: Iterable[Any] = (0, 0, 0)
-    ) -> tuple[Interval, ...]:
-        """Return the magnitudes t >= 0 with ``base + t direction`` inside, as closed intervals."""
-        return magnitudes_in(self.pieces, read_wrench(base), read_wrench(direction))
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form; numbers are strings of rationals."""
-        return {"polyhedra": [piece.to_dict() for piece in self.pieces]}
-
-
-def resisted_set(grasp: Grasp | Solver) -> ResistedSet:
-    """Return all wrenches that a grasp resists, exactly.
+def resisted_pieces(solver: Solver) -> tuple[Piece, ...]:
+    """Return all wrenches that a planar grasp resists, as polyhedra none of which lies in another.
 
     Complexity: two conversions between conditions and generators in four homogeneous coordinates
     for each choice of contact states: O(m^2) of them without preload, O(m^3) with.
-
-    >>> from equilibrium.grasps.files import read_grasp
-    >>> whole = resisted_set(read_grasp("paper-three-contacts"))
-    >>> whole.contains([0, -5, 0]), whole.contains([0, 1, 0])
-    (True, False)
     """
-    solver = prepare(grasp)
-    pieces = [Piece(states, shape) for states, shape in images_of(solver) if shape is not None]
-    return ResistedSet(solver.grasp, maximal_pieces(pieces))
+    solver.grasp.require_plane()
+    found = (Piece(states, shape) for states, shape in images_of(solver) if shape is not None)
+    return maximal_pieces(list(found))
 
 
 def images_of(

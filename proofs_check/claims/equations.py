@@ -13,14 +13,14 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
-from equilibrium.methods.printed_model import solve_literal
-from equilibrium.wrench_sets import resisted_magnitudes
+from equilibrium.decide.solver import solve
+from equilibrium.wrench_sets.line import resisted_magnitudes
 from proofs_check.routes.oracle import Interval, Reading
 
 from .parts import *
 
 #: The deviations of the printed equations, by the names of
-#: `equilibrium.methods.printed_model`.
+#: `equilibrium.decide.as_printed`.
 DEVIATIONS = ("detachment", "preload", "signs")
 WRENCHES = ((0, 0, 0), (0, -1, 0), (0, 1, 0), (-1, 0, 0), (1, 0, 0), (0, 0, 1), (0, 0, -1))
 
@@ -59,7 +59,7 @@ def _by_oracle(options: Collection[str], question: Question) -> str:
 
 
 def _by_literal(options: Collection[str], question: Question) -> str:
-    return _WORD[solve_literal(grasp_of(question), question.wrench, options).stable]
+    return _WORD[solve(grasp_of(question), question.wrench, as_printed=options).stable]
 
 
 def _explain_printed(question: Question, value: str) -> str:

@@ -28,7 +28,9 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from equilibrium import Contact, Grasp, Solver, check, solve
+from equilibrium import Contact, Grasp, solve
+from equilibrium.certificate.checker import check
+from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 
 Wrench = tuple[Fraction, ...]

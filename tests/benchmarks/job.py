@@ -267,7 +267,7 @@ def loads_in_space(loads: int) -> Work:
 
 
 def _loads(contacts: int, dimension: int, loads: int) -> Work:
-    from equilibrium import Solver
+    from equilibrium.decide.solver import Solver
     from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 
     given = [random_wrench(1000 + k, dimension=dimension, bound=1) for k in range(loads)]
@@ -282,13 +282,14 @@ def loads_as_arrays(loads: int) -> Work:
     """Ours: many loads on eight preloaded contacts as arrays; how many are resisted."""
     import numpy as np
 
-    from equilibrium import check_loads
+    from equilibrium import ResistedSet
+    from equilibrium.grasps.inputs import from_float_data as made
     from equilibrium.grasps.inputs.random import random_grasp
 
     grasp = random_grasp(8, 1)
     data = [np.array([getattr(c, name) for c in grasp], float) for name in ("point", "normal")]
     given = np.random.default_rng(1).normal(size=(loads, 3))
-    return lambda: int(check_loads(*data, 0.5, given, preload=1.0).resisted.sum())
+    return lambda: int(ResistedSet(made(*data, 0.5, preload=1.0).grasp).check(given).resisted.sum())
 
 
 def inscribed_types(number: int) -> Work:

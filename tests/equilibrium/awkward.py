@@ -10,8 +10,9 @@ from fractions import Fraction
 from functools import cache
 from random import Random
 
-from equilibrium import Contact, Grasp, resisted_magnitudes
+from equilibrium import Contact, Grasp
 from equilibrium.grasps.inputs.random import random_grasp
+from equilibrium.wrench_sets.line import resisted_magnitudes
 
 Wrench = tuple[Fraction, ...]
 TINY = Fraction(1, 10**30)

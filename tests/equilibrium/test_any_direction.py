@@ -12,12 +12,12 @@ from arrangement.errors import InputError
 from arrangement.numbers.exact import dot, primitive
 from arrangement.numbers.linear.polyhedron import from_conditions
 from arrangement.numbers.linear.rank import cross
-from equilibrium import Contact, Grasp, Solver, smallest_unresisted_wrench, solve
+from equilibrium import Contact, Grasp, ResistedSet, solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.methods.form_closure import form_closure
 from equilibrium.model.errors import GraspError
-from equilibrium.wrench_sets import any_direction, resisted_magnitudes, resisted_set
+from equilibrium.wrench_sets import any_direction
 
 from .strategies import loads, turned, wide_grasps
 
@@ -34,9 +34,9 @@ def square(wrench, length=1):
     return wrench[0] ** 2 + wrench[1] ** 2 + (wrench[2] / Fraction(length)) ** 2
 
 
-def first_unresisted(solver, direction, base, length):
+def first_unresisted(whole, direction, base, length):
     """Return the squared size of the last of the resisted magnitudes from 0 on; None: no end."""
-    parts = resisted_magnitudes(solver, direction, base).intervals
+    parts = whole.along(direction, base).intervals
     if not parts or parts[0][0] > 0:
         return 0
     return None if parts[0][1] is None else parts[0][1] ** 2 * square(direction, length)
@@ -44,10 +44,10 @@ def first_unresisted(solver, direction, base, length):
 
 def agrees_with_rays_and_verdicts(grasp, base=(0, 0, 0), length=1):
     """Every ray ends at that size at the earliest, and just beyond the border one has ended."""
-    solver = grasp if isinstance(grasp, Solver) else Solver(grasp)
-    found = smallest_unresisted_wrench(solver, base, length)
+    whole = grasp if isinstance(grasp, ResistedSet) else ResistedSet(grasp)
+    found = whole.smallest_outside(base, length)
     directions = DIRECTIONS if not found.size_squared else [*DIRECTIONS, found.beyond]
-    ends = [first_unresisted(solver, d, base, length) for d in directions]
+    ends = [first_unresisted(whole, d, base, length) for d in directions]
     known = [end for end in ends if end is not None]
     if found.size_squared is None:
         assert not known
@@ -58,12 +58,12 @@ def agrees_with_rays_and_verdicts(grasp, base=(0, 0, 0), length=1):
     assert found.size**2 <= found.size_squared < (found.size + Fraction(1, 2**40)) ** 2
     away = [x - y for x, y in zip(found.beyond, found.wrench, strict=True)]
     assert square(away, length) * 10**6 <= (found.size_squared or 1)
-    refused = solver.solve([x + y for x, y in zip(base, found.beyond, strict=True)])
+    refused = whole.solve([x + y for x, y in zip(base, found.beyond, strict=True)])
     assert not refused.stable
     assert refused.verify()
     if found.size_squared:
         inside = [x + y * Fraction(999, 1000) for x, y in zip(base, found.wrench, strict=True)]
-        assert solver.solve(inside).stable
+        assert whole.solve(inside).stable
         assert square(found.beyond, length) >= found.size_squared
     return found
 
@@ -77,7 +77,7 @@ def by_surface(grasp, base, length):
     scales = (1, 1, Fraction(length))
     walls = [(*axis, HALF) for axis in AXES]
     solids = []
-    for piece in resisted_set(grasp).pieces:
+    for piece in ResistedSet(grasp).polyhedra:
         rows = [
             primitive(
                 [
@@ -115,7 +115,7 @@ def nearest_of_polygon(corners):
 
 
 def agrees_with_the_surface(grasp, base=(0, 0, 0), length=1):
-    found = smallest_unresisted_wrench(grasp, base, length).size_squared
+    found = ResistedSet(grasp).smallest_outside(base, length).size_squared
     expected = by_surface(grasp, base, length)
     if expected is not None and expected <= HALF**2:
         assert found == expected
@@ -174,7 +174,7 @@ def test_awkward_grasps_agree_with_rays_and_with_the_surface(grasp, base, length
 @pytest.mark.parametrize("preload", [1, 2, Fraction(1, 3)])
 def test_four_fingers_that_squeeze_sideways_slip_when_pulled_up(preload):
     """Friction 1/2 at four contacts holds twice the preload, and all else needs more."""
-    found = smallest_unresisted_wrench(read_grasp(FOUR).with_preload(preload))
+    found = ResistedSet(read_grasp(FOUR).with_preload(preload)).smallest_outside()
     assert found.size == 2 * preload
     assert found.wrench in [(0, 2 * preload, 0), (0, -2 * preload, 0)]
 
@@ -254,7 +254,7 @@ def test_a_load_that_is_not_resisted_is_the_answer_itself():
 
 def test_a_bound_on_displacements_counts():
     """A push t sideways is shared by four springs of stiffness 1: all move by t / 4."""
-    found = agrees_with_rays_and_verdicts(Solver(read_grasp(FOUR), max_displacement="1/10"))
+    found = agrees_with_rays_and_verdicts(ResistedSet(read_grasp(FOUR), max_displacement="1/10"))
     assert found.size == Fraction(2, 5)
     assert found.wrench in [(Fraction(2, 5), 0, 0), (Fraction(-2, 5), 0, 0)]
 
@@ -263,24 +263,24 @@ def test_a_bound_on_displacements_counts():
 @given(grasps, st.sampled_from([2, Fraction(1, 3)]))
 def test_it_grows_with_all_preloads(grasp, factor):
     larger = Grasp(replace(c, preload=factor * c.preload) for c in grasp)
-    one, other = (smallest_unresisted_wrench(g).size_squared for g in (grasp, larger))
+    one, other = (ResistedSet(g).smallest_outside().size_squared for g in (grasp, larger))
     assert other == (None if one is None else factor**2 * one)
 
 
 @settings(max_examples=10)
 @given(grasps)
 def test_it_is_the_same_in_a_turned_frame_and_in_other_units_of_length(grasp):
-    found = smallest_unresisted_wrench(grasp).size_squared
+    found = ResistedSet(grasp).smallest_outside().size_squared
     contact, *_ = turned(Fraction(3, 5), Fraction(4, 5))
-    assert smallest_unresisted_wrench(Grasp(map(contact, grasp))).size_squared == found
+    assert ResistedSet(Grasp(map(contact, grasp))).smallest_outside().size_squared == found
     twice = Grasp(replace(c, point=tuple(2 * x for x in c.point)) for c in grasp)
-    assert smallest_unresisted_wrench(twice, length=2).size_squared == found
+    assert ResistedSet(twice).smallest_outside(torque_length=2).size_squared == found
 
 
 def test_numbers_beyond_floats_are_no_obstacle():
     for power in (400, -400):
         unit = Fraction(10) ** power
-        found = smallest_unresisted_wrench(read_grasp(FOUR).with_preload(unit))
+        found = ResistedSet(read_grasp(FOUR).with_preload(unit)).smallest_outside()
         assert found.size == 2 * unit
         assert not solve(read_grasp(FOUR).with_preload(unit), found.beyond).stable
 
@@ -288,12 +288,11 @@ def test_numbers_beyond_floats_are_no_obstacle():
 def test_bad_input_is_refused_with_a_reason():
     grasp = read_grasp(THREE)
     for length in (0, -1):
-        with pytest.raises(GraspError, match=r"length is .*; it must be above 0"):
-            smallest_unresisted_wrench(grasp, length=length)
+        with pytest.raises(GraspError, match=r"torque_length is .*; it must be above 0"):
+            ResistedSet(grasp).smallest_outside(torque_length=length)
     with pytest.raises(InputError):
-        smallest_unresisted_wrench(grasp, length=0.5)
+        ResistedSet(grasp).smallest_outside(torque_length=0.5)
     with pytest.raises(GraspError, match="takes 3"):
-        smallest_unresisted_wrench(grasp, base=(0, 1))
-    for spatial in (read_grasp("wedge"), Solver(read_grasp("wedge"))):
-        with pytest.raises(GraspError, match="no proof says that a whole ball"):
-            smallest_unresisted_wrench(spatial, base=(0,) * 6)
+        ResistedSet(grasp).smallest_outside(base=(0, 1))
+    with pytest.raises(GraspError, match="no proof says that a whole ball"):
+        ResistedSet(read_grasp("wedge")).smallest_outside()

@@ -8,9 +8,10 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement.numbers.linear.programs import Infeasible, Optimal, feasible_point, minimize
-from equilibrium import Contact, Grasp, Solver, contact_states, read_grasp, solve
+from equilibrium import Contact, Grasp, read_grasp, solve
+from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
-from equilibrium.plane.states.contact_states import states_at, states_of_code
+from equilibrium.plane.states.contact_states import contact_states, states_at, states_of_code
 from equilibrium.plane.states.equilibrium import equilibrium_of
 from equilibrium.plane.states.interval_filter import Screen
 from equilibrium.plane.states.min_norm_point import least_point

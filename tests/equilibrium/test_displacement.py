@@ -10,10 +10,12 @@ import pytest
 
 from arrangement.drawing.pages.html_page import _text
 from arrangement.errors import InputError
-from equilibrium import Contact, Grasp, Solver, check, read_grasp, solve
+from equilibrium import Contact, Grasp, read_grasp, solve
+from equilibrium.certificate.checker import check
 from equilibrium.certificate.leaves import parts
 from equilibrium.cli.program import main
 from equilibrium.decide import solver as deciding
+from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs.csv_file import parse_csv
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.model.displacement import (
@@ -25,7 +27,10 @@ from equilibrium.model.displacement import (
 from equilibrium.model.errors import EquilibriumError
 from equilibrium.pictures.lab.page import DECIDES
 from equilibrium.plane.search.units import unit_of
-from equilibrium.wrench_sets import margin, resisted_magnitudes, resisted_set, sufficient_preloads
+from equilibrium.wrench_sets import ResistedSet
+from equilibrium.wrench_sets.line import resisted_magnitudes
+from equilibrium.wrench_sets.margin import margin, sufficient_preloads
+from equilibrium.wrench_sets.space import states_with
 from equilibrium.wrench_sets.spatial import spatial_magnitudes
 
 from . import oracle
@@ -216,13 +221,14 @@ def test_a_bound_is_an_exact_number_of_at_least_0(value):
 def test_wrench_sets_hold_what_bounded_verdicts_say():
     solver = Solver(read_grasp(THREE), "1/10")
     line = resisted_magnitudes(solver, TURNED)
-    everything = resisted_set(solver)
-    assert line.intervals == everything.along(TURNED) == margin(solver, TURNED).intervals
+    everything = ResistedSet(solver.grasp, max_displacement="1/10")
+    assert line.intervals == everything.along(TURNED).intervals == margin(solver, TURNED).intervals
     ((low, high),) = line.intervals
     assert low == 0 < high < 1
     for t in (high, high * Fraction(1001, 1000), Fraction(1)):
         wrench = [t * w for w in TURNED]
-        assert solver.solve(wrench).stable == line.contains(t) == everything.contains(wrench)
+        assert solver.solve(wrench).stable == line.contains(t) == (wrench in everything)
+        assert bool(states_with(everything.polyhedra, wrench)) == line.contains(t)
 
 
 def test_bounded_preloads_are_those_that_verdicts_accept():

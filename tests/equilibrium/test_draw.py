@@ -33,7 +33,9 @@ from equilibrium.pictures.grasp.proof_page import proof_page
 from equilibrium.pictures.parts.body import body, frame_of
 from equilibrium.pictures.parts.style import nice
 from equilibrium.pictures.wrenches.forces import slices
-from equilibrium.wrench_sets import resisted_region, search_map
+from equilibrium.wrench_sets import gaps
+from equilibrium.wrench_sets.plane import resisted_region
+from equilibrium.wrench_sets.search_map import search_map
 from tests.drawn import offences
 
 from .strategies import grasps, wrenches
@@ -316,10 +318,10 @@ def test_the_three_parts_are_the_data_of_the_paper_figure():
 
 
 def test_polar_marks_are_the_entries_of_the_map():
-    grasp = read_grasp("interrupted-resistance")
+    gap = next(g for g in gaps(3, 29, 60) if g.direction[2] == 0 and len(g.intervals) > 1)
     options: dict[str, Any] = {"rays": 24, "tolerance": "1/100", "extent": 4}
-    scene = draw_polar.scene(grasp, **options)
-    found = search_map(grasp, 24, "1/100", 4000)
+    scene = draw_polar.scene(gap.grasp, **options)
+    found = search_map(gap.grasp, 24, "1/100", 4000)
     assert found.disagreements
     items = named(scene)
     rim = items["rim"]

@@ -14,7 +14,7 @@ from arrangement.drawing.scene.items import Label, Path as Line
 from arrangement.drawing.scene.layout import laid_out
 from arrangement.drawing.scene.scene import Scene
 from arrangement.errors import InputError
-from equilibrium import Contact, Grasp, GraspError, Mesh, read_grasp, resisted_set
+from equilibrium import Contact, Grasp, GraspError, Mesh, ResistedSet, read_grasp
 from equilibrium.cli.program import main
 from equilibrium.decide import RESISTED, UNDECIDED
 from equilibrium.pictures import draw_grasp, draw_proof, draw_slice
@@ -130,7 +130,7 @@ def test_a_slice_without_a_border_ends_where_the_proofs_end(monkeypatch):
     def known(grasp, way, **_):
         verdicts = [RESISTED, RESISTED, RESISTED, UNDECIDED, UNDECIDED]
         samples = zip(map(Fraction, (0, 1, 4, 16, 64)), verdicts, strict=True)
-        return SpatialMagnitudes(grasp, tuple(way), (), tuple(samples), ())
+        return SpatialMagnitudes(tuple(way), (), tuple(samples), ())
 
     monkeypatch.setattr(space_slice, "spatial_magnitudes", known)
     fingers = read_grasp("two-opposed-fingers")
@@ -146,7 +146,7 @@ def test_a_slice_without_a_border_ends_where_the_proofs_end(monkeypatch):
 def test_a_slice_without_an_end_says_how_far_it_was_tried(monkeypatch):
     def known(grasp, way, **_):
         samples = ((Fraction(0), RESISTED), (Fraction(64), RESISTED))
-        return SpatialMagnitudes(grasp, tuple(way), (), samples, ())
+        return SpatialMagnitudes(tuple(way), (), samples, ())
 
     monkeypatch.setattr(space_slice, "spatial_magnitudes", known)
     fingers = read_grasp("two-opposed-fingers")
@@ -241,7 +241,7 @@ def beside(
 def test_resistance_ends_at_every_face(name):
     """Decided at exact points on both sides of each face."""
     grasp = read_grasp(name)
-    box, whole = wrench_box(grasp), resisted_set(grasp)
+    box, whole = wrench_box(grasp), ResistedSet(grasp)
     patches = [p for node in box.tree for p in node.patches if len(p.corners) > 2]
     for patch in patches:
         corners = [tuple(Fraction(x, c[3]) for x in c[:3]) for c in patch.corners]

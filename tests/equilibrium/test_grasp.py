@@ -11,14 +11,14 @@ from hypothesis import given, settings, strategies as st
 from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, GraspError, read_grasp, solve, unit_normal
 from equilibrium.cli.program import LITERAL
+from equilibrium.decide.as_printed import OPTIONS
 from equilibrium.grasps.inputs.documents import read_any
 from equilibrium.grasps.instances import paths
-from equilibrium.methods.printed_model import OPTIONS, solve_literal
 from equilibrium.model import grasp as model
 from equilibrium.model.grasp import read_wrench, wrench_of
 from equilibrium.model.labels import Units
 from equilibrium.model.outline import Mesh, Polygon
-from equilibrium.wrench_sets import resisted_magnitudes
+from equilibrium.wrench_sets.line import resisted_magnitudes
 
 from .strategies import contacts, grasps, wrenches
 
@@ -217,7 +217,7 @@ def test_resistance_is_interrupted_and_goes_on():
 def test_friction_along_the_slip_is_found_by_the_printed_algorithm_alone():
     question = read_grasp("friction-along-slip"), (0, 0, 1)
     assert not solve(*question).stable
-    (found,) = solve_literal(*question, ["cell-check", "detachment"]).equilibria
+    (found,) = solve(*question, as_printed=["cell-check", "detachment"]).equilibria
     pushed = [
         sum(a * b for a, b in zip(contact.tangential_wrench, found.motion, strict=True))
         * tangential
@@ -230,7 +230,7 @@ def test_one_contact_has_to_let_go():
     question = read_grasp("one-contact-lets-go"), (-1, 0, 0)
     assert all(piece.states[1] == "detached" for piece in solve(*question).equilibria)
     assert solve(*question).stable
-    assert not solve_literal(*question, ["detachment"]).stable
+    assert not solve(*question, as_printed=["detachment"]).stable
 
 
 def test_all_contacts_stick_in_the_only_equilibrium():
@@ -252,11 +252,11 @@ FOUR = read_grasp("paper-four-contacts")
 
 @given(grasps(), wrenches)
 def test_no_option_is_the_complete_model(grasp, wrench):
-    assert solve_literal(grasp, wrench).equilibria == solve(grasp, wrench).equilibria
+    assert solve(grasp, wrench, as_printed=()).equilibria == solve(grasp, wrench).equilibria
 
 
 def verdicts(grasp, wrench, option):
-    return solve(grasp, wrench).stable, solve_literal(grasp, wrench, [option]).stable
+    return solve(grasp, wrench).stable, solve(grasp, wrench, as_printed=[option]).stable
 
 
 LOADED = THREE.with_preload(1)
@@ -303,28 +303,28 @@ def test_without_merging_coincident_planes_a_facet_is_lost():
 def test_stopping_at_the_first_solution_misses_the_second():
     question = read_grasp("several-equilibria"), (-1, 0, 0)
     assert len({piece.forces[0][0] for piece in solve(*question).equilibria}) == 2
-    assert len(solve_literal(*question, ["single-solution"]).equilibria) == 1
+    assert len(solve(*question, as_printed=["single-solution"]).equilibria) == 1
 
 
 @given(grasps(), wrenches)
 def test_options_that_drop_states_accept_no_more_and_conditions_no_less(grasp, wrench):
     stable = solve(grasp, wrench).stable
     for option in ("detachment", "all-stick", "coincident-planes"):
-        assert solve_literal(grasp, wrench, [option]).stable <= stable
-    assert stable <= solve_literal(grasp, wrench, ["cell-check"]).stable
+        assert solve(grasp, wrench, as_printed=[option]).stable <= stable
+    assert stable <= solve(grasp, wrench, as_printed=["cell-check"]).stable
 
 
 @settings(max_examples=20)
 @given(grasps(), wrenches)
 def test_options_combine_in_any_order(grasp, wrench):
-    forward = solve_literal(grasp, wrench, list(OPTIONS))
-    assert forward == solve_literal(grasp, wrench, list(OPTIONS)[::-1])
+    forward = solve(grasp, wrench, as_printed=list(OPTIONS))
+    assert forward == solve(grasp, wrench, as_printed=list(OPTIONS)[::-1])
     assert forward.options == tuple(OPTIONS)
 
 
 def test_unknown_option_is_refused():
     with pytest.raises(GraspError, match="cell-check"):
-        solve_literal(THREE, (0, 0, 0), ["cellcheck"])
+        solve(THREE, (0, 0, 0), as_printed=["cellcheck"])
 
 
 def test_command_line_knows_every_option():

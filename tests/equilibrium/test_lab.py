@@ -10,11 +10,14 @@ from typing import Any
 import pytest
 
 from arrangement import InputError
-from equilibrium import Contact, Grasp, Solver, check, contact_states, resisted_set, solve
+from equilibrium import Contact, Grasp, ResistedSet, solve
+from equilibrium.certificate.checker import check
 from equilibrium.certificate.law import law_problem
+from equilibrium.decide.solver import Solver
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.instances import paths
 from equilibrium.pictures.lab.page import lab_page
+from equilibrium.plane.states.contact_states import contact_states
 from tests.browser import Browser
 from tests.instances import is_in_space
 
@@ -141,7 +144,7 @@ def test_its_pieces_of_wrenches_are_those_of_the_resisted_set(opened):
     grasps = [grasp for grasp, _ in questions(40, seed=13)]
     listed = opened.run("return arguments[0].map(lab.pieces)", [g.to_dict() for g in grasps])
     for grasp, pieces in zip(grasps, listed, strict=True):
-        expected = [piece.polyhedron.to_dict() for piece in resisted_set(grasp).pieces]
+        expected = [piece.polyhedron.to_dict() for piece in ResistedSet(grasp).polyhedra]
         found, due = (
             sorted((len(one["equalities"]), _full(one)) for one in some)
             for some in (pieces, expected)

@@ -15,8 +15,9 @@ from typing import Any
 import pytest
 
 from arrangement import InputError
-from equilibrium import Contact, Grasp, check, solve
-from equilibrium.methods.printed_model import OPTIONS, solve_literal
+from equilibrium import Contact, Grasp, solve
+from equilibrium.certificate.checker import check
+from equilibrium.decide.as_printed import OPTIONS
 from equilibrium.methods.registry import METHODS
 from equilibrium.pictures.lab.page import DECIDES, lab_page
 from tests.equilibrium.mutations import mutants
@@ -184,7 +185,7 @@ def test_compared_methods_say_what_they_say_in_python(method, ask):
         decide = METHODS[method].decide
         assert decide is not None
         expected = (
-            solve_literal(grasp, wrench, options).stable
+            solve(grasp, wrench, as_printed=options).stable
             if method == "printed"
             else decide(grasp, tuple(wrench))[0]
         )

@@ -13,11 +13,13 @@ from arrangement.drawing.scene.items import Label, Path
 from arrangement.drawing.scene.layout import laid_out
 from arrangement.drawing.scene.scene import area
 from arrangement.numbers.exact import dot
-from equilibrium import Grasp, GraspError, Solver, Verdict, check, read_grasp, solve
+from equilibrium import Grasp, GraspError, Verdict, read_grasp, solve
+from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate
 from equilibrium.certificate.leaves import ClosedPart, parts, works
 from equilibrium.cli.program import main
 from equilibrium.cli.verdict_words import verdict_lines
+from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.pictures import draw_proof
 from proofs_check.routes.oracle import Touch

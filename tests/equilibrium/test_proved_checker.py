@@ -8,7 +8,7 @@ import pytest
 from arrangement.console import proved_program
 from arrangement.console.proved_program import PROGRAM
 from arrangement.errors import InputError
-from equilibrium import CertificateError, read_grasp, solve, verify, write_certificate
+from equilibrium import CertificateError, read_grasp, solve, verify
 from equilibrium.cli import main
 from equilibrium.grasps.files import verify_proved
 
@@ -101,23 +101,23 @@ def test_a_path_is_no_option(folder):
 
 def test_the_command_says_which_checker_spoke(folder, capsys):
     path, asked = str(folder / "certificate.json"), ["--wrench", "1", "0", "0", "--grasp"]
-    write_certificate(path, solve(read_grasp("single-contact"), (1, 0, 0)).certificate)
+    solve(read_grasp("single-contact"), (1, 0, 0)).certificate.save(path)
     program(folder, "accepted: not resisted", 0)
-    assert main(["verify", "--verified", path]) == 0
+    assert main(["verify", "--proved", path]) == 0
     answer, *question = capsys.readouterr().out.splitlines()
     assert answer == "valid: not resisted (by the proved checker)"
     assert question[0] == "wrench (1, 0, 0)"
-    assert main(["verify", "--verified", path, *asked, "single-contact"]) == 0
-    assert main(["verify", "--verified", path, *asked, "opposed-contacts"]) == 1
+    assert main(["verify", "--proved", path, *asked, "single-contact"]) == 0
+    assert main(["verify", "--proved", path, *asked, "opposed-contacts"]) == 1
     assert "it is about another grasp" in capsys.readouterr().out
-    assert main(["verify", "--verified", "-"]) == 0
+    assert main(["verify", "--proved", "-"]) == 0
     assert "wrench (" not in capsys.readouterr().out
-    assert main(["verify", "--verified", "-", *asked, "single-contact"]) == 2
+    assert main(["verify", "--proved", "-", *asked, "single-contact"]) == 2
     program(folder, "refused: resisted", 1)
-    assert main(["verify", "--verified", path, "--json"]) == 1
+    assert main(["verify", "--proved", path, "--json"]) == 1
     found = json.loads(capsys.readouterr().out)
     said = ("valid", "certificate", "checker", "compared")
     assert [found[key] for key in said] == [False, "resisted", "proved", False]
     program(folder, "malformed: a number is a float", 2)
-    assert main(["verify", "--verified", path]) == 2
+    assert main(["verify", "--proved", path]) == 2
     assert "a number is a float" in capsys.readouterr().err

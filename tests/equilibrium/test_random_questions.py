@@ -13,7 +13,8 @@ import numpy as np
 import pytest
 
 from arrangement.numbers.exact import from_floats
-from equilibrium import Contact, Grasp, check_loads, smallest_unresisted_wrench
+from equilibrium import Contact, Grasp, ResistedSet
+from equilibrium.grasps.inputs import from_float_data
 
 from .oracle import intervals, is_stable
 
@@ -58,7 +59,7 @@ def square(wrench):
 
 def is_smallest_unresisted(grasp, source):
     """Return whether no ray of the oracle ends earlier, and one just beyond the border has."""
-    found = smallest_unresisted_wrench(grasp)
+    found = ResistedSet(grasp).smallest_outside()
     directions = [tuple(source.randint(-3, 3) for _ in range(3)), source.choice(AXES)]
     if found.wrench is not None and any(found.wrench):
         directions.append(found.wrench)
@@ -94,7 +95,9 @@ def loads_agree(grasp, source):
     points, normals = ([[*map(float, getattr(c, k))] for c in grasp] for k in ("point", "normal"))
     stiffness = [float(c.stiffness) for c in grasp]
     loads = random_loads(grasp, source)
-    found = check_loads(points, normals, columns[0], loads, preload=columns[1], stiffness=stiffness)
+    values = {"preload": columns[1], "stiffness": stiffness}
+    made = from_float_data(points, normals, columns[0], **values).grasp
+    found = ResistedSet(made).check(loads)
     assert found.grasp == grasp
     return found.resisted.tolist() == [is_stable(grasp, from_floats(load)) for load in loads]
 

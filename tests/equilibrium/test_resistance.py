@@ -12,9 +12,10 @@ import pytest
 
 from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget, deadline
-from equilibrium import Contact, Grasp, Solver, TimeLimitError, check, read_grasp, solve
+from equilibrium import Contact, Grasp, TimeLimitError, read_grasp, solve
+from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate
-from equilibrium.decide.solver import STEPS
+from equilibrium.decide.solver import STEPS, Solver
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.plane.contacts import IntegerContacts
 from equilibrium.plane.search.continuation import find_equilibrium

@@ -10,7 +10,8 @@ import pytest
 
 from arrangement.errors import InputError
 from arrangement.numbers.exact import dot
-from equilibrium import Contact, Grasp, GraspError, check, read_grasp, solve
+from equilibrium import Contact, Grasp, GraspError, read_grasp, solve
+from equilibrium.certificate.checker import check
 from equilibrium.certificate.robust import Holding, virtual_motion_problem
 from equilibrium.certificate.uncertain import Bounds, Uncertain, length, root
 

@@ -12,10 +12,12 @@ import pytest
 
 from arrangement.numbers import deadline
 from arrangement.numbers.exact import dot
-from equilibrium import Contact, Grasp, GraspError, Solver, check, read_grasp, solve
+from equilibrium import Contact, Grasp, GraspError, read_grasp, solve
+from equilibrium.certificate.checker import check
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.cli.program import main
 from equilibrium.decide.corners import moved
+from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs import from_float_data, read_csv
 from equilibrium.grasps.inputs.incidences import other_rounding
 from equilibrium.model.labels import DataError
@@ -129,13 +131,9 @@ def test_the_error_of_the_data_goes_along_in_files(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("command", "code", "words"),
     [
-        (["solve", "--wrench", "0", "0", "1", "--methods"], 3, "depends on the rounding"),
-        (
-            ["resisted", "--wrench", "0", "0", "1", "--margin"],
-            3,
-            "yes, as it was rounded; it depends on",
-        ),
-        (["resisted", "--slice", "fx", "fy"], 0, "as the data were rounded"),
+        (["compare", "--wrench", "0", "0", "1"], 3, "depends on the rounding"),
+        (["margin", "--wrench", "0", "0", "1"], 3, "yes, as it was rounded; it depends on"),
+        (["region"], 0, "as the data were rounded"),
     ],
 )
 def test_answers_about_converted_data_say_so(tmp_path, capsys, command, code, words):

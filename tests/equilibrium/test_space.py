@@ -20,10 +20,12 @@ from scipy.optimize import linprog
 from arrangement.errors import InputError
 from arrangement.numbers import deadline
 from arrangement.numbers.linear.programs import Infeasible, feasible_point
-from equilibrium import Grasp, Solution, Solver, Verdict, check, read_grasp, solve, unit_normal
+from equilibrium import Grasp, Solution, Verdict, read_grasp, solve, unit_normal
+from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.cli.program import main
-from equilibrium.decide.solver import STEPS
+from equilibrium.decide.known_loads import KnownLoads, KnownMagnitudes, _same, blends
+from equilibrium.decide.solver import STEPS, Solver
 from equilibrium.grasps.inputs import random_grasp, random_wrench, read_any
 from equilibrium.grasps.schemas import certificate_schema
 from equilibrium.model.contact import Contact, pyramid_edges
@@ -34,7 +36,6 @@ from equilibrium.space.plane import decide_in_plane
 from equilibrium.space.relaxation import Relaxation
 from equilibrium.space.tree import SpatialSearch
 from equilibrium.wrench_sets import spatial
-from equilibrium.wrench_sets.known_loads import KnownLoads, KnownMagnitudes, _same, blends
 from equilibrium.wrench_sets.spatial import _bracket, _closer, spatial_magnitudes
 
 from . import awkward, exotic, sectors

@@ -9,8 +9,9 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement.errors import InputError
-from equilibrium import Contact, Grasp, GraspError, Solver, read_grasp, solve
+from equilibrium import Contact, Grasp, GraspError, read_grasp, solve
 from equilibrium.decide import solver
+from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs import random_grasp, random_wrench
 
 from . import oracle

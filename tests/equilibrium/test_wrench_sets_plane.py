@@ -8,7 +8,8 @@ from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.linear.intervals import holds, remainder, union
 from arrangement.numbers.linear.polyhedron import from_conditions
-from equilibrium import Contact, Grasp, least_friction, read_grasp, solve
+from equilibrium import Contact, Grasp, read_grasp, solve
+from equilibrium.wrench_sets.friction import least_friction
 from equilibrium.wrench_sets.margin import margin, sufficient_preloads
 from equilibrium.wrench_sets.outline import outline_of
 from equilibrium.wrench_sets.plane import FORCES, resisted_region, sectors
@@ -261,7 +262,7 @@ def test_least_friction_with_many_open_ranges_is_refused(monkeypatch):
         for k, (p, n) in enumerate(contacts)
     )
     monkeypatch.setitem(budget.MOST, "open ranges of friction coefficients", 1)
-    with pytest.raises(OutOfReachError, match="width 1/4: 2 open ranges of friction coefficients"):
+    with pytest.raises(OutOfReachError, match="tolerance 1/4: 2 open ranges of friction coeff"):
         least_friction(grasp, (2, -2, 0), "1/4")
 
 
@@ -297,7 +298,7 @@ def test_the_search_passes_over_a_gap_or_stops_before_it():
 def test_maps_of_the_paper_agree_with_the_exact_sets():
     """On its two grasps the paper's maps by search are right; where sets have gaps they are not."""
     for name in (THREE, FOUR, "paper-three-contacts", "paper-four-contacts"):
-        found = search_map(read_grasp(name), directions=24)
+        found = search_map(read_grasp(name), rays=24)
         assert found.disagreements == ()
-    wrong = search_map(gap_grasp(), directions=4)
+    wrong = search_map(gap_grasp(), rays=4)
     assert [entry.direction for entry in wrong.disagreements] == [(-1, 0)]

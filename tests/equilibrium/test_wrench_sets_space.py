@@ -13,17 +13,19 @@ from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.polyhedron import from_conditions, from_generators
 from arrangement.numbers.linear.rank import cross
 from arrangement.numbers.linear.separation import possibly_meeting, sides, surely_outside
-from equilibrium import Contact, Grasp, Solver, check_loads, contact_states, solve
+from equilibrium import Contact, Grasp, ResistedSet, solve
+from equilibrium.decide.solver import Solver
 from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs import from_float_data
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.model.errors import GraspError
+from equilibrium.plane.states.contact_states import contact_states
 from equilibrium.wrench_sets import outline, space
-from equilibrium.wrench_sets.line import resisted_magnitudes
+from equilibrium.wrench_sets.line import gaps, resisted_magnitudes
 from equilibrium.wrench_sets.outline import outline_of
 from equilibrium.wrench_sets.plane import FORCES, resisted_region
-from equilibrium.wrench_sets.space import StateImages, resisted_set
+from equilibrium.wrench_sets.space import StateImages, magnitudes_in, states_with
 from equilibrium.wrench_sets.spatial import spatial_magnitudes
-from proofs_check.examples.gaps import gaps, small_grasps
 
 from .oracle import intervals
 from .strategies import directions, loads as wrenches, wide_grasps as grasps
@@ -74,13 +76,13 @@ def test_no_condition_of_a_polyhedron_is_redundant(generating):
 
 @given(grasps(), wrenches)
 def test_membership_is_the_verdict_of_the_solver(grasp, wrench):
-    assert resisted_set(grasp).contains(wrench) == solve(grasp, wrench).stable
+    assert bool(states_with(ResistedSet(grasp).polyhedra, wrench)) == solve(grasp, wrench).stable
 
 
 @given(grasps(most=5), directions, wrenches)
 def test_lines_through_the_polyhedra_are_the_intervals(grasp, direction, base):
     found = resisted_magnitudes(grasp, direction, base).intervals
-    assert resisted_set(grasp).along(direction, base) == found
+    assert magnitudes_in(ResistedSet(grasp).polyhedra, base, direction) == found
 
 
 @settings(max_examples=20)
@@ -89,11 +91,11 @@ def test_states_that_no_motion_has_add_nothing(grasp, wrench):
     """Every one of the 4^m choices gives resisted wrenches only."""
     everything = product(("detached", "slip+", "slip-", "stick"), repeat=len(grasp))
     shapes = (StateImages(grasp).resisted_with(states) for states in everything)
-    whole = resisted_set(grasp)
+    pieces = ResistedSet(grasp).polyhedra
     for shape in shapes:
         if shape is not None:
-            assert all(whole.contains(point) for point in shape.points)
-            assert not shape.contains(wrench) or whole.contains(wrench)
+            assert all(states_with(pieces, point) for point in shape.points)
+            assert not shape.contains(wrench) or states_with(pieces, wrench)
 
 
 def test_many_contacts_that_stick_at_once():
@@ -137,15 +139,14 @@ def test_a_grasp_whose_magnitudes_have_a_gap():
         assert solve(grasp, scaled(direction, t)).stable == bool(stable)
 
 
-def test_gaps_of_the_example_file_are_right():
-    assert not any(any(gaps(grasp)) for grasp in small_grasps(1, seed=0, count=20))
-    grasp, (direction, intervals) = next(
-        (grasp, gap) for grasp in small_grasps(3, seed=29, count=12) for gap in gaps(grasp)
-    )
-    ends = [end for part in intervals for end in part if end is not None]
+def test_seeded_search_finds_gaps_with_three_contacts_and_not_with_one():
+    assert next(gaps(1, seed=0, tries=20), None) is None
+    example = next(gaps(3, seed=29, tries=12))
+    ends = [end for part in example.intervals for end in part if end is not None]
     middle = (ends[1] + ends[2]) / 2 if len(ends) > 2 else ends[0] / 2
-    assert not solve(grasp, scaled(direction, middle)).stable
-    assert solve(grasp, scaled(direction, ends[-1])).stable
+    assert all(c.friction <= 1 and c.preload == 1 for c in example.grasp)
+    assert not solve(example.grasp, scaled(example.direction, middle)).stable
+    assert solve(example.grasp, scaled(example.direction, ends[-1])).stable
 
 
 @given(st.one_of(*[grasps(most=2)] * 4, grasps(least=3)), directions, wrenches)
@@ -246,10 +247,10 @@ def test_the_quick_tests_leave_little_open():
 @settings(max_examples=15)
 @given(grasps(most=4))
 def test_the_polyhedra_are_the_same_without_the_quick_test(grasp):
-    found = resisted_set(grasp)
+    found = ResistedSet(grasp).polyhedra
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(space, "surely_outside", lambda s: np.zeros((len(s), len(s)), dtype=np.bool_))
-        assert resisted_set(grasp) == found
+        assert ResistedSet(grasp).polyhedra == found
 
 
 @settings(max_examples=80)
@@ -285,6 +286,11 @@ def test_arrays_of_loads_are_answered_as_each_of_them(seed):
 ONE = ([[0.0, 0.0]], [[0.0, 1.0]], 0.5)
 
 
+def check_loads(points, normals, friction, wrenches, **values):
+    grasp = from_float_data(points, normals, friction, **values).grasp
+    return ResistedSet(grasp).check(wrenches)
+
+
 def test_loads_have_three_finite_numbers_each():
     for wrong in ([0.0, 1.0, 0.0], [[0.0, 1.0]], [[0.0, np.nan, 0.0]]):
         with pytest.raises(GraspError, match=r"give \(n, 3\) finite numbers"):
@@ -296,7 +302,7 @@ def test_loads_have_three_finite_numbers_each():
     [
         (np.array([[1 + 2j, 0, 0]]), "an array of complex128; give real numbers"),
         (np.ma.array([[1.0, 2, 3]], mask=[[0, 1, 0]]), "masked entries"),
-        (np.array([["1/2", 0, 0]], object), r"an array of object; .* `Solver.solve_many`"),
+        (np.array([["1/2", 0, 0]], object), r"an array of object; .* `ResistedSet.solve_many`"),
         ([[True, False, True]], "an array of bool"),
         ([[1, 2, 3], [1]], "rows of different lengths"),
         ([[2**53 + 1, 0, 0]], "9007199254740993, which floats round"),

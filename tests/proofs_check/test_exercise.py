@@ -10,7 +10,8 @@ from typing import Any
 import pytest
 
 from arrangement import Arrangement
-from equilibrium import Grasp, check, read_grasp, solve
+from equilibrium import Grasp, read_grasp, solve
+from equilibrium.certificate.checker import check
 from proofs_check import exercise
 from proofs_check.cli.program import main
 from proofs_check.course.exercise import FORMS

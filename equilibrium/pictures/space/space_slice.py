@@ -14,13 +14,13 @@ from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import Legend, Scene
 from arrangement.numbers.exact import shown
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
+from equilibrium.decide.known_loads import KnownLoads
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
 from equilibrium.pictures.parts.panel import SQUARE, row_of_panels
 from equilibrium.pictures.parts.style import SHADE, symbol
 from equilibrium.pictures.parts.window import ZERO, Window, clipped
-from equilibrium.wrench_sets.known_loads import KnownLoads
 from equilibrium.wrench_sets.spatial import SpatialMagnitudes, spatial_magnitudes
 
 NAMES = ("fx", "fy", "fz", "tx", "ty", "tz")

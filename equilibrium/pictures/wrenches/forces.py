@@ -30,7 +30,8 @@ from equilibrium.pictures.parts.style import FILLS, MARKS, SHADE, SYMBOLS, symbo
 from equilibrium.pictures.parts.window import joint_window
 from equilibrium.pictures.space.space_slice import slice_in_space
 from equilibrium.plane.states.state_system import States
-from equilibrium.wrench_sets import Region, resisted_region
+from equilibrium.wrench_sets import Region
+from equilibrium.wrench_sets.plane import resisted_region
 
 
 @picture(20.0)

@@ -20,8 +20,9 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.panel import Panel, explain_borders, read_extent, row_of_panels
 from equilibrium.pictures.parts.style import MARKS, RIM, SHADE, symbol
 from equilibrium.pictures.parts.window import ROOM, Window, ends
-from equilibrium.wrench_sets import Region, resisted_region, search_map
-from equilibrium.wrench_sets.search_map import Entry
+from equilibrium.wrench_sets import Region
+from equilibrium.wrench_sets.plane import resisted_region
+from equilibrium.wrench_sets.search_map import Entry, search_map
 
 
 @picture(20.0)

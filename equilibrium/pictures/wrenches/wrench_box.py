@@ -23,7 +23,7 @@ from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
 from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.style import rounded
-from equilibrium.wrench_sets import Piece, resisted_set
+from equilibrium.wrench_sets import Piece, ResistedSet
 
 #: How far the box reaches beyond the corners of the set, as a share of the largest extent.
 _ROOM = Fraction(2, 5)
@@ -121,7 +121,7 @@ def wrench_box(grasp: Grasp, extent: Fraction | None = None) -> WrenchBox:
     Args:
         extent: half the sides of the box instead, about the origin, for forces and torque.
     """
-    pieces = resisted_set(grasp).pieces
+    pieces = ResistedSet(grasp).polyhedra
     if extent is None:
         middle, half = _around(pieces)
     else:

@@ -1,0 +1,278 @@
+"""The set of wrenches that a grasp resists: one object with a method for each query.
+
+The other modules of this package compute; here they share one solver, and the polyhedra.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from arrangement.console.number_form import Shown
+from arrangement.errors import HintsMixin
+from arrangement.numbers.exact import vector_text
+from equilibrium.decide.solver import Solver
+from equilibrium.decide.verdict import Verdict
+from equilibrium.model.errors import GraspError, UndecidedError
+from equilibrium.model.grasp import Grasp
+
+from .any_direction import SmallestUnresisted, smallest_unresisted_wrench
+from .line import Magnitudes, resisted_magnitudes
+from .loads import CheckedLoads, check_loads
+from .margin import Margin, margin
+from .plane import FORCES, Region, resisted_region
+from .search_map import SearchMap, search_map
+from .space import Piece, resisted_pieces
+
+if TYPE_CHECKING:
+    from arrangement.drawing.path_artist import Drawing
+    from equilibrium.wrench_sets.spatial import SpatialMagnitudes
+
+
+class ResistedSet(HintsMixin, Shown):
+    """The set of wrenches that a grasp resists.
+
+    In the plane it is a finite union of convex polyhedra of wrenches ``(f_x, f_y, tau)``, and every
+    answer is exact. It need be neither convex nor bounded, and along a direction it need not be one
+    interval. In space, with wrenches ``(f_x, f_y, f_z, tau_x, tau_y, tau_z)``, `contains`, `solve`,
+    `solve_many` and `along` answer; the other methods raise GraspError.
+
+    Nothing is computed before a method is called, and what one call computes serves the next.
+
+    Args:
+        grasp: contacts.
+        max_displacement: only equilibria within it count; see `equilibrium.solve`.
+        pyramid: in space, edges of the friction pyramids in place of round cones; see
+            `equilibrium.solve`.
+
+    >>> from equilibrium import ResistedSet, read_grasp
+    >>> resisted = ResistedSet(read_grasp("paper-three-contacts-preload-1"))
+    >>> [0, 1, 0] in resisted, [0, 2, 0] in resisted
+    (True, False)
+    >>> resisted.along([0, 1, 0]).intervals
+    ((Fraction(0, 1), Fraction(1, 1)),)
+    >>> resisted.margin([0, 2, 0]).preloads.least
+    Fraction(2, 1)
+    >>> resisted.smallest_outside().size_squared
+    Fraction(4, 9)
+    """
+
+    shown_fields = ("grasp", "max_displacement", "pyramid")
+    _synonyms: ClassVar[Mapping[str, str]] = {
+        "check_loads": "check(wrenches)",
+        "epsilon": "smallest_outside().size, or GraspWrenchSpace(grasp).epsilon",
+        "friction": "margin(wrench).friction()",
+        "least_friction": "margin(wrench).friction()",
+        "limit": "along(direction)",
+        "magnitudes": "along(direction)",
+        "pieces": "polyhedra",
+        "plot": "draw()",
+        "preloads": "margin(wrench).preloads",
+        "region": "slice(u, v)",
+        "resisted_magnitudes": "along(direction)",
+        "resisted_region": "slice(u, v)",
+        "search_map": "search()",
+        "show": "draw()",
+        "smallest_unresisted_wrench": "smallest_outside()",
+        "spatial_magnitudes": "along(direction)",
+        "states_at": "solve(wrench).equilibria, each with its states",
+        "sufficient_preloads": "margin(wrench).preloads",
+    }
+
+    def __init__(
+        self, grasp: Grasp, *, max_displacement: Any = None, pyramid: int | None = None
+    ) -> None:
+        self._solver = Solver(grasp, max_displacement, pyramid)
+
+    @property
+    def grasp(self) -> Grasp:
+        """The contacts."""
+        return self._solver.grasp
+
+    @property
+    def max_displacement(self) -> Fraction | None:
+        """How far contact points may move for an equilibrium to count; None: any distance."""
+        return self._solver.max_displacement
+
+    @property
+    def pyramid(self) -> int | None:
+        """Edges of the friction pyramids; None: round cones, or in the plane."""
+        return self._solver.pyramid
+
+    @cached_property
+    def polyhedra(self) -> tuple[Piece, ...]:
+        """In the plane the whole set: polyhedra, each with its contact states.
+
+        They may overlap and touch; none lies in another single one.
+
+        Raises:
+            OutOfReachError: too many choices of contact states.
+        """
+        return resisted_pieces(self._solver)
+
+    def contains(self, wrench: Iterable[Any]) -> bool:
+        """Return whether a wrench is resisted; ``wrench in resisted`` is the same.
+
+        Raises:
+            UndecidedError: in space there is no proof of either answer; or the grasp was converted
+                from float data and the answer depends on the rounding.
+        """
+        verdict = self.solve(wrench)
+        if verdict.decided and verdict.doubt:
+            raise UndecidedError(
+                f"whether the wrench {vector_text(verdict.wrench)} is resisted {verdict.doubt}; "
+                "`solve(wrench).stable` is the answer for the rounded data"
+            )
+        return verdict.stable
+
+    def __contains__(self, wrench: Iterable[Any]) -> bool:
+        """Return whether a wrench is resisted; see `contains`."""
+        return self.contains(wrench)
+
+    def solve(
+        self,
+        wrench: Iterable[Any],
+        *,
+        time_limit: float | None = None,
+        shorten: bool = False,
+        nodes: int | None = None,
+    ) -> Verdict:
+        """Decide one wrench, with a certificate; see `equilibrium.solve`."""
+        return self._solver.solve(wrench, time_limit=time_limit, shorten=shorten, nodes=nodes)
+
+    def solve_many(
+        self, wrenches: Iterable[Iterable[Any]], *, jobs: int = 1, dask: str | None = None
+    ) -> Iterator[Verdict]:
+        """Yield the verdict of each wrench, in order; see `equilibrium.solve_many`."""
+        return self._solver.solve_many(wrenches, jobs=jobs, dask=dask)
+
+    def check(self, wrenches: Any) -> CheckedLoads:
+        """Decide an array of wrenches by `polyhedra`: in floats where these decide, else exactly.
+
+        Args:
+            wrenches: (n, 3) floats ``(f_x, f_y, tau)``, taken for the binary fractions that they
+                are. Other numbers are taken if floats hold them.
+
+        Raises:
+            GraspError: wrenches that are complex, masked, texts or not finite, or that floats
+                round; contacts in space.
+            OutOfReachError: too many choices of contact states.
+
+        >>> import numpy as np
+        >>> from equilibrium import inputs
+        >>> normals = np.array([[1, 0], [0, 1], [-1, 0.0]])
+        >>> grasp = inputs.from_float_data(-normals, normals, 0.5, preload=1).grasp
+        >>> ResistedSet(grasp).check([[0, 0.5, 0], [0, 1, 0], [0, 1.5, 0]]).resisted.tolist()
+        [True, True, False]
+        """
+        self.grasp.require_plane()
+        return check_loads(self, wrenches)
+
+    def along(
+        self, direction: Iterable[Any], base: Iterable[Any] | int = 0
+    ) -> Magnitudes | SpatialMagnitudes:
+        """Return the magnitudes t >= 0 for which ``base + t direction`` is resisted.
+
+        In the plane they are exact intervals. In space verdicts at sampled magnitudes are returned,
+        and each change between neighbours in a bracket of two proofs.
+
+        Args:
+            direction: a wrench other than zero.
+            base: a wrench that acts in any case; 0: none.
+
+        Raises:
+            GraspError: a zero direction, a wrench of wrong length, or friction pyramids.
+        """
+        start = self._load(base)
+        if self.grasp.dimension == 2:
+            return resisted_magnitudes(self._solver, direction, start)
+        from .spatial import spatial_magnitudes
+
+        if self.pyramid is not None:
+            raise GraspError(
+                f"pyramid is {self.pyramid}; magnitudes along a direction are computed for round "
+                "cones only. Leave pyramid out, or `solve` one wrench after the other"
+            )
+        bound = self.max_displacement
+        return spatial_magnitudes(self.grasp, direction, start, max_displacement=bound)
+
+    def slice(
+        self,
+        u: Iterable[Any] = FORCES[0],
+        v: Iterable[Any] = FORCES[1],
+        origin: Iterable[Any] | int = 0,
+    ) -> Region:
+        """Return the resisted wrenches ``origin + a u + b v`` as exact polygons.
+
+        By default the plane is that of the forces at zero torque about the origin.
+
+        Raises:
+            GraspError: u and v are parallel, or a wrench has the wrong length.
+        """
+        return resisted_region(self._solver, (u, v), self._load(origin))
+
+    def margin(self, wrench: Iterable[Any]) -> Margin:
+        """Return the exact factors by which a wrench may be scaled.
+
+        Its `Margin.preloads` and `Margin.friction` are what would resist the wrench.
+        """
+        return margin(self._solver, wrench)
+
+    def smallest_outside(
+        self, base: Iterable[Any] | int = 0, torque_length: Any = 1
+    ) -> SmallestUnresisted:
+        """Return how small a wrench may be, in any direction, without being resisted; exact.
+
+        Without preload and base the size is 0, or all wrenches are resisted.
+
+        Args:
+            base: a wrench that acts in any case; the smallest one is added to it. 0: none.
+            torque_length: that torques are divided by, above 0, to compare them with forces.
+
+        Raises:
+            GraspError: a torque_length that is not above 0, or a base of wrong length.
+            OutOfReachError: too many choices of contact states.
+        """
+        return smallest_unresisted_wrench(self, self._load(base), torque_length)
+
+    def search(
+        self,
+        rays: int = 72,
+        tolerance: Any = Fraction(1, 1000),
+        max_magnitude: Any = 1000,
+    ) -> SearchMap:
+        """Return the paper's map of resisted forces by binary search, beside the exact set.
+
+        Args:
+            rays: how many evenly spaced directions of force, starting with the x axis.
+            tolerance: the searches end when the answer is known to within this.
+            max_magnitude: the largest magnitude tried.
+
+        Raises:
+            GraspError: an argument that is not above 0.
+        """
+        return search_map(self._solver, rays, tolerance, max_magnitude)
+
+    def draw(self, view: str = "wrench-set", **options: Any) -> Drawing:
+        """Draw the set, or another view of the grasp; see `Grasp.draw`.
+
+        Raises:
+            GraspError: the displacements are bounded; no view draws such a set.
+        """
+        if self.max_displacement is not None:
+            raise GraspError(
+                "the set of wrenches with bounded displacements is not drawn; leave "
+                "max_displacement out, or use `slice` and `polyhedra`"
+            )
+        return self.grasp.draw(view, **options)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form of `polyhedra`; numbers are strings of rationals."""
+        return {"polyhedra": [piece.to_dict() for piece in self.polyhedra]}
+
+    def _load(self, load: Iterable[Any] | int) -> Iterable[Any]:
+        """Return a load that may be omitted: 0 is the zero wrench."""
+        zero = (0,) * (3 if self.grasp.dimension == 2 else 6)
+        return zero if isinstance(load, int) and load == 0 else load  # type: ignore[return-value]
