@@ -51,7 +51,7 @@ RUBBISH = re.compile(
     r"(^|/)(__pycache__|_build|_generated|build|dist|report|counterexamples|\.(?!gitignore)"
     r"[^/]*)(/|$)|\.(pyc|sqlite|egg-info)$"
 )
-#: Seconds of processor time for --help: the median of so many runs, on a machine that may be busy.
+#: CPU seconds for --help: the median of so many runs, on a machine that may be busy.
 HELP_LIMIT, HELP_RUNS = 1.0, 3
 
 Done = subprocess.CompletedProcess[str]
@@ -171,7 +171,7 @@ class Installed:
             seconds = statistics.median(self.seconds(*words) for _ in range(HELP_RUNS))
             medians[" ".join(words)] = seconds
             if seconds > HELP_LIMIT:
-                wrong.append(f"{' '.join(words)} --help: {seconds:.2f} s of processor time")
+                wrong.append(f"{' '.join(words)} --help: {seconds:.2f} CPU seconds")
         for name in ("arrangement", "equilibrium", "proofs-check"):
             print(f"  {name} --help: {1000 * medians[name]:.0f} ms")
         worst = max(medians, key=lambda name: medians[name])

@@ -27,7 +27,7 @@ from equilibrium.methods.compare import compare
 from equilibrium.plane.states.contact_states import contact_states
 from proofs_check.cli.program import main as proofs_check_main
 
-#: No question may eat the machine: seconds of the processor and megabytes that none may take. How
+#: No question may exceed these CPU seconds and megabytes. How
 #: soon most are refused is measured, not tested.
 SECONDS, MEGABYTES = 30, 500
 PROGRAMS = {
@@ -150,7 +150,7 @@ def question(number: int, folder: Path) -> list[str]:
 
 
 def asked(words: Sequence[str], seconds: int = SECONDS) -> tuple[int, float, float, str]:
-    """Return the exit code, seconds of the processor, megabytes, and the last line of stderr.
+    """Return the exit code, CPU seconds, megabytes, and the last line of stderr.
 
     A copy of this process answers, so that nothing is imported again. It may not eat the machine.
     """

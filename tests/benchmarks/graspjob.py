@@ -1,7 +1,7 @@
 """Measurements on random grasps in one process: ``python graspjob.py JOB CONTACTS SEED...``.
 
 Prints one JSON line for each seed as soon as it is known, so that whoever stops the process keeps
-what is done. The clock counts processor time. Modules are loaded and warm before it starts (a
+what is done. The clock counts CPU time. Modules are loaded and warm before it starts (a
 smaller grasp goes first), but nothing is known of the grasp that is measured.
 
 The instances. Odd seeds have preload. By the seed modulo 8: 0, 1, 4, 5 have contacts all around the

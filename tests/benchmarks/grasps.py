@@ -33,9 +33,7 @@ LIMIT = 240
 
 
 def grasp_tables(contacts: Sequence[int], limit: float = LIMIT, count: int = 0) -> None:
-    print(
-        "\nVerdicts with proofs on random grasps: medians of processor time (largest)", flush=True
-    )
+    print("\nVerdicts with proofs on random grasps: medians of CPU time (largest)", flush=True)
     heading()
     found = {m: _own_lines(m, _seeds(m, count), limit) for m in contacts}
     growth(found)

@@ -2,7 +2,7 @@
 
 The same random planes for everybody: integer normals in [-1000, 1000], seeded by their number.
 Libraries are imported before the clock starts, and only those of the job. The clock counts
-processor time, user and system together: all jobs are single-threaded, and other work on the
+CPU time, user and system together: all jobs are single-threaded, and other work on the
 machine matters less. "first" is the first run, "seconds" the median of the later ones (or the
 first, if it is the only one), "peak_mb" the largest resident memory of the process, "count" a
 number that others must reproduce (regions where nothing else is said).

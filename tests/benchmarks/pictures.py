@@ -12,16 +12,16 @@ from arrangement.library.families import random_integer
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import random_grasp
 
-#: Seconds of processor time that are wished for a command where nothing else is said.
+#: The default target of a command, in CPU seconds.
 AIM = 3.0
 #: Seconds by the clock that a command has.
 LIMIT = 300
 
 
 def picture_table() -> None:
-    """Print the processor time of each command, over three random inputs."""
+    """Print the CPU time of each command, over three random inputs."""
     print("\nPictures and pages: whole commands")
-    print(f"  {'':<52} median slowest wished")
+    print(f"  {'':<52} median slowest target")
     grasp = ("equilibrium", "contacts", lambda m, seed: random_grasp(m, seed).to_dict())
     loaded = (
         "equilibrium", "preloaded contacts",
@@ -31,7 +31,7 @@ def picture_table() -> None:
     walls = ("equilibrium", "walls", lambda m, _: read_grasp(f"box-{m}-walls").to_dict())
     ball = read_grasp("three-fingers-on-a-ball").to_dict()
     fingers = ("equilibrium", "fingers", lambda *_: ball)
-    for (program, things, make), size, options, wished in (
+    for (program, things, make), size, options, target in (
         (grasp, 30, ["--wrench", "0", "-1", "0", "-o", "a.svg"], AIM),
         (grasp, 12, ["--view", "resist", "-o", "a.svg"], 1.5),
         (grasp, 8, ["-o", "a.html"], AIM),
@@ -45,16 +45,16 @@ def picture_table() -> None:
             seconds(program, ["draw", *options], json.dumps(make(size, seed)))
             for seed in range(1, 4)
         )
-        answer = "met" if times[1] <= wished else "missed"
+        answer = "met" if times[1] <= target else "missed"
         view = "page" if options[-1] == "a.html" else "grasp"
         if "--view" in options:
             view = options[1]
         what = f"{program} draw, {view}, {size} {things}"
-        print(f"  {what:<52} {times[1]:.2f} s {times[-1]:.2f} s {wished:g} s {answer}", flush=True)
+        print(f"  {what:<52} {times[1]:.2f} s {times[-1]:.2f} s {target:g} s {answer}", flush=True)
 
 
 def seconds(program: str, words: list[str], document: str) -> float:
-    """Return the processor time of a command on a document, infinite where it fails.
+    """Return the CPU time of a command on a document, infinite where it fails.
 
     The answer "no" is no failure.
     """

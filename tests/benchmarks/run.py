@@ -1,7 +1,7 @@
 """Speed and memory, ours beside the peers', in one run: ``make bench``.
 
-Each number comes from a process of its own, in processor time. What is absent is said. Other
-work on the machine still moves the times; the ratios within one run are what to quote.
+Each number comes from a process of its own, in CPU seconds. Missing programs are reported. A loaded
+machine changes the times; quote the ratios within one run.
 
     run.py             ours at all sizes, and the peers that are quick
     run.py --peers     the slow peers too (minutes; several gigabytes for CGAL at 2000)
@@ -10,7 +10,7 @@ work on the machine still moves the times; the ratios within one run are what to
     run.py --only space [--contacts 3,4]           verdicts in space; see space.py
     run.py --only planes                          arrangements alone
     run.py --only pictures                        pictures and pages alone
-    run.py --only targets                         what is wished, and what it takes
+    run.py --only targets                         measured times and targets
     run.py --only simulators [--every 6]          physics engines; needs .[simulators], an hour
 """
 
@@ -43,7 +43,7 @@ B3 = (
 )
 
 
-#: Name, planes, what is counted, seconds wished.
+#: Name, planes, what is counted, the target in seconds.
 PROVED = (
     ("100 random planes of rank 3, faces", random_normals(100), "--faces", 8.0),
     ("14 random planes of rank 6, faces", random_normals(14, dimension=6), "--faces", 0.5),
@@ -92,9 +92,9 @@ def _sizes(text: str) -> list[int]:
 
 
 def proved_table() -> None:
-    """The program that is proved in Coq: processor time, beside what is wished."""
-    head("Counted by the proved program (make formal): time, wished, count")
-    for label, family, option, wished in PROVED:
+    """The formally verified program: CPU time and target."""
+    head("Counted by the verified program (make formal): time, target, count")
+    for label, family, option, target in PROVED:
         planes = Arrangement(family) if isinstance(family, list) else family
         document = json.dumps(
             {"schema_version": 1, "planes": [list(map(str, n)) for n in planes.normals]}
@@ -106,7 +106,7 @@ def proved_table() -> None:
             print(f"  {error}")
             return
         seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
-        print(f"  {label:<36} {shown(seconds):>10} {shown(wished):>10}  [{counted}]", flush=True)
+        print(f"  {label:<36} {shown(seconds):>10} {shown(target):>10}  [{counted}]", flush=True)
 
 
 def counting_table() -> None:

@@ -1,6 +1,6 @@
 """Measurements on random grasps in space in one process: ``spacejob.py JOB CONTACTS SEED...``.
 
-Prints one JSON line for each seed. The clock counts processor time; a smaller grasp goes first.
+Prints one JSON line for each seed. The clock counts CPU time; a smaller grasp goes first.
 
 With the name of a kind of `tests/equilibrium/exotic.py` in place of the number of contacts the
 questions are those of that kind.

@@ -1,7 +1,7 @@
-"""What is wished of the time of each kind of work, beside what it takes: ``run.py --only targets``.
+"""Measured times and their targets: ``run.py --only targets``.
 
-Medians of processor time, commands from their start; where two numbers are wished the second is for
-the largest. What fails has no time, and has missed. Ten minutes on two cores of one's own.
+Times are medians of CPU seconds; those of commands include the start. Of two targets the second is
+for the largest time. Work that fails misses its target. Ten minutes on two idle cores.
 """
 
 import json
@@ -21,62 +21,62 @@ from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import random_grasp
 
 REFUTED = VERDICTS[False]
-#: Contacts, the wished median and largest time; the same of grasps in space.
-NEAR_BORDER = ((20, 0.025, 0.25), (50, 0.05, 0.6), (100, 0.08, 0.6), (1000, 0.3, 2.0))
+#: Contacts, the targets of median and largest time; for grasps in space, and how many grasps.
+NEAR_LIMIT = ((20, 0.025, 0.25), (50, 0.05, 0.6), (100, 0.08, 0.6), (1000, 0.3, 2.0))
 IN_SPACE = ((8, 0.5, 20), (12, 2.0, 8))
 DOWN, IN_THREE = ["--wrench", "0", "-1", "0"], ["--direction", "0", "0", "-1", "0", "0", "0"]
-#: Jobs of `job.py`, their numbers, what they do, seconds wished.
+#: Jobs of `job.py`, their numbers, what they do, the target in seconds.
 JOBS = (
     ("loads_in_the_plane", 1000, "1000 loads on 8 contacts in the plane", 2.0),
     ("loads_in_space", 1000, "1000 loads on 4 contacts in space", 10.0),
     ("loads_as_arrays", 10_000, "10,000 loads on 8 contacts as arrays", 5.0),
 )
-#: The same for jobs that count microseconds for one of so many.
+#: The same for jobs that report the microseconds of one item.
 MEDIANS = (
     ("measured_limits", 12, "`limit` in space from float data, a direction", 1.0),
-    ("inscribed_types", 50, "inscribability of a type of nine planes", 0.03),
+    ("inscribed_types", 50, "inscribability of a class of nine planes", 0.03),
 )
 LIMIT = 300
 DIGITS = 300
 
 
 def target_table() -> None:
-    print("\nTimes that are wished, and those it takes: median (largest)", flush=True)
-    for m, *wished in NEAR_BORDER:
+    print("\nMeasured times and targets: median (largest)", flush=True)
+    for m, *targets in NEAR_LIMIT:
         seeds = [BORDER + seed for seed in range(12 if m < 1000 else 8) if seed % 4 >= 2]
-        _line(f"near the border, {m} contacts", _refuted(run("ours", m, seeds, LIMIT)), *wished)
-    for m, wished, count in IN_SPACE:
+        _line(f"close to the limit, {m} contacts", _refuted(run("ours", m, seeds, LIMIT)), *targets)
+    for m, target, count in IN_SPACE:
         listed = run("ours", m, range(count), LIMIT, "spacejob.py")
-        _line(f"not resisted in space, {m} contacts", _refuted(listed), wished)
-    for program, text, given, wished in _commands():
-        _line(text, [seconds(program, options, document) for options, document in given], wished)
-    for name, number, text, wished in JOBS:
+        _line(f"not resisted in space, {m} contacts", _refuted(listed), target)
+    for program, text, given, target in _commands():
+        _line(text, [seconds(program, options, document) for options, document in given], target)
+    for name, number, text, target in JOBS:
         found = ours(name, number, LIMIT)
-        _line(text, [] if found.absent else [found.first], wished)
-    for name, number, text, wished in MEDIANS:
+        _line(text, [] if found.absent else [found.first], target)
+    for name, number, text, target in MEDIANS:
         found = ours(name, number, LIMIT)
-        _line(text, [] if found.absent else [found.count / 1e6], wished)
+        _line(text, [] if found.absent else [found.count / 1e6], target)
     found = ours("foretold", 9, LIMIT)
-    print(f"  resonance 9: foretold {found.count} s, wished 5000 s", flush=True)
+    print(f"  resonance 9: forecast {found.count} s, target 5000 s", flush=True)
 
 
 def _refuted(listed: list[dict[str, object]]) -> list[float]:
     return [float(str(one["seconds"])) for one in listed if one["verdict"] == REFUTED]
 
 
-def _line(text: str, times: Iterable[float], *wished: float) -> None:
+def _line(text: str, times: Iterable[float], *targets: float) -> None:
     found = sorted(times) or [math.inf]
-    median, goal = statistics.median(found), " ".join(map(shown, wished))
-    late = median > wished[0] or found[-1] > wished[-1] > wished[0]
+    median, goal = statistics.median(found), " ".join(map(shown, targets))
+    late = median > targets[0] or found[-1] > targets[-1] > targets[0]
     print(
-        f"  {text:<46} {shown(median):>9} ({shown(found[-1]):>8})  wished {goal:<16}"
+        f"  {text:<46} {shown(median):>9} ({shown(found[-1]):>8})  target {goal:<16}"
         f" {'missed' if late else 'met'}",
         flush=True,
     )
 
 
 def _commands() -> Iterable[tuple[str, str, list[tuple[list[str], str]], float]]:
-    """Yield a program, what it does, its options with documents, and the seconds wished."""
+    """Yield a program, what it does, its options with documents, and the target in seconds."""
     three = _text(read_grasp("paper-three-contacts-preload-1"))
     yield (
         "equilibrium",
