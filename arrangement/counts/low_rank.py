@@ -28,8 +28,9 @@ the sums ``V[k][j]`` of |mu(X, Y)| over flats X <= Y of ranks k and j are
 
 **Exactness.** The numbers compared are minors of order at most 3, at most 6 B^3 in size, partial
 sums included, for entries up to B. Up to that bound they are int64 (B up to 1,154,107; in rank 3
-the bound is 2 B^2, so B up to 2 * 10^9), else Python integers in the same arrays. SymPy's matrices
-take 5 to 25 times as long for the same groups, for 20 to 200 planes of rank 3.
+the bound is 2 B^2, so B up to 2 * 10^9), else Python integers in the same arrays. In rank 3 most
+flats are told apart by slopes in float64 (`_rank_two_sums`). SymPy's matrices take 5 to 25 times as
+long for the same groups, for 20 to 200 planes of rank 3.
 Irrational vectors are grouped by `modular` instead.
 """
 
@@ -135,10 +136,7 @@ def _below_top(config: Configuration) -> WhitneyMatrix:
     if config.rank == 4 and m > _SAMPLE:
         _ask(f"the flats of rank 3 of {m:,} planes", config, m * _about_rank_two(config), 0)
     if config.rank == 3:
-        count = planes = 0
-        for part in _rank_two_parts(config, 0):
-            count += len(part.row)
-            planes += int(part.size.sum()) + len(part.row)
+        count, planes = _rank_two_sums(config)
         return ((1, m, planes - count), (0, m, planes), (0, 0, count))
     lines = rank_two_groups(config)
     count, planes = len(lines.row), int(lines.size.sum()) + len(lines.row)
@@ -149,6 +147,69 @@ def _below_top(config: Configuration) -> WhitneyMatrix:
         (0, 0, count, pairs),
         (0, 0, 0, points),
     )
+
+
+def _rank_two_sums(config: Configuration) -> tuple[int, int]:
+    """Return L and S of the module's notes for a configuration of rank 3.
+
+    Each plane meets the others in lines, whose slopes in float64 are sorted. Quotients of integers
+    up to Q = 2 B^2 that differ do so by 1 / Q^2 of their size at least, so where that is above
+    2^-51 (B up to 4,871) rounding keeps them apart, and equal ones round alike. Of larger int64
+    only slopes that floats do not tell apart are compared exactly.
+    """
+    vectors, m = _matrix(config), len(config.vectors)
+    if isinstance(vectors, ModularVectors) or vectors.dtype == object:
+        count = planes = 0
+        for part in _rank_two_parts(config, 0):
+            count += len(part.row)
+            planes += int(part.size.sum()) + len(part.row)
+        return count, planes
+    _ask(f"the flats of rank 2 of {m:,} planes", config, m * m / 20, 0)
+    largest_quotient = 2 * int(np.abs(vectors).max()) ** 2
+    near = 0.0 if largest_quotient**2 < 2**51 else 2.0**-48
+    # How often a plane has so many others through one of its lines.
+    times = np.zeros(len(vectors) + 1, dtype=np.int64)
+    for rows in _chunks(m, len(vectors)):
+        parts = _contract_by_one(vectors, rows)
+        for sizes in _sizes_of_groups(parts, rows, m, near):
+            found = np.bincount(sizes)
+            times[: len(found)] += found
+    flats = times[1:] // np.arange(2, len(times) + 1)
+    return int(flats.sum()), int(times.sum())
+
+
+def _sizes_of_groups(
+    parts: list[Integers], rows: Integers, infinity: int, near: float
+) -> Iterator[Integers]:
+    """Yield the sizes of the groups of equal ratio, but those with the column of infinity.
+
+    Args:
+        near: ratios that differ by no more of their size are compared exactly; 0 if all that
+            differ do so as floats.
+    """
+    with np.errstate(divide="ignore", invalid="ignore"):
+        slopes = parts[0] / parts[1]
+    slopes[parts[1] == 0] = np.inf
+    slopes[(parts[0] == 0) & (parts[1] == 0)] = np.nan  # the plane itself
+    if not near and slopes.shape[1] > infinity:
+        slopes[slopes == slopes[:, infinity:]] = np.nan
+    order = np.argsort(slopes, axis=1) if near else None
+    line = np.sort(slopes, axis=1) if order is None else np.take_along_axis(slopes, order, axis=1)
+    there = ~np.isnan(line)
+    with np.errstate(invalid="ignore"):
+        same = line[:, 1:] == line[:, :-1]
+        if near:
+            same |= np.abs(line[:, 1:] - line[:, :-1]) <= near * np.abs(line[:, 1:])
+    first, last = there.copy(), there.copy()
+    first[:, 1:] &= ~same
+    last[:, :-1] &= ~same
+    if order is None:
+        yield np.flatnonzero(last) - np.flatnonzero(first) + 1
+        return
+    alone = np.zeros_like(there)
+    np.put_along_axis(alone, order, first & last, axis=1)
+    yield np.ones(int(alone[:, :infinity].sum()), dtype=np.int64)
+    yield _flats_only(_group([np.where(alone, 0, part) for part in parts], rows), infinity).size
 
 
 def with_top(below: WhitneyMatrix, rank: int) -> WhitneyMatrix:
