@@ -257,7 +257,6 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "equilibrium.methods.method",
         "equilibrium.methods.printed_model",
         "equilibrium.methods.springs",
-        "equilibrium.methods.survey",
         "equilibrium.methods.weak_strong",
     ),
     (
@@ -371,6 +370,7 @@ EXCEPTIONS = {
     "arrangement.planes.proved": "runs the program proved in Coq, which is not built everywhere",
     "proofs_check.routes.proved": "runs the program proved in Coq, which is not built everywhere",
     "equilibrium.methods.registry": "a table of names",
+    "equilibrium.methods.resistance": "puts the answers of two other modules into one document",
     "equilibrium.model.errors": "messages",
     "equilibrium.model.labels": "units and errors that results repeat",
     "equilibrium.model.outline": "shapes of pictures",

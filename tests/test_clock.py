@@ -39,12 +39,12 @@ arrangement bounds --largest 6
 equilibrium list
 equilibrium solve paper-three-contacts-preload-1 --wrench 0 1 0
 equilibrium solve paper-four-contacts-preload-1 --wrench 0 -1 0 --json
-equilibrium limit paper-four-contacts-preload-1 --direction 0 1 0
-equilibrium margin paper-three-contacts-preload-1 --wrench 0 1 0
-equilibrium compare paper-three-contacts-preload-1 --wrench 0 1 0
-equilibrium modes box-1-wall
-equilibrium modes box-1-wall --count --json
-equilibrium polyhedra paper-three-contacts-preload-1
+equilibrium resisted paper-four-contacts-preload-1 --wrench 0 1 0
+equilibrium resisted paper-three-contacts-preload-1 --wrench 0 1 0 --margin
+equilibrium solve paper-three-contacts-preload-1 --wrench 0 1 0 --methods
+equilibrium info box-1-wall --modes
+equilibrium info box-1-wall --modes --count --json
+equilibrium resisted paper-three-contacts-preload-1
 proofs-check list
 proofs-check try "bounded_regions <= regions" --of "linial(n=3..4)"
 proofs-check try "bounded_regions == 1" --of "linial(n=3..5)"

@@ -270,7 +270,7 @@ def test_every_command_has_an_example():
 
 def test_every_command_says_what_it_does_and_what_its_exit_codes_mean():
     for parser in (arrangement_cli._parser(), equilibrium_cli._parser(), claims_cli._parser()):
-        assert "3 undecided, 70 a fault" in " ".join(parser.format_help().split())
+        assert "3 undecided, 70 internal error" in " ".join(parser.format_help().split())
         (commands,) = (a for a in parser._actions if isinstance(a.choices, dict))
         said = {one.dest: one.help for one in commands._choices_actions}
         for name, command in commands.choices.items():

@@ -398,9 +398,9 @@ CASES = [
         (f"solve {THREE} --wrench 0 1 1e99999", "1e99999"),
         (f"solve {THREE} --wrench 0 1 nan", "nan"),
         (f"solve no-such-grasp {UP}", "no-such-grasp"),
-        (f"solve {THREE} {UP} --literal everything", "everything"),
+        (f"solve {THREE} {UP} --as-printed everything", "everything"),
         (f"solve {THREE} --preload -1 {UP}", "preload"),
-        (f"solve {THREE} {UP} --literal signs --certificate x", "no certificate"),
+        (f"solve {THREE} {UP} --as-printed signs --certificate x", "does not take --certificate"),
         (f"solve {THREE} {UP} --certificate no/x.json", "no"),
         *(
             (f"solve {THREE} {UP} --digits {digits}", "1 to 1000")
@@ -453,7 +453,10 @@ CASES = [
             )
         ),
         (f"draw {THREE} -o a.html --wrench 0 {'9' * 5000} 0", "too large for a picture"),
-        *((f"{c} two-opposed-fingers", "in space") for c in ("region", "polyhedra", "map")),
+        *(
+            (f"resisted two-opposed-fingers {form}", "in space")
+            for form in ("", "--slice fx fy", "--search", "--smallest")
+        ),
         (f"solve two-opposed-fingers {SPATIAL} --cone pyramid:5", "even number"),
         (f"solve {THREE} {UP} --max-displacement -1", "max_displacement"),
         *(
@@ -487,8 +490,11 @@ CASES += [
         ("verify a.json", "this is an old certificate", OLD),
         *((words, "nested", DEEP) for words in ("verify a.json", "solve a.json --wrench 0 0 0")),
         *(
-            (f"{c} a.json --weight 1", f"{c}: 1,001 digits of a number", json.dumps(LONG))
-            for c in ("margin", "compare")
+            (f"{c} a.json --weight 1 {more}", f"{m}: 1,001 digits of a number", json.dumps(LONG))
+            for c, more, m in (
+                ("resisted", "--margin", "margin"),
+                ("solve", "--methods", "compare"),
+            )
         ),
     )
 ]

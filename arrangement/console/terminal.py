@@ -175,7 +175,8 @@ def _numbers_after(option: argparse.Action) -> int:
     """Return how many numbers an option takes at most."""
     if option.nargs == "+" and option.type is rational_argument:
         return MOST
-    return option.nargs if isinstance(option.nargs, int) else 0
+    numbers = isinstance(option.nargs, int) and option.type in (None, rational_argument)
+    return option.nargs if numbers else 0  # type: ignore[return-value]
 
 
 def _numbers(words: Sequence[str]) -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 from collections.abc import Callable, Iterable
 from fractions import Fraction
@@ -10,7 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from arrangement.console import terminal
 from arrangement.numbers import budget
-from arrangement.numbers.exact import RationalVector, to_text
+from arrangement.numbers.exact import RationalVector, shown, to_text
 from equilibrium.model.errors import GraspError
 from equilibrium.model.labels import AS_ROUNDED
 
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from equilibrium.model.grasp import Grasp
 
 _AXES = ("F_X", "F_Y", "TAU")
+_SPANNING = ("fx", "fy", "tau")
 
 #: More incidences than this that rounding kept are only counted.
 _MOST_KEPT = 6
@@ -36,14 +38,18 @@ def add_command(
     optional: bool = False,
     preload: bool = True,
     numbers: bool = True,
+    heading: str = "more",
 ) -> argparse.ArgumentParser:
     """Add a subcommand; most take a grasp, and a preload in place of its own, and print numbers.
 
     Args:
         answers: what the exit codes mean, as for `terminal.add_command`.
         optional: whether the grasp may be left out.
+        heading: under which the help of the program lists it, "" for none.
     """
-    parser: argparse.ArgumentParser = terminal.add_command(commands, name, text, *answers)
+    parser: argparse.ArgumentParser = terminal.add_command(
+        commands, name, text, *answers, heading=heading
+    )
     if grasp:
         add_grasp(parser, "grasp", "?" if optional else None, preload)
     terminal.add_common_options(parser)
@@ -135,9 +141,9 @@ def add_force(parser: argparse.ArgumentParser, ways: Any) -> None:
     _let_grow(parser, force, place)
 
 
-def applied(arguments: argparse.Namespace, grasp: Grasp, name: str = "wrench") -> RationalVector:
-    """Return the wrench that `add_applied` has read; `name` is that of its first option."""
-    return force_given(arguments, grasp.dimension) or tuple(getattr(arguments, name))
+def applied(arguments: argparse.Namespace, grasp: Grasp) -> RationalVector:
+    """Return the wrench that `add_applied` has read."""
+    return force_given(arguments, grasp.dimension) or tuple(arguments.wrench)
 
 
 def force_given(arguments: argparse.Namespace, dimension: int = 2) -> RationalVector | None:
@@ -165,6 +171,19 @@ def add_wrench(parser: Any, name: str, text: str, default: Any) -> None:
     _let_grow(parser, option)
 
 
+def spanning_wrench(text: str) -> tuple[Fraction, ...]:
+    """Read one of the wrenches that span a plane: fx, fy, tau, or three numbers as 1,0,0."""
+    if text in _SPANNING:
+        return tuple(Fraction(name == text) for name in _SPANNING)
+    parts = [part for part in re.split(r"[\s,]+", text.strip(", ")) if part]
+    if len(parts) != 3:
+        names = ", ".join(_SPANNING)
+        raise argparse.ArgumentTypeError(
+            f"{shown(text)}; expected one of {names}, or three numbers such as 1,0,0"
+        )
+    return tuple(map(terminal.rational_argument, parts))
+
+
 def _let_grow(parser: Any, *options: argparse.Action) -> None:
     """Let options take more numbers, for grasps in space; groups know their parser."""
     getattr(parser, "_container", parser).growing.extend(options)
@@ -174,10 +193,10 @@ def add_number(
     parser: argparse.ArgumentParser, name: str, default: Any, text: str, metavar: str = "Q"
 ) -> None:
     """Add an exact number."""
-    shown = text if default is None else f"{text} (default: {to_text(Fraction(default))})"
+    text = text if default is None else f"{text} (default: {to_text(Fraction(default))})"
     value = None if default is None else Fraction(default)
     parser.add_argument(
-        name, metavar=metavar, type=terminal.rational_argument, default=value, help=shown
+        name, metavar=metavar, type=terminal.rational_argument, default=value, help=text
     )
 
 

@@ -1,50 +1,55 @@
-"""The subcommands ``equilibrium draw``, ``lab`` and ``export``; `equilibrium.cli` adds them."""
+"""The subcommands ``equilibrium draw`` and ``lab``; `equilibrium.cli` adds them."""
 
 from __future__ import annotations
 
 import argparse
+import json
+from fractions import Fraction
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from arrangement.console import terminal
-from arrangement.console.progress import shown, watched
-from arrangement.console.writing import make_folder, write_text_atomically
+from arrangement.console.number_form import counted
+from arrangement.console.writing import write_text_atomically
+from arrangement.numbers.exact import shown
 from equilibrium.cli.arguments import (
     add_applied,
     add_command,
     add_force,
+    add_wrench,
     force_given,
     grasp_of,
     read,
+    spanning_wrench,
 )
 from equilibrium.model.errors import GraspError
 
+if TYPE_CHECKING:
+    from equilibrium.model.grasp import Grasp
+
+#: Endings of data, and the model for physics engines, which are no pictures.
+_DATA = (".json", ".xml")
+_SCENE = "scene"
+
 
 def add_commands(commands: Any) -> None:
-    """Add draw, lab and export."""
-    text = "draw a grasp, what it resists, or the methods side by side"
-    draw: Any = add_command(commands, "draw", _draw, text, numbers=False)
+    """Add draw."""
+    text = "draw a grasp, its resisted wrenches, a proof, or methods side by side"
+    draw: Any = add_command(commands, "draw", _draw, text, numbers=False, heading="common")
     draw.later = lambda: _add_options(draw)
 
-    text = "make a page in which contacts and load are dragged, with exact answers"
+
+def add_lab(commands: Any) -> None:
+    """Add lab."""
+    text = "write a page in which contacts and load are dragged, with exact answers"
     lab = add_command(commands, "lab", _lab, text, optional=True, numbers=False)
     lab.add_argument("-o", "--output", metavar="PATH", required=True, help="the page (.html)")
     text = "at first: applied force (f_x, f_y) and torque tau"
     add_applied(lab, text=text, required=False)
     lab.add_argument("--title", metavar="TEXT", help="a heading")
     lab.add_argument(
-        "--exercises", metavar="FILE", help="JSON with own exercises, in place of the twelve"
+        "--exercises", metavar="FILE", help="JSON with exercises, in place of the built-in ones"
     )
-
-    text = "write a scene for physics engines, with the exact loads at which the grasp slips"
-    export = add_command(commands, "export", _export, text, optional=True, numbers=False)
-    text = "the only direction of loads (default: along each axis)"
-    add_applied(export, "--direction", text, required=False)
-    ways = export.add_mutually_exclusive_group(required=True)
-    text = "scene.xml for MuJoCo (MJCF), or scene.json for any engine, with proofs"
-    ways.add_argument("-o", "--output", metavar="PATH", help=text)
-    text = "write sixty scenes with their proofs here, instead of a grasp"
-    ways.add_argument("--benchmark", metavar="FOLDER", help=text)
 
 
 def _add_options(draw: argparse.ArgumentParser) -> None:
@@ -53,6 +58,13 @@ def _add_options(draw: argparse.ArgumentParser) -> None:
 
     add_options(draw, DRAWINGS, own=("preload",))
     add_force(draw, draw.add_mutually_exclusive_group())
+    add_wrench(draw, "--origin", "of the data of a slice: a wrench of the plane", None)
+    for flag, text in (
+        ("--output", "; .json of --view slice: its data; .xml (MuJoCo), .json of --model scene"),
+        ("--model", "; scene: for physics engines, with the exact loads at which the grasp slips"),
+    ):
+        option = draw._option_string_actions[flag]
+        option.help = f"{option.help}{text}"
 
 
 def _draw(arguments: argparse.Namespace) -> int:
@@ -62,12 +74,60 @@ def _draw(arguments: argparse.Namespace) -> int:
     grasp = read(arguments)
     if load := force_given(arguments, grasp.dimension):
         arguments.wrench = [*(arguments.wrench or ()), load]
+    if arguments.model == _SCENE or Path(arguments.output).suffix.lower() in _DATA:
+        return _write_data(arguments, grasp)
+    if arguments.origin is not None:
+        raise GraspError("--origin is for the data of a slice; write them with -o FILE.json")
     drawings = drawings_of(grasp)
     options = given_options(arguments, drawings, DRAWINGS)
     kind, name = drawings.target(arguments.output, arguments.view, arguments.model)
     if "preload" in options and "preload" not in drawings.options(kind, name):
         grasp = grasp.with_preload(options.pop("preload"))
     return write(arguments, drawings, grasp, options)
+
+
+def _write_data(arguments: argparse.Namespace, grasp: Grasp) -> int:
+    """Write the data of the view slice, or a scene for physics engines."""
+    kind, name = ("model", _SCENE) if arguments.model == _SCENE else ("view", arguments.view)
+    suffix = Path(arguments.output).suffix.lower()
+    if (name, suffix) not in {("slice", ".json"), (_SCENE, ".json"), (_SCENE, ".xml")}:
+        raise GraspError(
+            f"the output is {shown(arguments.output)}; expected .json of --view slice, .json or "
+            ".xml of --model scene, or a picture, page or model"
+        )
+    takes = {"model": {"wrench", "preload"}, "view": {"slice", "origin"}}[kind]
+    always = {"grasp", "output", "view", "model", "force", "weight", "at"}
+    common = {"command", "json", "limit", "traceback", "round_normals", "as_given"}
+    for option, value in vars(arguments).items():
+        if value not in (None, False, []) and option not in takes | always | common:
+            raise GraspError(f"the data of the {kind} {name} take no --{option.replace('_', '-')}")
+    if kind == "model":
+        from equilibrium.scenes import EngineScene, document_text
+
+        if arguments.preload is not None:
+            grasp = grasp.with_preload(arguments.preload)
+        scene = EngineScene(grasp, arguments.wrench)
+        text = scene.mjcf() if suffix == ".xml" else document_text(scene.document())
+    else:
+        from equilibrium.methods import resistance_figure
+
+        data = resistance_figure(grasp, _spans(arguments), arguments.origin or (0, 0, 0))
+        units = {"units": grasp.units.to_dict()} if grasp.units else {}
+        text = json.dumps({**data, **units}, allow_nan=False) + "\n"
+    write_text_atomically(arguments.output, text)
+    return _written(arguments, arguments.output, {kind: name})
+
+
+def _spans(arguments: argparse.Namespace) -> list[tuple[Fraction, ...]]:
+    """Return the two wrenches that span the plane of a slice."""
+    words = arguments.slice or ["fx", "fy"]
+    try:
+        spans = list(map(spanning_wrench, words))
+    except argparse.ArgumentTypeError as error:
+        raise GraspError(f"--slice is {error}") from None
+    if len(spans) != 2:
+        raise GraspError(f"--slice has {counted(len(spans), 'wrench', 'wrenches')}; expected two")
+    return spans
 
 
 def _lab(arguments: argparse.Namespace) -> int:
@@ -77,35 +137,10 @@ def _lab(arguments: argparse.Namespace) -> int:
     wrench = force_given(arguments) or arguments.wrench
     page = lab_page(grasp, wrench=wrench, title=arguments.title, exercises=arguments.exercises)
     write_text_atomically(arguments.output, page)
-    return _written(arguments, arguments.output)
+    return _written(arguments, arguments.output, {})
 
 
-def _export(arguments: argparse.Namespace) -> int:
-    from equilibrium.scenes import EngineScene, benchmark, document_text
-
-    if arguments.benchmark is not None:
-        if arguments.grasp is not None:
-            raise GraspError("--benchmark takes no grasp; omit one of the two")
-        folder = Path(arguments.benchmark)
-        make_folder(folder)
-        with shown():
-            for name, scene in watched(benchmark(), "scenes", 60):
-                write_text_atomically(folder / f"{name}.json", document_text(scene.document()))
-        return _written(arguments, folder)
-    if arguments.grasp is None:
-        raise GraspError("no grasp is given; name one, or take --benchmark FOLDER")
-    path = Path(arguments.output)
-    if path.suffix not in (".xml", ".json"):
-        raise GraspError(f"a scene is written as .xml or .json, and {path.name!r} is neither")
-    grasp = grasp_of(arguments)
-    given = force_given(arguments, grasp.dimension) or arguments.direction
-    scene = EngineScene(grasp, None if given is None else [given])
-    text = scene.mjcf() if path.suffix == ".xml" else document_text(scene.document())
-    write_text_atomically(path, text)
-    return _written(arguments, path)
-
-
-def _written(arguments: argparse.Namespace, path: Any) -> int:
+def _written(arguments: argparse.Namespace, path: str, more: dict[str, str]) -> int:
     if arguments.json:
-        terminal.print_json({"output": str(path)})
+        terminal.print_json({"output": path, **more})
     return terminal.YES

@@ -31,9 +31,8 @@ if TYPE_CHECKING:
 
 def add_commands(commands: Any) -> None:
     """Add make csv, make floats, make polygon, make circle, make mesh and make random."""
-    make = terminal.add_command(
-        commands, "make", "make a grasp file from a CSV file, a polygon, a mesh and more"
-    )
+    text = "make a grasp file from CSV, floats, a polygon, a mesh, or at random"
+    make = terminal.add_command(commands, "make", text, heading="more")
     kinds = make.add_subparsers(required=True, metavar="KIND")
 
     text = "read one contact a line; columns x, y, normal_x, ..."
@@ -63,7 +62,7 @@ def add_commands(commands: Any) -> None:
     add_number(circle, "--preload", 0, "of every contact")
 
     text = "contacts on the surface of an STL, OBJ, PLY or GLB file"
-    chosen = ("at", "random", "seed", "facing", "smooth", "within", "preload")
+    chosen = ("at", "random", "seed", "facing", "smooth", "max_distance", "preload")
     mesh = _add(kinds, "mesh", text, "on_mesh", ("file", "friction"), chosen)
     mesh.add_argument("file", metavar="FILE", help="a closed surface; lengths as they are in it")
     number = terminal.rational_argument
@@ -84,12 +83,12 @@ def add_commands(commands: Any) -> None:
     text = "normals that change evenly over each facet, instead of its own"
     mesh.add_argument("--smooth", action="store_true", help=text)
     text = "refuse points that are farther from the surface than this share of its size"
-    add_number(mesh, "--within", Fraction(1, 20), text)
+    add_number(mesh, "--max-distance", Fraction(1, 20), text)
     mesh.add_argument("--friction", metavar="Q", type=number, required=True)
     add_number(mesh, "--preload", 0, "of every contact")
 
     text = "put contacts around an object at random, the same for each seed"
-    randoms = add_command(kinds, "random", _random, text, grasp=False, numbers=False)
+    randoms = add_command(kinds, "random", _random, text, grasp=False, numbers=False, heading="")
     randoms.add_argument("--contacts", type=terminal.count_argument, required=True, metavar="M")
     add_count(randoms, "--seed", 0, "of the random numbers", "SEED")
     randoms.add_argument("--space", action="store_true", help="in space instead of the plane")
@@ -120,7 +119,7 @@ def _add(
         reader: the function of `equilibrium.grasps.inputs`.
         given, options: the arguments that it takes, without and with their names.
     """
-    parser = add_command(kinds, name, _converted, text, grasp=False, numbers=False)
+    parser = add_command(kinds, name, _converted, text, grasp=False, numbers=False, heading="")
     rounds = ("angle_tolerance", "as_given") if name != "circle" else ("angle_tolerance",)
     parser.set_defaults(reader=reader, given=given, options=(*options, *rounds))
     if name != "circle":

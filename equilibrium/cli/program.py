@@ -1,20 +1,19 @@
-"""The command ``equilibrium``: solve a grasp, verify a certificate."""
+"""The program ``equilibrium``: its commands, with verify and list; others have modules."""
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from arrangement.console import terminal
 from arrangement.console.number_form import counted
 from arrangement.console.safe_text import printable
-from arrangement.numbers.deadline import Deadline
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.displacement import displacement_words, read_displacement
 
-from . import draw, inputs, methods, wrench_sets
+from . import draw, info, inputs, resisted, solve
 from .arguments import (
     add_applied,
     add_command,
@@ -23,28 +22,51 @@ from .arguments import (
     add_grasp,
     applied,
     grasp_of,
-    seconds,
     show,
 )
-from .verdict_words import piece_lines, verdict_lines
 
 if TYPE_CHECKING:
     from arrangement.numbers.exact import RationalVector
-    from equilibrium.decide.verdict import Verdict
     from equilibrium.model.grasp import Grasp
 
 #: Lines of the question of a proof.
 _MOST_LINES = 21
-#: The names of `printed_model.OPTIONS`, kept here so that ``--help`` loads no solver.
-LITERAL = (
-    "detachment",
-    "preload",
-    "signs",
-    "cell-check",
-    "all-stick",
-    "coincident-planes",
-    "single-solution",
-)
+#: Names of earlier releases, and guesses, with what to write now.
+_RENAMED = {
+    "limit": "equilibrium resisted GRASP LOAD, or equilibrium resisted GRASP --smallest",
+    "margin": "equilibrium resisted GRASP LOAD --margin",
+    "region": "equilibrium resisted GRASP --slice U V",
+    "polyhedra": "equilibrium resisted GRASP",
+    "map": "equilibrium resisted GRASP --search",
+    "compare": "equilibrium solve GRASP LOAD --methods",
+    "wrench-space": "equilibrium info GRASP --force-closure",
+    "force-closure": "equilibrium info GRASP --force-closure",
+    "gws": "equilibrium info GRASP --force-closure",
+    "modes": "equilibrium info GRASP --modes",
+    "figure": "equilibrium draw GRASP --view slice -o FILE.json",
+    "export": "equilibrium draw GRASP --model scene -o FILE.xml",
+    "gaps": "proofs-check new NAME --example gaps",
+    "survey": "proofs-check new NAME --example survey",
+    "stability": "equilibrium resisted",
+    "limits": "equilibrium resisted",
+    "plot": "equilibrium draw",
+    "show": "equilibrium draw",
+    "check": "equilibrium verify",
+    "convert": "equilibrium make",
+    "--any-direction": "--smallest",
+    "--direction": "--wrench",
+    "--directions": "--rays",
+    "--first": "--slice U V",
+    "--second": "--slice U V",
+    "--largest": "--max-magnitude",
+    "--largest-turn": "--max-displacement",
+    "--largest-force": "--max-displacement",
+    "--length": "--torque-length",
+    "--literal": "--as-printed",
+    "--proved": "--verified",
+    "--width": "--tolerance",
+    "--within": "--max-distance",
+}
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -54,56 +76,15 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def _parser() -> terminal.Parser:
     parser = terminal.command_parser(
-        "equilibrium", "Exact passive equilibrium of grasps with friction, with proofs."
+        "equilibrium",
+        "Decide passive stability of frictional grasps exactly, with certificates.",
+        _RENAMED,
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    solve = add_command(
-        commands,
-        "solve",
-        _solve,
-        "decide whether a grasp resists a wrench",
-        "resisted",
-        "not resisted",
-        "undecided",
-    )
-    add_applied(solve)
-    solve.add_argument(
-        "--certificate",
-        metavar="OUT.json",
-        help="write the certificate here; with --robust the proof for all, if it holds",
-    )
-    solve.add_argument(
-        "--time-limit",
-        metavar="SECONDS",
-        type=seconds,
-        help="give up then: exit code 2, in space 3",
-    )
-    add_cone(solve)
-    add_displacement(solve)
-    solve.add_argument(
-        "--robust",
-        nargs="+",
-        type=_bound,
-        metavar="NAME=Q",
-        help="also: does the verdict hold for all grasps within degrees=2 (of normals), length=Q "
-        "(of points), friction=5%%, stiffness=Q, preload=Q? The exit code tells this: 0 proved, "
-        "1 no, 3 undecided",
-    )
-    solve.add_argument(
-        "--shorten", action="store_true", help="look longer for a smaller proof of a no"
-    )
-    solve.add_argument(
-        "--all", action="store_true", help="list all equilibria of more than 20 contacts, too"
-    )
-    solve.add_argument(
-        "--literal",
-        nargs="+",
-        action="extend",
-        default=[],
-        choices=LITERAL,
-        metavar="OPTION",
-        help="follow the printed text in these points: " + ", ".join(LITERAL),
-    )
+    solve.add_command_solve(commands)
+    resisted.add_command_resisted(commands)
+    draw.add_commands(commands)
+    info.add_command_info(commands)
     verify = add_command(
         commands,
         "verify",
@@ -116,93 +97,25 @@ def _parser() -> terminal.Parser:
     )
     verify.add_argument("certificate", metavar="CERT.json", help="a path, or - for stdin")
     verify.add_argument(
-        "--proved",
+        "--verified",
         action="store_true",
-        help="ask the checker that is proved in Coq (built by `make formal`)",
+        help="by the formally verified checker (built by `make formal`)",
     )
     add_grasp(verify, "--grasp")
     add_applied(verify, text="what the proof has to be about, with --grasp", required=False)
     add_cone(verify)
     add_displacement(verify)
     add_command(commands, "list", _list, "list the built-in grasps", grasp=False)
-    wrench_sets.add_commands(commands)
-    methods.add_commands(commands)
     inputs.add_commands(commands)
-    draw.add_commands(commands)
+    draw.add_lab(commands)
     return parser
-
-
-def _bound(text: str) -> tuple[str, str]:
-    name, equals, value = text.partition("=")
-    if not equals:
-        raise argparse.ArgumentTypeError(f"{text[:60]!r} is no bound; give NAME=Q as degrees=2")
-    return name, value
 
 
 def _list(arguments: argparse.Namespace) -> int:
     from arrangement.library.files.json_files import described
 
-    bodies = {name: f"(modes alone) {text}" for name, text in described("normals").items()}
+    bodies = {name: f"(contact modes alone) {text}" for name, text in described("normals").items()}
     return terminal.print_names(described("contacts") | bodies, arguments.json)
-
-
-def _solve(arguments: argparse.Namespace) -> int:
-    from equilibrium.decide.solver import solve
-    from equilibrium.model.errors import GraspError
-
-    if arguments.literal and arguments.certificate is not None:
-        raise GraspError("a literal reading has no certificate; omit one of the two options")
-    grasp = grasp_of(arguments)
-    wrench = applied(arguments, grasp)
-    if arguments.literal:
-        if arguments.max_displacement is not None:
-            raise GraspError("a literal reading bounds no displacement; omit one of the two")
-        literal = solve(grasp, wrench, as_printed=arguments.literal)
-        lines = piece_lines(literal.equilibria, grasp)
-        return show(arguments, literal.to_dict(), lines, literal.stable, grasp)
-    bound, deadline = arguments.max_displacement, Deadline(arguments.time_limit)
-    asked = {"shorten": arguments.shorten, "pyramid": arguments.cone, "max_displacement": bound}
-    found = solve(grasp, wrench, time_limit=arguments.time_limit, **asked)
-    if arguments.certificate is not None and found.certificate is not None:
-        found.certificate.save(arguments.certificate)
-    every = arguments.all or None
-    lines = verdict_lines(found, every, arguments.certificate)
-    yes = found.stable if found.decided else None
-    return _answer(arguments, found, found.to_dict(every), lines, yes, deadline)
-
-
-def _answer(
-    arguments: argparse.Namespace,
-    found: Verdict,
-    document: dict[str, Any],
-    lines: Iterable[str],
-    yes: bool | None,
-    deadline: Deadline,
-) -> int:
-    """Print a verdict with what other grasps within the error or within bounds say."""
-    from equilibrium.certificate.uncertain import Bounds
-    from equilibrium.decide import robustness
-    from equilibrium.model.errors import GraspError
-
-    lines = list(lines)
-    if found.grasp.data_error is not None and arguments.robust is None:
-        again = found.within_error()
-        if again.turned is not None:
-            lines, yes = [*again.lines(), f"as it was rounded: {lines[0]}", *lines[1:]], None
-        else:
-            lines += again.lines()
-    if arguments.robust is not None:
-        bounds = dict(arguments.robust)
-        if len(bounds) < len(arguments.robust):
-            raise GraspError("--robust has one bound twice; give each once")
-        robust = robustness.robust(found, Bounds(**bounds), deadline)
-        document["robust"] = robust.to_dict()
-        lines += robust.lines()
-        if arguments.certificate is not None and robust.certificate is not None:
-            robust.certificate.save(arguments.certificate)
-            lines.append("the certificate written is the proof for all of them")
-        yes = True if robust else None if robust.turned is None else False
-    return show(arguments, document, lines, yes, found.grasp)
 
 
 def _verify(arguments: argparse.Namespace) -> int:
@@ -213,12 +126,12 @@ def _verify(arguments: argparse.Namespace) -> int:
 
     path, question, known = arguments.certificate, _asked(arguments), True
     max_displacement = read_displacement(arguments.max_displacement)
-    if arguments.proved:
+    if arguments.verified:
         valid, kind = verify_proved(path)
         # What came on stdin only that program has read.
         known, problem = path != "-", "" if valid else f"this does not prove {kind}"
         if question is not None and not known:
-            raise GraspError("with --proved a proof on stdin is compared with nothing; give a file")
+            raise GraspError("--verified compares no proof on stdin; give a file")
         report = Report(kind, problem)
         if known:
             _, grasp, wrench = read_question(read_certificate(path))
@@ -226,7 +139,7 @@ def _verify(arguments: argparse.Namespace) -> int:
             report = report.asked(question, arguments.cone, max_displacement)
     else:
         report = verify(path, question, arguments.cone, max_displacement)
-    speaker, left_out = ("proved", "leaves") if arguments.proved else ("Python", "")
+    speaker, left_out = ("proved", "leaves") if arguments.verified else ("Python", "")
     document = {k: value for k, value in report.to_dict().items() if k != left_out}
     if not known:
         del document["wrench"], document["grasp"]

@@ -36,7 +36,7 @@ _ROOT = re.compile(r"\s*(?:<[?!][^>]*>\s*)*<([A-Za-z_][\w.:-]*)")
 _SCENE = re.compile(r'\s*\{\s*"schema_version":\s*1,\s*"law":')
 _XML = {
     "COLLADA": "a COLLADA model",
-    "mujoco": "an MJCF model of MuJoCo (`equilibrium export` writes such scenes)",
+    "mujoco": "an MJCF model of MuJoCo (`equilibrium draw --model scene` writes such scenes)",
     "robot": "a URDF model",
     "sdf": "an SDF model",
 }
@@ -64,8 +64,8 @@ def read_contacts(source: Source, *kinds: str, floats: bool = False) -> dict[str
         raise GraspError(f"{name} is {kind}; {_READ}")
     if _SCENE.match(text):
         raise GraspError(
-            f'{name} is a scene of `equilibrium export`; the value of its key "grasp" is a grasp '
-            "document"
+            f"{name} is a scene of `equilibrium draw --model scene`; the value of its key "
+            '"grasp" is a grasp document'
         )
     document = parse_json(text, name, floats=floats, of_floats=_OF_FLOATS)
     if isinstance(document, list) and all(

@@ -2,15 +2,11 @@
 
 Signs follow the package: the grasp resists the wrench w when contact forces c exist with
 ``sum_i (c_n N_i + c_t T_i) + w = 0``. What differs is which forces a method lets arise. `registry`
-is their table, `compare` asks all of them, `survey` counts how often they disagree.
+is their table, `compare` asks all of them.
 """
 
 from .compare import Answer as Answer, Comparison as Comparison, ask as ask, compare as compare
 from .grasp_wrench_space import GraspWrenchSpace as GraspWrenchSpace
 from .method import Method as Method
 from .registry import METHODS as METHODS, method_named as method_named
-from .survey import (
-    resistance_figure as resistance_figure,
-    smallest_examples as smallest_examples,
-    survey as survey,
-)
+from .resistance import resistance_figure as resistance_figure

@@ -8,7 +8,7 @@ from typing import Any
 
 from arrangement.console.progress import watched
 from arrangement.numbers import budget
-from arrangement.numbers.exact import RationalVector, to_text
+from arrangement.numbers.exact import RationalVector, shown, to_text
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, read_wrench
@@ -121,17 +121,25 @@ def ask_all(grasp: Grasp) -> None:
     )
 
 
-def compare(grasp: Grasp, wrench: Iterable[Any], *, pyramid: int | None = None) -> Comparison:
-    """Put one question to every method.
+def compare(
+    grasp: Grasp,
+    wrench: Iterable[Any],
+    *,
+    methods: Iterable[str] | None = None,
+    pyramid: int | None = None,
+) -> Comparison:
+    """Decide one wrench by the full model and by other methods.
 
     Args:
         grasp: contacts.
         wrench: applied, ``(f_x, f_y, tau)``, or six numbers in space, where fewer methods answer.
+        methods: keys of `METHODS`, besides the full model; all that answer if omitted.
         pyramid: in space, edges of friction pyramids in place of the round cones, for the complete
             model and all methods with friction; see `equilibrium.model.contact`.
 
     Raises:
-        GraspError: a wrench of the wrong length, or a pyramid in the plane or of no such number.
+        GraspError: an unknown method, a wrench of the wrong length, or a pyramid in the plane or of
+            no such number.
 
     Returns:
         All verdicts. The compliance methods start from tangential forces that balance the
@@ -148,6 +156,18 @@ def compare(grasp: Grasp, wrench: Iterable[Any], *, pyramid: int | None = None) 
         pyramid_edges(pyramid, grasp.dimension)
     answers = [
         Answer(key, METHODS[key].title, *METHODS[key].outcome(grasp, applied, pyramid))
-        for key in watched(DECIDING if grasp.dimension == 2 else DECIDING_IN_SPACE, "methods")
+        for key in watched(_chosen(grasp, methods), "methods")
     ]
     return Comparison(grasp, applied, tuple(answers), pyramid)
+
+
+def _chosen(grasp: Grasp, methods: Iterable[str] | None) -> list[str]:
+    """Return the methods in the order of the table, the full model first."""
+    answering = DECIDING if grasp.dimension == 2 else DECIDING_IN_SPACE
+    wanted = answering if methods is None else (answering[0], *methods)
+    for name in wanted:
+        if name not in answering:
+            where = "" if name not in METHODS else " for one wrench of such a grasp"
+            known = ", ".join(answering)
+            raise GraspError(f"there is no method {shown(name)}{where}; known are {known}")
+    return [name for name in answering if name in wanted]

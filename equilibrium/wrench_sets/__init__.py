@@ -5,8 +5,7 @@
   its `outline`; `space`: the whole set as polyhedra.
 * `loads`: arrays of loads on one grasp.
 * `any_direction`: the smallest wrench that is not resisted.
-* `margin`: factors and preloads; `friction`: the least coefficient; `search_map`: the paper's map,
-  and `gaps`, where such a map fails.
+* `margin`: factors and preloads; `friction`: the least coefficient; `search_map`: the paper's map.
 * `spatial`: brackets of magnitudes of grasps in space.
 """
 
@@ -14,7 +13,7 @@ from arrangement.numbers.linear.polyhedron import Polyhedron as Polyhedron
 
 from .any_direction import SmallestUnresisted as SmallestUnresisted
 from .friction import FrictionBracket as FrictionBracket
-from .line import Gap as Gap, Magnitudes as Magnitudes, gaps as gaps
+from .line import Magnitudes as Magnitudes
 from .loads import CheckedLoads as CheckedLoads
 from .margin import Margin as Margin, Preloads as Preloads
 from .outline import Outline as Outline, Segment as Segment

@@ -2,17 +2,15 @@
 
 With the contact states fixed, the wrench stands only in the constants of the balances. So along
 ``base + t direction`` every choice of states allows one closed interval of t. Their union over all
-states is exact, and it need not be one interval that starts at 0. A seeded search finds small
-grasps where it is not (`gaps`): a binary search for the largest magnitude is wrong on each.
+states is exact, and it need not be one interval that starts at 0.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
-from random import Random
 from typing import Any
 
 from arrangement.console.number_form import Documented, Shown
@@ -30,13 +28,11 @@ from arrangement.numbers.linear.intervals import (
 from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.decide.robustness import DEPENDS, ROUNDINGS, others
 from equilibrium.decide.solver import Solver, prepare
-from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.contact_rows import sum_row
 from equilibrium.plane.states.contact_states import states_of_code
 from equilibrium.plane.states.state_system import StateSystem, state_system
-from equilibrium.wrench_sets.space import magnitudes_in, resisted_pieces
 
 #: All magnitudes.
 ALL: Interval = (Fraction(0), None)
@@ -207,41 +203,3 @@ def _by_programs(
         return None
     opposite = program.least([-x for x in objective])
     return least, None if opposite is None else -opposite
-
-
-_NORMALS = ((1, 0), (0, 1), (-1, 0), (0, -1))
-_FRICTIONS = (Fraction(0), Fraction(1, 2), Fraction(1))
-_AXES: tuple[RationalVector, ...] = tuple(
-    tuple(Fraction(sign * (i == j)) for j in range(3)) for i in range(3) for sign in (1, -1)
-)
-
-
-@dataclass(frozen=True)
-class Gap(Documented):
-    """A grasp with a direction along which its resisted magnitudes are not one interval from 0."""
-
-    in_document = ("grasp", "direction", "intervals")
-
-    grasp: Grasp
-    direction: RationalVector
-    intervals: tuple[Interval, ...]
-
-
-def gaps(contacts: int, seed: int, tries: int) -> Iterator[Gap]:
-    """Yield the examples among random small grasps with preload 1, along the six axes of wrenches.
-
-    Points have coordinates -1, 0, 1, normals are along the axes, friction is 0, 1/2 or 1.
-    """
-    random = Random(seed)
-    for _ in watched(range(tries), "grasps"):
-        grasp = Grasp(_contact(random) for _ in range(contacts))
-        pieces = resisted_pieces(Solver(grasp))
-        for direction in _AXES:
-            found = magnitudes_in(pieces, (Fraction(0),) * 3, direction)
-            if found and (len(found) > 1 or found[0][0] != 0):
-                yield Gap(grasp, direction, found)
-
-
-def _contact(random: Random) -> Contact:
-    point = (random.randint(-1, 1), random.randint(-1, 1))
-    return Contact(point, random.choice(_NORMALS), random.choice(_FRICTIONS), 1, 1)

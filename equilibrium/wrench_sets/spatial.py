@@ -12,15 +12,18 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.numbers.exact import RationalVector, rational, shown, to_text
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
 from equilibrium.decide.known_loads import KnownLoads, KnownMagnitudes
+from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.displacement import read_displacement
+from equilibrium.model.effort import Effort
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.plane.contact_rows import sum_row
 
 #: A magnitude and its verdict.
 Sample: TypeAlias = tuple[Fraction, str]
@@ -42,6 +45,11 @@ _FLOOR = 10**6
 _NODES = 400
 #: Least width of a bracket: verdicts take longer numbers with each halving.
 _LEAST_WIDTH = Fraction(1, 2**100)
+#: Of converted data: about how many borders other roundings are asked, at which share before them,
+#: and with how many steps.
+_ASKED = 2
+_NEAR = Fraction(1, 1000)
+_STEPS = 50_000_000
 
 
 @dataclass(frozen=True)
@@ -66,6 +74,22 @@ class Border:
         }
 
 
+class Nearby(NamedTuple):
+    """The verdict a little before a border, for converted data.
+
+    Attributes:
+        doubt: what other grasps within the error of the data answer, "" if the same.
+    """
+
+    t: Fraction
+    verdict: str
+    doubt: str
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form."""
+        return {"t": to_text(self.t), "verdict": self.verdict}
+
+
 @dataclass(frozen=True)
 class SpatialMagnitudes:
     """What is known of the magnitudes t >= 0 with ``base + t direction`` resisted.
@@ -73,12 +97,15 @@ class SpatialMagnitudes:
     Attributes:
         samples: magnitudes and their verdicts, increasing.
         borders: each change of the verdict between neighbouring samples that are decided.
+        grasp, max_displacement: what it is about.
     """
 
+    grasp: Grasp
     direction: RationalVector
     base: RationalVector
     samples: tuple[tuple[Fraction, str], ...]
     borders: tuple[Border, ...]
+    max_displacement: Fraction | None = None
 
     @property
     def verdict(self) -> str:
@@ -93,6 +120,23 @@ class SpatialMagnitudes:
         """Neighbouring borders between which the wrench is not resisted, though it is beyond."""
         pairs = pairwise(self.borders)
         return tuple((a, b) for a, b in pairs if a.resisted < a.refused and b.refused < b.resisted)
+
+    def within_error(self) -> tuple[Nearby, ...] | None:
+        """Return verdicts a little before the first borders, with what other roundings answer.
+
+        None if the data are exact or there is no border. Brackets are finer than the error of
+        converted data, so that verdicts at their ends would all depend on the rounding.
+        """
+        if self.grasp.data_error is None or not self.borders:
+            return None
+        solver, nearby = Solver(self.grasp, self.max_displacement), []
+        for border in self.borders[:_ASKED]:
+            way = -1 if border.resisted < border.refused else 1
+            t = border.resisted * (1 + way * _NEAR)
+            wrench = sum_row(self.base, self.direction, t)
+            verdict = solver.decide(wrench, Effort(_STEPS))
+            nearby.append(Nearby(t, verdict.answer, verdict.doubt or ""))
+        return tuple(nearby)
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; numbers are strings of rationals."""
@@ -140,8 +184,8 @@ def spatial_magnitudes(
     share = rational(width, "width")
     if share < _LEAST_WIDTH:
         raise GraspError(f"width is {shown(share)}; it must be at least 2^-100")
-    bound = read_displacement(max_displacement)
-    known = KnownMagnitudes(loads or KnownLoads(grasp, nodes, bound), along, start)
+    loads = loads or KnownLoads(grasp, nodes, read_displacement(max_displacement))
+    known = KnownMagnitudes(loads, along, start)
     unit = max((c.preload for c in grasp), default=Fraction(0)) or Fraction(1)
     tried = [Fraction(0), *(unit * Fraction(2) ** k for k in _POWERS[::every])]
     found = {k: known.verdict(tried[k]) for k in _ends_first(len(tried))}
@@ -152,7 +196,7 @@ def spatial_magnitudes(
         for first, second in pairwise(decided)
         if first[1] != second[1]
     )
-    return SpatialMagnitudes(along, start, tuple(samples), borders)
+    return SpatialMagnitudes(grasp, along, start, tuple(samples), borders, loads.max_displacement)
 
 
 def _ends_first(count: int) -> list[int]:

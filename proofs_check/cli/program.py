@@ -24,6 +24,17 @@ _RENAMED = {
     "--proved": "--verified",
 }
 
+#: Files of `proofs_check.examples` for ``new``, kept here so that ``--help`` reads none.
+EXAMPLES = (
+    "template",
+    "gaps",
+    "most_triangles",
+    "regions_of_families",
+    "survey",
+    "triangles",
+    "two_fingers",
+)
+
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command; return its exit code.
@@ -82,6 +93,13 @@ def _parser() -> terminal.Parser:
     )
     new = command("new", "run.new_file", "write a file of claims to start from", heading="common")
     new.add_argument("name", metavar="NAME", help="of the file; .py is added")
+    new.add_argument(
+        "--example",
+        metavar="EXAMPLE",
+        choices=EXAMPLES,
+        default="template",
+        help=f"one of {', '.join(EXAMPLES[1:])} (default: two short claims)",
+    )
     report = command(
         "report",
         "sweep.run_report",

@@ -186,14 +186,15 @@ def _about(asked: _Request) -> dict[str, str]:
 
 
 def new_file(arguments: argparse.Namespace) -> int:
-    """Write a file with two claims to begin with; one that is there is left alone."""
+    """Write a file with two claims to begin with, or an example; refuse to replace a file."""
     path = Path(arguments.name)
     if not path.name:
         raise OwnClaimError(f"{path} names no file; give a name such as mypaper")
     path = path if path.suffix == ".py" else path.with_name(f"{path.name}.py")
     if path.exists():
         raise OwnClaimError(f"{path} is there already; choose another name")
-    begun = files("proofs_check.examples").joinpath("template.py").read_text(encoding="utf-8")
+    example = files("proofs_check.examples").joinpath(f"{arguments.example}.py")
+    begun = example.read_text(encoding="utf-8")
     write_text_atomically(path, begun.replace("FILE.py", str(path)))
     if arguments.json:
         terminal.print_json({"output": str(path)})

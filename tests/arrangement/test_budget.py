@@ -122,12 +122,13 @@ def question(number: int, folder: Path) -> list[str]:
         ]
         path = folder / f"{number}.json"
         path.write_text(json.dumps({"schema_version": 1, "contacts": contacts}))
-        command = source.choice(("solve", "limit", "margin", "compare", "modes"))
-        asked = {"limit": "--direction", "modes": ""}.get(command, "--wrench")
+        commands = ("solve", "resisted", "resisted --margin", "solve --methods", "info --modes")
+        command, *form = source.choice(commands).split()
         if more and source.random() < 0.3:
             picture = [str(path), "-o", str(folder / f"{number}.svg"), "--wrench", "1", "2", "3"]
             return ["equilibrium", "draw", "--view", source.choice(_VIEWS_OF_GRASPS), *picture]
-        return ["equilibrium", command, str(path), *([asked, "1", "2", "3"] if asked else [])]
+        load = [] if command == "info" else ["--wrench", "1", "2", "3"]
+        return ["equilibrium", command, str(path), *load, *form]
     path = folder / f"{number}.json"
     path.write_text(json.dumps(_planes(source)))
     command = source.choice(
@@ -354,7 +355,7 @@ def test_all_resisted_wrenches_are_refused_from_their_number_of_states(tmp_path,
     path = tmp_path / "grasp.json"
     for contacts, code in ((4, 0), (20, 2)):
         path.write_text(json.dumps(random_grasp(contacts, 3).with_preload(1).to_dict()))
-        assert equilibrium_main(["polyhedra", str(path)]) == code
+        assert equilibrium_main(["resisted", str(path)]) == code
     assert "20 contacts, 14,593 choices of states: this would take" in capsys.readouterr().err
 
 
@@ -377,7 +378,7 @@ def test_a_text_of_sage_is_refused_from_its_commas_and_brackets(tmp_path, capsys
 
 def test_states_that_floats_cannot_rule_out_are_refused_from_their_number(tmp_path, capsys):
     path = tmp_path / "grasp.json"
-    words = ["margin", str(path), "--wrench", "1", "2", "3"]
+    words = ["resisted", str(path), "--wrench", "1", "2", "3", "--margin"]
     for contacts, codes in ((2, (0, 1)), (16, (2,))):
         grasp = random_grasp(contacts, 3).with_friction(10**80)
         path.write_text(json.dumps(grasp.to_dict()))

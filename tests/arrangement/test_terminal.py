@@ -427,7 +427,7 @@ COMMANDS = [
     "arrangement list --families",
     "arrangement --help",
     "equilibrium solve paper-three-contacts --wrench 0 -1 0 --digits 3",
-    "equilibrium limit paper-three-contacts --direction 0 -1 1/7",
+    "equilibrium resisted paper-three-contacts --wrench 0 -1 1/7",
     "equilibrium list",
     "proofs-check list",
     "proofs-check list regions-in-print",

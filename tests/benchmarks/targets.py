@@ -24,7 +24,7 @@ REFUTED = VERDICTS[False]
 #: Contacts, the targets of median and largest time; for grasps in space, and how many grasps.
 NEAR_LIMIT = ((20, 0.025, 0.25), (50, 0.05, 0.6), (100, 0.08, 0.6), (1000, 0.3, 2.0))
 IN_SPACE = ((8, 0.5, 20), (12, 2.0, 8))
-DOWN, IN_THREE = ["--wrench", "0", "-1", "0"], ["--direction", "0", "0", "-1", "0", "0", "0"]
+DOWN, IN_THREE = ["--wrench", "0", "-1", "0"], ["--wrench", "0", "0", "-1", "0", "0", "0"]
 #: Jobs of `job.py`, their numbers, what they do, the target in seconds.
 JOBS = (
     ("loads_in_the_plane", 1000, "1000 loads on 8 contacts in the plane", 2.0),
@@ -33,7 +33,7 @@ JOBS = (
 )
 #: The same for jobs that report the microseconds of one item.
 MEDIANS = (
-    ("measured_limits", 12, "`limit` in space from float data, a direction", 1.0),
+    ("measured_limits", 12, "`resisted` in space from float data, a direction", 1.0),
     ("inscribed_types", 50, "inscribability of a class of nine planes", 0.03),
 )
 LIMIT = 300
@@ -87,13 +87,16 @@ def _commands() -> Iterable[tuple[str, str, list[tuple[list[str], str]], float]]
     fingers = _text(read_grasp("three-fingers-on-a-ball"))
     yield (
         "equilibrium",
-        "`limit` in space, three fingers",
-        [(["limit", *IN_THREE], fingers)] * 3,
+        "`resisted` in space, three fingers",
+        [(["resisted", *IN_THREE], fingers)] * 3,
         0.4,
     )
     long = [_text(long_grasp(4, seed)) for seed in range(1, 4)]
-    for name in ("margin", "compare"):
-        given = [([name, *DOWN, "--limit", "4"], document) for document in long]
+    for name, words in (
+        ("margin", ["resisted", *DOWN, "--margin"]),
+        ("compare", ["solve", *DOWN, "--methods"]),
+    ):
+        given = [([*words, "--limit", "4"], document) for document in long]
         yield "equilibrium", f"`{name}`, 4 contacts, {DIGITS} digits", given, 1.0
 
 

@@ -120,7 +120,15 @@ def test_long_numbers_are_rounded_unless_they_are_wanted_exactly(capsys):
 
 
 def test_the_least_friction_is_told_by_its_certain_digits_and_its_bounds(capsys):
-    asked = ("margin", "paper-three-contacts-preload-1", "--wrench", "1/7", "1", "1/3")
+    asked = (
+        "resisted",
+        "paper-three-contacts-preload-1",
+        "--wrench",
+        "1/7",
+        "1",
+        "1/3",
+        "--margin",
+    )
     bounds = "between 652447/1048576 and 28/45"
     assert f"least uniform friction: 0.622222 ({bounds})" in call(capsys, *asked)[1]
     assert f"least uniform friction: 0.622 ({bounds})" in call(capsys, *asked, "--digits", "3")[1]
@@ -140,8 +148,8 @@ def test_pictures_and_pages_take_a_load_as_verdicts_do(command, way, tmp_path, c
 
 
 def test_magnitudes_along_a_force(capsys):
-    found = call(capsys, "limit", "ladder", "--weight", "1", "--at", "2", "0")
-    assert found == call(capsys, "limit", "ladder", "--direction", "0", "-1", "-2")
+    found = call(capsys, "resisted", "ladder", "--weight", "1", "--at", "2", "0")
+    assert found == call(capsys, "resisted", "ladder", "--wrench", "0", "-1", "-2")
 
 
 def test_make_writes_the_file_that_it_prints(tmp_path, capsys):
@@ -149,3 +157,77 @@ def test_make_writes_the_file_that_it_prints(tmp_path, capsys):
     printed = call(capsys, *asked)[1]
     assert call(capsys, *asked, "-o", str(tmp_path / "g.json"))[1] == ""
     assert (tmp_path / "g.json").read_text(encoding="utf-8") == printed
+
+
+@pytest.mark.parametrize(
+    ("words", "now"),
+    [
+        ("limit ladder", "equilibrium resisted GRASP LOAD"),
+        ("gws ladder", "equilibrium info GRASP --force-closure"),
+        ("survey", "proofs-check new NAME --example survey"),
+        ("export ladder", "equilibrium draw GRASP --model scene -o FILE.xml"),
+        ("resisted ladder --any-direction", "--smallest"),
+        ("resisted ladder --direction 0 1 0", "--wrench"),
+        ("solve ladder --weight 1 --literal signs", "--as-printed"),
+        ("verify proof.json --proved", "--verified"),
+        ("make mesh a.stl --friction 1 --within 1", "--max-distance"),
+    ],
+)
+def test_old_names_say_what_to_write_now(capsys, words, now):
+    with pytest.raises(SystemExit) as stopped:
+        main(words.split())
+    assert stopped.value.code == 2
+    assert f" is now '{now}" in capsys.readouterr().err
+
+
+def test_info_describes_a_grasp(capsys):
+    code, out, _ = call(capsys, "info", "paper-three-contacts")
+    assert code == 0
+    rows = dict(line.split("  ", 1) for line in out.splitlines() if line[0] != " ")
+    assert {name: text.strip() for name, text in rows.items()} == {
+        "contacts": "3, in the plane",
+        "stiffness": "given",
+        "rank": "3 of 3 tangential hyperplanes",
+        "force closure": "yes",
+    }
+    assert call(capsys, "info", "two-opposed-fingers")[1].endswith(
+        "no, with friction pyramids of 4 edges\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        ("info ladder --count", "--count goes with --modes"),
+        ("info ladder --modes --norm L1", "--norm goes with --force-closure"),
+        ("info ladder --modes --preload 1", "--preload does not go with --modes"),
+        (
+            "solve ladder --weight 1 --methods --robust friction=1%",
+            "--methods does not take --robust",
+        ),
+        ("solve ladder --weight 1 --methods mosek", "there is no method 'mosek'"),
+        ("solve wedge --weight 1 --methods printed", "no method 'printed' for one wrench of such"),
+        ("solve ladder --weight 1 --as-printed signs --max-displacement 1", "does not take --max-"),
+    ],
+)
+def test_options_that_do_not_go_together_are_refused(capsys, words, reason):
+    assert main(words.split()) == 2
+    assert reason in capsys.readouterr().err
+
+
+def test_methods_are_chosen_by_name(capsys):
+    asked = (
+        "solve",
+        "paper-three-contacts",
+        "--wrench",
+        "0",
+        "1",
+        "0",
+        "--methods",
+        "weak",
+        "cones",
+    )
+    code, out, _ = call(capsys, *asked, "--json")
+    assert code == 1
+    names = [entry["method"] for entry in json.loads(out)["methods"]]
+    assert names == ["complete", "cones", "weak"]

@@ -17,12 +17,12 @@ QUESTIONS = [
     ["solve", "SOFT", "--wrench", "1", "0", "-1", "0", "0", "1/2"],
     ["solve", "peg-in-a-hole", "--wrench", "0", "0", "-3/2", "0", "0", "0", "--json"],
     ["solve", "peg-in-a-hole", "--wrench", "0", "0", "-1", "0", "0", "1", "--cone", "pyramid:6"],
-    ["margin", THREE, "--wrench", "0", "1", "0"],
-    ["region", THREE, "--json"],
-    ["modes", "box-1-wall", "--count"],
+    ["resisted", THREE, "--wrench", "0", "1", "0", "--margin"],
+    ["resisted", THREE, "--slice", "fx", "fy", "--json"],
+    ["info", "box-1-wall", "--modes", "--count"],
     ["solve", "DISC", "--wrench", "1", "-2", "0", "--json"],
     ["solve", THREE, "--wrench", "0", "1/2", "0", "--robust", "degrees=1/10", "friction=5%"],
-    ["limit", "two-opposed-fingers", "--direction", "0", "3/5", "4/5", "0", "0", "0"],
+    ["resisted", "two-opposed-fingers", "--wrench", "0", "3/5", "4/5", "0", "0", "0"],
 ]
 REAL = time.perf_counter
 #: A second for each look, and clocks that go a hundred times as fast and as slow.

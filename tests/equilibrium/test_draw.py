@@ -33,7 +33,6 @@ from equilibrium.pictures.grasp.proof_page import proof_page
 from equilibrium.pictures.parts.body import body, frame_of
 from equilibrium.pictures.parts.style import nice
 from equilibrium.pictures.wrenches.forces import slices
-from equilibrium.wrench_sets import gaps
 from equilibrium.wrench_sets.plane import resisted_region
 from equilibrium.wrench_sets.search_map import search_map
 from tests.drawn import offences
@@ -318,10 +317,10 @@ def test_the_three_parts_are_the_data_of_the_paper_figure():
 
 
 def test_polar_marks_are_the_entries_of_the_map():
-    gap = next(g for g in gaps(3, 29, 60) if g.direction[2] == 0 and len(g.intervals) > 1)
+    grasp = read_grasp("interrupted-resistance")
     options: dict[str, Any] = {"rays": 24, "tolerance": "1/100", "extent": 4}
-    scene = draw_polar.scene(gap.grasp, **options)
-    found = search_map(gap.grasp, 24, "1/100", 4000)
+    scene = draw_polar.scene(grasp, **options)
+    found = search_map(grasp, 24, "1/100", 4000)
     assert found.disagreements
     items = named(scene)
     rim = items["rim"]

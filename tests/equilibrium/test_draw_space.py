@@ -130,7 +130,7 @@ def test_a_slice_without_a_border_ends_where_the_proofs_end(monkeypatch):
     def known(grasp, way, **_):
         verdicts = [RESISTED, RESISTED, RESISTED, UNDECIDED, UNDECIDED]
         samples = zip(map(Fraction, (0, 1, 4, 16, 64)), verdicts, strict=True)
-        return SpatialMagnitudes(tuple(way), (), tuple(samples), ())
+        return SpatialMagnitudes(grasp, tuple(way), (), tuple(samples), ())
 
     monkeypatch.setattr(space_slice, "spatial_magnitudes", known)
     fingers = read_grasp("two-opposed-fingers")
@@ -146,7 +146,7 @@ def test_a_slice_without_a_border_ends_where_the_proofs_end(monkeypatch):
 def test_a_slice_without_an_end_says_how_far_it_was_tried(monkeypatch):
     def known(grasp, way, **_):
         samples = ((Fraction(0), RESISTED), (Fraction(64), RESISTED))
-        return SpatialMagnitudes(tuple(way), (), samples, ())
+        return SpatialMagnitudes(grasp, tuple(way), (), samples, ())
 
     monkeypatch.setattr(space_slice, "spatial_magnitudes", known)
     fingers = read_grasp("two-opposed-fingers")

@@ -371,7 +371,7 @@ def test_bare_list_of_contacts_is_a_grasp(tmp_path):
         ),
         (SCENE.mjcf(), "is an MJCF model of MuJoCo"),
         ("<html>", "is XML with the root <html>"),
-        (document_text(SCENE.document()), "is a scene of `equilibrium export`"),
+        (document_text(SCENE.document()), "is a scene of `equilibrium draw --model scene`"),
         ('[{"point": ["1", "0"]}]', "holds a list; a document is a JSON object"),
         ('[{"normal": [0.5, 1]}]', "equilibrium make floats"),
     ],

@@ -34,7 +34,6 @@ from equilibrium.methods.springs import (
     linear_compliance,
     springs_of,
 )
-from equilibrium.methods.survey import shrunk, size, smallest_examples, survey
 from equilibrium.methods.weak_strong import weak_strong
 from equilibrium.model.errors import GraspError
 from equilibrium.pictures.wrenches.forces import draw_methods
@@ -249,36 +248,9 @@ def test_every_file_of_a_method_is_in_the_table():
     assert {id(method) for method in METHODS.values()} == written
 
 
-class TestSurvey:
-    def test_every_question_is_counted_once(self):
-        found = survey(4, contacts=(2, 3), seed=3)
-        assert found.questions == 4
-        for count in found.counts.values():
-            assert sum(vars(count).values()) == 4
-        assert found.to_dict() == survey(4, contacts=(2, 3), seed=3).to_dict()
-
-    def test_methods_that_relax_the_model_never_refuse_wrongly(self):
-        counts = survey(8, contacts=(2,)).counts
-        for method in ("cones", "wrench-space", "weak"):
-            assert counts[method].refuses_wrongly == 0
-
-    def test_examples_disagree_and_cannot_be_made_smaller(self):
-        listed = smallest_examples(methods=("frictionless", "wrench-space"), tries=20)
-        assert listed
-        for found in listed:
-            assert ask(found.method, found.grasp, found.wrench) is found.accepts
-            assert ask("complete", found.grasp, found.wrench) is not found.accepts
-            again = shrunk(found)
-            assert size(again.grasp, again.wrench) == size(found.grasp, found.wrench)
-        kinds = [(found.method, found.accepts) for found in listed]
-        assert len(set(kinds)) == len(kinds)
-        # One contact pressed and pushed along its edge holds by friction alone.
-        assert len(next(e for e in listed if e.method == "frictionless").grasp) == 1
-
-
 class TestCommands:
     def test_compare(self, capsys):
-        arguments = ["compare", "paper-three-contacts", "--wrench", "0", "-1", "0"]
+        arguments = ["solve", "paper-three-contacts", "--wrench", "0", "-1", "0", "--methods"]
         assert main([*arguments, "--json"]) == 0
         document = json.loads(capsys.readouterr().out)
         agreeing = {row["method"]: row["agrees"] for row in document["methods"]}
@@ -291,13 +263,13 @@ class TestCommands:
         assert [line for line in lines if line.startswith("!") and "linear compliance" in line]
 
     def test_wrench_space(self, capsys):
-        assert main(["wrench-space", "paper-three-contacts", "--json"]) == 0
+        assert main(["info", "paper-three-contacts", "--force-closure", "--json"]) == 0
         document = json.loads(capsys.readouterr().out)
         assert document["force_closure"] is True
         # One row of four integers or rationals for each of the eight triangles of an octahedron.
         assert [len(row) for row in document["facets"]] == [4] * 8
         assert ["0", "1/2"] in document["slice"]["corners"]
-        assert main(["wrench-space", "paper-three-contacts", "--norm", "Linf"]) == 0
+        assert main(["info", "paper-three-contacts", "--force-closure", "--norm", "Linf"]) == 0
         assert "volume" in capsys.readouterr().out
 
 
@@ -392,7 +364,7 @@ def test_form_closure_in_space_takes_seven_contacts():
 
 def test_the_command_takes_a_grasp_in_space(capsys):
     load = ["--wrench", "0", "0", "0", "1", "0", "0"]
-    assert main(["compare", "two-opposed-fingers", *load, "--json"]) == 1
+    assert main(["solve", "two-opposed-fingers", *load, "--methods", "--json"]) == 1
     found = json.loads(capsys.readouterr().out)
     assert found["stable"] is False
     assert [entry["method"] for entry in found["methods"]] == list(DECIDING_IN_SPACE)
@@ -400,9 +372,10 @@ def test_the_command_takes_a_grasp_in_space(capsys):
 
 def test_pyramids_are_for_all_methods_with_friction(capsys):
     between = ["--wrench", "0", "7/10", "7/10", "0", "0", "0"]
-    assert main(["compare", "two-opposed-fingers", *between]) == 0
+    assert main(["solve", "two-opposed-fingers", *between, "--methods"]) == 0
     capsys.readouterr()
-    assert main(["compare", "two-opposed-fingers", *between, "--cone", "pyramid:4", "--json"]) == 1
+    pyramids = ["--cone", "pyramid:4"]
+    assert main(["solve", "two-opposed-fingers", *between, "--methods", *pyramids, "--json"]) == 1
     found = json.loads(capsys.readouterr().out)
     assert (found["pyramid"], found["stable"]) == (4, False)
     fingers, load = read_grasp("two-opposed-fingers"), (0, "7/10", "7/10", 0, 0, 0)
@@ -411,7 +384,7 @@ def test_pyramids_are_for_all_methods_with_friction(capsys):
 
 
 def test_the_wrench_space_in_space_has_a_radius_and_no_slice(capsys):
-    assert main(["wrench-space", "box-held-by-four", "--json"]) == 0
+    assert main(["info", "box-held-by-four", "--force-closure", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert (found["epsilon_squared"], found["pyramid"]) == ("4/25", 4)
     assert not {"volume", "slice"} & set(found)

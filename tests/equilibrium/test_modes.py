@@ -73,7 +73,7 @@ def test_a_box_on_a_box(walls, name, modes, capsys):
     built = box_on_a_box(walls)
     assert (boxes.normals, boxes.tangents, boxes.n) == (built.normals, built.tangents, 9)
     assert counts(boxes) == recounted(boxes) == modes
-    assert main(["modes", name, "--count", "--json"]) == 0
+    assert main(["info", name, "--modes", "--count", "--json"]) == 0
     assert tuple(json.loads(capsys.readouterr().out).values()) == modes
 
 
@@ -141,12 +141,12 @@ def test_they_are_the_faces_of_all_planes_on_the_right_side(grasp):
 
 
 def test_the_command_counts_and_lists(capsys):
-    assert main(["modes", "box-1-wall", "--count", "--json", "--time-limit", "600"]) == 0
+    assert main(["info", "box-1-wall", "--modes", "--count", "--json", "--time-limit", "600"]) == 0
     assert json.loads(capsys.readouterr().out) == {
         "contacting_separating": 10,
         "sliding_sticking": 196,
     }
-    assert main(["modes", "box-1-wall", "--json"]) == 0
+    assert main(["info", "box-1-wall", "--modes", "--json"]) == 0
     listed = json.loads(capsys.readouterr().out)
     assert [len(listed[key]) for key in ("contacting_separating", "sliding_sticking")] == [10, 196]
     assert listed["sliding_sticking"][0] == {
@@ -154,5 +154,5 @@ def test_the_command_counts_and_lists(capsys):
         "dimension": 0,
         "motion": [0] * 6,
     }
-    assert main(["modes", "box-1-wall"]) == 0
+    assert main(["info", "box-1-wall", "--modes"]) == 0
     assert len(capsys.readouterr().out.splitlines()) == 2 + 10 + 196

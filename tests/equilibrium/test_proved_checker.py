@@ -103,21 +103,21 @@ def test_the_command_says_which_checker_spoke(folder, capsys):
     path, asked = str(folder / "certificate.json"), ["--wrench", "1", "0", "0", "--grasp"]
     solve(read_grasp("single-contact"), (1, 0, 0)).certificate.save(path)
     program(folder, "accepted: not resisted", 0)
-    assert main(["verify", "--proved", path]) == 0
+    assert main(["verify", "--verified", path]) == 0
     answer, *question = capsys.readouterr().out.splitlines()
     assert answer == "valid: not resisted (by the proved checker)"
     assert question[0] == "wrench (1, 0, 0)"
-    assert main(["verify", "--proved", path, *asked, "single-contact"]) == 0
-    assert main(["verify", "--proved", path, *asked, "opposed-contacts"]) == 1
+    assert main(["verify", "--verified", path, *asked, "single-contact"]) == 0
+    assert main(["verify", "--verified", path, *asked, "opposed-contacts"]) == 1
     assert "it is about another grasp" in capsys.readouterr().out
-    assert main(["verify", "--proved", "-"]) == 0
+    assert main(["verify", "--verified", "-"]) == 0
     assert "wrench (" not in capsys.readouterr().out
-    assert main(["verify", "--proved", "-", *asked, "single-contact"]) == 2
+    assert main(["verify", "--verified", "-", *asked, "single-contact"]) == 2
     program(folder, "refused: resisted", 1)
-    assert main(["verify", "--proved", path, "--json"]) == 1
+    assert main(["verify", "--verified", path, "--json"]) == 1
     found = json.loads(capsys.readouterr().out)
     said = ("valid", "certificate", "checker", "compared")
     assert [found[key] for key in said] == [False, "resisted", "proved", False]
     program(folder, "malformed: a number is a float", 2)
-    assert main(["verify", "--proved", path]) == 2
+    assert main(["verify", "--verified", path]) == 2
     assert "a number is a float" in capsys.readouterr().err

@@ -131,9 +131,13 @@ def test_the_error_of_the_data_goes_along_in_files(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("command", "code", "words"),
     [
-        (["compare", "--wrench", "0", "0", "1"], 3, "depends on the rounding"),
-        (["margin", "--wrench", "0", "0", "1"], 3, "yes, as it was rounded; it depends on"),
-        (["region"], 0, "as the data were rounded"),
+        (["solve", "--wrench", "0", "0", "1", "--methods"], 3, "depends on the rounding"),
+        (
+            ["resisted", "--wrench", "0", "0", "1", "--margin"],
+            3,
+            "yes, as it was rounded; it depends on",
+        ),
+        (["resisted", "--slice", "fx", "fy"], 0, "as the data were rounded"),
     ],
 )
 def test_answers_about_converted_data_say_so(tmp_path, capsys, command, code, words):

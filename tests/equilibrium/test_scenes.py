@@ -11,8 +11,6 @@ from xml.etree import ElementTree as ET
 import numpy as np
 import pytest
 
-import equilibrium.scenes
-from arrangement.numbers import budget
 from equilibrium import Contact, Grasp, Polygon, read_grasp
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.law import frame
@@ -21,6 +19,7 @@ from equilibrium.decide.solver import Solver
 from equilibrium.scenes import EngineScene, benchmark, document_text
 from proofs_check.cli import main as claims
 
+NAME = "paper-three-contacts-preload-1"
 PAPER = read_grasp("paper-three-contacts-preload-1")
 BALL = read_grasp("three-fingers-on-a-ball")
 UP = {2: [0, 1, 0], 3: [0, 0, 1, 0, 0, 0]}
@@ -111,25 +110,33 @@ def test_what_engines_do_not_take_is_refused(grasp, directions, words):
 
 def test_the_command_writes_scenes(tmp_path, capsys):
     path = tmp_path / "scene.json"
-    assert main(["export", "paper-three-contacts-preload-1", "-o", str(path)]) == 0
+    assert main(["draw", NAME, "--model", "scene", "-o", str(path)]) == 0
     document = json.loads(path.read_text())
     assert document == json.loads(document_text(EngineScene(PAPER).document()))
     assert Grasp.from_dict(document["grasp"]) == PAPER
-    for words in (["ladder", "-o", "x.stl"], ["-o", "x.xml"], ["ladder", "--benchmark", "x"]):
-        assert main(["export", *words]) == 2
-        assert capsys.readouterr().err.startswith("error: ")
+    load = ["--force", "0", "1", "--at", "0", "0"]
+    xml = tmp_path / "scene.xml"
+    assert main(["draw", NAME, "--model", "scene", "-o", str(xml), *load]) == 0
+    assert xml.read_text() == EngineScene(PAPER, [[0, 1, 0]]).mjcf()
 
 
-def test_the_benchmark_may_take_its_time_and_has_the_same_bytes_each_time(tmp_path, monkeypatch):
-    chosen = [(str(load), EngineScene(PAPER, [load])) for load in ((0, 1, 0), (0, 0, 1))]
-    monkeypatch.setattr(equilibrium.scenes, "benchmark", lambda: iter(chosen))
-    monkeypatch.setattr(budget, "COMMAND_STEPS", 1)  # of other commands
-    folders = [tmp_path / name for name in ("one", "two")]
-    for folder in folders:
-        assert main(["export", "--benchmark", str(folder)]) == 0
-    one, two = ({x.name: x.read_bytes() for x in folder.iterdir()} for folder in folders)
-    assert one == two
-    assert set(one) == {f"{name}.json" for name, _ in chosen}
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        ("--model scene -o x.stl", "the output is 'x.stl'"),
+        ("--model grasp -o x.xml", "the output is 'x.xml'"),
+        ("-o x.json", "the output is 'x.json'; expected .json of --view slice"),
+        ("--model scene -o x.xml --font-size 8pt", "take no --font-size"),
+        ("--model scene -o x.xml --slice fx fy", "take no --slice"),
+        ("--view slice -o x.json --preload 1", "take no --preload"),
+        ("--view slice -o x.svg --origin 0 0 1", "write them with -o FILE.json"),
+        ("--view slice -o x.json --slice fx", "--slice has 1 wrench; expected two"),
+        ("--view slice -o x.json --slice fx fz", "expected one of fx, fy, tau"),
+    ],
+)
+def test_options_that_data_do_not_take_are_refused(words, reason, capsys):
+    assert main(["draw", NAME, *words.split()]) == 2
+    assert reason in capsys.readouterr().err
 
 
 def test_the_benchmark_has_sixty_scenes_that_rest():

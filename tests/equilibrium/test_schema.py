@@ -181,8 +181,8 @@ class TestUnits:
     def test_commands_show_them(self, tmp_path, capsys):
         path = tmp_path / "grasp.json"
         path.write_text(json.dumps(self.grasp.to_dict()), encoding="utf-8")
-        for command in ("solve", "compare"):
-            assert main([command, str(path), "--wrench", "-1", "0", "0"]) == 0
+        for more in ([], ["--methods"]):
+            assert main(["solve", str(path), "--wrench", "-1", "0", "0", *more]) == 0
             assert "lengths in mm, forces in N" in capsys.readouterr().out
         assert main(["make", "random", "--contacts", "1", "--units", "cm", "lbf"]) == 0
         assert json.loads(capsys.readouterr().out)["units"] == {"length": "cm", "force": "lbf"}

@@ -18,65 +18,76 @@ def answer(capsys, *argv):
     return code, json.loads(capsys.readouterr().out)
 
 
-def test_limit_prints_the_agreed_document(capsys):
-    assert answer(capsys, "limit", THREE, "--direction", "0", "1", "0") == (
+def test_magnitudes_print_the_agreed_document(capsys):
+    assert answer(capsys, "resisted", THREE, "--wrench", "0", "1", "0") == (
         0,
         {"intervals": [["0", "1"]]},
     )
-    assert answer(capsys, "limit", THREE, "--direction", "0", "-1/2", "0") == (
+    assert answer(capsys, "resisted", THREE, "--wrench", "0", "-1/2", "0") == (
         0,
         {"intervals": [["0", None]]},
     )
 
 
-def test_limit_of_nothing_exits_with_one(capsys):
-    arguments = ("--direction", "0", "1", "0", "--base", "0", "1", "0", "--preload", "0")
-    assert answer(capsys, "limit", THREE, *arguments) == (1, {"intervals": []})
+def test_no_magnitude_exits_with_one(capsys):
+    arguments = ("--wrench", "0", "1", "0", "--base", "0", "1", "0", "--preload", "0")
+    assert answer(capsys, "resisted", THREE, *arguments) == (1, {"intervals": []})
 
 
-def test_limit_in_any_direction(capsys):
-    code, found = answer(capsys, "limit", THREE, "--any-direction")
+def test_smallest_unresisted_wrench(capsys):
+    code, found = answer(capsys, "resisted", THREE, "--smallest")
     assert code == 0
     assert found["size_squared"] == "4/9"
     assert found["wrench"] == ["2/9", "4/9", "-4/9"]
     assert answer(capsys, "solve", THREE, "--wrench", *found["beyond"])[0] == 1
-    code, found = answer(capsys, "limit", THREE, "--any-direction", "--preload", "0")
+    code, found = answer(capsys, "resisted", THREE, "--smallest", "--preload", "0")
     assert (code, found["size_squared"]) == (1, "0")
-    code, found = answer(capsys, "limit", "interrupted-push", "--any-direction", "--length", "2")
+    code, found = answer(
+        capsys, "resisted", "interrupted-push", "--smallest", "--torque-length", "2"
+    )
     assert (code, found["length"]) == (0, "2")
 
 
 @pytest.mark.parametrize(
     ("arguments", "reason"),
     [
-        (["wedge", "--any-direction"], "no proof says that a whole ball"),
-        ([THREE, "--any-direction", "--length", "0"], "must be above 0"),
-        ([THREE, "--direction", "0", "1", "0", "--length", "2"], "--length goes with"),
-        ([THREE, "--any-direction", "--at", "0", "1"], "--at goes with"),
-        ([THREE, "--any-direction", "--weight", "1"], "not allowed with"),
+        (["wedge", "--smallest"], "no proof says that a whole ball"),
+        ([THREE, "--smallest", "--torque-length", "0"], "must be above 0"),
+        ([THREE, "--wrench", "0", "1", "0", "--torque-length", "2"], "--torque-length goes with"),
+        ([THREE, "--smallest", "--at", "0", "1"], "--at goes with"),
+        ([THREE, "--smallest", "--weight", "1"], "not allowed with"),
+        ([THREE, "--slice", "fx", "x"], "'x'; expected one of fx, fy, tau, or three numbers"),
+        ([THREE, "--slice", "1,0", "fy"], "three numbers such as 1,0,0"),
+        ([THREE, "--slice", "fx", "fx"], "not parallel"),
+        ([THREE, "--margin"], "--margin goes with a load"),
+        ([THREE, "--rays", "3"], "--rays goes with --search, not with the whole set"),
+        ([THREE, "--search", "--max-displacement", "1"], "not with --search"),
+        ([THREE, "--at", "0", "1"], "--at goes with"),
     ],
 )
-def test_limit_in_any_direction_says_what_is_wrong(capsys, arguments, reason):
+def test_options_of_other_forms_are_refused(capsys, arguments, reason):
     try:
-        code = main(["limit", *arguments])
+        code = main(["resisted", *arguments])
     except SystemExit as stopped:
         code = stopped.code
     assert code == 2
     assert reason in capsys.readouterr().err
 
 
-def test_region_as_json(capsys):
-    code, region = answer(capsys, "region", "paper-three-contacts")
+def test_slice_as_json(capsys):
+    code, region = answer(capsys, "resisted", "paper-three-contacts", "--slice", "fx", "fy")
     assert code == 0
     assert region["plane"]["spans"] == [["1", "0", "0"], ["0", "1", "0"]]
     assert region["outline"]["border"] == [{"start": None, "end": None, "direction": ["-1", "0"]}]
     assert {"states", "points", "rays", "lines"} <= set(region["polygons"][0])
 
 
-def test_the_figure_has_three_parts(capsys):
+def test_the_data_of_a_slice_have_three_parts(capsys, tmp_path):
     """[HaasHeger2018], the three-part figure: the upper ends of the parts at w_x = 0."""
-    code, data = answer(capsys, "figure", "paper-three-contacts")
-    assert code == 0
+    path = tmp_path / "slice.json"
+    words = ["paper-three-contacts", "--view", "slice", "-o", str(path)]
+    assert answer(capsys, "draw", *words) == (0, {"output": str(path), "view": "slice"})
+    data = json.loads(path.read_text())
     assert set(data) == {"grasp_wrench_space", "no_preload", "preload_1"}
     # Normal forces that sum to 1: contacts 1 and 3 hold w_y = 1/2 with friction 1/2, contact 2
     # holds w_y = -1.
@@ -88,44 +99,53 @@ def test_the_figure_has_three_parts(capsys):
 
 
 def test_margin_and_its_remedies(capsys):
-    code, found = answer(capsys, "margin", THREE, "--wrench", "0", "2", "0")
+    code, found = answer(capsys, "resisted", THREE, "--wrench", "0", "2", "0", "--margin")
     assert code == 1
     assert found["nearest"] == "1/2"
     assert found["preload"]["least"] == "2"
     assert found["friction"]["high"] == "1"
 
 
-def test_map_says_where_it_errs(capsys, tmp_path):
-    code, found = answer(capsys, "map", THREE, "--directions", "4")
+def test_slice_by_names_is_the_one_by_vectors(capsys):
+    by_names = answer(capsys, "resisted", THREE, "--slice", "fy", "tau", "--origin", "1", "0", "0")
+    vectors = ("--slice", "0,1,0", "0,0,1", "--origin", "1,0,0")
+    assert by_names == answer(capsys, "resisted", THREE, *vectors)
+    code, region = answer(capsys, "resisted", THREE, "--slice", "-1, 0, 1/2", "fy")
+    assert (code, region["plane"]["spans"][0]) == (0, ["-1", "0", "1/2"])
+
+
+def test_search_says_where_it_errs(capsys):
+    code, found = answer(capsys, "resisted", THREE, "--search", "--rays", "4")
     assert (code, found["disagreements"]) == (0, 0)
-    _, gaps = answer(capsys, "gaps", "--seed", "29", "--tries", "12")
-    assert main(["gaps", "--tries", "12"]) == 0
-    assert capsys.readouterr().out.strip()
-    path = tmp_path / "gap.json"
-    path.write_text(json.dumps(gaps["gaps"][0]["grasp"]))
-    code, found = answer(capsys, "map", str(path), "--directions", "4")
+    code, found = answer(capsys, "resisted", "interrupted-resistance", "--search", "--rays", "4")
     assert code == 1
     assert found["disagreements"] > 0
 
 
 WITH_UNITS = {
-    "limit": ("--direction", "0", "-1", "0"),
-    "region": (),
-    "polyhedra": (),
-    "margin": ("--wrench", "0", "1", "0"),
-    "map": ("--directions", "4"),
-    "figure": (),
-    "compare": ("--wrench", "0", "1", "0"),
-    "wrench-space": (),
-    "solve": ("--wrench", "0", "1", "0"),
+    "resisted --wrench 0 -1 0",
+    "resisted --slice fx fy",
+    "resisted",
+    "resisted --wrench 0 1 0 --margin",
+    "resisted --search --rays 4",
+    "solve --wrench 0 1 0 --methods",
+    "info",
+    "info --force-closure",
+    "solve --wrench 0 1 0",
 }
 
 
 #: How forces and torques are marked.
 MARKED = {
-    "margin": [r"uniform preload in \[1, no end\) kgf"],
-    "wrench-space": ["resisted forces at torque 0 kgf furlong:", r"volume +\S+ kgf\^3"],
+    "resisted --wrench 0 1 0 --margin": [r"uniform preload in \[1, no end\) kgf"],
+    "info --force-closure": ["resisted forces at torque 0 kgf furlong:", r"volume +\S+ kgf\^3"],
 }
+
+
+def with_grasp(words: str, grasp: str) -> list[str]:
+    """Return a command line, with the grasp after the command."""
+    command, *options = words.split()
+    return [command, grasp, *options]
 
 
 @pytest.fixture
@@ -137,11 +157,11 @@ def labelled(tmp_path):
     return str(path)
 
 
-@pytest.mark.parametrize("command", WITH_UNITS)
+@pytest.mark.parametrize("command", sorted(WITH_UNITS))
 def test_outputs_carry_the_units_and_nothing_is_converted(capsys, labelled, command):
-    main([command, THREE, *WITH_UNITS[command]])
+    main(with_grasp(command, THREE))
     plain = capsys.readouterr().out
-    main([command, labelled, *WITH_UNITS[command]])
+    main(with_grasp(command, labelled))
     out = capsys.readouterr().out
     assert all(re.search(words, out) for words in MARKED.get(command, ()))
     first, *rest = out.splitlines()
@@ -149,8 +169,8 @@ def test_outputs_carry_the_units_and_nothing_is_converted(capsys, labelled, comm
     without = [re.sub(r" kgf( furlong|\^[23])?| furlong", "", line) for line in rest]
     assert without == plain.splitlines()
     assert "kgf" not in plain
-    _, document = answer(capsys, command, labelled, *WITH_UNITS[command])
-    _, bare = answer(capsys, command, THREE, *WITH_UNITS[command])
+    _, document = answer(capsys, *with_grasp(command, labelled))
+    _, bare = answer(capsys, *with_grasp(command, THREE))
     holder, other = (x.get("grasp", x) for x in (document, bare))
     assert holder.pop("units") == {"length": "furlong", "force": "kgf"}
     assert document == bare
@@ -158,7 +178,7 @@ def test_outputs_carry_the_units_and_nothing_is_converted(capsys, labelled, comm
 
 
 def test_polyhedra_hold_the_known_wrenches(capsys):
-    _, document = answer(capsys, "polyhedra", THREE)
+    _, document = answer(capsys, "resisted", THREE)
 
     def holds(wrench):
         point = [*map(Fraction, wrench), 1]
@@ -177,25 +197,25 @@ def _dot(row, point):
 
 
 def test_borders_with_thousands_of_digits_are_written(capsys):
-    code, region = answer(capsys, "region", "opposed-contacts", "--preload", "1." + "1" * 4400)
+    words = ("opposed-contacts", "--slice", "fx", "fy", "--preload", "1." + "1" * 4400)
+    code, region = answer(capsys, "resisted", *words)
     assert code == 0
     assert max(len(x) for border in region["outline"]["border"] for x in border["direction"]) > 4300
 
 
-LONG = WITH_UNITS | {"solve": ("--wrench", "-1", "0", "0")}
-del LONG["wrench-space"]  # answers at once
-ALONE = {"gaps": ("--tries", "2"), "survey": ("--number", "2")}
+# These answer at once.
+LONG = WITH_UNITS - {"info", "info --force-closure", "solve --wrench 0 1 0"} | {
+    "solve --wrench -1 0 0"
+}
 
 
 def arguments(command: str, tmp_path: Path) -> list[str]:
-    if command in ALONE:
-        return [command, *ALONE[command], "--json"]
     path = tmp_path / "grasp.json"
     path.write_text(json.dumps(random_grasp(3, seed=1).to_dict()))
-    return [command, str(path), *LONG[command], "--json"]
+    return [*with_grasp(command, str(path)), "--json"]
 
 
-@pytest.mark.parametrize("command", [*LONG, *ALONE])
+@pytest.mark.parametrize("command", sorted(LONG))
 def test_the_line_is_on_stderr_of_a_terminal_only(command, tmp_path, capsys, monkeypatch):
     words = arguments(command, tmp_path)
     main(words)

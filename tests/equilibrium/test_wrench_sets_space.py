@@ -21,11 +21,12 @@ from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.model.errors import GraspError
 from equilibrium.plane.states.contact_states import contact_states
 from equilibrium.wrench_sets import outline, space
-from equilibrium.wrench_sets.line import gaps, resisted_magnitudes
+from equilibrium.wrench_sets.line import resisted_magnitudes
 from equilibrium.wrench_sets.outline import outline_of
 from equilibrium.wrench_sets.plane import FORCES, resisted_region
 from equilibrium.wrench_sets.space import StateImages, magnitudes_in, states_with
 from equilibrium.wrench_sets.spatial import spatial_magnitudes
+from proofs_check.examples.gaps import gaps, small_grasps
 
 from .oracle import intervals
 from .strategies import directions, loads as wrenches, wide_grasps as grasps
@@ -139,14 +140,15 @@ def test_a_grasp_whose_magnitudes_have_a_gap():
         assert solve(grasp, scaled(direction, t)).stable == bool(stable)
 
 
-def test_seeded_search_finds_gaps_with_three_contacts_and_not_with_one():
-    assert next(gaps(1, seed=0, tries=20), None) is None
-    example = next(gaps(3, seed=29, tries=12))
-    ends = [end for part in example.intervals for end in part if end is not None]
+def test_gaps_of_the_example_file_are_right():
+    assert not any(any(gaps(grasp)) for grasp in small_grasps(1, seed=0, count=20))
+    grasp, (direction, intervals) = next(
+        (grasp, gap) for grasp in small_grasps(3, seed=29, count=12) for gap in gaps(grasp)
+    )
+    ends = [end for part in intervals for end in part if end is not None]
     middle = (ends[1] + ends[2]) / 2 if len(ends) > 2 else ends[0] / 2
-    assert all(c.friction <= 1 and c.preload == 1 for c in example.grasp)
-    assert not solve(example.grasp, scaled(example.direction, middle)).stable
-    assert solve(example.grasp, scaled(example.direction, ends[-1])).stable
+    assert not solve(grasp, scaled(direction, middle)).stable
+    assert solve(grasp, scaled(direction, ends[-1])).stable
 
 
 @given(st.one_of(*[grasps(most=2)] * 4, grasps(least=3)), directions, wrenches)

@@ -14,7 +14,7 @@ from arrangement.counts import cone
 from arrangement.library.census import census, identify
 from equilibrium.grasps.files import read_grasp
 from proofs_check import ClaimVerdict, claim, evaluate
-from proofs_check.cli.program import main
+from proofs_check.cli.program import EXAMPLES, main
 from proofs_check.instances.arrangements import line_cases
 from proofs_check.instances.domains import DOMAINS, domain, known_families, size
 from proofs_check.own_claims.formula_of import formula_of
@@ -233,6 +233,23 @@ def test_claims_of_other_papers_have_their_verdicts_by_two_routes(
     for case in (case for r in found["results"] for case in r["records"] if len(r["routes"]) > 1):
         assert case["values"][0] == case["values"][1]
         assert case["values"][0] is not None
+
+
+@pytest.mark.parametrize(
+    ("name", "verdicts"), [("gaps", ["refuted"]), ("survey", ["holds", "refuted"])]
+)
+def test_examples_are_written_and_run(name, verdicts, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["new", "mine", "--example", name]) == 0
+    assert "proofs-check run mine.py" in capsys.readouterr().out
+    assert main(["run", "mine.py", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert [r["verdict"] for r in found["results"]] == verdicts
+
+
+def test_every_example_can_be_written():
+    folder = files("proofs_check.examples").iterdir()
+    assert {*EXAMPLES} == {x.name[:-3] for x in folder if x.name.endswith(".py")} - {"__init__"}
 
 
 def test_routes_that_disagree_or_raise_give_no_verdict_and_show_the_case(write, capsys):

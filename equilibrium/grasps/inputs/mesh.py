@@ -132,7 +132,7 @@ def on_mesh(
     seed: int = 0,
     facing: Iterable[Any] | None = None,
     smooth: bool = False,
-    within: Any = Fraction(1, 20),
+    max_distance: Any = Fraction(1, 20),
     stiffness: Any = 1,
     preload: Any = 0,
     angle_tolerance: Any = DEFAULT_TOLERANCE,
@@ -152,7 +152,7 @@ def on_mesh(
         facing: draw only where the outward normal is within 45 degrees of this direction.
         smooth: take normals that change evenly over each facet, from those around its corners,
             instead of its own.
-        within: a point farther away than this share of the size is refused.
+        max_distance: a point farther away than this share of the size is refused.
         as_given: round each normal on its own; else points move by up to 10^-6 of the size, so that
             what contacts have in common (see `from_float_data`) stays.
 
@@ -163,7 +163,7 @@ def on_mesh(
     surface = Surface.read(path)
     wanted = [coordinates(point, f"at[{i}]", 3) for i, point in enumerate(at)]
     corners = surface.corners
-    found = _nearest(surface, corners, wanted, from_floats(within), smooth)
+    found = _nearest(surface, corners, wanted, from_floats(max_distance), smooth)
     found += _drawn(surface, corners, random, seed, facing)
     if not found:
         raise GraspError("no contacts are asked for; give points (--at) or a number (--random)")
@@ -208,7 +208,7 @@ def _nearest(
     surface: Surface,
     corners: Floats,
     wanted: Sequence[RationalVector],
-    within: Fraction,
+    max_distance: Fraction,
     smooth: bool,
 ) -> list[Found]:
     """Return for each point its place on the surface, with the change, and a facet there."""
@@ -230,11 +230,11 @@ def _nearest(
         distances = np.linalg.norm(places - here, axis=1)
         best = int(distances.argmin())
         least = float(distances[best])
-        if least > within * Fraction(surface.size):
+        if least > max_distance * Fraction(surface.size):
             raise GraspError(
                 f"at[{i}] {vector_text(point)} is {least:.4g} from the surface, which is more than "
-                f"{shown(within)} of its size {surface.size:.4g}; give a nearer point, or a larger "
-                "share (--within)"
+                f"{shown(max_distance)} of its size {surface.size:.4g}; give a nearer point, or a "
+                "larger share (--max-distance)"
             )
         ties = near[distances <= least + _ON_SURFACE * surface.size]
         if not smooth:

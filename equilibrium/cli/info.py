@@ -1,107 +1,119 @@
-"""The subcommands of ``equilibrium`` about the other methods and contact modes."""
+"""The subcommand ``equilibrium info``: a grasp, its force closure, its contact modes."""
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from fractions import Fraction
 from math import gcd
 from typing import TYPE_CHECKING, Any
 
-from arrangement.console import terminal
 from arrangement.console.number_form import counted, number, sign_text, vector
 from arrangement.console.progress import shown
-from arrangement.numbers.exact import rational
 from equilibrium.model.contact import pyramid_words
+from equilibrium.model.errors import GraspError
 
-from .arguments import (
-    add_applied,
-    add_command,
-    add_cone,
-    add_count,
-    add_number,
-    applied,
-    grasp_of,
-    seconds,
-    show,
-)
+from .arguments import add_command, add_cone, add_number, grasp_of, seconds, show
 
 if TYPE_CHECKING:
     from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
-    from equilibrium.methods.survey import Example, Survey
     from equilibrium.model.grasp import Grasp
     from equilibrium.modes import ContactModes, Slips
 
+_WORDS = {True: "yes", False: "no"}
+#: Options with the form that they go with.
+_GOES_WITH = {
+    "norm": "force_closure",
+    "torque_length": "force_closure",
+    "torque": "force_closure",
+    "cone": "force_closure",
+    "count": "modes",
+    "time_limit": "modes",
+}
+#: Contacts of a grasp that are printed; more are only counted.
+_MOST_CONTACTS = 20
 
-_WORDS = {True: "yes", False: "no", None: "-"}
 
-
-def add_commands(commands: Any) -> None:
-    """Add compare, wrench-space, survey and modes."""
-    answers = ("the complete model accepts", "it refuses", "undecided")
-    text = "list the verdicts of all methods"
-    comparison = add_command(commands, "compare", _compare, text, *answers)
-    add_applied(comparison)
-    add_cone(comparison)
-
-    text = "measure the Grasp Wrench Space: quality, slice, facets"
-    closed = ("force closure", "no force closure")
-    space = add_command(commands, "wrench-space", _wrench_space, text, *closed)
-    space.add_argument("--norm", choices=("L1", "Linf"), default="L1", help="default: L1")
-    add_cone(space)
-    add_number(space, "--length", 1, "that torques are divided by, in units of the grasp", "Q")
-    add_number(space, "--torque", 0, "applied torque of the slice", "TAU")
-
-    text = "count how often the methods disagree with the complete model on random grasps"
-    survey = add_command(commands, "survey", _survey, text, grasp=False)
-    survey.set_defaults(long=True)
-    add_count(survey, "--number", 60, "of questions")
-    survey.add_argument(
-        "--contacts",
-        type=terminal.count_argument,
-        nargs="+",
-        default=[2, 3],
-        help="of each grasp (default: 2 3)",
-    )
-    add_count(survey, "--seed", 0, "of the random grasps")
-    text = "tries of each size to find a smallest example of each disagreement"
-    add_count(survey, "--examples", 0, text, "TRIES")
-
+def add_command_info(commands: Any) -> None:
+    """Add info."""
+    text = "describe a grasp, its force closure or its contact modes"
+    answers = ("done or force closure", "no force closure")
+    parser = add_command(commands, "info", _info, text, *answers)
+    forms = parser.add_mutually_exclusive_group()
+    text = "measure the Grasp Wrench Space: force closure, epsilon, slice, facets"
+    forms.add_argument("--force-closure", action="store_true", help=text)
     text = "list contact modes: what rigid contacts can do, from kinematics alone"
-    modes = add_command(commands, "modes", _modes, text, preload=False)
-    modes.add_argument("--count", action="store_true", help="say how many there are, list none")
-    modes.add_argument(
-        "--time-limit", metavar="SECONDS", type=seconds, help="give up then: exit code 2"
-    )
+    forms.add_argument("--modes", action="store_true", help=text)
+    text = "with --force-closure: of the normal forces (default: L1)"
+    parser.add_argument("--norm", choices=("L1", "Linf"), help=text)
+    text = "with --force-closure: divide torques by this to compare them with forces (default: 1)"
+    add_number(parser, "--torque-length", None, text)
+    text = "with --force-closure: applied torque of the slice (default: 0)"
+    add_number(parser, "--torque", None, text, "TAU")
+    add_cone(parser)
+    text = "with --modes: print their number only"
+    parser.add_argument("--count", action="store_true", default=None, help=text)
+    text = "with --modes: stop after SECONDS: exit code 2"
+    parser.add_argument("--time-limit", metavar="SECONDS", type=seconds, help=text)
 
 
-def _compare(arguments: argparse.Namespace) -> int:
-    from equilibrium.decide.solver import solve
-    from equilibrium.grasps.inputs.documents import question_document
-    from equilibrium.methods.compare import compare
+def _info(arguments: argparse.Namespace) -> int:
+    for option, form in _GOES_WITH.items():
+        if getattr(arguments, option) is not None and not getattr(
+            arguments, form.replace("-", "_")
+        ):
+            raise GraspError(f"--{option.replace('_', '-')} goes with --{form.replace('_', '-')}")
+    if arguments.modes:
+        if arguments.preload is not None:
+            raise GraspError("--preload does not go with --modes; modes do not depend on it")
+        return _modes(arguments)
+    return _force_closure(arguments) if arguments.force_closure else _description(arguments)
+
+
+def _description(arguments: argparse.Namespace) -> int:
+    """Print contacts, stiffness, rank of the tangential hyperplanes and force closure."""
+    from arrangement.numbers.exact import primitive
+    from arrangement.numbers.linear.rank import rank
+    from equilibrium.methods.form_closure import form_closure
 
     grasp = grasp_of(arguments)
-    wrench = applied(arguments, grasp)
-    question_document(grasp, wrench, "compare")
-    found = compare(grasp, wrench, pyramid=arguments.cone)
-    lines, document, yes = list[str](), found.to_dict(), found.answers[0].accepts
-    for answer in found.answers:
-        mark = "!" if answer.method in found.disagreeing else " "
-        lines.append(f"{mark} {_WORDS[answer.accepts]:<4}{answer.title:<60}{answer.remark}")
-    if grasp.data_error is not None:
-        again = solve(grasp, wrench, pyramid=arguments.cone).within_error()
-        document["within_error"] = again.to_dict()
-        lines += again.lines()
-        yes = yes if again.turned is None else None
-    return show(arguments, document, lines, yes, found.grasp)
+    rows = [primitive(row) for contact in grasp for row in contact.tangential_wrenches]
+    closed = form_closure(grasp, friction=True).accepts is True
+    document: dict[str, Any] = {
+        "contacts": [contact.to_dict() for contact in grasp],
+        "dimension": grasp.dimension,
+        "stiffness_given": any(contact.stiffness_given for contact in grasp),
+        "tangential_hyperplanes": len(rows),
+        "rank": rank(rows) if rows else 0,
+        "force_closure": closed,
+    }
+    return show(arguments, document, _description_lines(grasp, document), True, grasp)
 
 
-def _wrench_space(arguments: argparse.Namespace) -> int:
+def _description_lines(grasp: Grasp, document: dict[str, Any]) -> Iterator[str]:
+    place = "in the plane" if grasp.dimension == 2 else "in space"
+    yield f"contacts         {len(grasp)}, {place}"
+    for i, contact in enumerate(grasp.contacts[:_MOST_CONTACTS], 1):
+        yield f"  contact {i} {contact.words}"
+    if len(grasp) > _MOST_CONTACTS:
+        yield f"  ... and {counted(len(grasp) - _MOST_CONTACTS, 'contact')} more"
+    yield f"stiffness        {'given' if document['stiffness_given'] else '1 (default)'}"
+    planes = counted(document["tangential_hyperplanes"], "tangential hyperplane")
+    yield f"rank             {document['rank']} of {planes}"
+    # A pyramid lies inside the round cone: a yes holds for both.
+    certain = grasp.dimension == 2 or document["force_closure"]
+    inside = "" if certain else pyramid_words(4, before=", with ")
+    yield f"force closure    {_WORDS[document['force_closure']]}{inside}"
+
+
+def _force_closure(arguments: argparse.Namespace) -> int:
+    """Print the Grasp Wrench Space: force closure, epsilon, slice, facets."""
     from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
 
     grasp = grasp_of(arguments)
     edges = _edges(arguments, grasp)
-    space = GraspWrenchSpace(grasp, arguments.norm, arguments.length, edges)
+    length = Fraction(1) if arguments.torque_length is None else arguments.torque_length
+    space = GraspWrenchSpace(grasp, arguments.norm or "L1", length, edges)
     document: dict[str, Any] = {
         "norm": space.norm,
         "length": space.length,
@@ -113,7 +125,7 @@ def _wrench_space(arguments: argparse.Namespace) -> int:
     }
     lines = list(_space_lines(space))
     if grasp.dimension == 2:
-        torque = arguments.torque
+        torque = arguments.torque or Fraction(0)
         corners = space.slice(origin=(0, 0, torque))
         document |= {"volume": space.volume, "slice": {"torque": torque, "corners": corners}}
         cube, turn = (
@@ -144,8 +156,8 @@ def _edges(arguments: argparse.Namespace, grasp: Grasp) -> int:
     if len(grasp) * edges > MOST_IN_HULL:
         raise GraspError(
             f"the hull of {len(grasp)} contacts with {edges} edges each in six dimensions takes "
-            f"too long; up to {MOST_IN_HULL} edges in all are tried, and `compare` tells whether "
-            "one wrench is in it"
+            f"too long; up to {MOST_IN_HULL} edges in all are tried, and `solve --methods` "
+            "decides whether one wrench is in it"
         )
     return edges
 
@@ -159,42 +171,12 @@ def _space_lines(space: GraspWrenchSpace) -> Iterator[str]:
     length = f"{number(space.length)} {units.length}" if units else number(space.length)
     yield f"epsilon          {space.epsilon:.6g}{force}  (its square is {root})"
     what = "epsilon and volume depend" if space.grasp.dimension == 2 else "epsilon depends"
-    yield f"torques over     {length}  ({what} on it; --length)"
+    yield f"torques over     {length}  ({what} on it; --torque-length)"
     yield f"facets           {len(space.facets)}"
 
 
-def _survey(arguments: argparse.Namespace) -> int:
-    from equilibrium.methods.survey import smallest_examples, survey
-
-    found = survey(arguments.number, contacts=arguments.contacts, seed=arguments.seed)
-    examples: tuple[Example, ...] = ()
-    if arguments.examples:
-        examples = smallest_examples(tries=arguments.examples, seed=arguments.seed)
-    document = {**found.to_dict(), "examples": [example.to_dict() for example in examples]}
-    return show(arguments, document, _survey_lines(found, examples))
-
-
-def _survey_lines(found: Survey, examples: Iterable[Example]) -> Iterator[str]:
-    yield f"{counted(found.questions, 'question')}, {found.stable} stable in the complete model"
-    heads = ("agrees", "accepts wrongly", "refuses wrongly", "says nothing")
-    yield f"{'':<20}" + "".join(f"{head:>17}" for head in heads)
-    for name, count in found.counts.items():
-        agrees = count.both_accept + count.both_refuse
-        numbers = (agrees, count.accepts_wrongly, count.refuses_wrongly, count.silent)
-        yield f"{name:<20}" + "".join(f"{some:>17}" for some in numbers)
-    for example in examples:
-        verb = "accepts" if example.accepts else "refuses"
-        yield f"{example.method} wrongly {verb} {vector(example.wrench)}:"
-        for contact in example.grasp:
-            values = {key: value for key, value in contact.to_dict().items() if value != "0"}
-            yield "  " + "  ".join(f"{key} {_flat(value)}" for key, value in values.items())
-
-
-def _flat(value: str | list[str]) -> str:
-    return number(rational(value)) if isinstance(value, str) else vector(map(rational, value))
-
-
 def _modes(arguments: argparse.Namespace) -> int:
+    """Print the contact modes of a grasp, or of bodies given by normals."""
     from arrangement.library.files.json_files import read_document
     from equilibrium.modes import ContactModes
 

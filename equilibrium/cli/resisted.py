@@ -1,0 +1,343 @@
+"""The subcommand ``equilibrium resisted``: which wrenches a grasp resists, in six forms."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from arrangement.console import terminal
+from arrangement.console.number_form import bracket, counted, number, vector
+from arrangement.numbers.exact import number_text
+from equilibrium.model.errors import GraspError
+
+from .arguments import (
+    add_applied,
+    add_command,
+    add_displacement,
+    add_number,
+    add_wrench,
+    applied,
+    force_given,
+    grasp_of,
+    show,
+    spanning_wrench,
+)
+
+if TYPE_CHECKING:
+    from arrangement.numbers.linear.intervals import Interval
+    from equilibrium.decide.solver import Solver
+    from equilibrium.model.grasp import Grasp
+    from equilibrium.wrench_sets import (
+        Magnitudes,
+        Region,
+        ResistedSet,
+        SearchMap,
+        Segment,
+        SmallestUnresisted,
+    )
+    from equilibrium.wrench_sets.spatial import SpatialMagnitudes
+
+_ZERO = (Fraction(0),) * 3
+#: How often a margin tries all states, about: for the wrench, for preloads, for friction.
+_MARGIN = 6
+#: The forms of the command, as its errors call them.
+_LOAD, _WHOLE = "a load (--wrench, --force or --weight)", "the whole set"
+#: Options with the forms that they go with.
+_GOES_WITH = {
+    "base": (_LOAD, "--smallest"),
+    "torque_length": ("--smallest",),
+    "origin": ("--slice",),
+    "rays": ("--search",),
+    "max_magnitude": ("--search",),
+    "tolerance": ("--margin", "--search"),
+    "max_displacement": (_LOAD, "--margin", "--smallest", "--slice", _WHOLE),
+}
+
+
+def add_command_resisted(commands: Any) -> None:
+    """Add resisted, whose options choose a form: a load, its margin, a slice, the whole set."""
+    text = "compute the set of resisted wrenches, or its part along a load"
+    answers = ("resisted at least in part", "not resisted or the search errs", "undecided")
+    parser: Any = add_command(commands, "resisted", _resisted, text, *answers, heading="common")
+    text = "only the magnitudes resisted along this force (f_x, f_y) and torque tau"
+    forms = add_applied(parser, text=text, required=False)
+    parser.description += " In space: along a load only, with or without --margin."
+    text = "planar grasps: find the smallest wrench that is not resisted, in any direction"
+    forms.add_argument("--smallest", action="store_true", help=text)
+    text = "planar grasps: only the plane spanned by two of fx, fy, tau or vectors such as 1,0,0"
+    forms.add_argument("--slice", nargs=2, metavar=("U", "V"), type=spanning_wrench, help=text)
+    text = "planar grasps: search for the largest force in N directions, as the paper does"
+    forms.add_argument("--search", action="store_true", help=text)
+    text = "print how far the load may be scaled, and the preload and friction that resist it"
+    parser.add_argument("--margin", action="store_true", help=text)
+    text = "with a load or --smallest: a wrench that acts in any case (default: none)"
+    add_wrench(parser, "--base", text, None)
+    text = "with --smallest: divide torques by this to compare them with forces (default: 1)"
+    add_number(parser, "--torque-length", None, text)
+    add_wrench(parser, "--origin", "with --slice: a wrench of the plane (default: none)", None)
+    text = "with --search: number of directions (default: 72)"
+    parser.add_argument("--rays", type=terminal.count_argument, metavar="N", help=text)
+    text = "with --search: largest magnitude tried (default: 1000)"
+    add_number(parser, "--max-magnitude", None, text)
+    text = "accepted error: of the friction of --margin (default: 1/1048576), of the magnitudes of "
+    add_number(parser, "--tolerance", None, f"{text}--search (default: 1/1000)")
+    add_displacement(parser)
+
+
+def _resisted(arguments: argparse.Namespace) -> int:
+    form = _form(arguments)
+    if arguments.margin and form != "--margin":
+        raise GraspError(f"--margin goes with {_LOAD}, not with {form}")
+    for option, forms in _GOES_WITH.items():
+        if getattr(arguments, option) is not None and form not in forms:
+            name = option.replace("_", "-")
+            raise GraspError(f"--{name} goes with {' or '.join(forms)}, not with {form}")
+    if form not in (_LOAD, "--margin"):
+        force_given(arguments)  # refuses a place without a force
+    command = {
+        _LOAD: _along,
+        "--margin": _margin,
+        "--smallest": _smallest,
+        "--slice": _slice,
+        "--search": _search,
+        _WHOLE: _whole,
+    }[form]
+    return command(arguments, grasp_of(arguments))
+
+
+def _form(arguments: argparse.Namespace) -> str:
+    """Return which form of the command is meant."""
+    if any(getattr(arguments, name) is not None for name in ("wrench", "force", "weight")):
+        return "--margin" if arguments.margin else _LOAD
+    if arguments.slice is not None:
+        return "--slice"
+    chosen = (name for name in ("smallest", "search") if getattr(arguments, name))
+    return next((f"--{name}" for name in chosen), _WHOLE)
+
+
+def _solver(arguments: argparse.Namespace, grasp: Grasp) -> Solver:
+    from equilibrium.decide.solver import Solver
+
+    return Solver(grasp, arguments.max_displacement)
+
+
+def _set(arguments: argparse.Namespace, grasp: Grasp) -> ResistedSet:
+    from equilibrium.wrench_sets import ResistedSet
+
+    return ResistedSet(grasp, max_displacement=arguments.max_displacement)
+
+
+def _along(arguments: argparse.Namespace, grasp: Grasp) -> int:
+    from equilibrium.wrench_sets.line import resisted_magnitudes
+
+    direction = applied(arguments, grasp)
+    if grasp.dimension == 3:
+        return _along_in_space(arguments, grasp, direction)
+    solver = _solver(arguments, grasp)
+    magnitudes = resisted_magnitudes(solver, direction, arguments.base or _ZERO)
+    more, again = _rounded(solver, magnitudes)
+    lines = [f"resisted for t in {_intervals(magnitudes.intervals)}", *again]
+    return show(arguments, magnitudes.to_dict() | more, lines, bool(magnitudes.intervals), grasp)
+
+
+def _smallest(arguments: argparse.Namespace, grasp: Grasp) -> int:
+    length = 1 if arguments.torque_length is None else arguments.torque_length
+    smallest = _set(arguments, grasp).smallest_outside(arguments.base or 0, length)
+    lines = _smallest_lines(smallest, grasp)
+    return show(arguments, smallest.to_dict(), lines, smallest.size_squared != 0, grasp)
+
+
+def _smallest_lines(found: SmallestUnresisted, grasp: Grasp) -> Iterator[str]:
+    load = "with the base, " if any(found.base) else ""
+    if found.size is None or found.wrench is None or found.beyond is None:
+        yield f"{load}every wrench is resisted, whichever way it points and however large it is"
+        return
+    if found.size_squared:
+        exact = found.size**2 == found.size_squared
+        size = number(found.size) if exact else number_text(found.size, longest=0)
+        squared = "" if exact else f" (squared {number(found.size_squared)})"
+        yield f"{load}every wrench smaller than {size}{_force(grasp)}{squared} is resisted"
+        yield f"  where size^2 = f_x^2 + f_y^2 + (tau / length)^2, length {number(found.length)}"
+        yield f"on the border: {vector(found.wrench)}"
+    else:
+        yield f"{load}no size is resisted in every direction"
+    yield f"not resisted: {vector(found.beyond)}"
+
+
+def _rounded(solver: Solver, found: Magnitudes) -> tuple[dict[str, Any], list[str]]:
+    """Return what other roundings of converted data say of the ends: JSON form and lines."""
+    from equilibrium.decide.robustness import DEPENDS
+    from equilibrium.wrench_sets.line import ends_within_error
+
+    again = ends_within_error(solver, found)
+    if again is None:
+        return {}, []
+    if again.turned is None:
+        ends = ["no end" if x is None else _between(*x) for x in again.ends]
+        line = f"ends for {again.asked} others within the error of the data: "
+        line += ", ".join(ends) or "none"
+    else:
+        line = f"{DEPENDS}: {_intervals(again.turned)} for others within the error of the data"
+    return {"within_error": again.to_dict()}, [line]
+
+
+def _along_in_space(
+    arguments: argparse.Namespace, grasp: Grasp, direction: Sequence[Fraction]
+) -> int:
+    from equilibrium.wrench_sets.spatial import spatial_magnitudes
+
+    bound = arguments.max_displacement
+    start = arguments.base or (0,) * 6
+    magnitudes = spatial_magnitudes(grasp, direction, start, max_displacement=bound)
+    yes = {"resisted": True, "not resisted": False}.get(magnitudes.verdict)
+    lines, document = list(_border_lines(magnitudes)), magnitudes.to_dict()
+    if (nearby := magnitudes.within_error()) is not None:
+        document["within_error"] = [near.to_dict() for near in nearby]
+        for near in nearby:
+            same = f"{near.verdict}, also for others within the error of the data"
+            lines.append(f"at {number(near.t)}: {near.doubt or same}")
+    return show(arguments, document, lines, yes, grasp)
+
+
+def _border_lines(found: SpatialMagnitudes) -> Iterator[str]:
+    first, last = found.samples[0], found.samples[-1]
+    tried = counted(len(found.samples), "magnitude")
+    yield f"{tried} from 0 to {number(last[0])} tried; at 0: {first[1]}"
+    for border in found.borders:
+        ends = sorted((border.resisted, border.refused))
+        order = "resisted, then not" if border.resisted < border.refused else "not, then resisted"
+        line = f"{order}: the border is {bracket(*ends)}"
+        left = len(border.undecided)
+        yield line + (f"; {left} undecided between them" if left else "")
+    for a, b in found.gaps:
+        yield f"a gap: not resisted from {number(a.refused)} to {number(b.refused)}"
+    if last[1] != "not resisted":
+        yield f"at {number(last[0])}: {last[1]}; no end above it was looked for"
+
+
+def _slice(arguments: argparse.Namespace, grasp: Grasp) -> int:
+    u, v = arguments.slice
+    region = _set(arguments, grasp).slice(u, v, arguments.origin or 0)
+    return show(arguments, region.to_dict(), _region_lines(region), bool(region.polygons), grasp)
+
+
+def _region_lines(region: Region) -> Iterator[str]:
+    from equilibrium.wrench_sets import polygon_cycle
+
+    many = counted(len(region.polygons), "polygon")
+    yield f"{many} (corners counter-clockwise; then rays, lines)"
+    for piece in region.polygons:
+        shape = piece.polyhedron
+        parts = [_points(polygon_cycle(shape))]
+        parts += [f"rays {_points(shape.rays)}"] if shape.rays else []
+        parts += [f"lines {_points(shape.lines)}"] if shape.lines else []
+        yield f"  {' '.join(piece.states)}: {'; '.join(parts)}"
+    outline = region.outline
+    for name, segments in (("border", outline.border), ("whisker", outline.whiskers)):
+        yield from (f"{name} {_segment(segment)}" for segment in segments)
+    yield from (f"point {vector(point)}" for point in outline.points)
+    for sector in region.unlimited:
+        ends = f"from {vector(sector.start)} counter-clockwise to {vector(sector.end)}"
+        yield f"without limit: {'all directions' if sector.whole else ends}"
+
+
+def _whole(arguments: argparse.Namespace, grasp: Grasp) -> int:
+    whole = _set(arguments, grasp)
+    return show(arguments, whole.to_dict(), _set_lines(whole), bool(whole.polyhedra), grasp)
+
+
+def _set_lines(whole: ResistedSet) -> Iterator[str]:
+    many = counted(len(whole.polyhedra), "polyhedron", "polyhedra")
+    yield f"{many} (conditions a f_x + b f_y + c tau + d >= 0 or = 0)"
+    for piece in whole.polyhedra:
+        yield f"  {' '.join(piece.states)}"
+        yield from (f"    {vector(row)} >= 0" for row in piece.polyhedron.inequalities)
+        yield from (f"    {vector(row)} = 0" for row in piece.polyhedron.equalities)
+
+
+def _margin(arguments: argparse.Namespace, grasp: Grasp) -> int:
+    from equilibrium.grasps.inputs.documents import question_document
+    from equilibrium.wrench_sets.margin import margin
+
+    wrench = applied(arguments, grasp)
+    question_document(grasp, wrench, "margin")
+    if grasp.dimension == 3:
+        return _along_in_space(arguments, grasp, wrench)
+    solver = _solver(arguments, grasp)
+    solver.ask(_MARGIN)
+    factors = margin(solver, wrench)
+    preloads = factors.preloads
+    tolerance = Fraction(1, 2**20) if arguments.tolerance is None else arguments.tolerance
+    friction = factors.friction(tolerance)
+    remedies = {"preload": preloads.to_dict(), "friction": friction.to_dict()}
+    more, again = _rounded(solver, factors.magnitudes) if any(wrench) else ({}, [])
+    doubt = grasp.data_error is not None and solver.solve(wrench).doubt
+    word = "yes" if factors.resisted else "no"
+    word += f", as it was rounded; it {doubt}" if doubt else ""
+    yes = None if doubt else factors.resisted
+    lines = [
+        f"resisted: {word}",
+        f"resisted when scaled by a factor in {_intervals(factors.intervals)}",
+        *again,
+        f"resisted with a uniform preload in {_intervals(preloads.intervals)}" + _force(grasp),
+        "least uniform friction: " + _friction(friction.low, friction.high),
+    ]
+    return show(arguments, factors.to_dict() | more | remedies, lines, yes, grasp)
+
+
+def _search(arguments: argparse.Namespace, grasp: Grasp) -> int:
+    values = {name: getattr(arguments, name) for name in ("rays", "tolerance", "max_magnitude")}
+    given = {name: value for name, value in values.items() if value is not None}
+    searched = _set(arguments, grasp).search(**given)
+    lines = _map_lines(searched, _force(grasp))
+    return show(arguments, searched.to_dict(), lines, not searched.disagreements, grasp)
+
+
+def _map_lines(found: SearchMap, unit: str) -> Iterator[str]:
+    yield (
+        f"{counted(len(found.entries), 'direction')}, tolerance {number(found.tolerance)}{unit}, "
+        f"limit {number(found.limit)}{unit}: the search errs in {len(found.disagreements)}"
+    )
+    for entry in found.entries:
+        answer = "without limit" if entry.found is None else f"up to {number(entry.found)}{unit}"
+        shown = ", ".join(f"{float(x):+.4f}" for x in entry.direction)
+        wrong = "" if entry.agrees else f"; exactly {_intervals(entry.exact)}"
+        yield f"  ({shown})  {answer}{wrong}"
+
+
+def _force(grasp: Grasp) -> str:
+    """Return what to write after a number that is a force."""
+    return f" {grasp.units.force}" if grasp.units else ""
+
+
+def _intervals(intervals: Iterable[Interval]) -> str:
+    shown = [
+        ("(no end" if low is None else f"[{number(low)}")
+        + (", no end)" if high is None else f", {number(high)}]")
+        for low, high in intervals
+    ]
+    return " or ".join(shown) if shown else "no interval"
+
+
+def _between(low: Any, high: Any) -> str:
+    return number(high) if low == high else bracket(low, high)
+
+
+def _friction(low: Fraction | None, high: Fraction | None) -> str:
+    if low is None:
+        return "none is enough"
+    if high is None:
+        return f"not below {number(low)}; none found above"
+    return _between(low, high)
+
+
+def _segment(segment: Segment) -> str:
+    start = "without end" if segment.start is None else vector(segment.start)
+    end = "without end" if segment.end is None else vector(segment.end)
+    return f"{start} to {end}, direction {vector(segment.direction)}"
+
+
+def _points(points: Iterable[Iterable[Fraction | int]]) -> str:
+    return " ".join(map(vector, points))

@@ -1,0 +1,205 @@
+"""The subcommand ``equilibrium solve``: by the full model, as printed, or by other methods too."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING, Any
+
+from arrangement.numbers.deadline import Deadline
+from equilibrium.model.errors import GraspError
+
+from .arguments import (
+    add_applied,
+    add_command,
+    add_cone,
+    add_displacement,
+    applied,
+    grasp_of,
+    seconds,
+    show,
+)
+from .verdict_words import piece_lines, verdict_lines
+
+if TYPE_CHECKING:
+    from equilibrium.decide.verdict import Verdict
+
+#: The names of `printed_model.OPTIONS`, kept here so that ``--help`` loads no solver.
+AS_PRINTED = (
+    "detachment",
+    "preload",
+    "signs",
+    "cell-check",
+    "all-stick",
+    "coincident-planes",
+    "single-solution",
+)
+#: Options of the verdict of the full model, which the other forms do not take.
+_OF_THE_VERDICT = ("certificate", "time_limit", "max_displacement", "robust", "shorten", "all")
+_WORDS = {True: "yes", False: "no", None: "-"}
+
+
+def add_command_solve(commands: Any) -> None:
+    """Add solve."""
+    text = "decide whether a grasp resists a wrench"
+    answers = ("resisted", "not resisted", "undecided")
+    parser = add_command(commands, "solve", _solve, text, *answers, heading="common")
+    add_applied(parser)
+    parser.add_argument(
+        "--certificate",
+        metavar="OUT.json",
+        help="write the certificate; with --robust the proof for all grasps, if it holds",
+    )
+    parser.add_argument(
+        "--time-limit",
+        metavar="SECONDS",
+        type=seconds,
+        help="stop after SECONDS: exit code 2, in space 3",
+    )
+    add_cone(parser)
+    add_displacement(parser)
+    parser.add_argument(
+        "--robust",
+        nargs="+",
+        type=_bound,
+        metavar="NAME=Q",
+        help="decide whether the verdict holds for all grasps within degrees=2 (of normals), "
+        "length=Q (of points), friction=5%%, stiffness=Q, preload=Q; exit code 0 proved, 1 no, "
+        "3 undecided",
+    )
+    parser.add_argument(
+        "--shorten", action="store_true", help="search longer for a smaller proof of a no"
+    )
+    parser.add_argument(
+        "--all", action="store_true", help="list all equilibria of more than 20 contacts, too"
+    )
+    other = parser.add_mutually_exclusive_group()
+    other.add_argument(
+        "--methods",
+        nargs="*",
+        metavar="NAME",
+        help="compare with other methods, such as weak or wrench-space (no name: all)",
+    )
+    other.add_argument(
+        "--as-printed",
+        nargs="+",
+        action="extend",
+        default=[],
+        choices=AS_PRINTED,
+        metavar="OPTION",
+        help=f"follow the text as printed in the paper: {', '.join(AS_PRINTED)}",
+    )
+
+
+def _bound(text: str) -> tuple[str, str]:
+    name, equals, value = text.partition("=")
+    if not equals:
+        raise argparse.ArgumentTypeError(f"{text[:60]!r}; expected NAME=Q such as degrees=2")
+    return name, value
+
+
+def _solve(arguments: argparse.Namespace) -> int:
+    if arguments.methods is not None:
+        _refuse(arguments, "methods", _OF_THE_VERDICT)
+        return _by_methods(arguments)
+    if arguments.as_printed:
+        _refuse(arguments, "as-printed", (*_OF_THE_VERDICT, "cone"))
+        return _as_printed(arguments)
+    return _by_full_model(arguments)
+
+
+def _refuse(arguments: argparse.Namespace, form: str, options: tuple[str, ...]) -> None:
+    """Refuse options that do not go with a form of the command."""
+    for option in options:
+        if getattr(arguments, option) not in (None, False):
+            raise GraspError(f"--{form} does not take --{option.replace('_', '-')}; omit one")
+
+
+def _by_methods(arguments: argparse.Namespace) -> int:
+    """Print the verdict of the full model and of other methods."""
+    from equilibrium.decide.solver import solve
+    from equilibrium.grasps.inputs.documents import question_document
+    from equilibrium.methods.compare import compare
+
+    grasp = grasp_of(arguments)
+    wrench = applied(arguments, grasp)
+    question_document(grasp, wrench, "compare")
+    comparison = compare(grasp, wrench, methods=arguments.methods or None, pyramid=arguments.cone)
+    lines, document = list[str](), comparison.to_dict()
+    yes = comparison.answers[0].accepts
+    for answer in comparison.answers:
+        mark = "!" if answer.method in comparison.disagreeing else " "
+        lines.append(f"{mark} {_WORDS[answer.accepts]:<4}{answer.title:<60}{answer.remark}")
+    if grasp.data_error is not None:
+        rounding = solve(grasp, wrench, pyramid=arguments.cone).within_error()
+        document["within_error"] = rounding.to_dict()
+        lines += rounding.lines()
+        yes = yes if rounding.turned is None else None
+    return show(arguments, document, lines, yes, comparison.grasp)
+
+
+def _as_printed(arguments: argparse.Namespace) -> int:
+    """Print the verdict that follows from the text of the paper as printed."""
+    from equilibrium.decide.solver import solve
+
+    grasp = grasp_of(arguments)
+    verdict = solve(grasp, applied(arguments, grasp), as_printed=arguments.as_printed)
+    lines = piece_lines(verdict.equilibria, grasp)
+    return show(arguments, verdict.to_dict(), lines, verdict.stable, grasp)
+
+
+def _by_full_model(arguments: argparse.Namespace) -> int:
+    """Print the verdict, and what it is within the error of the data or within bounds."""
+    from equilibrium.decide.solver import solve
+
+    grasp = grasp_of(arguments)
+    wrench = applied(arguments, grasp)
+    deadline = Deadline(arguments.time_limit)
+    verdict = solve(
+        grasp,
+        wrench,
+        time_limit=arguments.time_limit,
+        shorten=arguments.shorten,
+        pyramid=arguments.cone,
+        max_displacement=arguments.max_displacement,
+    )
+    if arguments.certificate is not None and verdict.certificate is not None:
+        verdict.certificate.save(arguments.certificate)
+    every = arguments.all or None
+    lines, document = (
+        list(verdict_lines(verdict, every, arguments.certificate)),
+        verdict.to_dict(every),
+    )
+    yes = verdict.stable if verdict.decided else None
+    if arguments.robust is not None:
+        yes = _robustly(arguments, verdict, document, lines, deadline)
+    elif verdict.grasp.data_error is not None:
+        rounding = verdict.within_error()
+        if rounding.turned is not None:
+            lines = [*rounding.lines(), f"as it was rounded: {lines[0]}", *lines[1:]]
+            yes = None
+        else:
+            lines += rounding.lines()
+    return show(arguments, document, lines, yes, verdict.grasp)
+
+
+def _robustly(
+    arguments: argparse.Namespace,
+    verdict: Verdict,
+    document: dict[str, Any],
+    lines: list[str],
+    deadline: Deadline,
+) -> bool | None:
+    """Decide whether a verdict holds within bounds; add this to its document and lines."""
+    from equilibrium.certificate.uncertain import Bounds
+    from equilibrium.decide.robustness import robust
+
+    bounds = dict(arguments.robust)
+    if len(bounds) < len(arguments.robust):
+        raise GraspError("--robust has one bound twice; give each once")
+    robustness = robust(verdict, Bounds(**bounds), deadline)
+    document["robust"] = robustness.to_dict()
+    lines += robustness.lines()
+    if arguments.certificate is not None and robustness.certificate is not None:
+        robustness.certificate.save(arguments.certificate)
+        lines.append("the certificate written is the proof for all of them")
+    return True if robustness else None if robustness.turned is None else False
