@@ -25,7 +25,7 @@ SETTINGS = {
     "extensions": ["sphinx_markdown_builder"],
     "default_role": "code",
     # What only the build of the pages knows: the reference.
-    "exclude_patterns": ["_build", "_generated", "api", "commands.rst"],
+    "exclude_patterns": ["_build", "_generated", "api", "commands.rst", "gallery.rst"],
     "suppress_warnings": ["toc", "ref"],
 }
 _FENCE = re.compile(r"(?ms)^```(pycon|console|python file=\S+)\n(.*?)^```$")

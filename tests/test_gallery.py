@@ -11,7 +11,8 @@ from arrangement.pictures.views import drawings_of
 from equilibrium.pictures import DRAWINGS as OF_GRASPS
 from tests.docpages import ROOT, blocks, commands
 
-TEXT = (ROOT / "docs" / "gallery.rst").read_text(encoding="utf-8")
+PAGES = sorted((ROOT / "docs" / "gallery").glob("*.rst"))
+TEXT = "\n".join(page.read_text(encoding="utf-8") for page in PAGES)
 SHOWN = [
     shlex.split(command)
     for block in blocks(TEXT)
@@ -51,9 +52,9 @@ def test_every_view_and_model_is_shown_and_views_as_tikz_too(program, drawings):
     assert {option(words, "--model", usual) for words in models} == set(drawings.models)
 
 
-def test_every_picture_that_a_command_makes_is_on_the_page():
+def test_every_picture_that_a_command_makes_is_on_a_page():
     made = {option(words, "-o", "") for words in SHOWN}
-    shown = set(re.findall(r"(?:_generated|<pages)/(gallery-[\w.-]+)", TEXT))
+    shown = set(re.findall(r"(?:_generated|<../pages)/(gallery-[\w.-]+)", TEXT))
     tikz = {path for path in shown if path.endswith(".tex")}
     set_in_latex = {path.replace(".tex", "-tikz.png") for path in tikz}
     assert made == shown - tikz - set_in_latex
@@ -65,4 +66,18 @@ def test_pages_open_in_the_browser():
     """A browser keeps what a link of the role `download` points to as a file."""
     pages = [path for path in (option(words, "-o", "") for words in SHOWN) if ".html" in path]
     assert pages
-    assert all(f"<pages/{path}>`__" in TEXT for path in pages)
+    assert all(f"<../pages/{path}>`__" in TEXT for path in pages)
+
+
+def test_thumbnails_lead_to_every_page():
+    front = (ROOT / "docs" / "gallery.rst").read_text(encoding="utf-8")
+    groups = re.findall(r"(?m)^\.\. thumbnails:: gallery\n\n((?:   .+\n)+)", front)
+    names = [name for group in groups for name in group.split()]
+    assert sorted(names) == sorted(page.stem for page in PAGES)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_a_page_has_a_picture_and_says_how_it_is_made(page):
+    text = page.read_text(encoding="utf-8")
+    assert re.search(r"figure:: /_generated/\S+\.svg\n(   :(width|class): \S+\n)*   :alt: ", text)
+    assert ">>> " in text or "literalinclude" in text or page.stem in ("states", "zonohedra")

@@ -55,14 +55,19 @@ def themed(scene: Scene, theme: str) -> Scene:
     return made
 
 
+def dark_colour(colour: Any, *, is_line: bool = False) -> str:
+    """Return a colour of the light theme in the dark one; lines and letters are light enough."""
+    return _hex(_night(_rgba(colour), _LINE if is_line else 0.0))
+
+
 def _dark(item: Item) -> Item:
     if isinstance(item, Ball):
         return item
-    style = _with_colours(item, lambda colour: _hex(_night(colour)))
+    style = _with_colours(item, dark_colour)
     lines = {"ec", "color", "fc"} if item.role == "arrow" else {"ec", "color"}
     for key in lines & style.keys():
         if style[key] != "none" and not (key == "ec" and _is_seam(item)):
-            style[key] = _hex(_night(_rgba(item.style[key]), _LINE))
+            style[key] = dark_colour(item.style[key], is_line=True)
     if isinstance(item, Label):
         style.setdefault("color", _hex(_night(_rgba("black"))))
     elif not isinstance(item, Path) or "ec" not in style:

@@ -1,4 +1,4 @@
-"""Every picture of the gallery, made by the very command that the page shows beside it.
+"""Every picture of the gallery, made by the very command that its page shows beside it.
 
 Of a picture in SVG that the page offers as TikZ too, the command makes this as well, and where
 pdflatex is installed it is set.
@@ -16,7 +16,8 @@ import arrangement.cli
 import equilibrium.cli
 
 MAIN = {"arrangement": arrangement.cli.main, "equilibrium": equilibrium.cli.main}
-TEXT = (Path(__file__).parents[1] / "gallery.rst").read_text(encoding="utf-8")
+PAGES = sorted((Path(__file__).parents[1] / "gallery").glob("*.rst"))
+TEXT = "\n".join(page.read_text(encoding="utf-8") for page in PAGES)
 
 
 def set_in_latex(source: Path) -> None:
@@ -36,6 +37,7 @@ def set_in_latex(source: Path) -> None:
         0.5, 0.5, f"pdflatex {source.name}\n(LaTeX is not installed here)", ha="center", va="center"
     )
     figure.savefig(f"{target}.png")
+    plt.close(figure)
 
 
 for command in re.findall(r"^ *\$ (\w+ (?:make|draw|lab) (?:.*\\\n)*.*)$", TEXT, re.MULTILINE):

@@ -1,8 +1,8 @@
 """Directives and transforms of these pages: public names, thumbnails, pictures for dark pages."""
 
-from . import public_names
+from . import dark_pictures, public_names, thumbnails
 
 
 def setup(app):
-    public_names.setup(app)
-    return {"parallel_read_safe": False}
+    for part in (dark_pictures, public_names, thumbnails):
+        part.setup(app)
