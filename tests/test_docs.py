@@ -167,7 +167,7 @@ def test_public_names_are_on_the_api_page_once(package):
 
 def test_the_table_of_engines_is_that_of_the_code():
     text = (DOCS / "architecture.rst").read_text(encoding="utf-8")
-    table = text[text.index("Which engine lists") : text.index("Exact and approximate")]
+    table = text[text.index("Which engine enumerates") : text.index("Exact and approximate")]
     rows = re.findall(r"(?m)^   \* - ``([\w-]+)``\n     - (.*)$", table)
     assert rows == [(key, engine.can) for key, engine in ENGINES.items()]
 

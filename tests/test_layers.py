@@ -152,10 +152,10 @@ def test_a_renamed_module_is_caught(tmp_path, old, new):
     assert lint_imports(tmp_path).returncode == 1
 
 
-def test_every_second_route_of_the_table_has_a_test_that_exists():
+def test_every_cross_check_of_the_table_has_a_test():
     page = (ROOT / "docs" / "architecture.rst").read_text(encoding="utf-8")
-    _, _, table = page.partition("\nSecond routes\n")
-    table, _, _ = table.removeprefix("-" * len("Independent impl")).partition("\n-----")
+    _, _, table = page.partition("\nCross-checks\n")
+    table, _, _ = table.removeprefix("-" * len("Cross-checks")).partition("\n-----")
     rows = table.count("   * - ") - 1
     named = re.findall(r"``(tests/\S+\.py)::(\w+)``", table)
     assert len(named) == rows > 0
