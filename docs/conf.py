@@ -74,8 +74,8 @@ def make_figures(app):
 
     The script NAME.py makes files whose names start with NAME. A script that fails, or makes no
     such file, ends the build. Modules that start with an underscore are what scripts share. A page
-    NAME.rst and pages in a folder NAME are what the script may read. Interactive pages are copied to the folder
-    pages of the site, where links open them.
+    NAME.rst and pages in a folder NAME are what the script may read. Interactive pages are copied
+    to the folder pages of the site, where links open them.
     """
     source = Path(app.srcdir)
     folder = source / "_generated"

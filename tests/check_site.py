@@ -8,6 +8,7 @@ Run: ``python tests/check_site.py docs/_build/html``; exit code 1 when something
 
 import sys
 from pathlib import Path
+from urllib.parse import quote
 
 # Run as a script, this file finds its own folder only.
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
@@ -41,16 +42,27 @@ def check_page(browser: Browser, page: Path, site: Path) -> list[str]:
     return wrong
 
 
+#: Words of the field, each a synonym of a word that these pages use.
+WORDS = (
+    "arrangement", "chamber", "covector", "tope", "cocircuit", "force closure", "Farkas",
+    "contact mode",
+)  # fmt: skip
+
+
 def check_search(browser: Browser, site: Path) -> list[str]:
     """Return what is wrong with the search page."""
-    browser.open(f"{(site / 'search.html').resolve().as_uri()}?q=arrangement")
+    return [wrong for word in WORDS for wrong in check_search_for(browser, site, word)]
+
+
+def check_search_for(browser: Browser, site: Path, word: str) -> list[str]:
+    browser.open(f"{(site / 'search.html').resolve().as_uri()}?q={quote(word)}")
     found = browser.driver.execute_async_script(
         "const done = arguments[0]; let left = 100;"
         "const look = () => { const n = document.querySelectorAll('#search-results li').length;"
         "if (n || !left) done(n); else { left -= 1; setTimeout(look, 100); } }; look();"
     )
     outside = [f"request to {url}" for url in browser.outside(site)]
-    return outside if found else [*outside, "the search finds nothing"]
+    return outside if found else [*outside, f"the search does not find {word!r}"]
 
 
 def check_site(site: Path) -> dict[str, list[str]]:

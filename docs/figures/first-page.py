@@ -6,6 +6,7 @@ from equilibrium import read_grasp
 from equilibrium.pictures import write_drawing as draw_grasp
 
 grasp = read_grasp("paper-three-contacts-preload-1")
-draw_planes(read_arrangement("cube-diagonals"), "first-page-sphere.svg", "sphere", width=60, legend="none")
-draw_grasp(grasp, "first-page-grasp.svg", "grasp", wrench=(0, 1, 0), width=60, legend="none")
-draw_grasp(grasp, "first-page-resist.svg", "resist", width=60, legend="none")
+paper = {"width": 60, "legend": "none"}
+draw_planes(read_arrangement("cube-diagonals"), "first-page-sphere.svg", "sphere", **paper)
+draw_grasp(grasp, "first-page-grasp.svg", "grasp", wrench=(0, 1, 0), **paper)
+draw_grasp(grasp, "first-page-resist.svg", "resist", **paper)

@@ -27,7 +27,7 @@ def _darkened(element):
     is_seam = colours.get("fill") == colours.get("stroke")
 
     def exchange(found):
-        is_line = tag in ("g", "text") or found[1] == "stroke" and not is_seam
+        is_line = tag in ("g", "text") or (found[1] == "stroke" and not is_seam)
         return f"{found[1]}: {_dark(found[2], is_line=is_line)}"
 
     return f'<{tag}{between}style="{_COLOUR.sub(exchange, style)}"'

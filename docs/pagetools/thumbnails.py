@@ -10,6 +10,11 @@ from pathlib import Path
 from sphinx.util.docutils import SphinxDirective
 
 
+_FIGURE = re.compile(
+    r"figure:: (/_generated/\S+)\n(?:   :(?:width|class): .*\n)*   :alt: (.*(?:\n {6,}.*)*)"
+)
+
+
 class Thumbnails(SphinxDirective):
     has_content = True
     required_arguments = 1
@@ -23,8 +28,8 @@ class Thumbnails(SphinxDirective):
             self.env.note_dependency(str(path))
             text = path.read_text("utf-8")
             title = text.partition("\n")[0]
-            picture = re.search(r"figure:: (/_generated/\S+)\n(?:   :(?:width|class): .*\n)*   :alt: (.*(?:\n {6,}.*)*)", text)
-            shown, alt = picture[1], " ".join(picture[2].split())
+            shown, alt = _FIGURE.search(text).groups()
+            alt = " ".join(alt.split())
             lines += [f"   .. figure:: {shown}", f"      :alt: {alt}"]
             lines += [f"      :target: {folder}/{name}.html", ""]
             lines += [f"      :doc:`{title} <{folder}/{name}>`", ""]
