@@ -57,12 +57,15 @@ def show_both(app, tree, name):
         folder, _, file = light["uri"].rpartition("/")
         if folder != FOLDER or not file.endswith(".svg") or "as-drawn" in light["classes"]:
             continue
-        dark = light.deepcopy()
+        # A link holds one picture.
+        frame = light.parent if isinstance(light.parent, nodes.reference) else light
+        second = frame.deepcopy()
+        dark = next(second.findall(nodes.image))
         dark["uri"] = f"{folder}/dark/{file}"
         dark["candidates"] = {"*": dark["uri"]}
         light["classes"].append("only-light")
         dark["classes"].append("only-dark")
-        light.parent.insert(light.parent.index(light) + 1, dark)
+        frame.parent.insert(frame.parent.index(frame) + 1, second)
         app.env.images.add_file(name, dark["uri"])
 
 

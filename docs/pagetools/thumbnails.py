@@ -9,7 +9,6 @@ from pathlib import Path
 
 from sphinx.util.docutils import SphinxDirective
 
-
 _FIGURE = re.compile(
     r"figure:: (/_generated/\S+)\n(?:   :(?:width|class): .*\n)*   :alt: (.*(?:\n {6,}.*)*)"
 )
