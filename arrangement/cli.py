@@ -253,7 +253,6 @@ def _whitney_numbers(arrangement: Arrangement, arguments: argparse.Namespace) ->
     from tempfile import TemporaryDirectory
 
     from .counts import by_points, first_whitney_numbers
-    from .counts.classes.in_parts import PARTS, first_whitney_numbers_in_parts
 
     shared = arguments.shard != (1, 1) or arguments.dask is not None
     if shared and arguments.store is None:
@@ -267,6 +266,8 @@ def _whitney_numbers(arrangement: Arrangement, arguments: argparse.Namespace) ->
         return tuple(map(int, numbers[: arrangement.rank + 1]))
     if arguments.store is None and arguments.jobs == 1:
         return first_whitney_numbers(arrangement, time_limit=arguments.time_limit)
+    from .counts.classes.in_parts import PARTS, first_whitney_numbers_in_parts
+
     kept = nullcontext(arguments.store) if arguments.store else TemporaryDirectory()
     with kept as folder:
         return first_whitney_numbers_in_parts(
