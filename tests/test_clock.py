@@ -35,7 +35,6 @@ arrangement make shi --type B3
 arrangement make braid --n 9
 arrangement make resonance --n 30
 arrangement convert braid-a3 --to chirotope
-arrangement bounds --largest 6
 equilibrium list
 equilibrium solve paper-three-contacts-preload-1 --wrench 0 1 0
 equilibrium solve paper-four-contacts-preload-1 --wrench 0 -1 0 --json

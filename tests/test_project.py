@@ -46,7 +46,7 @@ except SystemExit:
     pass
 print("loaded:", *sorted(set({SLOW!r}) & set(sys.modules)))
 """
-    deeper = ["census --help"] if package == "arrangement" else []
+    deeper = ["count --help"] if package == "arrangement" else []
     for words in ["--help", "--version", *deeper]:
         result = subprocess.run(
             [sys.executable, "-c", program, *words.split()],

@@ -397,7 +397,7 @@ def _steps(arguments: argparse.Namespace) -> float:
     """Return the steps that a command may take; any number where more is asked for explicitly."""
     named = vars(arguments)
     films = str(named.get("output")).endswith((".gif", ".mp4"))
-    asked = any(named.get(name) for name in ("long", "store", "benchmark", "time_limit"))
+    asked = any(named.get(name) for name in ("long", "store", "time_limit"))
     return math.inf if films or asked or named.get("jobs", 1) > 1 else budget.COMMAND_STEPS
 
 

@@ -235,8 +235,8 @@ def test_a_fault_at_import_is_no_answer(tmp_path, monkeypatch, capsys):
     ("missing", "module", "words"),
     [
         ("numpy", "arrangement.console.entry", "count pencil"),
-        ("numpy", "equilibrium.cli", "limit ladder --direction 0 1 0"),
-        ("lazy_loader", "equilibrium.cli", "limit ladder --direction 0 1 0"),
+        ("numpy", "equilibrium.cli", "resisted ladder --wrench 0 1 0"),
+        ("lazy_loader", "equilibrium.cli", "resisted ladder --wrench 0 1 0"),
         ("lazy_loader", "proofs_check.cli", "run euler"),
     ],
 )
