@@ -84,7 +84,7 @@ ARRANGEMENT = [
     ("count shi-a2-affine --time-limit 0 --jobs 2", "positive number"),
     ("count shi-a2-affine --shard 1/2", "need --store"),
     ("identify shi-a2-affine", "cone"),
-    ("list --classes 10", "give"),
+    ("list --classes 10", "expected 3 to 9"),
     ("convert braid-a3", "--to"),
     ("convert braid-a3 -o no.xyz", "'.xyz'; known are"),
     ("convert braid-a3 -o no.txt --to xyz", "xyz"),
