@@ -176,7 +176,7 @@ def test_what_is_for_the_plane_is_refused_in_space_and_the_other_way():
             scene_of(space, **options)
     with pytest.raises(GraspError, match="in space"):
         scene_of(plane, camera=(1, 2, 3))
-    with pytest.raises(GraspError, match="turn"):
+    with pytest.raises(GraspError, match="rotation"):
         draw_proof.scene(space, wrench=WRENCH, rotation=1)
 
 
