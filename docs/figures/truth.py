@@ -50,7 +50,7 @@ def along():
 
 
 for picture, (name, wrench, piece, outline) in GRASPS.items():
-    options = {"wrench": wrench, "piece": piece, "outline": outline}
+    options = {"wrench": wrench, "equilibrium": piece, "outline": outline}
     draw_grasp(read_grasp(name), f"truth-{picture}.svg", "grasp", **options)
 draw_planes(read_arrangement("paper-four-contacts"), "truth-coincident.svg", "sphere")
 save("truth-along.svg", along)
