@@ -95,7 +95,7 @@ def add_commands(commands: Any) -> None:
     _add_output(randoms)
 
 
-class _CollectPoints(argparse.Action):
+class _CollectPoints(argparse._AppendAction):
     """Collects points from their coordinates, three numbers each, however often it is given."""
 
     def __call__(self, parser: Any, namespace: Any, values: Any, option: Any = None) -> None:

@@ -368,6 +368,8 @@ def test_the_command(cube, capsys):
     assert len(document["contacts"]) == 2
     assert document["units"] == {"length": "mm", "force": "N"}
     assert printed.err == "rounded: points by 0.01, normals by 0 radians\n"
+    assert main([*call, "1", "1/5", "0", "--at", "1/3", "1.01", "0", "--units", "mm", "N"]) == 0
+    assert json.loads(capsys.readouterr().out) == document
     with pytest.raises(SystemExit, match="2"):
         main([*call, "1", "2"])
     assert "three for each point" in capsys.readouterr().err
