@@ -81,8 +81,8 @@ def make_figures(app):
     folder = source / "_generated"
     folder.mkdir(exist_ok=True)
     shared = [*source.glob("figures/_*.py")]
-    for room in ("drawing", "pictures"):
-        shared += source.parent.glob(f"*/{room}/**/*.py")
+    for package in ("drawing", "pictures"):
+        shared += source.parent.glob(f"*/{package}/**/*.py")
     newest = max((path.stat().st_mtime for path in shared), default=0.0)
     due = []
     for script in sorted(source.glob("figures/[!_]*.py")):

@@ -15,11 +15,11 @@ from matplotlib.path import Path
 from arrangement.pictures import save_figure
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ROW, GAP, RIGHT, WIDTH = 6.5, 2.0, 142.0, 178.0  # mm: a room, between layers, their end, all
+ROW, GAP, RIGHT, WIDTH = 6.5, 2.0, 142.0, 178.0  # mm: a module, between layers, their end, all
 
 
 def contracts():
-    """Return the rows of rooms of each package, highest first; a wall is the entry "|"."""
+    """Return the layers of each package, highest first; "|" divides independent modules."""
     settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     layers = [c for c in settings["tool"]["importlinter"]["contracts"] if "containers" in c]
     return {
@@ -29,12 +29,12 @@ def contracts():
 
 
 def imports(package):
-    """Return the graph of the rooms of a package; an edge points to what is imported."""
+    """Return the graph of the modules of a package; an edge points to what is imported."""
     graph = nx.DiGraph()
     for path in sorted((ROOT / package).rglob("*.py")):
         parts = path.relative_to(ROOT).with_suffix("").parts
         home = list(parts[:-1])
-        room = parts[1]
+        part = parts[1]
         tree = ast.parse(path.read_text(encoding="utf-8"))
         for_types = {
             node
@@ -49,23 +49,23 @@ def imports(package):
             base = [*base, *(node.module or "").split(".")]
             names = [[*filter(None, base), alias.name] for alias in node.names]
             for name in names:
-                if name[0] == package and len(name) > 1 and name[1] != room:
-                    graph.add_edge(room, name[1])
+                if name[0] == package and len(name) > 1 and name[1] != part:
+                    graph.add_edge(part, name[1])
     return graph
 
 
-def sentence(package, room):
-    """Return the first sentence of the docstring of a room."""
-    path = ROOT / package / room
+def sentence(package, part):
+    """Return the first sentence of the docstring of a module."""
+    path = ROOT / package / part
     path = path / "__init__.py" if path.is_dir() else path.with_suffix(".py")
     text = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8")))
     return text.split("\n\n")[0].replace("\n", " ").replace("``", "").replace("`", "").rstrip(".")
 
 
 def draw_layers(package, rows):
-    """Draw the rooms of one package, high layers on top, and who imports whom as arcs beside."""
-    bands = [[room for room in row if room != "|"] for row in rows]
-    order = [room for band in bands for room in band]
+    """Draw the modules of one package, high layers on top, and their imports as arcs beside."""
+    bands = [[part for part in row if part != "|"] for row in rows]
+    order = [part for band in bands for part in band]
     graph = nx.transitive_reduction(nx.DiGraph(imports(package).subgraph(order).edges))
     height = GAP + sum(len(band) * ROW + GAP for band in bands)
     figure = plt.figure(figsize=(WIDTH / 25.4, height / 25.4))
@@ -75,13 +75,15 @@ def draw_layers(package, rows):
     for row, band in zip(rows, bands, strict=True):
         shape = (1, top), RIGHT - 1, len(band) * ROW
         axes.add_patch(plt.Rectangle(*shape, facecolor="#eef3f8", edgecolor="#5b7083", lw=0.6))
-        for k, room in enumerate(band):
-            middle[room] = y = top + (k + 0.5) * ROW
-            axes.text(3, y, room, va="center", family="monospace", fontsize=8, weight="bold")
-            axes.text(30, y, sentence(package, room), va="center", fontsize=6.5, color="#333333")
+        for k, part in enumerate(band):
+            middle[part] = y = top + (k + 0.5) * ROW
+            axes.text(3, y, part, va="center", family="monospace", fontsize=8, weight="bold")
+            axes.text(30, y, sentence(package, part), va="center", fontsize=6.5, color="#333333")
             if k:
-                wall = {"lw": 2.5, "color": "black"} if "|" in row else {"lw": 0.3, "color": "gray"}
-                axes.plot([1, RIGHT], [y - ROW / 2] * 2, solid_capstyle="butt", **wall)
+                border = (
+                    {"lw": 2.5, "color": "black"} if "|" in row else {"lw": 0.3, "color": "gray"}
+                )
+                axes.plot([1, RIGHT], [y - ROW / 2] * 2, solid_capstyle="butt", **border)
         top += len(band) * ROW + GAP
     for above, below in graph.edges:
         y, v = middle[above] + 0.7, middle[below] - 0.7
