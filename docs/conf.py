@@ -60,7 +60,7 @@ html_show_sphinx = False
 
 
 def escape_mathematics(app, what, name, obj, options, lines):
-    """Keep |x| and a * b in docstrings as they are written: they are no markup there."""
+    """Keep |x| and a * b in docstrings as they are written: they are not markup there."""
     for number, line in enumerate(lines):
         if not line.lstrip().startswith((">>>", "...")):
             _, bullet, text = re.split(r"^(\s*[*-] |)", line, maxsplit=1)

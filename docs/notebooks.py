@@ -39,7 +39,7 @@ _new = nbformat.v4
 
 def prepare(app, tree, name):
     """Make a paragraph of the caption of a figure; name a file beside its language."""
-    for entry in list(tree.findall(nodes.citation)):  # of the bibliography, which is no notebook
+    for entry in list(tree.findall(nodes.citation)):  # of the bibliography, which is not a notebook
         entry.parent.remove(entry)
     for caption in list(tree.findall(nodes.caption)):
         if isinstance(caption.parent, nodes.figure):

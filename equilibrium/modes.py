@@ -104,7 +104,7 @@ class ContactModes(Shown):
             time_limit: in seconds from now.
 
         Raises:
-            InputError: it is no such document.
+            InputError: it is not such a document.
         """
         check_keys(document, ("schema_version", "normals", "tangents"), ("description",), "it")
         normals = check_list(document["normals"], "normals")

@@ -15,7 +15,7 @@ from tests.javascript.check import node
 
 ROOT = Path(__file__).resolve().parent.parent
 
-# The same examples on every run and every machine; speed is no verdict.
+# The same examples on every run and every machine; speed is not a verdict.
 settings.register_profile(
     "ci",
     max_examples=50,

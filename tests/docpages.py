@@ -5,7 +5,7 @@ A page may hold
 * Python sessions (``>>>``), which share their names from the top of the page to its end;
 * ``.. code-block:: console``: lines ``$ command`` with the output that a terminal shows;
 * a code block or a literalinclude with a caption: a file of that name, for the blocks below it;
-* ``.. code-block:: text``: diagrams, which are no code.
+* ``.. code-block:: text``: diagrams, which are not code.
 
 Everything on a page happens in one empty directory. In outputs, ``...`` stands for anything and
 stretches of white space are equal.

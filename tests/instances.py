@@ -16,7 +16,7 @@ def contacts(name: str) -> Any:
 
 
 def is_in_space(name: str) -> bool:
-    """Whether a built-in instance is a grasp in space, whose planes are no arrangement in R^3."""
+    """Whether a built-in instance is a grasp in space, whose planes are not in R^3."""
     found = contacts(name)
     return found is not None and len(found[0]["point"]) == 3
 

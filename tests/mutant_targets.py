@@ -361,7 +361,7 @@ DECIDING = (
     "proofs_check.statements",
     "proofs_check.sweep",
 )
-#: Modules of these that are no target, and why.
+#: Modules of these that are not a target, and why.
 EXCEPTIONS = {
     "arrangement.duals.body": "shapes of pictures",
     "arrangement.duals.cells": "shapes of pictures",

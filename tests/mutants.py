@@ -12,7 +12,7 @@ A mutant has one comparison, constant, sign, "and" or "or" of the syntax tree ch
 or an entry dropped, or one function or end of an interval taken for its opposite. The tests of its
 target run in a process of their own, to the first that fails, or takes more than `LIMIT`: it has
 killed the mutant. First the code of functions is exchanged after all is imported, and tests that
-killed mutants nearby run first; what survives, or is no code of a function, is there from the
+killed mutants nearby run first; what survives, or is not code of a function, is there from the
 import on. Exit 1 if mutants survive that are not among `EQUIVALENT`, or an entry there is no
 mutant, or is killed: each of these takes all tests of its target, so they run when asked.
 """
@@ -373,7 +373,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = parser.parse_args(arguments)
     for name in given.targets:
         if name not in TARGETS:
-            parser.error(f"{name!r} is no target; known are {', '.join(TARGETS)}")
+            parser.error(f"{name!r} is not a target; known are {', '.join(TARGETS)}")
     os.chdir(ROOT)
     _preload()
     options = (given.seed, given.first, given.argued, given.sample)

@@ -107,7 +107,7 @@ import importlib, importlib.util, pkgutil
 import arrangement.errors
 from importlib.resources import files
 for absent in ("matplotlib", "igraph", "joblib", "dask", "pytest"):
-    assert importlib.util.find_spec(absent) is None, absent + " is no dependency"
+    assert importlib.util.find_spec(absent) is None, absent + " is not a dependency"
 for name in ("arrangement", "equilibrium", "proofs_check"):
     package = importlib.import_module(name)
     assert (files(package) / "py.typed").is_file(), name + "/py.typed"

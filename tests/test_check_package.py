@@ -36,7 +36,7 @@ RUBBISH = (
     ".venv/bin/python",
     "sweep.sqlite",
 )
-#: What is in the archive and the wheel, and what is said. What makes shipped data is no rubbish.
+#: What is in the archive and the wheel, and what is said. What makes shipped data is not rubbish.
 WRONG = [
     *((ARCHIVE | {path}, WHEEL, f"rubbish in the source archive: {path}") for path in RUBBISH),
     *(

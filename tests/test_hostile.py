@@ -369,7 +369,7 @@ TRIED = [
     ("m / 0 > 1", "has no value"),
     ("p_vector[77] > 1", "write .get(key, 0)"),
     ("f_vector.get(1, 1) > 1", "has no value"),
-    ("f_vector + 1 > 1", "is no number"),
+    ("f_vector + 1 > 1", "is not a number"),
     ("chi(1, 2) > 1", "has no value"),
     ("regions", "compare it with something"),
     ("m > 1 and regions", "compare it with something"),

@@ -14,7 +14,7 @@ from typing import Any
 _ADDED: Mapping[str, Mapping[str, str]] = {
     # Keys that tell the kind of a document, and functions from a document to an `Arrangement`.
     "documents": {"contacts": "equilibrium.grasps.files:tangential_arrangement"},
-    # Functions from a text to an `Arrangement`, or to None where it is no such table.
+    # Functions from a text to an `Arrangement`, or to None where it is not such a table.
     "tables": {"contacts": "equilibrium.grasps.inputs.csv_file:tangential_arrangement"},
     # Functions that return built-in documents by name.
     "instances": {

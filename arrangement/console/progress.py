@@ -110,7 +110,7 @@ class Bar:
         total: what is to be done; None if unknown (see `begin`).
         unit: of what, in the plural.
         patience: seconds before anything is written on a terminal.
-        piped: whether anything is written when stderr is no terminal.
+        piped: whether anything is written when stderr is not a terminal.
     """
 
     def __init__(

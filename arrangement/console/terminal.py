@@ -326,7 +326,7 @@ def count_argument(text: str) -> int:
     """Read a number of things to do, one after the other, or a seed."""
     if re.fullmatch(r"[0-9]{1,9}", text, re.ASCII) is None or int(text) > MOST:
         raise argparse.ArgumentTypeError(
-            f"{shown(text)} is no whole number from 0 to {MOST}; more takes days: go in parts"
+            f"{shown(text)} is not a whole number from 0 to {MOST}; more takes days: go in parts"
         )
     return int(text)
 
@@ -334,12 +334,12 @@ def count_argument(text: str) -> int:
 def integer_argument(text: str) -> int:
     """Read a whole number of ordinary size, such as a dimension or a seed."""
     if re.fullmatch(r"-?[0-9]{1,18}", text, re.ASCII) is None:
-        raise argparse.ArgumentTypeError(f"{shown(text)} is no whole number of up to 18 digits")
+        raise argparse.ArgumentTypeError(f"{shown(text)} is not a whole number of up to 18 digits")
     return int(text)
 
 
 def length_argument(text: str) -> float:
-    """Read a length on paper or of a model, which is no exact number."""
+    """Read a length on paper or of a model, which is not an exact number."""
     try:
         return float(rational_argument(text))
     except OverflowError:

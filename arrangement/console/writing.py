@@ -16,8 +16,8 @@ def write_text_atomically(path: str | os.PathLike[str], text: str) -> None:
     """Write a UTF-8 text file whole or not at all.
 
     The text goes to a temporary file in the same folder, which then takes the place of `path`; a
-    reader never sees half a file, and an interrupted write leaves the old one. What is no ordinary
-    file (``/dev/stdout``) is written to directly.
+    reader never sees half a file, and an interrupted write leaves the old one. What is not an
+    ordinary file (``/dev/stdout``) is written to directly.
 
     Raises:
         InputError: the place cannot be written.

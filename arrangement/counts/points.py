@@ -43,8 +43,8 @@ def by_points(arrangement: Planes, primes: Iterable[int] | None = None) -> sympy
         primes: d or more different primes of good reduction; if omitted, the smallest d.
 
     Raises:
-        InputError: a number that is no prime, a prime of bad reduction or without an image of the
-            field of the entries, too few primes, or planes that are too many.
+        InputError: a number that is not a prime, a prime of bad reduction or without an image of
+            the field of the entries, too few primes, or planes that are too many.
 
     Complexity: C(m + 1, r) determinants for m planes of rank r (of the cone, if affine), and
     q^(d-1) m log m operations for each prime q.
@@ -80,7 +80,7 @@ def points_off(arrangement: Planes, prime: int) -> int:
     Along each line in the last direction, the points on planes are counted.
 
     Raises:
-        InputError: a number that is no prime, or too large, or has no image of the field.
+        InputError: a number that is not a prime, or too large, or has no image of the field.
 
     >>> from arrangement import Arrangement
     >>> points_off(Arrangement([[1, 0], [0, 1], [1, 1]]), 5)
@@ -169,7 +169,7 @@ def _check_prime(q: int, arrangement: Planes) -> None:
     from sympy import isprime
 
     if type(q) is not int or not isprime(q):
-        raise InputError(f"{shown(q)} is no prime; give prime numbers")
+        raise InputError(f"{shown(q)} is not a prime; give prime numbers")
     if not _has_image(arrangement, q):
         raise InputError(
             f"the entries in {arrangement.field!r} have no image modulo {q}: the polynomial has no "

@@ -169,7 +169,7 @@ def _read_choice(colour: Choice | None) -> tuple[str | Painter | None, list[str]
     for text in found:
         if not is_color_like(text):
             raise InputError(
-                f"{shown(text)} is no colour; give names or #rrggbb, such as gold,#0af"
+                f"{shown(text)} is not a colour; give names or #rrggbb, such as gold,#0af"
             )
     return name or None, [to_hex(text) for text in found]
 

@@ -126,7 +126,7 @@ class DualPolyhedron(Shown):
         _check_supporting_planes(self)
         for face, (cycle, normal) in enumerate(zip(self.faces, self.face_normals, strict=True)):
             if not _is_convex_polygon([self.integer_vertices[v] for v in cycle], normal):
-                raise ArrangementError(f"face {face} is no convex polygon, seen from outside")
+                raise ArrangementError(f"face {face} is not a convex polygon, seen from outside")
 
     def _coordinates(self, size: float | None) -> npt.NDArray[np.float64]:
         """Return the vertices as floats, each a correctly rounded ratio of integers, (V, 3)."""

@@ -74,7 +74,7 @@ def generators(arrangement: Planes, lengths: Iterable[Any] | None, rank: int) ->
 
 @dataclass(frozen=True, slots=True, repr=False)
 class _FlatDual(Shown):
-    """A dual that is no polyhedron.
+    """A dual that is not a polyhedron.
 
     Attributes:
         arrangement: the planes.
@@ -90,7 +90,7 @@ class _FlatDual(Shown):
 class DualPolygon(_FlatDual):
     """The dual of a pencil of k distinct planes in R^d: a centrally symmetric polygon, 2k corners.
 
-    It lies in the plane spanned by the normals. It is no polyhedron: its graph is one cycle, and
+    It lies in the plane spanned by the normals. It is not a polyhedron: its graph is one cycle, and
     it has two sides instead of faces, so nothing of `DualPolyhedron` applies to it.
     """
 

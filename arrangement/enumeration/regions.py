@@ -82,7 +82,7 @@ def distances(planes: Planes, regions: FaceSequence, base: Face) -> list[int]:
     """Return for each region how many distinct planes separate it from the base.
 
     Raises:
-        InputError: if the base is no region of these planes.
+        InputError: if the base is not a region of these planes.
     """
     if not isinstance(base, Face) or base.planes != planes or not all(base.signs):
         raise InputError(

@@ -1,4 +1,4 @@
-"""Arguments of functions that are no exact numbers: sequences, integers, Booleans."""
+"""Arguments of functions that are not exact numbers: sequences, integers, Booleans."""
 
 from __future__ import annotations
 

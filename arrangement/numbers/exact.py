@@ -73,7 +73,7 @@ def rational(value: Rational, name: str = "number") -> Fraction:
         return Fraction(numerator, denominator)
     if hasattr(value, "p") and hasattr(value, "q"):  # python-flint's fmpq
         return Fraction(int(value.p), int(value.q))
-    # Arrays, which have lengths, are no numbers.
+    # Arrays, which have lengths, are not numbers.
     if hasattr(value, "__index__") and not hasattr(value, "__len__"):  # fmpz, mpz
         return Fraction(value.__index__())
     raise InputError(

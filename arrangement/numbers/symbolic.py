@@ -124,7 +124,7 @@ def equations_of(
 
 
 def listed(values: Any, name: str) -> list[Any]:
-    """Return values as a list; refuse a text, and what is no sequence."""
+    """Return values as a list; refuse a text, and what is not a sequence."""
     if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
         raise InputError(f"{name} is {shown(values)}; give a sequence of {name}")
     return list(values)

@@ -19,7 +19,7 @@ from arrangement.numbers.exact import RationalVector, rational, shown
 _EQUATION = re.compile(r"(?=.*[A-Za-z])[\w\s.+*/-]+=[\w\s.+*/-]+")
 #: The name of a coordinate in a form without an equality sign; other words may be anything.
 _COORDINATE = re.compile(r"[A-Za-z](?:_?[0-9]+)?", re.ASCII)
-#: A number such as 1e5, which is no number times a coordinate e5.
+#: A number such as 1e5, which is not a number times a coordinate e5.
 _DECIMAL_POWER = re.compile(r"[0-9][eE][0-9]")
 #: A sign, a number, and a name; either of the two last may be missing.
 _TERM = re.compile(
@@ -57,7 +57,7 @@ def planes_of_text(
         line = given.replace("\u2212", "-")
         if "=" not in line and not is_equation(line):
             raise InputError(
-                f"{shown(line)} is no linear form in coordinates such as x or x1; write such as "
+                f"{shown(line)} is not a linear form in coordinates such as x or x1; write such as "
                 "2*x - 1/2*y + 1 = 0"
             )
         left, _, right = line.partition("=")

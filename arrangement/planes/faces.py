@@ -226,7 +226,7 @@ class Face(Shown):
 
     def _check(self, other: Face) -> None:
         if not isinstance(other, Face) or other.planes != self.planes:
-            raise InputError(f"{shown(other)} is no face of these planes: {self.planes!r}")
+            raise InputError(f"{shown(other)} is not a face of these planes: {self.planes!r}")
 
     @cached_property
     def _walls(self) -> tuple[tuple[int, int], ...]:

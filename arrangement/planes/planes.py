@@ -326,7 +326,7 @@ class Planes:
 
 
 def _listed(normals: Any) -> list[Any]:
-    """Return the rows of the input as a list, refusing what is no sequence."""
+    """Return the rows of the input as a list, refusing what is not a sequence."""
     if hasattr(normals, "tolist"):  # SymPy's matrices and arrays run through their entries
         normals = normals.tolist()
     if isinstance(normals, (str, bytes)) or not isinstance(normals, Iterable):

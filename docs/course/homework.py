@@ -15,7 +15,7 @@ def wrench(answer):
 @exercise("Lesson 1: a unit vector within 1/1000 of the direction (1, 1).", of="numbers", points=2)
 def unit_vector(answer):
     if len(answer) != 2 or sum(x * x for x in answer) != 1:
-        return "this is no unit vector of the plane"
+        return "this is not a unit vector of the plane"
     x, y = answer
     return abs(x - y) * 1000 <= x + y or "it is too far from (1, 1)"
 

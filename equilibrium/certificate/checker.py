@@ -175,8 +175,8 @@ def check(
         max_displacement: with a question, the largest displacement it has to be about.
 
     Raises:
-        InputError: this is no certificate, whatever its numbers are: wrong keys or types, floats, a
-            split that does not fit its region. A wrong proof is a false report instead.
+        InputError: this is not a certificate, whatever its numbers are: wrong keys or types,
+            floats, a split that does not fit its region. A wrong proof is a false report instead.
 
     Complexity: O(m) integer operations for each node of the tree.
     """
@@ -336,7 +336,7 @@ def placed_leaves(
     """Yield the leaves of a tree with their places, in the order of the document.
 
     Raises:
-        CertificateError: what stands in a place is no node, or a split that does not fit there.
+        CertificateError: what stands in a place is not a node, or a split that does not fit there.
     """
     region: list[Generator] = []
     if isinstance(question, IntegerQuestion):

@@ -203,7 +203,7 @@ def read_node(content: Any, path: str, contacts: int, dimension: int) -> Leaf | 
     """Return a node of a tree; what its children are is not looked at.
 
     Raises:
-        InputError: this is no node for so many contacts; the message has the path.
+        InputError: this is not a node for so many contacts; the message has the path.
     """
     size = SIZES[dimension]
     if isinstance(content, (list, tuple)):
@@ -266,7 +266,9 @@ def _by_contacts(given: Any, where: str, contacts: int) -> dict[int, Any]:
     known = {str(i): i for i in range(contacts)} if given else {}
     for key in given:
         if key not in known:
-            raise CertificateError(f"{where}: {shown(key)} is no contact from 0 to {contacts - 1}")
+            raise CertificateError(
+                f"{where}: {shown(key)} is not a contact from 0 to {contacts - 1}"
+            )
     return {known[key]: row for key, row in given.items()}
 
 

@@ -64,7 +64,7 @@ def robust_problem(document: Mapping[str, Any], grasp: Grasp, wrench: RationalVe
     """Return what is wrong with a proof for all grasps within bounds, or nothing.
 
     Raises:
-        InputError: this is no such proof, whatever its numbers are.
+        InputError: this is not such a proof, whatever its numbers are.
     """
     bounds, n = read_bounds(document), len(wrench)
     if document["certificate"] == "not resisted":
@@ -193,7 +193,7 @@ class Holding:
         return needed, problem
 
     def problem(self, reach: RationalVector, energy: Fraction) -> str:
-        """Return why this is no proof, or nothing."""
+        """Return why this is not a proof, or nothing."""
         if min(*reach, energy) <= 0:
             return "reach and energy are not above 0"
         if unfelt := self.unfelt():

@@ -60,7 +60,7 @@ class Bounds(Shown):
                 )
             object.__setattr__(self, name, found)
         if given:
-            raise GraspError(f"{shown(min(given))} is no bound; known are {', '.join(LARGEST)}")
+            raise GraspError(f"{shown(min(given))} is not a bound; known are {', '.join(LARGEST)}")
 
     @property
     def angle(self) -> Fraction:

@@ -25,7 +25,7 @@ STIFFNESS_ASSUMED = (
 
 
 def read_displacement(value: Any) -> Fraction | None:
-    """Return the largest displacement that counts; None is no bound.
+    """Return the largest displacement that counts; None means unbounded.
 
     Raises:
         InputError: no exact number, or one below 0.

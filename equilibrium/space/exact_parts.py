@@ -43,7 +43,7 @@ _ALONG = 1e-6
 
 
 class StateProgram:
-    """The program of one node; for each row that is no cone's, what it adds to a leaf.
+    """The program of one node; for each row that is not a cone's, what it adds to a leaf.
 
     Args:
         cones: of each contact, the conditions on its forces besides that the normal one is at

@@ -37,7 +37,7 @@ from equilibrium.plane.contact_rows import (
 )
 from equilibrium.plane.states.state_system import States
 
-#: Above this number, images that are no vertices are left out.
+#: Above this number, images that are not vertices are left out.
 _MANY = 40
 #: The states with a normal force, and the number of each state in arrays.
 _TOUCHING = ("stick", "slip+", "slip-")

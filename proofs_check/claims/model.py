@@ -196,7 +196,7 @@ CLAIMS = (
     ),
     stated(
         "model-states",
-        # The slip of a contact that is detached is no state.
+        # The slip of a contact that is detached is not a state.
         lambda grasp: len(_choices_of_faces(grasp)),
         lambda grasp: _by_elimination(grasp)[1],
         judge=lambda grasp, states: (

@@ -188,7 +188,7 @@ def _decided(question: Question) -> Verdict:
 def _checked(question: Question) -> int:
     report = _decided(question).verify()
     if not report or not report.leaves:
-        raise ValueError(f"the certificate is no proof: {report}")
+        raise ValueError(f"the certificate is not a proof: {report}")
     return report.leaves
 
 

@@ -90,7 +90,7 @@ class Chosen:
 
 
 def _edge_counts_by_hull(chosen: Chosen) -> tuple[int, int]:
-    """Adjacencies that are no edges of the hull, and edges of it that are no adjacencies."""
+    """Adjacencies that are not edges of the hull, and edges of it that are not adjacencies."""
     found = representative_hull(dual_polyhedron(chosen.planes), chosen.points)
     return len(found.missing), len(found.hull.true_edges - found.adjacencies)
 

@@ -159,7 +159,7 @@ def grade(exercises: Mapping[str, Exercise], source: Source) -> dict[str, Graded
     which key was meant for it, as far as one can tell.
 
     Raises:
-        InputError: this is no file of answers.
+        InputError: this is not a file of answers.
     """
     document = read_document(source, ("answers",), floats=True)
     check_keys(document, ("schema_version", "answers"), ("description",), "the file of answers")
@@ -179,7 +179,9 @@ def _no(id: str, strange: Sequence[str]) -> str:
     """Return that there is no answer, and the key that was perhaps meant for it."""
     near = get_close_matches(id, strange, 1)
     return (
-        f"no answer; {shown(near[0])} is no exercise, was this one meant?" if near else "no answer"
+        f"no answer; {shown(near[0])} is not an exercise, was this one meant?"
+        if near
+        else "no answer"
     )
 
 
@@ -210,7 +212,7 @@ def _states(answer: Any) -> frozenset[tuple[str, ...]]:
     """Read a list of states; each is a text of signs, or a list of words."""
     for state in check_list(answer, "the answer"):
         if not isinstance(state, (str, list)) or not all(isinstance(one, str) for one in state):
-            raise InputError(f'{shown(state)} is no state; write "+-0" or ["slip+", "stick"]')
+            raise InputError(f'{shown(state)} is not a state; write "+-0" or ["slip+", "stick"]')
     return frozenset(map(tuple, answer))
 
 

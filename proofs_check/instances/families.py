@@ -138,7 +138,7 @@ def read_family(text: str) -> Family:
     """
     found = _CALL.fullmatch(text.strip())
     if found is None:
-        raise OwnClaimError(f"{shown(text)} is no family; write one as catalan(n=2..8)")
+        raise OwnClaimError(f"{shown(text)} is not a family; write one as catalan(n=2..8)")
     values: dict[str, list[str]] = {}
     for part in (found[2] or "").split(",") if (found[2] or "").strip() else ():
         key, equals, value = (x.strip() for x in part.rpartition("="))
@@ -147,7 +147,7 @@ def read_family(text: str) -> Family:
         elif not equals and values:
             values[next(reversed(values))].append(value)  # of a list, or of edges such as 1-2,2-3
         else:
-            raise OwnClaimError(f"{shown(part)} in {shown(text)} is no parameter; write n=2..8")
+            raise OwnClaimError(f"{shown(part)} in {shown(text)} is not a parameter; write n=2..8")
     return family(found[1], **{key: _read(parts) for key, parts in values.items()})
 
 

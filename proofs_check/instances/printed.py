@@ -1,7 +1,7 @@
 """The numbers of the paper, character by character as printed in its tables.
 
-[HaasHeger2018], the three tables. Nothing here is computed or corrected. A cell that is no vector
-of numbers is a misprint; `read_vector` says so and returns the reading that is assumed.
+[HaasHeger2018], the three tables. Nothing here is computed or corrected. A cell that is not a
+vector of numbers is a misprint; `read_vector` says so and returns the reading that is assumed.
 """
 
 from __future__ import annotations

@@ -154,7 +154,7 @@ def named(name: str) -> tuple[Claim, ...]:
     """
     file, id = split(name)
     if file is None:
-        raise OwnClaimError(f"{shown(name)} is no file of claims; give FILE.py or FILE.py:ID")
+        raise OwnClaimError(f"{shown(name)} is not a file of claims; give FILE.py or FILE.py:ID")
     claims = tuple(load(file))
     chosen = tuple(claim for claim in claims if id in ("", claim.id))
     if not chosen:

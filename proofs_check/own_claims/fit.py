@@ -112,7 +112,7 @@ def _values(
     for parameters, value in pairs:
         if isinstance(value, bool) or not isinstance(value, Number):
             raise OwnClaimError(
-                f"{quantity} is {shown(value)} for {name} = {parameters[name]}, which is no "
+                f"{quantity} is {shown(value)} for {name} = {parameters[name]}, which is not a "
                 "number; name a count, such as regions or f_vector[1]"
             )
         found[parameters[name]] = value

@@ -161,7 +161,7 @@ def _check(node: ast.expr, text: str, names: Collection[str]) -> None:
     match node:
         case ast.Name(id=name):
             if name not in names:
-                mistake = f"{shown(name)} is no quantity"
+                mistake = f"{shown(name)} is not a quantity"
                 listed = [*QUANTITIES, "chi(t)", *sorted({*names} - {*QUANTITIES})]
                 raise OwnClaimError(str(refusal(mistake, name, listed)))
         case ast.Constant(value=int(number)) if (
@@ -294,13 +294,13 @@ class _Computed:
 def _number(value: Any) -> int | Fraction:
     """Return a number that arithmetic may take."""
     if not isinstance(value, _COMPUTED):
-        raise TypeError(f"{shown(value)} is no number")
+        raise TypeError(f"{shown(value)} is not a number")
     return value
 
 
 def _power(base: int | Fraction, exponent: int | Fraction) -> int | Fraction:
     if not isinstance(exponent, int) or abs(exponent) > _BITS:
-        raise ValueError(f"the exponent {shown(exponent)} is no integer up to {_BITS}")
+        raise ValueError(f"the exponent {shown(exponent)} is not an integer up to {_BITS}")
     if max(map(int.bit_length, base.as_integer_ratio())) * abs(exponent) > _BITS:
         raise ValueError(f"the power has more than {_BITS} bits")
     return Fraction(base) ** exponent if exponent < 0 else base**exponent

@@ -2,8 +2,8 @@
 
 Rivin's criterion, for a planar 3-connected graph: it is that of a convex polyhedron with all
 vertices on a sphere exactly when its edges have weights, each strictly between 0 and 1/2, that sum
-to 1 around every vertex and to more than 1 over every cycle of the planar dual that is no face of
-it. Source: I. Rivin, Annals of Mathematics 143 (1996).
+to 1 around every vertex and to more than 1 over every cycle of the planar dual that is not a face
+of it. Source: I. Rivin, Annals of Mathematics 143 (1996).
 
 The planar dual of the graph of regions is the arrangement itself: its vertices are rays, and the
 cycle around a region is the face of that region. Here cycles are listed outright, up to the weight

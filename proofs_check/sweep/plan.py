@@ -48,7 +48,7 @@ class Plan:
         return range(start, min(start + self.chunk, self.samples))
 
     def record(self) -> dict[str, Any]:
-        """Return the plan for JSON; where the claim is found is no part of it."""
+        """Return the plan for JSON; where the claim is found is not part of it."""
         entries = asdict(self)
         del entries["source"]
         if not self.types:

@@ -198,10 +198,10 @@ def create(path: str, plan: Plan, claim: Mapping[str, Any]) -> Store:
         claim: what the claim says, kept in a new store.
 
     Raises:
-        SweepError: the file is no store, belongs to another plan, or cannot be written.
+        SweepError: the file is not a store, belongs to another plan, or cannot be written.
     """
     if path in ("", ":memory:"):
-        raise SweepError(f"the store is {path!r}, which is no file; name one")
+        raise SweepError(f"the store is {path!r}, which is not a file; name one")
     with _opened(path, path) as connection:
         if connection.execute("SELECT count(*) FROM sqlite_master").fetchone()[0]:
             _checked(path, connection)
@@ -217,7 +217,7 @@ def read(path: str) -> Store:
     """Open an existing store for reading, also while it is being written.
 
     Raises:
-        SweepError: there is no such file, or it is no store.
+        SweepError: there is no such file, or it is not a store.
     """
     if not Path(path).is_file():
         raise SweepError(f"there is no store {path}; proofs-check sweep makes one")

@@ -216,7 +216,7 @@ def test_primes_of_bad_reduction_are_refused():
     with pytest.raises(InputError, match=r"bad reduction: modulo 2 the planes \[2, 3\]"):
         counts.by_points(planes, [2, 5])
     for number in (4, "7"):
-        with pytest.raises(InputError, match=r"[47]'? is no prime"):
+        with pytest.raises(InputError, match=r"[47]'? is not a prime"):
             counts.by_points(planes, [3, number])
     with pytest.raises(InputError, match="give at least 2"):
         counts.by_points(planes, [3, 3])

@@ -222,7 +222,9 @@ def test_given_symmetries_are_checked():
     planes = families.braid(4)
     swapped = [planes.integer_planes.index((*e, 0)) for e in _swapped_coordinates(planes)]
     assert counts.first_whitney_numbers(planes, symmetry=[swapped]) == (1, -6, 11, -6)
-    with pytest.raises(InputError, match=r"symmetry\[0\] takes .* to .*, which is no automorphism"):
+    with pytest.raises(
+        InputError, match=r"symmetry\[0\] takes .* to .*, which is not an automorphism"
+    ):
         counts.first_whitney_numbers(planes, symmetry=[[1, 0, 2, 3, 4, 5]])
     for wrong in ([0, 0, 2, 3, 4, 5], [0, 1], ["a", 1, 2, 3, 4, 5]):
         with pytest.raises(InputError, match="each once"):

@@ -415,7 +415,7 @@ def test_motions_have_axes_and_other_spaces_when_asked():
 
 @pytest.mark.parametrize("name", ["braid-a3", "four-generic-planes", "coincident-planes"])
 def test_arrows_point_to_the_positive_side_of_each_plane(name):
-    """Both ends of an arrow, taken back to the sphere; a leader line is no arrow."""
+    """Both ends of an arrow, taken back to the sphere; a leader line is not an arrow."""
     planes = read_arrangement(name)
     scene = draw_sphere.scene(planes, camera=VIEW, sides=True, coordinates="given")
     ball = next(item for item in scene.items if item.role == "ball")
@@ -650,7 +650,7 @@ def test_own_colours_come_in_the_order_of_the_legend():
     assert fills("sides:gold,#00aaff") == {"#ffd700": "3 sides", "#00aaff": "4 sides"}
     assert fills(["gold", "#00aaff"]) == fills("gold,#00aaff") == fills("sides:gold,#00aaff")
     assert fills("orbits:gold,white") == {"#ffd700": "orbit of 6", "#ffffff": "orbit of 8"}
-    for colour, said in (("sides:gelb", "is no colour"), ("site:red", "did you mean sides")):
+    for colour, said in (("sides:gelb", "is not a colour"), ("site:red", "did you mean sides")):
         with pytest.raises(InputError, match=said):
             fills(colour)
 

@@ -112,7 +112,7 @@ HOSTILE: dict[str, tuple[str | bytes, str]] = {
     "a dimension in text": (document(dimension="3"), "dimension"),
     "a Boolean dimension": (document(planes=[["1"]], dimension=True), "dimension"),
     "a vast dimension": (document(planes=[], dimension=10**15), "dimension"),
-    "a description that is no text": (document(description=[1]), "description"),
+    "a description that is not a text": (document(description=[1]), "description"),
 }
 
 

@@ -97,7 +97,7 @@ def test_known_graphs(name):
 
 
 def all_cutsets(graph: PolyhedralGraph) -> Iterator[set[int]]:
-    """Yield one side of every minimal cutset that is no vertex star, by listing all sets."""
+    """Yield one side of every minimal cutset that is not a vertex star, by listing all sets."""
     network = graph.to_networkx()
     others = range(1, graph.vertex_count)
     for size in range(2, graph.vertex_count - 1):

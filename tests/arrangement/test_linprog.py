@@ -73,7 +73,7 @@ def check(problem: Problem, answer: Optimal | Infeasible | Unbounded) -> None:
 def by_elimination(problem: Problem) -> Any:
     """Return the optimal value, or the name of what else there is, without pivots or duality.
 
-    SymPy 1.14's simplex is no oracle: with y - z = 0 and y - z = 1 it finds an optimum.
+    SymPy 1.14's simplex is not an oracle: with y - z = 0 and y - z = 1 it finds an optimum.
     """
     objective, inequalities, equalities = problem
     bound = tuple(-c for c in objective)  # value - c.x >= 0

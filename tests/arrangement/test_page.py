@@ -167,7 +167,7 @@ def test_dragging_one_view_turns_both(view, browser, opened):
     after = shapes(browser)
     assert before[0] != after[0]
     assert before[1] != after[1]
-    assert facts(browser) == {}, "a drag is no click"
+    assert facts(browser) == {}, "a drag is not a click"
 
 
 def test_a_finger_turns_and_a_tap_chooses(browser, opened):

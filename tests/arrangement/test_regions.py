@@ -251,7 +251,7 @@ def test_wrong_questions_are_explained():
     for wrong in (region, edge):
         with pytest.raises(InputError, match="only bounded regions have a volume"):
             _ = wrong.volume
-    with pytest.raises(InputError, match="is no face of these planes"):
+    with pytest.raises(InputError, match="is not a face of these planes"):
         region.compose(other)
     for base in (other, edge, "++"):
         with pytest.raises(InputError, match="give a region of these planes"):

@@ -12,7 +12,7 @@ For each contact, with ``c_t = b - e``:
 
 and ``d = u - v`` with the three balances as two inequalities each, so that everything is one
 problem ``0 <= z | M z + h >= 0``. M is copositive, but Lemke's method may stop on a ray where a
-solution exists: its "no" is no proof, and its "yes" is a float.
+solution exists: its "no" is not a proof, and its "yes" is a float.
 """
 
 import json

@@ -56,7 +56,7 @@ def picture_table() -> None:
 def seconds(program: str, words: list[str], document: str) -> float:
     """Return the CPU time of a command on a document, infinite where it fails.
 
-    The answer "no" is no failure.
+    The answer "no" is not a failure.
     """
     name, *options = words
     with tempfile.TemporaryDirectory() as folder:

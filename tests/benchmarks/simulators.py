@@ -38,7 +38,7 @@ from equilibrium.scenes import FREQUENCY, MOTION, EngineScene, benchmark
 STEPS, NEVER = 8, 16
 #: A load grows in so many parts.
 PARTS = 50
-#: What is carried beyond is no creep.
+#: What is carried beyond is not creep.
 MOST_CREEP = 1 / 10
 #: Settled: damping carries at most this share of the usual force.
 REST = 1 / 100

@@ -26,7 +26,7 @@ def disagreements(asked: Question, verdict: Verdict | None = None) -> list[str]:
             problems.append(f"no piece contains the solution for {solution.states}")
     for piece in pieces:
         if not oracle.satisfies(grasp, wrench, piece.motion, piece.forces):
-            problems.append(f"the piece {piece.states} is no equilibrium")
+            problems.append(f"the piece {piece.states} is not an equilibrium")
     if not verdict.verify():
         problems.append("the certificate is refused")
     return problems

@@ -69,7 +69,7 @@ def is_stable(grasp: Grasp, wrench: tuple[Fraction, ...]) -> bool:
 
 
 def report_of(document: Any) -> Report | None:
-    """Return the report, or None for a document that is no certificate."""
+    """Return the report, or None for a document that is not a certificate."""
     try:
         return check(document)
     except InputError:

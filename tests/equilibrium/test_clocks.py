@@ -35,7 +35,7 @@ CLOCKS = {
 
 @pytest.fixture(scope="module")
 def files(tmp_path_factory):
-    """Return a grasp whose equilibria are no small motions, and a disc with rounded data."""
+    """Return a grasp whose equilibria are not small motions, and a disc with rounded data."""
     around = [
         (math.cos(math.radians(a)), math.sin(math.radians(a))) for a in (0, 72, 144, 216, 300)
     ]

@@ -48,7 +48,7 @@ class TestHull:
             assert min(dot(row, (*p, 1)) for p in cloud) == 0
         rank = np.linalg.matrix_rank(np.array(cloud) - np.array(cloud[0]))
         assert hull.dimension == rank
-        # An extreme point is no convex combination of the other points (scipy as oracle).
+        # An extreme point is not a convex combination of the other points (scipy as oracle).
         for p in set(cloud):
             others = [q for q in set(cloud) if q != p]
             rows = np.vstack([np.array(others, dtype=float).reshape(-1, 3).T, np.ones(len(others))])

@@ -137,7 +137,7 @@ def test_remainder_and_removed_parts_make_the_whole(whole, removed, value):
 
 
 def _middle(segment):
-    """A point of the segment that is no end, and generic."""
+    """A point of the segment that is not an end, and generic."""
     u, n = segment.direction, segment.normal
     if segment.start is not None and segment.end is not None:
         u = [b - a for a, b in zip(segment.start, segment.end, strict=True)]

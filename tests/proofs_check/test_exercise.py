@@ -54,7 +54,7 @@ def test_an_answer_is_read_or_refused_with_a_reason(of):
 
 
 def test_a_state_has_signs_or_words():
-    assert "is no state" in asked("states", lambda given: True).mark([["stick"], 3]).mistake
+    assert "is not a state" in asked("states", lambda given: True).mark([["stick"], 3]).mistake
 
 
 def test_a_certificate_is_judged_by_its_proof_and_its_question():
@@ -154,7 +154,7 @@ def sign(answer):
     assert main(["grade", "lecture.py", "class", "--json"]) == 2
     ada, bob, *_ = map(json.loads, capsys.readouterr().out.splitlines())
     assert (ada["points"], bob["points"]) == (8, "3/2")
-    assert "'some-where' is no exercise" in bob["exercises"][1]["mistake"]
+    assert "'some-where' is not an exercise" in bob["exercises"][1]["mistake"]
     (folder / "cy.json").unlink()
     (folder / "dan.json").unlink()
     assert main(["grade", "lecture.py", "class"]) == 1

@@ -26,7 +26,7 @@ COLUMNS = [
     *(("environments", name) for name in ("id", "record")),
     *(("chunks", name) for name in ("number", "environment", "milliseconds", "result", "checksum")),
 ]
-#: Null, other types, other JSON shapes, numbers of any size, what is no text.
+#: Null, other types, other JSON shapes, numbers of any size, what is not a text.
 VALUES: list[Any] = [
     *(None, 0, 1, 7, 99, -1, 2.5, 2**62, 1e300, b"", b"\xff\xfe", b"{}", "", "x", "[]", "{}", "3"),
     *("null", '{"counts":{}}', '{"counts":[],"smallest":[]}', "1" * 5000, "[" * 5000),

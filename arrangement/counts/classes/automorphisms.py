@@ -95,7 +95,7 @@ class Automorphisms:
         return count
 
     def verified(self, permutations: Sequence[Sequence[int]]) -> Permutations:
-        """Return given permutations of the vectors, or refuse one that is no automorphism."""
+        """Return given permutations of the vectors, or refuse one that is not an automorphism."""
         checked = []
         for number, given in enumerate(permutations):
             image = np.array([*given, *range(len(given), self.size)], dtype=np.intp)

@@ -8,7 +8,7 @@ has one part, and it does not matter which process makes which file, or how ofte
 A folder has the file ``plan.json`` and a folder for each rank. Files appear whole or not at all.
 The files that others made of the same arrangement can be copied to it. What is in them has a
 checksum over the plan, the rank, the part and the numbers, so that those of other planes, parts or
-ranks are refused; the checksum is no signature.
+ranks are refused; the checksum is not a signature.
 """
 
 from __future__ import annotations
@@ -302,7 +302,7 @@ def _read(root: str, rank: int, part: int, above: int | None = None) -> dict[str
                 raise KeyError(names[0])
             return {}
     except (AttributeError, KeyError, TypeError):
-        why = "it is no part of a count"
+        why = "it is not part of a count"
     except (OSError, ValueError, EOFError, BadZipFile, zlib.error) as error:
         why = reason(error)
     raise InputError(f"{place} cannot be read ({why}); delete it and run the command again")

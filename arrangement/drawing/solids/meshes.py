@@ -65,7 +65,7 @@ def model_bytes(parts: Sequence[ClosedSurface], kind: str, title: str) -> bytes:
 
     Raises:
         InputError: an unknown kind, a colour that is not of the form ``#rrggbb``.
-        ArrangementError: a part that is no solid any more in single precision.
+        ArrangementError: a part that is not a solid any more in single precision.
     """
     if kind not in _WRITERS:
         raise InputError(f"the file name ends in {shown(kind)}; known are {', '.join(KINDS)}")

@@ -139,7 +139,7 @@ def _maths(tokens: list[tuple[str, str]]) -> str:
 
 
 def _begins_number(tokens: list[tuple[str, str]], k: int) -> bool:
-    """Return whether a minus after a space and what is no operator belongs to the number after."""
+    """Return whether a minus after a space and a non-operator belongs to the number after."""
     if k < 2 or k + 1 == len(tokens) or not tokens[k - 1][1].isspace():
         return False
     return tokens[k + 1][0] == "number" and tokens[k - 2][1] not in _BEFORE_MINUS

@@ -141,7 +141,7 @@ class RepresentativeHull:
 
     @cached_property
     def missing(self) -> frozenset[Edge]:
-        """The adjacent pairs that are no edges of the hull."""
+        """The adjacent pairs that are not edges of the hull."""
         return self.adjacencies - self.hull.true_edges
 
 

@@ -41,7 +41,7 @@ class DualDistances:
     """Light cutsets of a plane graph, as short cycles of its dual.
 
     A minimal cutset of a plane graph is a cycle of its dual graph. A cycle through the dual of
-    edge uv is no vertex star exactly if it leaves out another edge at u and another one at v. So
+    edge uv is not a vertex star exactly if it leaves out another edge at u and another one at v. So
     the lightest cutset through uv is a shortest path between the two faces of uv, with uv and
     these two edges closed, for every choice of the two.
     """

@@ -56,7 +56,7 @@ def read_document(
 
     Raises:
         InputError: a file that cannot be read, is too long, is not UTF-8, is not strict JSON
-             (duplicate keys, NaN, floats, deep nesting), or is no such document.
+             (duplicate keys, NaN, floats, deep nesting), or is not such a document.
     """
     if isinstance(source, Mapping):
         document: Any = dict(source)

@@ -61,7 +61,7 @@ class NumberField:
 
     Raises:
         InputError: a polynomial that is reducible, or of degree 1, or above `MAX_DEGREE`; an
-            interval without a root, which is no real embedding, or with more than one.
+            interval without a root, which is not a real embedding, or with more than one.
 
     >>> golden = NumberField([-1, -1, 1], [1, 2])
     >>> golden, golden.root, golden.root * golden.root - golden.root

@@ -26,7 +26,7 @@ class FloatProgram:
     Args:
         rows: (k, n + 1), constant last.
         basis: of n independent rows; the last is ``constant - x_n``, and the others together
-            with it are no obstacle to a larger x_n: with the objective their multipliers are 0.
+            with it are not an obstacle to a larger x_n: with the objective their multipliers are 0.
 
     Attributes:
         point: (n,), with equality in the rows of the basis.

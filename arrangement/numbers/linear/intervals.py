@@ -27,7 +27,7 @@ def where_positive(rows: Iterable[tuple[Fraction | int, Fraction | int]]) -> Int
     >>> where_positive([(1, -2), (-1, 5)])
     (Fraction(2, 1), Fraction(5, 1))
     """
-    # Ends as numerator and positive denominator: most are no ends in the end, and need no gcd.
+    # Ends as numerator and positive denominator: most are not ends in the end, and need no gcd.
     low: tuple[Fraction | int, Fraction | int] | None = None
     high: tuple[Fraction | int, Fraction | int] | None = None
     for slope, constant in rows:

@@ -69,7 +69,7 @@ def draw_dual(
 
     With `hull` the second panel has instead the convex hull of one point of the unit sphere for
     each region (see `arrangement.duals.inscribed.hull`). Edges of the hull between
-    regions that are not adjacent stand out, and so do adjacencies that are no edges of the hull;
+    regions that are not adjacent stand out, and so do adjacencies that are not edges of the hull;
     the legend counts them.
 
     Elements: in the first panel as for the sphere; in the second ``vertex-3``, ``edge-7``, and

@@ -117,10 +117,10 @@ def _polyhedron(dual: DualPolyhedron, direction: IntegerVector, axes: Floats) ->
 
 
 def hull_solid(hull: RepresentativeHull, direction: IntegerVector, axes: Floats) -> SeenSolid:
-    """Return the hull of representatives; edges that are no edges of the hull come last.
+    """Return the hull of representatives; edges that are not edges of the hull come last.
 
-    The class of an edge is -1 for an edge of the hull alone and -2 for an adjacency that is no
-    edge of the hull; the latter is a chord, hidden if its middle is.
+    The class of an edge is -1 for an edge of the hull alone and -2 for an adjacency that is not
+    an edge of the hull; the latter is a chord, hidden if its middle is.
     """
     points = [tuple(map(Fraction, point)) for point in hull.hull.points]
     corners = ([points[v] for v in triangle] for triangle in hull.hull.triangles)

@@ -38,7 +38,7 @@ def cut_out(
         Planes of R^3 with the signs of the given ones, and the equation in given coordinates.
 
     Raises:
-        InputError: other planes, a hyperplane that is no such one, or parallel to one of them.
+        InputError: other planes, a hyperplane that is not one, or parallel to one of them.
     """
     space = brought(arrangement, "section")
     matrix = coordinate_map(coordinates, space)

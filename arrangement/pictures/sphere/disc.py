@@ -196,7 +196,7 @@ def label_regions(
         names: counts those that are left out.
         outlines: of the regions.
         lines: all lines drawn, each (k, 2); no label covers one.
-        inner: those among them that are no borders of regions.
+        inner: those among them that are not borders of regions.
         within: a part of the scene that leader lines must not leave.
     """
     off = keep_off(inner)

@@ -52,7 +52,7 @@ def read_any(
         angle_tolerance, tolerance, as_given: as in `read_csv`, where normals are rounded.
 
     Raises:
-        InputError: for anything that is no grasp.
+        InputError: for anything that is not a grasp.
 
     >>> read_any("paper-three-contacts").exact
     True

@@ -155,7 +155,7 @@ class _GlbScene:
         begin, start = view.get("byteOffset", 0), accessor.get("byteOffset", 0)
         count, length = accessor["count"], view["byteLength"]
         if any(type(k) is not int or k < 0 for k in (step, begin, start, count, length)):
-            raise GraspError(f"accessor {number} has sizes that are no whole numbers")
+            raise GraspError(f"accessor {number} has sizes that are not whole numbers")
         needed = start + (count - 1) * step + width * dtype.itemsize if count else 0
         if needed > length or begin + length > len(self.data) or step < dtype.itemsize:
             raise GraspError(

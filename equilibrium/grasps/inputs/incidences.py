@@ -261,7 +261,7 @@ class _Work:
 
     @property
     def _least(self) -> int:
-        """How many lines that meet are no accident."""
+        """How many lines that meet are not an accident."""
         return 3 if self.n == 2 else 2
 
     def _normals(self, clusters: list[tuple[list[int], Floats]]) -> list[UnitNormal]:

@@ -76,7 +76,7 @@ class Surface:
         """Return the surface of some triangles; equal points are joined first."""
         points = np.asarray(points, np.float64) + 0.0  # no negative zeros
         if not len(facets) or not np.isfinite(points).all():
-            raise GraspError(f"{name} has no facets, or points that are no numbers; give a mesh")
+            raise GraspError(f"{name} has no facets, or points that are not numbers; give a mesh")
         order, new = grouped(np.ascontiguousarray(points).view(np.uint64))
         label = np.empty(len(points), np.intp)
         label[order] = np.cumsum(new) - 1

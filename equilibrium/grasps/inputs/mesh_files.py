@@ -77,21 +77,21 @@ def read_triangles(path: Path) -> Triangles:
         )
     content = read_bytes(path, str(path), "bytes of a mesh")
     try:
-        with np.errstate(invalid="ignore", over="ignore"):  # what is no number is refused below
+        with np.errstate(invalid="ignore", over="ignore"):  # what is not a number is refused below
             points, facets = read(content)
     except OutOfReachError:
         raise
     except InputError as error:
-        raise GraspError(f"{path} is no mesh that can be read: {error}") from None
+        raise GraspError(f"{path} is not a mesh that can be read: {error}") from None
     check_size(len(facets), len(points))
     if not len(facets):
         raise GraspError(f"{path} has no facets; give a mesh with a closed surface")
     if not (np.abs(points) <= _FARTHEST).all():
-        raise GraspError(f"{path} has coordinates that are no numbers, or beyond 1e60")
+        raise GraspError(f"{path} has coordinates that are not numbers, or beyond 1e60")
     if facets.min() < 0 or facets.max() >= len(points):
         worst = facets.min() if facets.min() < 0 else facets.max()
         raise GraspError(
-            f"{path} is no mesh that can be read: a facet names vertex {worst}; there are "
+            f"{path} is not a mesh that can be read: a facet names vertex {worst}; there are "
             f"{len(points)}, counted from 0"
         )
     return points, facets
@@ -280,7 +280,7 @@ def _ply_elements(lines: Iterable[list[str]]) -> list[tuple[str, int, list[_PlyP
 
 
 def _text(content: bytes) -> str:
-    """Return a text; bytes that are not UTF-8, as in names, are no numbers."""
+    """Return a text; bytes that are not UTF-8, as in names, are not numbers."""
     return content.decode("utf-8", errors="replace")
 
 

@@ -124,7 +124,7 @@ def from_polygon(
         places: for each contact an `OnEdge`, or its coordinates, which must lie exactly on the
             boundary and not in a corner.
         friction, stiffness, preload: one for all or one for each contact.
-        angle_tolerance: an edge whose length is no rational has no exactly unit rational normal;
+        angle_tolerance: an edge whose length is not rational has no exactly unit rational normal;
             the nearest simple one within this is taken and the error reported.
         tolerance, as_given: as in `read_csv`, where normals are rounded.
 

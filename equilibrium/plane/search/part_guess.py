@@ -85,7 +85,7 @@ class PartGuess:
         return scale
 
     def _own_rows(self) -> Floats:
-        """Return the rows that are no bounds of the work; of what is free at first, two more."""
+        """Return the rows that are not bounds of the work; of what is free at first, two more."""
         part, n = self.part, self.part.size
         rows = np.zeros((6 + len(part.bounds) + 2 * len(part.sticks), n + 1))
         for k in range(3):

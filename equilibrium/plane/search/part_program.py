@@ -282,7 +282,7 @@ class PartProgram:
         for j, g in enumerate(region.weight):
             work = np.where(region.presses[j], region.spring[j], 0).dot(least)
             work += sum(x * numbers[column] for column, x in self._own_entries(j).items())
-            # The load alone is no integer.
+            # The load alone is not an integer.
             work = work * load.denominator + load.numerator * g
             if work < 0 or (g and not work):
                 return False

@@ -60,7 +60,7 @@ def write_equations(arrangement: Arrangement) -> str:
 
 
 def recognises(text: str) -> bool:
-    """Whether a text has numbers alone, and is no value of JSON."""
+    """Whether a text has numbers alone, and is not a value of JSON."""
     plain = _REMARK.sub("", text).strip()
     return _MATRIX.fullmatch(plain) is not None and _VALUE.fullmatch(plain) is None
 

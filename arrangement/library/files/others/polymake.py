@@ -104,7 +104,7 @@ def read_oscar(text: str) -> Arrangement:
     data = json_object(text)
     kind = json.dumps([data.get("_type"), data.get("_refs")])
     if '"MatElem"' not in kind:
-        raise InputError("the object is no matrix; save the matrix of normals")
+        raise InputError("the object is not a matrix; save the matrix of normals")
     if not any(ring in kind for ring in _RINGS):
         raise InputError("the matrix is not over QQ or ZZ")
     rows = [check_list(row, "a row") for row in check_list(data.get("data"), "data")]

@@ -46,7 +46,7 @@ def read_form(text: str, names: Sequence[str]) -> list[Fraction | int]:
         term = _TERM.match(text, place)
         if term is None or (place and not term[1]):
             raise InputError(
-                f"{shown(text)} is no linear form such as 3*x + 2*y - 7 in {', '.join(names)}"
+                f"{shown(text)} is not a linear form such as 3*x + 2*y - 7 in {', '.join(names)}"
             )
         name = term[3] or term[4]
         if name and name not in names:
@@ -241,7 +241,7 @@ def read_macaulay2(text: str) -> Arrangement:
     if found is None:
         raise InputError("there is no arrangement {...} outside remarks")
     if re.search(r"\bdual\s*\(?\s*$", plain[: found.start()]):
-        raise InputError("the dual of an arrangement is no list of planes; write its planes")
+        raise InputError("the dual of an arrangement is not a list of planes; write its planes")
     content = inside(plain, found.end(), "{}")
     rings = _RING.finditer(plain, 0, found.start())
     known = [(ring[1], ring[2], _variables(ring[3])) for ring in rings]

@@ -1,4 +1,4 @@
-// Fields of exact numbers. What is no number is marked, is told, and changes nothing.
+// Fields of exact numbers. What is not a number is marked, is told, and changes nothing.
 
 // A labelled field; `accept` takes the value, and returns what is wrong with it, if anything. Without
 // a parent the field with this id is meant. After typing, writeFields() shows what the state has.

@@ -41,7 +41,7 @@ async function exerciseWritten() {
   if (!name || !task) throw new Error("give it a name and a task");
   const found = { name, task, hints, start: editor.start, fixed: chosenOf("own-fixed"), goal: goalAsked() };
   const here = await judge(found);
-  if (!here.solved) throw new Error(`what the page shows is no solution: ${here.words}`);
+  if (!here.solved) throw new Error(`what the page shows is not a solution: ${here.words}`);
   for (const kind of Object.keys(found.goal)) found.goal[kind] = here.value;
   if ((await judge(found, startOf(found.start))).solved) throw new Error("the start solves it already");
   return found;

@@ -1,4 +1,4 @@
-// Exact fields and sliders for the chosen contact and the load. What is no number is marked, and
+// Exact fields and sliders for the chosen contact and the load. What is not a number is marked, and
 // changes nothing.
 const LIMITS = { friction: [0, 2], stiffness: [0.1, 4], preload: [0, 4] };
 const NAMES = { friction: "friction μ", stiffness: "stiffness k", preload: "preload q" };

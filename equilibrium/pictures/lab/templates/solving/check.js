@@ -98,11 +98,11 @@ function leafProblem({ scale, wrench, contacts }, region, states, leaf) {
   return bad < 0 ? "" : `at the generator (${region[bad].v.join(", ")}) the work of load and contacts is not above 0`;
 }
 
-// A certificate as a document: { valid, certificate, leaves, problem }. What is no certificate is an Error.
+// A certificate as a document: { valid, certificate, leaves, problem }. What is not a certificate is an Error.
 function checkDocument(document) {
   const kind = document?.certificate;
   if (document?.schema_version !== 3 || !["resisted", "not resisted"].includes(kind)) {
-    throw new Error("this is no certificate: it needs \"schema_version\": 3 and \"certificate\"");
+    throw new Error("this is not a certificate: it needs \"schema_version\": 3 and \"certificate\"");
   }
   if (Object.hasOwn(document, "max_displacement")) {
     throw new Error("the certificate has a max_displacement, and this checker knows no bounded displacements");

@@ -66,7 +66,7 @@ function numberOf(value, where) {
 // Throws an Error that says what is wrong.
 function readGrasp(document) {
   if (!Array.isArray(document?.contacts) || document.schema_version !== 1) {
-    throw new Error("this is no grasp: it needs \"schema_version\": 1 and a list \"contacts\"");
+    throw new Error("this is not a grasp: it needs \"schema_version\": 1 and a list \"contacts\"");
   }
   return document.contacts.map((entry, i) => {
     const number = (value, name) => numberOf(value, `contact ${i + 1}: ${name}`);

@@ -3,7 +3,7 @@
 // Throws an error that says what is wrong.
 function readArrangement(document) {
   if (document === null || typeof document !== "object" || Array.isArray(document) || !Array.isArray(document.planes)) {
-    throw new Error('this is no arrangement: it needs "planes", a list of normals');
+    throw new Error('this is not an arrangement: it needs "planes", a list of normals');
   }
   const { planes, offsets } = document;
   const dimension = planes.length ? planes[0]?.length : document.dimension ?? 3;

@@ -49,7 +49,7 @@ const meetingLists = ({ circles, infinity, members }) => circles.crossings
 function meetingProblem(lists, { normals }) {
   const used = [...new Set(lists.flat())];
   const missing = used.find((k) => !normals[k - 1]);
-  if (missing) return `there is no line ${missing}.`;
+  if (missing) return `there is not a line ${missing}.`;
   const places = new Map(used.map((k) => [unoriented(normals[k - 1]).join(), k]));
   if (places.size < used.length) return "two lines coincide.";
   const points = new Set();
