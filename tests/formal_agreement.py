@@ -1,4 +1,4 @@
-"""The proved checker beside the one in Python: one answer for each document, or exit code 1.
+"""The verified checker beside the one in Python: one answer for each document, or exit code 1.
 
 Documents are the solver's certificates, and trees of other shapes, for questions in which
 degenerate cases are common, in the plane and in space; mutants of each are changed in one place, in
@@ -230,7 +230,7 @@ def _new_answer(path: Path) -> tuple[str, Any]:
 
 
 def program_answers(program: Path, paths: list[Path], *options: str) -> list[str]:
-    """Return the lines that the proved checker prints, one for each file."""
+    """Return the lines that the verified checker prints, one for each file."""
     lines: list[str] = []
     for start in range(0, len(paths), BATCH):
         batch = paths[start : start + BATCH]
@@ -276,7 +276,7 @@ def compare(program: Path, number: int, changed: int, seed: int, folder: Path) -
     missing = [answer for answer in ANSWERS if changed and not counted[False, answer]]
     if missing:
         print(f"no mutant is {' or '.join(missing)}")
-    print(f"{differences} disagreements of the Python checker and the proved one")
+    print(f"{differences} disagreements of the Python checker and the verified one")
     return differences + len(missing)
 
 

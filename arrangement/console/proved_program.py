@@ -42,7 +42,7 @@ def ask_proved(
     code, said = _run(arguments, text, error, seconds)
     answer, _, rest = said.strip().partition(": ")
     if (code, answer) not in ((0, "accepted"), (0, "counted"), (1, "refused")):
-        raise error(f"the proved checker cannot read {arguments[-1]!r}: {rest or answer}")
+        raise error(f"the verified checker cannot read {arguments[-1]!r}: {rest or answer}")
     return answer, rest
 
 
@@ -61,7 +61,7 @@ def _run(
     found = program()
     if found is None:
         raise error(
-            f"the proved checker is not built: there is no program {PROGRAM}; run `make formal` in "
+            f"the verified checker is not built: no program {PROGRAM}; run `make formal` in "
             "a checkout of the project, or omit --verified"
         )
     stdin = None if text is None else subprocess.PIPE

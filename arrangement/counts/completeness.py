@@ -86,7 +86,7 @@ def certify_complete(
         if here != there:
             problems.append(f"{here} faces of dimension {k} hold; there are {there}")
     if proved and not problems and not proved_complete(arrangement, faces):
-        problems.append("the proved program refuses the list")
+        problems.append("the verified program refuses the list")
     return CompletenessEvidence(tuple(counted), theorem, tuple(problems[:_MAX_PROBLEMS]))
 
 

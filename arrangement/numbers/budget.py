@@ -3,7 +3,7 @@
 Whoever is about to list, count, make or read something says here first what that will take. What is
 out of reach is refused before it begins, with the forecast. What nobody can foresee counts its
 steps as it goes (`spend`), and a command ends after so many (`metered`). No clock is read, so that
-an answer is the same on every machine; a processor of 2025 does some ten million steps a second.
+an answer is the same on every machine; a CPU of 2025 does some ten million steps a second.
 `limit` raises the budget, the option ``--limit`` too.
 """
 

@@ -31,7 +31,7 @@ _MANY = 10_000_000
 
 
 def proved_f_vector(planes: Planes) -> tuple[int, ...]:
-    """Return the numbers of faces of dimension 0, ..., d, counted by the proved program.
+    """Return the numbers of faces of dimension 0, ..., d, counted by the verified program.
 
     Raises:
         InputError: the program is not built, or entries are irrational.
@@ -82,7 +82,7 @@ def _filled(said: str, last: int) -> tuple[int, ...]:
 def _document(planes: Planes) -> dict[str, Any]:
     if planes.field is not None:
         raise InputError(
-            f"the entries are in {planes.field!r}, and the proved program counts rational planes; "
+            f"the entries are in {planes.field!r}, but the verified program needs rational ones; "
             "omit --verified"
         )
     rows = [list(map(to_text, plane)) for plane in planes.integer_planes]
@@ -112,10 +112,10 @@ def _forecast(planes: Planes, deepest: int) -> float:
         found = [_probe(rows, rank, central, deepest > 0, source) for _ in range(_PROBES)]
         likely = [fmean(n) + 2 * stdev(n) / math.sqrt(_PROBES) for n in zip(*found, strict=True)]
         faces, steps = min(faces, likely[0]), min(steps, likely[1] * _STEP * pace)
-    budget.ask(f"counting {budget.about(faces)} faces by the proved program", long_steps=steps)
+    budget.ask(f"counting {budget.about(faces)} faces by the verified program", long_steps=steps)
     if steps > _MANY:
         progress.note(
-            f"the proved program counts about {budget.about(faces)} faces; it takes about "
+            f"the verified program counts about {budget.about(faces)} faces; it takes about "
             f"{budget.about(steps)} steps"
         )
     return steps

@@ -118,7 +118,7 @@ def verify(
 
 
 def verify_proved(path: str | os.PathLike[str]) -> tuple[bool, str]:
-    """Check a certificate with the proved checker.
+    """Check a certificate with the verified checker.
 
     Args:
         path: of a file, or ``"-"`` (stdin).

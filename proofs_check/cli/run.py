@@ -266,7 +266,7 @@ def _chosen(asked: _Request) -> list[Claim]:
 
 
 def _with_proved_route(claim: Claim) -> Claim:
-    """Return the claim with the proved program as one more route, if it is about counts."""
+    """Return the claim with the verified program as one more route, if it is about counts."""
     from arrangement.planes.planes import Planes
     from arrangement.planes.proved import proved_f_vector
     from proofs_check.routes.proved import COUNTS

@@ -132,7 +132,7 @@ def theorems() -> dict[str, str]:
 
 
 def badges(claim: Claim, evidence: Evidence | None = None) -> list[dict[str, Any]]:
-    """Return what of a claim is a theorem, and that the proved program took part, if it did.
+    """Return what of a claim is a theorem, and that the verified program took part, if it did.
 
     Nothing here can be set: theorems are looked up in the sources of the proofs, and the program's
     counts among the values that this evidence has.
@@ -163,7 +163,7 @@ def badges(claim: Claim, evidence: Evidence | None = None) -> list[dict[str, Any
     if evidence and agreed:
         number = f"{agreed} of {counted(len(evidence.records), 'case')}"
         meaning = f"the same value in {number}; that it counts right is a theorem in Coq"
-        shown.append({"names": ["counted by the proved program"], "meaning": meaning})
+        shown.append({"names": ["counted by the verified program"], "meaning": meaning})
     return shown
 
 

@@ -268,7 +268,7 @@ def test_the_proved_program_is_asked_where_it_is_wanted_and_nothing_else_is_wron
         assert not asked
         problems = certify_complete(SQUARE, iter(listed), proved=proved).problems
         assert len(problems) == (len(listed) < 9 or proved)
-    assert problems == ("the proved program refuses the list",)
+    assert problems == ("the verified program refuses the list",)
     assert asked == [9]
 
 

@@ -1,4 +1,4 @@
-"""The proved program beside engines and counts, where `make formal` has built it."""
+"""The verified program beside engines and counts, where `make formal` has built it."""
 
 from __future__ import annotations
 
@@ -232,7 +232,7 @@ def test_the_commands_name_the_speaker(capsys):
     proved = capsys.readouterr().out
     assert main(["count", "reflection-b3"]) == 0
     listed = capsys.readouterr().out
-    assert proved == f"{listed}counted by       the proved program\n"
+    assert proved == f"{listed}counted by       the verified program\n"
     assert main(["count", "reflection-b3", "--verified", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["first_whitney_numbers"] == [1, -9, 23, -15]
 
@@ -308,7 +308,7 @@ def test_forecasts_follow_the_planes(planes, count, faces, error):
 
 
 def test_what_is_out_of_reach_or_irrational_is_refused_before_work():
-    with pytest.raises(OutOfReachError, match="by the proved program"):
+    with pytest.raises(OutOfReachError, match="by the verified program"):
         proved_f_vector(Arrangement([[1, k, k * k, k**3, k**4, k**5] for k in range(200)]))
     with pytest.raises(InputError, match="rational planes"):
         proved_whitney_numbers(families.h3())

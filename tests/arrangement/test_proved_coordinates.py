@@ -1,4 +1,4 @@
-"""Signs without coordinates and graphs without weights, by the proved program if it is built."""
+"""Signs without coordinates and graphs without weights, by the verified program if it is built."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How the proved checker is found and asked; a script stands for it. `make formal` asks itself."""
+"""How the verified checker is found and called; a script stands in for it here."""
 
 import json
 from pathlib import Path
@@ -105,7 +105,7 @@ def test_the_command_says_which_checker_spoke(folder, capsys):
     program(folder, "accepted: not resisted", 0)
     assert main(["verify", "--verified", path]) == 0
     answer, *question = capsys.readouterr().out.splitlines()
-    assert answer == "valid: not resisted (by the proved checker)"
+    assert answer == "valid: not resisted (by the verified checker)"
     assert question[0] == "wrench (1, 0, 0)"
     assert main(["verify", "--verified", path, *asked, "single-contact"]) == 0
     assert main(["verify", "--verified", path, *asked, "opposed-contacts"]) == 1

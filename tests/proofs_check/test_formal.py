@@ -112,7 +112,7 @@ def test_the_proved_program_is_a_third_route(capsys):
     assert result["routes"][-1] == "the program proved in Coq"
     assert [len(set(record["values"])) for record in result["records"]] == [1] * 8
     assert {len(record["values"]) for record in result["records"]} == {3}
-    assert result["badges"][-1]["names"] == ["counted by the proved program"]
+    assert result["badges"][-1]["names"] == ["counted by the verified program"]
     assert "in 8 of 8 cases" in html_page(json.loads(json.dumps(report.json_record([result], 0))))
 
 

@@ -1,4 +1,4 @@
-"""Faults planted in the proved program: in what Coq extracts, and in the readers that feed it.
+"""Faults planted in the verified program: in what Coq extracts, and in the readers that feed it.
 
 What is proved is the Coq program. That it becomes this binary, and that documents become its
 questions, is tested; here it is tested that those tests notice.

@@ -82,7 +82,7 @@ class Inscribability(Shown):
             raise ArrangementError("the certificate is about another graph")
         self.certificate.verify()
         if proved and not proved_conditions(self.certificate):
-            raise ArrangementError("the proved program refuses the certificate")
+            raise ArrangementError("the verified program refuses the certificate")
 
 
 def inscribability(arrangement: Planes | DualPolyhedron) -> Inscribability:

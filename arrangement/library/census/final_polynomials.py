@@ -80,7 +80,7 @@ def proved_no_coordinates(signs: Sequence[int], proof: Sequence[OrderedProducts]
 
 
 def final_document(signs: Sequence[int], proof: Sequence[OrderedProducts]) -> dict[str, Any]:
-    """Return signs and proof as the proved program reads them."""
+    """Return signs and proof as the verified program reads them."""
     return {
         "schema_version": 1,
         "certificate": "no coordinates",
