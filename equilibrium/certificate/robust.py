@@ -19,7 +19,7 @@ that bracket is below 0. Let B be the sum of the terms with s and of loose conta
 Let K be the set of motions where ``sum k v^2 - a v <= A - sum a^2 / 4k`` (over holding contacts)
 and all ``|x|`` of those with friction are at most a large bound. There ``|v - a / 2k| <=
 sqrt(A / k)``, so ``e`` is at least ``(q' + c_n) / 2 - sqrt(k A)``. If mu times that is above
-``|c_t|`` at each holding contact, the work is below 0 on the whole border of K. K is convex, and
+``|c_t|`` at each holding contact, the work is below 0 on the whole boundary of K. K is convex, and
 compact up to motions that move no contact; the set of forces at d is convex and changes without a
 jump outwards. So some d of K and a sum F of load and forces there have ``F . (z - d) <= 0`` for all
 z of K (Fan's theorem). For ``z = c`` the work on ``d - c`` is not below 0 then. Hence d is inside

@@ -421,7 +421,7 @@ class Solver(Shown):
     def _equilibria(self, wrench: RationalVector) -> tuple[Equilibrium, ...]:
         """Return the maximal pieces of all solutions: every choice of contact states is decided.
 
-        The states at a motion on the border of normal planes may be none of the choices; where
+        The states at a motion on the boundary of normal planes may be none of the choices; where
         they hold more of the solutions, theirs is the piece to report.
         """
         possible = self._codes[self.screen.possible(wrench)].tolist()

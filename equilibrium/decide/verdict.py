@@ -4,7 +4,7 @@ Model: a motion d and forces with, at every contact, ``c_n = max(0, preload - st
 ``|c_t| <= friction c_n``, maximum dissipation (a contact that slips by ``s = T d`` has
 ``c_t = -friction c_n s / |s|``), and ``sum (c_n N + c_t T) + w = 0``. The answer is an equilibrium,
 or a tree of virtual motions against which nothing balances the load. In space there are two
-tangents and the cone is round, so equilibria need not have rational numbers, and on a border
+tangents and the cone is round, so equilibria need not have rational numbers, and on a boundary
 neither proof may close: then the answer is "undecided".
 """
 

@@ -201,7 +201,7 @@ def _decide_weak_in_space(grasp: Grasp, wrench: RationalVector, pyramid: int | N
         return held, f"{'' if held else 'no '}forces inside {pyramid_words(pyramid)}"
     accepts = round_cones(grasp, wrench).accepts
     if accepts is None:
-        return None, "undecided: the load is at the border of what round cones give"
+        return None, "undecided: the load is at the boundary of what round cones give"
     verb = "exist" if accepts else "do not exist"
     return accepts, f"forces inside the round cones {verb}, proved"
 

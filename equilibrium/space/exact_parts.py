@@ -3,7 +3,7 @@
 Each is a linear program in the motion and a force at each contact: it gives a point, or the leaf
 that closes it. The friction cones are linear conditions. For a "no" the round cones lie inside
 polygons, and a corner that sticks out is cut off as often as it takes; for a "yes" they are
-polygons inside. So what is decided on a border, where a float proves nothing, is decided if the
+polygons inside. So what is decided on a boundary, where a float proves nothing, is decided if the
 friction there has a rational direction.
 """
 

@@ -37,7 +37,7 @@ _SHARE = 2
 #: So many parts stay open before a search ends.
 _HOLES = 8
 #: Nodes with two slips in sectors too narrow to split may be one in this many, and so many others.
-#: On some borders there are as many as pairs of sectors; no search seen to succeed had as many.
+#: On some boundaries there are as many as pairs of sectors; no search seen to succeed had as many.
 _NODES, _PAIRS = 8, 10
 
 

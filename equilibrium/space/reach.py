@@ -18,7 +18,7 @@ from .tree import OBEYS, SpatialSearch
 
 
 class Reach(NamedTuple):
-    """A border in floats.
+    """A boundary in floats.
 
     Attributes:
         share: of the way from the load that is not resisted to the other one.

@@ -1,8 +1,8 @@
 """The smallest wrench in any direction that a grasp does not resist, exactly.
 
 The resisted wrenches are finitely many closed convex polyhedra. Those without volume have wrenches
-that are not resisted next to all of theirs, so what counts is how far the border of the union of
-the others is. A generic point of a facet is on this border exactly when no polyhedron has it and
+that are not resisted next to all of theirs, so what counts is how far the boundary of the union of
+the others is. A generic point of a facet is on this boundary exactly when no polyhedron has it and
 points right behind it. So each facet is a polygon, and the nearest polygon of all is looked at: a
 polyhedron that has its nearest point and reaches behind it is taken away from it, which leaves
 smaller polygons. Where there is none the nearest point is the answer; where no polygon is left,
@@ -43,7 +43,7 @@ from equilibrium.wrench_sets.space import Piece, states_with
 if TYPE_CHECKING:
     from equilibrium.wrench_sets.resisted_set import ResistedSet
 
-#: How far `SmallestUnresisted.beyond` is from the border at most, as a share of the size.
+#: How far `SmallestUnresisted.beyond` is from the boundary at most, as a share of the size.
 _BEYOND = Fraction(1, 1000)
 
 
@@ -56,9 +56,9 @@ class SmallestUnresisted(Documented):
         length: that torques are divided by: the squared size of a wrench is ``f_x^2 + f_y^2 +
             (tau / length)^2``.
         size_squared: every smaller wrench is resisted, and of none larger is this true; None if all
-            wrenches are resisted. It is 0 where the load is not resisted, or is on the border.
-        wrench: one of this size on the border, so itself resisted, unless the load is not; None if
-            all are.
+            wrenches are resisted. It is 0 where the load is not resisted, or is on the boundary.
+        wrench: one of this size on the boundary, so itself resisted, unless the load is not; None
+            if all are.
         beyond: one that is not resisted, `solve` proves it; from `wrench` it is away by at most a
             thousandth of the size (of 1, if the size is 0).
     """
@@ -212,7 +212,7 @@ class _FacetPart(NamedTuple):
 
 
 def _nearest_border(solids: Sequence[Polyhedron], sizes: _Sizes) -> _FacetPart | None:
-    """Return the part of the border of a union nearest to a base in it; None without border."""
+    """Return the part of the boundary of a union nearest to a base in it; None without boundary."""
     facets: dict[IntegerVector, dict[frozenset[IntegerVector], Polyhedron]] = {}
     for solid in solids:
         for row in solid.inequalities:
@@ -276,7 +276,7 @@ def _both_ways(
 def _beyond(
     pieces: Sequence[Piece], part: _FacetPart | None, sizes: _Sizes, reach: Fraction
 ) -> RationalVector:
-    """Return a load that is not resisted, near the nearest point of a part of the border.
+    """Return a load that is not resisted, near the nearest point of a part of the boundary.
 
     The k-th of the loads tried is ``p + f (u - v / 2^k)``: p is the nearest point, f halves with k,
     u leads into the polygon (anywhere, without a part), v in front of its facet. The sign of each

@@ -2,7 +2,7 @@
 
 All resisted wrenches are polyhedra, found exactly once. A load is screened against their facets in
 floats, with the error bound of `float_filter`: a sum of four products, of a rounded and an exact
-number each. Loads within this bound of a border are decided in fractions.
+number each. Loads within this bound of a boundary are decided in fractions.
 """
 
 from __future__ import annotations

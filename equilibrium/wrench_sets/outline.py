@@ -2,7 +2,7 @@
 
 A generic point of an edge is a boundary point of the union exactly when no polygon covers the
 other side of the edge there. Which part of the edge's line a polygon covers is one interval. So the
-border is what is left of every edge after these intervals are taken away: no overlay is built.
+boundary is what is left of every edge after these intervals are taken away: no overlay is built.
 """
 
 from __future__ import annotations
@@ -134,7 +134,7 @@ def polygons_near(
 
 
 def tight(row: IntegerVector, polygon: Polyhedron) -> list[IntegerVector]:
-    """Return the homogeneous generators of the part of a polygon in a line at its border."""
+    """Return the homogeneous generators of the part of a polygon in a line at its boundary."""
     rays, lines = polygon.homogeneous
     found = [x for x in rays if dot(row, x) == 0]
     return [*found, *(x for y in lines if dot(row, y) == 0 for x in (y, negated(y)))]

@@ -148,7 +148,7 @@ class Region(Shown):
 
     @cached_property
     def outline(self) -> Outline:
-        """The exact boundary of the union: there is border only where resistance ends."""
+        """The exact boundary of the union: there is boundary only where resistance ends."""
         return outline_of([piece.polyhedron for piece in self.polygons])
 
     @cached_property

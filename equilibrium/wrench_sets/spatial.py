@@ -117,7 +117,7 @@ class SpatialMagnitudes:
 
     @property
     def gaps(self) -> tuple[tuple[Border, Border], ...]:
-        """Neighbouring borders between which the wrench is not resisted, though it is beyond."""
+        """Neighbouring boundaries between which the wrench is not resisted, though it is beyond."""
         pairs = pairwise(self.borders)
         return tuple((a, b) for a, b in pairs if a.resisted < a.refused and b.refused < b.resisted)
 
@@ -213,7 +213,7 @@ def _ends_first(count: int) -> list[int]:
 def _closer(
     known: KnownMagnitudes, first: Sample, second: Sample, width: Fraction
 ) -> tuple[Sample, Sample, list[Fraction]]:
-    """Return proved magnitudes on both sides of a border, near it, and those left open between.
+    """Return proved magnitudes on both sides of a boundary, near it, and those left open between.
 
     Floats tell up to where loads may be resisted. Before that edge equilibria are looked for,
     without trees; the tree of the floats is closed a little beyond it.
@@ -285,7 +285,7 @@ def _bracket(
             break
         third = (end - start) / 3
         t = simplest_between(start + third, end - third)
-        # An end that stays may be the border itself.
+        # An end that stays may be the boundary itself.
         if stays[0] == _STAYS:
             t = simplest_between(low + enough / 2, low + enough)
         elif stays[1] == _STAYS:

@@ -91,7 +91,7 @@ def _grasps(most: int, preloads: Sequence[bool], rng: random.Random) -> Iterator
 def _choices_of_faces(grasp: Grasp, closed: bool = False) -> set[tuple[int | str, ...]]:
     """Return the states that faces have: "detached", or "attached" and the slip, of each contact.
 
-    With closed conditions a state goes on to the border of its motions.
+    With closed conditions a state goes on to the boundary of its motions.
     """
     m = len(grasp)
     found: set[tuple[int | str, ...]] = set()

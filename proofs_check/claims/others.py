@@ -62,7 +62,7 @@ def _adjacent(planes: Arrangement) -> Iterator[tuple[RegionSigns, RegionSigns]]:
             yield one, other
 
 
-#: A vertex, an edge and a face of a map, each on the border of the next.
+#: A vertex, an edge and a face of a map, each on the boundary of the next.
 Flag = tuple[RegionSigns, Edge, int]
 
 

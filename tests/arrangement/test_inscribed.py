@@ -173,8 +173,8 @@ SIMPLICIAL = {
 def test_equal_weights_inscribe_every_simplicial_arrangement(name):
     """Three edges at each vertex and no cutset of three edges but the stars: 1/3 everywhere.
 
-    Three regions' borders that close up around more than one ray would be a triangle of arcs, and
-    a circle that enters it must leave it through a side.
+    Three regions' boundaries that close up around more than one ray would be a triangle of arcs,
+    and a circle that enters it must leave it through a side.
     """
     answer = inscribability(SIMPLICIAL[name])
     answer.verify()

@@ -64,7 +64,7 @@ def explained(one: Question, verdict: Verdict, answer: Answer) -> tuple[str, Fra
         amount, _ = violation(one.grasp, one.wrench, answer)
         if mine == "stable":
             return AGREED if amount < Fraction(1, 10**6) else "the same, by a wrong point", amount
-        side = "10^-30 outside the border" if one.load == "outside" else "no border known"
+        side = "10^-30 outside the boundary" if one.load == "outside" else "no boundary known"
         return f"it says stable, exactly unstable: {side}; its point violates the model", amount
     if mine == "unstable":
         return AGREED, zero

@@ -35,7 +35,7 @@ from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 
 Wrench = tuple[Fraction, ...]
 Found = dict[str, Any]
-#: Added to seeds: contacts in so many patches; a wrench near the border as well.
+#: Added to seeds: contacts in so many patches; a wrench near the boundary as well.
 PATCHES, BORDER, NUMBER = 1000, 2000, 10
 HALVINGS = 6
 #: A second wrench on the same grasp is the first one times this.

@@ -37,7 +37,7 @@ def grasp_tables(contacts: Sequence[int], limit: float = LIMIT, count: int = 0) 
     heading()
     found = {m: _own_lines(m, _seeds(m, count), limit) for m in contacts}
     growth(found)
-    for added, where in ((PATCHES, "any wrench"), (BORDER, "just beyond the border")):
+    for added, where in ((PATCHES, "any wrench"), (BORDER, "just beyond the boundary")):
         print(f"\nTen patches of contacts on one side, {where}")
         heading()
         for m in contacts:

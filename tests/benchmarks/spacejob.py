@@ -7,7 +7,7 @@ questions are those of that kind.
 
 The instances. Seeds below 1000 are those of the page on accuracy: any wrench. With 1000 added the
 wrench is what contact forces of random sizes inside their cones balance, times 1 to 2: near the
-border on both sides. Odd seeds have preload.
+boundary on both sides. Odd seeds have preload.
 
 The peers answer in floats and without proof:
 

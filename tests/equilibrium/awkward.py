@@ -1,7 +1,7 @@
 """Seeded questions (grasp, wrench) of two to five contacts in which degenerate cases are common.
 
 Coincident planes, shared points, opposite normals, no friction, no preload or some, soft springs
-(large motions); wrenches on the exact border of what a grasp resists, and 10^-30 beside it.
+(large motions); wrenches on the exact boundary of what a grasp resists, and 10^-30 beside it.
 """
 
 from collections.abc import Callable

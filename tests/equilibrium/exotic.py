@@ -81,7 +81,7 @@ def _free(source: Random, _: Grasp) -> Vector:
 
 
 def _cones(source: Random, grasp: Grasp) -> Vector:
-    """Return the negative of a sum of simple forces in the cones, their borders included."""
+    """Return the negative of a sum of simple forces in the cones, their boundaries included."""
     total = _zero(source, grasp)
     for contact in grasp:
         push = Fraction(source.randint(0, 2))

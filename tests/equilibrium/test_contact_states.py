@@ -151,7 +151,7 @@ def test_a_choice_that_touches_the_line_in_one_point_is_kept(seed):
     grasp, direction = random_grasp(4, seed), random_wrench(seed)
     low, high = resisted_magnitudes(grasp, direction).intervals[0]
     end = high if high is not None else low
-    # At t = 1 the new line is exactly at the border.
+    # At t = 1 the new line is exactly at the boundary.
     base = tuple(end * b - u for b, u in zip(direction, W, strict=True))
     assert_true(grasp, base, W)
     assert resisted_magnitudes(grasp, W, base).contains(Fraction(1))

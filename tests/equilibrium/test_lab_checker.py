@@ -66,7 +66,7 @@ def ask(request: pytest.FixtureRequest, tmp_path: Path) -> Ask:
 
 
 def exotic(number: int, seed: int) -> list[Question]:
-    """Return grasps far away, with tiny and huge numbers, at one place, and wrenches at borders."""
+    """Return grasps far away, tiny and huge, coincident, and wrenches at boundaries."""
     rng = random.Random(seed)
     sizes = [Fraction(1), Fraction(10**12), Fraction(1, 10**9), Fraction(7, 3)]
     found: list[Question] = []

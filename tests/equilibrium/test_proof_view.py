@@ -43,7 +43,7 @@ def refuted(seed: int) -> Verdict:
 
 
 def meets(part: ClosedPart, touches: Sequence[Touch], motion: Sequence[Fraction]) -> bool:
-    """Whether the states decided in a part are those at a motion off all borders."""
+    """Whether the states decided in a part are those at a motion off all boundaries."""
     for i, wanted in part.states.items():
         force, slip = spring_and_slip(touches[i], [Fraction(1), *motion])
         way = "slip+" if slip > 0 else "slip-" if slip < 0 else "stick"

@@ -80,7 +80,7 @@ def is_smallest_unresisted(grasp, source):
 
 
 def random_loads(grasp: Grasp, source: Random) -> np.ndarray:
-    """Return loads on a grid, where borders are; and those at the border along a direction."""
+    """Return loads on a grid, where boundaries are; and those at the boundary along a direction."""
     along = source.choice(AXES)
     ends = [end for part in intervals(grasp, along, (0, 0, 0)) for end in part if end is not None]
     rows = [[float(end) * x for x in along] for end in ends[:2]]

@@ -320,7 +320,7 @@ class TestManyLoads:
 
 
 class TestBrackets:
-    """Of verdicts that are given: brackets hold the border, and ask for no more than they need."""
+    """Given verdicts: brackets hold the boundary and query no more than they need."""
 
     @pytest.mark.parametrize(
         ("rule", "low", "high", "tree", "ends", "asked"),
@@ -371,7 +371,7 @@ class TestBrackets:
         ],
     )
     def test_ends_move_to_the_edge_of_floats(self, edge, closes, stuck, left, asked, opens, up):
-        """Of equilibria only up to the border 4/3, and of trees where they close."""
+        """Of equilibria only up to the boundary 4/3, and of trees where they close."""
         tried, border = [], "4/3"
 
         def mirrored(t):

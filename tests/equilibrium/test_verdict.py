@@ -85,7 +85,7 @@ def test_pieces_are_maximal(grasp, wrench):
     ],
 )
 def test_a_larger_piece_is_not_lost_for_a_point_of_it(name, wrench, states):
-    """States of a contact on the border of slip and stick hold a part of the solutions only."""
+    """States of a contact on the boundary of slip and stick hold a part of the solutions only."""
     grasp = read_grasp(name)
     pieces = solve(grasp, wrench).equilibria
     assert [piece.states for piece in pieces] == states

@@ -271,7 +271,7 @@ def test_a_cone_without_a_finite_point_is_given_up_and_no_other(rows):
 
 @pytest.mark.parametrize("seed", range(12))
 def test_arrays_of_loads_are_answered_as_each_of_them(seed):
-    """On small numbers many loads are on borders, some contacts coincide, and some never touch."""
+    """On small numbers many loads are on boundaries; contacts coincide or never touch."""
     source = np.random.default_rng(seed)
     m = 1 + seed % 5
     normals = np.array([(1, 0), (0, 1), (-1, 0), (0.6, 0.8)])[source.integers(4, size=m)]

@@ -28,7 +28,7 @@ POINTS = 72 / 25.4
 DPI = 300
 #: Size of letters, in points.
 FONT = 7.0
-#: Least distance between two labels, and of a label from the border; in points.
+#: Least distance between two labels, and of a label from the boundary; in points.
 GAP = 0.8
 
 #: Characters as wide as others; those after which the next one stands at the same distance always.

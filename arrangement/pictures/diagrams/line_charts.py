@@ -131,7 +131,7 @@ class LinesChart:
         return np.array([x / w, y / w])
 
     def line(self, label: int) -> Floats:
-        """Return the ends of a class of lines at the border of the window, (2, 2)."""
+        """Return the ends of a class of lines at the boundary of the window, (2, 2)."""
         return _places(self._ends(label))
 
     def _ends(self, circle: int) -> list[IntegerVector]:

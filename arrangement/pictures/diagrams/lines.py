@@ -123,7 +123,7 @@ class _Sheet:
 
     Attributes:
         lines: points along each class of lines, from one end to the other.
-        outlines: the regions and their borders.
+        outlines: the regions and their boundaries.
         edges, vertices: points along the edges, and places of the vertices, by number.
         arms: the arrows to positive sides.
     """

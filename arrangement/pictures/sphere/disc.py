@@ -29,7 +29,7 @@ from arrangement.pictures.parts.names import RegionLabels, plane_names, thinner
 from .globe import Globe
 from .projections import CutChart, Drawn, Projection
 
-#: Room for the numbers of the planes between the rim and the border, at least; in points.
+#: Room for the numbers of the planes between the rim and the boundary, at least; in points.
 RIM = 13.0
 #: What is hidden: thinner, lighter, dashed. One rule for spheres and polyhedra.
 HIDDEN: dict[str, Any] = {"lw": 0.5, "ls": (0, (3, 3)), "alpha": 0.5, "zorder": 2, "role": "hidden"}
@@ -196,7 +196,7 @@ def label_regions(
         names: counts those that are left out.
         outlines: of the regions.
         lines: all lines drawn, each (k, 2); no label covers one.
-        inner: those among them that are not borders of regions.
+        inner: those among them that are not boundaries of regions.
         within: a part of the scene that leader lines must not leave.
     """
     off = keep_off(inner)

@@ -1,4 +1,4 @@
-"""Squares of a plane of wrenches, in rows: axes with numbers, a region, its border, a fade."""
+"""Squares of a plane of wrenches, in rows: axes with numbers, a region, its boundary, a fade."""
 
 from __future__ import annotations
 

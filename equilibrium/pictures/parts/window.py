@@ -1,6 +1,6 @@
 """A window on the plane of wrenches, and regions inside it as polygons on paper.
 
-The window holds the whole finite border of a region with room to spare, so that what reaches its
+The window holds the whole finite boundary of a region with room to spare, so that what reaches its
 edge goes on without end, and fades there.
 """
 
@@ -75,8 +75,8 @@ def joint_window(
 ) -> Window:
     """Return one square window for several regions.
 
-    It holds the origin and all ends of the regions' borders, and it shows a part of every ray. Rays
-    and lines through the origin alone have it in the middle.
+    It holds the origin and all ends of the regions' boundaries, and it shows a part of every ray.
+    Rays and lines through the origin alone have it in the middle.
 
     Args:
         extra: more points to hold.
@@ -111,7 +111,7 @@ def joint_window(
 
 
 def ends(region: Region) -> Iterator[RationalVector]:
-    """Yield the ends of border and whiskers, and the isolated points."""
+    """Yield the ends of boundary and whiskers, and the isolated points."""
     for segment in (*region.outline.border, *region.outline.whiskers):
         yield from (end for end in (segment.start, segment.end) if end is not None)
     yield from region.outline.points

@@ -70,7 +70,7 @@ def _drawn(
     names: tuple[str, str],
     width: float,
 ) -> Scene:
-    # Of a border at 0 only the width of its bracket is seen, which says nothing about the scale.
+    # Of a boundary at 0 only the width of its bracket is seen, which says nothing about the scale.
     ends = [float(max(b.resisted, b.refused)) for _, m in spokes for b in m.borders if b.resisted]
     # Where a direction ends undecided, all that is proved is to be seen.
     ends += [t for _, m in spokes if m.samples[-1][1] == UNDECIDED and (t := _proved(m))]
@@ -144,7 +144,7 @@ def _proved(known: SpatialMagnitudes) -> float:
 def _explain(
     legend: Legend, spokes: list[tuple[Floats, SpatialMagnitudes]], ends: bool, refuted: bool
 ) -> None:
-    """Say what is drawn, if there are borders beyond 0 or not."""
+    """Say what is drawn, if there are boundaries beyond 0 or not."""
     legend.key(symbol(_HELD), "proved to be resisted at the samples")
     if refuted:
         legend.key(symbol(_REFUTED), "proved not to be resisted (white: left open here)")

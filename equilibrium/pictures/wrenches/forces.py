@@ -43,14 +43,14 @@ def draw_resist(
     Every polygon is exact and stands for one choice of contact states: its colour tells how many
     contacts stick, hatching that some contact is detached; where there is room, one character for
     each contact tells its state. Polygons may overlap (several equilibria exist); smaller ones lie
-    on top. Lines that no polygon holds are drawn wide. The black border is drawn only where
+    on top. Lines that no polygon holds are drawn wide. The black boundary is drawn only where
     resistance ends. What reaches the edge of the picture has no end, and fades.
 
     Args:
         grasp: contacts.
         wrench: marked: a disc when it is resisted, a cross when not; the plane has its torque.
         extent: half the side of the picture, about the origin; then nothing fades, as what
-            reaches the edge may end beyond; if omitted, the whole border is shown.
+            reaches the edge may end beyond; if omitted, the whole boundary is shown.
 
     Raises:
         GraspError: an extent that is not above 0.
@@ -112,7 +112,7 @@ def draw_compare(
             not; the plane has its torque.
         methods: keys of `equilibrium.methods.METHODS`; if omitted, all that have a region (without
             those for which the contacts are too many).
-        extent: half the side of each panel, about the origin; if omitted, all borders are shown.
+        extent: half the side of each panel, about the origin; if omitted, all boundaries are shown.
 
     Raises:
         GraspError: an unknown method or none, too many contacts, an extent that is not above 0.
@@ -150,7 +150,7 @@ def draw_slice(
     reaches the edge has no end, and fades.
 
     In space, one picture: the wrenches along directions of a plane of two coordinates, as far as
-    they are proved to be resisted, with both ends of each bracket of a border; thick where the
+    they are proved to be resisted, with both ends of each bracket of a boundary; thick where the
     magnitudes that were tried stayed undecided, up to the edge if no proof was found beyond.
     Shaded outside is all that the proofs found refute: each refutes a convex part of the plane.
 

@@ -39,13 +39,13 @@ def draw_polar(
     Every direction has one mark, at the magnitude that the search returns, or at the rim when the
     largest magnitude tried is resisted ("without limit"). A dot: the search is right. A cross: it
     errs, by more than its tolerance; a dashed line shows magnitudes that it wrongly claims, a full
-    line resisted ones that it misses. The shaded set and its border are exact.
+    line resisted ones that it misses. The shaded set and its boundary are exact.
 
     Args:
         grasp: contacts.
         rays: how many, evenly spaced from f_x, counter-clockwise.
         tolerance: of the search; if omitted, a thousandth of the radius of the picture.
-        extent: that radius; if omitted, it holds the largest preload and the ends of the border.
+        extent: that radius; if omitted, it holds the largest preload and the ends of the boundary.
             The search tries magnitudes up to 1000 times as much.
 
     Raises:
@@ -71,7 +71,7 @@ def draw_polar(
 
 
 def _radius(grasp: Grasp, region: Region) -> Fraction:
-    """Return a radius that holds the ends of the border, with room; if 0 is all, the preloads."""
+    """Return a radius that holds the ends of the boundary, with room; if 0 is all, the preloads."""
     needed = [*ends(region), (max((c.preload for c in grasp), default=Fraction(0)), Fraction(0))]
     largest = max(max(map(abs, point)) for point in needed)
     if not largest:

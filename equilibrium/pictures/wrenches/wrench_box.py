@@ -91,7 +91,7 @@ class WrenchBox:
 
     @property
     def filled(self) -> bool:
-        """Whether the set holds the whole box: it has volume, and no border inside the box."""
+        """Whether the set holds the whole box: it has volume, and no boundary inside the box."""
         faces = [p for node in self.tree for p in node.patches if p.name != "axis"]
         return bool(faces) and all(p.row in WALLS and not p.sheet for p in faces)
 

@@ -23,7 +23,7 @@ _CLOSED, _OBEYED = 1e-9, 1e-6
 _ROUNDS, _FREE = 30, 1e4
 #: Steps of a guess, about, besides those of its numbers.
 _GUESS = 30_000
-#: What is left at borders, in units of the works.
+#: What is left at boundaries, in units of the works.
 _ROOM = 1 / 16
 
 
@@ -125,7 +125,7 @@ class PartGuess:
     def leaves(self) -> Iterator[Floats]:
         """Yield multipliers that seem to close the part, without the last variable.
 
-        The second ones leave room where the first are on a border, which roundings would cross.
+        The second ones leave room where the first are on a boundary, which roundings would cross.
         Where there are none, forces balance, or floats do not tell.
         """
         if self._solved():

@@ -16,7 +16,7 @@ function seen() {
 const stuck = (piece) => Math.min(3, piece.states.filter((s) => s === "stick").length);
 const codeOf = (states) => states.map((s) => CODES[s]).join("");
 
-// Below all fills lies a broad line around every piece. What is left of it is the border of the
+// Below all fills lies a broad line around every piece. What is left of it is the boundary of the
 // union: there, and only there, resistance ends.
 function paintPlane(view) {
   const { solid, thin } = partsSeen(state.pieces);

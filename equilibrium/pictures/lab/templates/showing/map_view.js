@@ -23,7 +23,7 @@ function conditions({ atLeast, equal }) {
 }
 
 // Where another method says something else: red, if it accepts what is not resisted, blue, if it refuses
-// what is. Its border is a broken line.
+// what is. Its boundary is a broken line.
 function paintDifference(view) {
   const [others, own] = [state.others, state.pieces].map((list) => partsSeen(list).solid.map(({ corners }) => corners));
   const sides = { more: [others, own], fewer: [own, others] };
