@@ -81,7 +81,7 @@ LETTERS = [
 
 
 def documents(seed: int) -> Iterator[dict[str, Any]]:
-    """Yield certificates of both kinds without end; all are valid."""
+    """Yield certificates of both kinds forever; all are valid."""
     for k in count(1000 * seed):
         yield from spatial_documents(k)
         asked = question(k)

@@ -49,7 +49,7 @@ class Documented(Shown):
     in_document: ClassVar[tuple[str, ...]]
 
     def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form; exact numbers are strings, null means no end (or none)."""
+        """Return a JSON form; exact numbers are strings, null means unbounded (or none)."""
         return {name: _json_form(getattr(self, name)) for name in self.in_document}
 
 

@@ -24,7 +24,7 @@ from equilibrium.model.solution import Solution
 
 #: The works of the leaves of a tree: of each a virtual motion, and what the preloads add.
 Works: TypeAlias = tuple[tuple[RationalVector, Fraction], ...]
-#: Magnitudes, without the ends; None where there is no end.
+#: Magnitudes, without the ends; None where it is unbounded.
 Ends: TypeAlias = tuple[Fraction | None, Fraction | None]
 #: So many nodes tell in floats where a boundary is.
 _REACH = 800

@@ -54,7 +54,7 @@ def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Solution]:
             with localcontext(_CONTEXT):
                 found = _System(balance, idle, number).newton(start)
         except (ArithmeticError, np.linalg.LinAlgError):
-            # A derivative has no inverse, or decimals grow without end.
+            # A derivative has no inverse, or decimals grow too long.
             continue
         point, value, inverse, *numbers = found
         if not (np.abs(value).max() <= _CLOSE * load and np.abs(inverse).max() < 1e200):

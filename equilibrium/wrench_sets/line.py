@@ -44,7 +44,7 @@ class Magnitudes(Documented):
 
     Attributes:
         base, direction: wrenches ``(f_x, f_y, tau)``.
-        intervals: disjoint, closed, increasing; an upper end None means no end.
+        intervals: disjoint, closed, increasing; an upper end None means unbounded.
     """
 
     in_document = ("intervals",)
@@ -110,7 +110,7 @@ class RoundedEnds(Shown):
 
     Attributes:
         asked: how many others were asked about.
-        ends: of all intervals in their order, the least and the greatest; None: no end.
+        ends: of all intervals in their order, the least and the greatest; None: unbounded.
         turned: the intervals of another grasp that has more or fewer of them, or of their ends; no
             others are asked then.
     """

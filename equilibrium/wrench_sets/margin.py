@@ -103,7 +103,7 @@ class Preloads(Documented):
     """All p >= 0 for which a grasp resists a wrench when every preload is p.
 
     Attributes:
-        intervals: disjoint, closed, increasing; an upper end None means no end.
+        intervals: disjoint, closed, increasing; an upper end None means unbounded.
     """
 
     in_document = ("least", "intervals")

@@ -30,7 +30,7 @@ class Segment:
     Attributes:
         normal: ``normal . x + constant = 0`` on the line, primitive; where there is a region on
             one side, ``>= 0`` there.
-        start, end: None for no end; from start to end the region is on the left.
+        start, end: None for unbounded; from start to end the region is on the left.
         direction: the direction from start to end, primitive.
     """
 
@@ -45,7 +45,7 @@ class Segment:
         return (self.normal[1], -self.normal[0])
 
     def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form; null means no end."""
+        """Return a JSON form; null means unbounded."""
         return {
             "start": _point_text(self.start),
             "end": _point_text(self.end),
@@ -59,7 +59,7 @@ class Outline(Documented):
 
     Attributes:
         border: where the two-dimensional part ends, the region on the left.
-        whiskers: one-dimensional parts that stick out of it.
+        whiskers: dangling edges: one-dimensional parts outside the polygons.
         points: isolated points.
     """
 

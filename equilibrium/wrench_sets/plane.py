@@ -168,7 +168,7 @@ class Region(Shown):
         return any(part is not None and part[1] is None for part in parts)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form; numbers are strings of rationals, null means no end."""
+        """Return a JSON form; numbers are strings of rationals, null means unbounded."""
         return {
             "plane": {
                 "origin": [to_text(x) for x in self.origin],

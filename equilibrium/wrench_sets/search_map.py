@@ -38,7 +38,7 @@ class Entry(Documented):
     Attributes:
         direction: exactly unit, rational, in plane coordinates.
         found: what the binary search says is the largest resisted magnitude, within the tolerance;
-            None when the largest magnitude tried is resisted ("without limit").
+            None when the largest magnitude tried is resisted ("unbounded").
         exact: the resisted magnitudes, disjoint closed intervals.
         wrongly_claimed: magnitudes up to the answer that are not resisted (closures of gaps).
         missed: resisted magnitudes above the answer by more than the tolerance, up to the limit.

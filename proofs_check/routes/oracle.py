@@ -82,7 +82,7 @@ def _reduced(row: Sequence[int]) -> Whole:
     return tuple(row) if divisor <= 1 else tuple([x // divisor for x in row])
 
 
-#: A closed interval of the line; None where it has no end.
+#: A closed interval of the line; None where it is unbounded.
 Interval: TypeAlias = tuple[Fraction | None, Fraction | None]
 
 ATTACHED = ("slip+", "slip-", "stick")

@@ -1,4 +1,4 @@
-"""No input is without end: hostile questions are answered, or refused soon with a forecast."""
+"""Every input ends soon: with an answer, or a refusal that has a forecast."""
 
 import json
 import math

@@ -509,7 +509,7 @@ def test_regions_and_lines_are_those_that_are_counted(name, projective):
 
 
 def bounded(planes: Arrangement) -> int:
-    """Count the bounded regions by Zaslavsky's second theorem; below rank 2 all have no end."""
+    """Count the bounded regions by Zaslavsky's second theorem; below rank 2 all are unbounded."""
     return bounded_region_count(planes) if planes.rank == 2 else 0
 
 

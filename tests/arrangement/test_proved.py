@@ -30,7 +30,7 @@ built = pytest.mark.skipif(PROGRAM is None, reason="`make formal` has not built 
 
 
 def arrangements(seed: str, largest: int = 6) -> Iterator[Arrangement]:
-    """Yield arrangements without end: degenerate ones, empty ones, huge entries."""
+    """Yield arrangements forever: degenerate ones, empty ones, huge entries."""
     source = Random(seed)
     while True:
         d, m = source.randrange(0, largest + 2), source.randrange(0, largest + 1)

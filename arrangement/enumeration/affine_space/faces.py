@@ -127,7 +127,7 @@ class Points:
     def edges(self, segments: Indices) -> Integers:
         """Return points between the ends of segments, or a step away from the only end."""
         upper = self._lines.upper
-        above, below = upper[segments] >= 0, upper[segments - 1] >= 0  # the last one has no end
+        above, below = upper[segments] >= 0, upper[segments - 1] >= 0  # the last one is unbounded
         found = np.zeros((len(segments), 4), self._planes.dtype)
         found[above] += self._upper_ends(segments[above])
         found[below] += self._upper_ends(segments[below] - 1)

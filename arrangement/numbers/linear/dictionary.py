@@ -127,7 +127,7 @@ class Dictionary:
             self.pivot(r, min(rising)[1])
 
     def optimize(self) -> Unbounded | None:
-        """Primal simplex from a feasible dictionary, to the end or to a ray without end."""
+        """Primal simplex from a feasible dictionary, to the end or to an unbounded ray."""
         while True:
             for c, symbol in enumerate(self.columns):
                 if self.is_variable(symbol) and self.cost[c]:

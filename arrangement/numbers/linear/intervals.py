@@ -1,6 +1,6 @@
 """Finite unions of closed intervals of rationals, exactly.
 
-An interval is ``(low, high)``; None stands for no end on that side.
+An interval is ``(low, high)``; None stands for unbounded on that side.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ LINE: Interval = (None, None)
 
 
 def texts(interval: Interval) -> list[str | None]:
-    """Return the JSON form of an interval: texts, None for no end."""
+    """Return the JSON form of an interval: texts, None for unbounded."""
     return [None if end is None else to_text(end) for end in interval]
 
 

@@ -50,12 +50,12 @@ class Polyhedron:
 
     @property
     def rays(self) -> tuple[IntegerVector, ...]:
-        """The directions in which it has no end."""
+        """The directions in which it is unbounded."""
         return tuple(ray[:-1] for ray in self.homogeneous[0] if not ray[-1])
 
     @property
     def lines(self) -> tuple[IntegerVector, ...]:
-        """A basis of the directions in which it has no end both ways."""
+        """A basis of the directions in which it is unbounded both ways."""
         return tuple(line[:-1] for line in self.homogeneous[1])
 
     @property

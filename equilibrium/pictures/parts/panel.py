@@ -210,7 +210,7 @@ class Panel:
             self.scene.mark(place, "o", 3.5, color=BLACK, gid=self.gid("point", i), zorder=3)
 
     def fade(self) -> None:
-        """Let what reaches the edge go pale: it has no end."""
+        """Let what reaches the edge go pale: it is unbounded."""
         rings, closed = 12, np.vstack([SQUARE, SQUARE[:1]])
         with self.scene.clipped(self.box):
             for k in range(rings):
@@ -305,7 +305,7 @@ def explain_borders(legend: Legend, regions: Sequence[Region], fades: bool) -> N
     if any(outline.points for outline in outlines):
         legend.key(symbol("accepted"), "resisted: this alone")
     if fades and not all(p.polyhedron.bounded for region in regions for p in region.polygons):
-        legend.key(symbol("fade"), "without end")
+        legend.key(symbol("fade"), "unbounded")
 
 
 def read_extent(extent: Exact | None) -> Fraction | None:

@@ -1,7 +1,7 @@
 """A window on the plane of wrenches, and regions inside it as polygons on paper.
 
 The window holds the whole finite boundary of a region with room to spare, so that what reaches its
-edge goes on without end, and fades there.
+edge is unbounded, and fades there.
 """
 
 from __future__ import annotations
@@ -111,7 +111,7 @@ def joint_window(
 
 
 def ends(region: Region) -> Iterator[RationalVector]:
-    """Yield the ends of boundary and whiskers, and the isolated points."""
+    """Yield the ends of boundary and dangling edges, and the isolated points."""
     for segment in (*region.outline.border, *region.outline.whiskers):
         yield from (end for end in (segment.start, segment.end) if end is not None)
     yield from region.outline.points

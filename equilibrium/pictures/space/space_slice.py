@@ -111,7 +111,7 @@ def _drawn(
 def _stretches(known: SpatialMagnitudes) -> Iterator[tuple[float, float, bool, bool]]:
     """Yield what is seen of a direction: its ends, whether it is resisted, and open tries.
 
-    What lies between two that are refused is left out; the last one has no end.
+    What lies between two that are refused is left out; the last one is unbounded.
     """
     found: dict[Fraction, str] = dict(known.samples)
     for border in known.borders:
@@ -157,4 +157,4 @@ def _explain(
     tried = [known.samples[-1][0] for _, known in spokes if known.samples[-1][1] == RESISTED]
     if tried:
         part = "all" if len(tried) == len(spokes) else f"{len(tried)} of them"
-        legend.line(f"no end was found up to {float(max(tried)):g}, the most tried, in {part}")
+        legend.line(f"no bound was found up to {float(max(tried)):g}, the most tried, in {part}")

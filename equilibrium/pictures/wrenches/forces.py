@@ -44,7 +44,7 @@ def draw_resist(
     contacts stick, hatching that some contact is detached; where there is room, one character for
     each contact tells its state. Polygons may overlap (several equilibria exist); smaller ones lie
     on top. Lines that no polygon holds are drawn wide. The black boundary is drawn only where
-    resistance ends. What reaches the edge of the picture has no end, and fades.
+    resistance ends. What reaches the edge of the picture is unbounded, and fades.
 
     Args:
         grasp: contacts.

@@ -37,7 +37,7 @@ def draw_polar(
     """Draw what a binary search in each direction finds, on the exact set of resisted forces.
 
     Every direction has one mark, at the magnitude that the search returns, or at the rim when the
-    largest magnitude tried is resisted ("without limit"). A dot: the search is right. A cross: it
+    largest magnitude tried is resisted ("unbounded"). A dot: the search is right. A cross: it
     errs, by more than its tolerance; a dashed line shows magnitudes that it wrongly claims, a full
     line resisted ones that it misses. The shaded set and its boundary are exact.
 
@@ -96,7 +96,7 @@ def _mark(panel: Panel, index: int, entry: Entry) -> None:
 
 
 def _at(panel: Panel, direction: RationalVector, magnitude: Fraction | None) -> Floats:
-    """Return the place of a magnitude, on the rim when it lies beyond or has no end."""
+    """Return the place of a magnitude, on the rim when it lies beyond or is unbounded."""
     half = panel.window.half
     reach = half if magnitude is None else min(magnitude, half)
     return panel.at(panel.window.paper([reach * x for x in direction]))
@@ -111,7 +111,7 @@ def _describe(entries: Iterable[Entry], region: Region, legend: Legend) -> None:
     if len(wrong) < len(listed):
         legend.key(symbol("dot"), "search is right")
     if any(entry.found is None for entry in listed):
-        legend.key(symbol("rim"), "rim: without limit")
+        legend.key(symbol("rim"), "rim: unbounded")
     if wrong:
         legend.key(symbol("cross"), "search errs")
     if any(entry.wrongly_claimed for entry in wrong):

@@ -187,7 +187,7 @@ def closed(
     ``kappa e``: kappa = a - mu b where the contact surely slips +, a + mu b where it slips -, else
     a - mu |b|. Where e changes sign in the region it is 0, or ``kappa max(0, e)`` for kappa < 0. A
     virtual motion closes a region if at each generator the work of the load and all these add up to
-    a positive number, or to 0 or more at motions without end (d_0 = 0).
+    a positive number, or to 0 or more at unbounded motions (d_0 = 0).
     """
     count, m = len(regions), len(contacts)
     generators = whole(regions, (count, 4, 4))

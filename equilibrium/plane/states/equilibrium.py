@@ -34,7 +34,7 @@ class Equilibrium(Documented):
         forces: (normal, tangential) force on the object at each contact, of the same solution.
         unique: whether the polyhedron is this one point.
         motion_ranges, force_ranges: exact (least, largest) value of each component over the
-            polyhedron; None where there is no end.
+            polyhedron; None where it is unbounded.
     """
 
     in_document = (

@@ -6,7 +6,7 @@ Import ListNotations.
 Open Scope R_scope.
 Set Implicit Arguments.
 
-(** * Directions in which a region goes on without end *)
+(** * Directions in which a region is unbounded *)
 
 Definition toward (a : sign) (r : R) : Prop :=
   match a with Plus => 0 <= r | Minus => r <= 0 | Zero => r = 0 end.

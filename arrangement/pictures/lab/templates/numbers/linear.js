@@ -113,7 +113,7 @@ class Dictionary {
   // Whether the equalities leave one point.
   get single() { return this.columns.every((label) => this.isFixed(label)); }
 
-  // The largest (way 1n) or least (-1n) value of a watched row over the solutions; null: no end.
+  // The largest (way 1n) or least (-1n) value of a watched row over the solutions; null: unbounded.
   /** @type {(k: number, way: bigint) => Rational | null} */
   extreme(k, way) {
     const { t, n, basic } = this;

@@ -41,7 +41,7 @@ function* sayingOf(method, grasp, wrench) {
 
 const saidBy = (method, grasp, wrench) => drained(sayingOf(method, grasp, wrench));
 
-// The multiples of a wrench that are resisted: closed intervals [low, high], null without end, in order;
+// The multiples of a wrench that are resisted: closed intervals [low, high], null where unbounded, in order;
 // yields null.
 function* intervalsOf(grasp, wrench) {
   const found = [];
