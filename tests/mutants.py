@@ -366,7 +366,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("targets", nargs="*", metavar="TARGET", help=", ".join(TARGETS))
     parser.add_argument("--seed", type=int, default=0, help="of the samples")
-    parser.add_argument("--sample", type=int, default=0, help="at most so many of each target")
+    parser.add_argument("--sample", type=int, default=0, help="at most N of each target")
     parser.add_argument("--jobs", type=int, default=2, help="targets at a time")
     parser.add_argument("--argued", action="store_true", help="run those argued, too")
     parser.add_argument("--first", type=int, default=1, help="begin with this one of each list")

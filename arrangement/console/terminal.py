@@ -61,7 +61,7 @@ class Parser(argparse.ArgumentParser):
 
         #: Adds the options that take time to find out, when they are asked for.
         self.later: Callable[[], None] | None = None
-        #: Options that take so many numbers or more, as many as there are.
+        #: Options that take at least this many numbers.
         self.growing: list[argparse.Action] = []
         #: What is parsed, and the options with a value seen so far.
         self.words: Sequence[str] = ()

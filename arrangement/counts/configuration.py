@@ -96,7 +96,7 @@ def indices(arrangement: Planes, planes: Indices) -> tuple[int, ...]:
 
 
 def flats_foreseen(planes: int, rank: int, known: int, found: float) -> float:
-    """Return about how many flats of a rank there are, where so many of a known rank were found.
+    """Return about how many flats of a rank there are, where this many of a known rank were found.
 
     In general position C(m, k) flats have the rank k. Of special planes it is a share near
     s^(k(k-1)/2), where s is known from the second rank on: measured on braids, resonance

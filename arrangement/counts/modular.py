@@ -30,7 +30,7 @@ from arrangement.numbers.exact import IntegerVector
 from arrangement.numbers.real import field_of, residues
 
 Integers = NDArray[np.int64]
-#: Sums of so many bits are exact in int64, and in doubles.
+#: Sums of this many bits are exact in int64, and in doubles.
 _INT64_BITS, _DOUBLE_BITS = 63, 53
 
 

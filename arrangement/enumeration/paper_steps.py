@@ -118,7 +118,7 @@ def published_enumeration(arrangement: Planes, merge: bool = False) -> Published
 
 
 def ask_steps(planes: int) -> None:
-    """Refuse the steps for so many planes where they would take long."""
+    """Refuse the steps for this many planes where they would take long."""
     budget.ask(
         f"the published enumeration of {planes} planes",
         "list their faces",

@@ -132,7 +132,7 @@ def add_list_options(parser: argparse.ArgumentParser) -> None:
 
 
 def list_classes(arguments: argparse.Namespace) -> int:
-    """Print how many isomorphism classes have so many regions."""
+    """Print the numbers of isomorphism classes by number of regions."""
     from .census import MOST_PLANES, PUBLISHED, PUBLISHED_SIMPLE
     from .census.tables import counted_alike, table
 

@@ -2,8 +2,8 @@
 
 Whoever is about to list, count, make or read something says here first what that will take. What is
 out of reach is refused before it begins, with the forecast. What nobody can foresee counts its
-steps as it goes (`spend`), and a command ends after so many (`metered`). No clock is read, so that
-an answer is the same on every machine; a CPU of 2025 does some ten million steps a second.
+steps as it goes (`spend`), and a command ends after a number of them (`metered`). No clock is read,
+so that an answer is the same on every machine; a CPU of 2025 does some ten million steps a second.
 `limit` raises the budget, the option ``--limit`` too.
 """
 
@@ -51,7 +51,7 @@ MOST = {
     "rays in a picture": 720,
     "wrenches in a picture": 24,
 }
-#: So many times.
+#: The factor of the limits.
 _times: ContextVar[float] = ContextVar("_times", default=1.0)
 
 
@@ -69,7 +69,7 @@ _meter: ContextVar[_Meter | None] = ContextVar("_meter", default=None)
 
 @contextmanager
 def limit(times: float) -> Iterator[None]:
-    """Let what is inside take so many times the faces, bytes and steps; `math.inf`: anything.
+    """Scale the limits on faces, bytes and steps inside by a factor; `math.inf`: no limits.
 
     >>> with limit(2):
     ...     ask("a list of all of them", faces=35_000_000)
@@ -172,7 +172,7 @@ class WorkOver(BaseException):
 
 @contextmanager
 def metered(steps: float = COMMAND_STEPS) -> Iterator[None]:
-    """Count the steps of a command, which ends after so many, times the limit."""
+    """Count the steps of a command, which ends after a number of them, scaled by the limit."""
     token = _meter.set(_Meter(steps))
     try:
         yield
@@ -181,7 +181,7 @@ def metered(steps: float = COMMAND_STEPS) -> Iterator[None]:
 
 
 def allow(steps: float) -> None:
-    """Let the command that runs, if any, take so many steps."""
+    """Let the command that runs, if any, take this many steps."""
     if (meter := _meter.get()) is not None:
         meter.allowed = steps
 

@@ -34,7 +34,7 @@ _LONG = 300
 #: Bits from which on FLINT's divisors are faster: eight times at 300,000.
 _VERY_LONG = 8000
 
-#: What int() takes as we do: texts of so many letters of these.
+#: What int() takes as we do: texts of up to this many of these characters.
 _SHORT, _LETTERS = 18, frozenset("-0123456789")
 _INTEGER_OR_RATIO = re.compile(r"([+-]?[0-9]+)(?:/([0-9]+))?")
 _DECIMAL = re.compile(r"([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))(?:[eE]([+-]?[0-9]{1,4}))?")
@@ -354,7 +354,8 @@ def to_text(value: Fraction | int) -> str:
 def number_text(value: Fraction | int, digits: int = 6, longest: int = 12) -> str:
     """Return a rational of any size for people: exact if that is short, else a decimal number.
 
-    A decimal number is the nearest one of so many digits; the sign ≈ says where it is rounded.
+    A decimal number is the nearest one with a given number of digits; the sign ≈ says where it is
+    rounded.
 
     >>> number_text(Fraction(-1, 3)), number_text(Fraction(40579, 5242880)), number_text(10**40)
     ('-1/3', '≈0.00773983', '1e+40')
@@ -382,7 +383,7 @@ def common_digits(low: Fraction | int, high: Fraction | int, digits: int = 6) ->
 
 
 def _decimal(value: Fraction | int, digits: int) -> tuple[str, bool]:
-    """Return the nearest decimal number of so many digits, and whether it is another number."""
+    """Return the nearest decimal number with this many digits, and whether it differs."""
     context = Context(prec=digits, Emin=MIN_EMIN, Emax=MAX_EMAX)
     near = context.divide(Decimal(value.numerator), Decimal(value.denominator))
     mantissa, e, power = f"{near:g}".partition("e")

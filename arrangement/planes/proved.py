@@ -26,7 +26,7 @@ from .planes import Planes
 
 #: Branches that a forecast follows, the longest list that it takes, and what a step of them takes.
 _PROBES, _LARGEST, _STEP = 100, 2000, 0.2
-#: More steps than these are named before they are taken; so many take about a second.
+#: More steps than these are named before they are taken; this many take about a second.
 _MANY = 10_000_000
 
 

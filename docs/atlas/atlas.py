@@ -136,7 +136,7 @@ def make(entry: Entry, folder: Path) -> None:
 
 
 def made(chosen: list[Entry], folder: Path, jobs: int) -> Iterator[None]:
-    """Make pages, in so many processes, and yield after each."""
+    """Make pages, in this many processes, and yield after each."""
     if jobs == 1:
         yield from (make(entry, folder) for entry in chosen)
         return

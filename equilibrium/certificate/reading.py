@@ -203,7 +203,7 @@ def read_node(content: Any, path: str, contacts: int, dimension: int) -> Leaf | 
     """Return a node of a tree; what its children are is not looked at.
 
     Raises:
-        InputError: this is not a node for so many contacts; the message has the path.
+        InputError: this is not a node for this many contacts; the message has the path.
     """
     size = SIZES[dimension]
     if isinstance(content, (list, tuple)):

@@ -333,7 +333,7 @@ class Solver(Shown):
         return reach(self._search(refused), change, nodes, near)
 
     def close(self, wrench: RationalVector, tree: Any, nodes: int) -> Verdict:
-        """Decide a wrench in space by a tree that is open, and maybe so many further nodes."""
+        """Decide a wrench in space by a tree that is open, and maybe this many further nodes."""
         return self._found(wrench, self._search(wrench).close(tree, nodes))
 
     def _verdict(

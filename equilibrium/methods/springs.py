@@ -71,7 +71,7 @@ def springs_of(
     """Return the normal and the tangential spring of each contact as rows in the motion.
 
     Args:
-        factor: a tangential spring is so many times as stiff as the normal one; above 0.
+        factor: stiffness of a tangential spring over that of the normal one; above 0.
         rest_friction: the tangential forces at d = 0, one for each contact; none if omitted.
     """
     times = rational(factor, "factor")

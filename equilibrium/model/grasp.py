@@ -39,7 +39,7 @@ _PLACES = {2: "the plane", 3: "space"}
 
 
 def ask_contacts(count: int) -> None:
-    """Refuse to read so many contacts that no question about them could be answered."""
+    """Refuse more contacts than any question can be answered for."""
     budget.ask(f"{count:,} contacts", "leave out contacts", steps=5000 * count)
 
 

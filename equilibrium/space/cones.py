@@ -39,7 +39,7 @@ Condition: TypeAlias = tuple[str, Floats, Floats]
 
 #: Sectors are cut down to this sine of their angle; directions are multiples of one over these.
 NARROW, _COARSE, _DIRECTIONS = 1e-4, 8, 64
-#: So many sectors are remembered.
+#: This many sectors are remembered.
 _SECTORS = 4096
 #: From this share of its limit on, smooth friction is that of a slip.
 _SLIPS = 0.9999

@@ -199,5 +199,5 @@ def _decimal(x: Fraction | int) -> Decimal:
 
 
 def _short(numbers: Iterable[Any], digits: int) -> RationalVector:
-    """Return numbers with so many significant digits as rationals."""
+    """Return numbers with a given number of significant digits as rationals."""
     return tuple(Fraction(f"{x:.{digits - 1}e}") for x in numbers)

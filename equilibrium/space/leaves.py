@@ -22,7 +22,7 @@ from .relaxation import Ray
 
 #: Numbers are rounded to multiples of one over the first, multipliers below the second left out.
 _FINE = ((2**10, 1e-6), (2**20, 1e-6), (2**34, 1e-9), (2**48, 1e-12))
-#: So many multipliers, those with most room, mostly do for what has to cancel.
+#: This many multipliers, those with most room, mostly do for what has to cancel.
 _FIRST = 9
 
 

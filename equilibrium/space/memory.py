@@ -20,13 +20,13 @@ from equilibrium.plane.contacts import nearest
 from .cones import Node, OpenSplit
 from .leaves import ExactLeaf, Leaves
 
-#: So many leaves are kept; of all contacts together, for parts that none was found in.
+#: This many leaves are kept; of all contacts together, for parts that none was found in.
 _MOST, _NUMBERS = 20_000, 80_000
-#: So many have room at first.
+#: This many have room at first.
 _FIRST = 64
-#: Floats propose so many leaves, of which none may hold.
+#: Floats propose this many leaves, of which none may hold.
 _TRIES = 3
-#: So many equilibria are kept, and one.
+#: This many equilibria are kept, and one.
 _EQUILIBRIA = 999
 #: States without directions.
 _PLAIN = ("undecided", "detached", "attached", "stick")
@@ -34,10 +34,11 @@ _PLAIN = ("undecided", "detached", "attached", "stick")
 _ROUNDING = 1e-12
 #: A split is followed where open leaves are at most those that refute the load, over this.
 _SHARE = 2
-#: So many parts stay open before a search ends.
+#: This many parts stay open before a search ends.
 _HOLES = 8
-#: Nodes with two slips in sectors too narrow to split may be one in this many, and so many others.
-#: On some boundaries there are as many as pairs of sectors; no search seen to succeed had as many.
+#: Nodes with two slips in sectors too narrow to split may be one in this many, and this many
+#: others. On some boundaries there are as many as pairs of sectors; no search seen to succeed had
+#: as many.
 _NODES, _PAIRS = 8, 10
 
 

@@ -140,7 +140,7 @@ class SpatialSearch:
                 return Open(str(late), self.residual)
 
     def close(self, tree: OpenTree, nodes: int) -> Solution | Any | Open:
-        """Return what a tree with given splits leads to, with so many further nodes."""
+        """Return what a tree with given splits leads to, with this many further nodes."""
         with np.errstate(all="ignore"):
             self.exactly = True
             return self.go_on(tree, tree.nodes + len(tree.waiting) + nodes)

@@ -37,7 +37,7 @@ _SHARP = 4
 _BEYOND, _FINE, _ABOUT = 16, 64, Fraction(9, 8)
 #: A bracket is wide if it is more than one over this of its larger end.
 _WIDE = 100
-#: After so many steps that leave an end of a bracket where it is one looks close to it.
+#: After this many steps that leave an end of a bracket where it is one looks close to it.
 _STAYS = 4
 #: A bracket this many times narrower than its relative width at the samples is left as it is.
 _FLOOR = 10**6

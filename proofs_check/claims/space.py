@@ -124,7 +124,7 @@ def _slip_arrangement(grasp: Grasp) -> Arrangement:
 
 
 def _zaslavsky_bound(planes: int) -> int:
-    """Return the faces of so many planes in general position through the origin of R^6.
+    """Return the faces of this many planes in general position through the origin of R^6.
 
     A flat of k < 6 planes is one of ``comb(planes, k)``, and the others cut it into regions; all
     planes together leave the origin.

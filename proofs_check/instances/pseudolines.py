@@ -141,7 +141,7 @@ def not_stretchable() -> tuple[Pseudolines, ...]:
 
 
 def types(numbers: Sequence[int]) -> Iterator[Case]:
-    """Yield every type of so many pseudolines, but for those of `not_stretchable`."""
+    """Yield every type of a given number of pseudolines, but for those of `not_stretchable`."""
     for n in numbers:
         for k, signs in enumerate(chirotopes(n).tolist() if n < MOST_PLANES else _nine(), 1):
             found = Pseudolines(tuple(signs), n)
@@ -154,7 +154,7 @@ def _nine(together: int = 1000) -> Iterator[list[int]]:
 
 
 def type_sources(low: int, high: int) -> tuple[Source, ...]:
-    """Return the sources of all classes of so many, and of those that no lines have."""
+    """Return the sources of all classes of a given size, and of those that no lines have."""
     over = f"every isomorphism class of {low} to {high} pseudolines" + (
         " that lines have" if high == MOST_PLANES else ""
     )

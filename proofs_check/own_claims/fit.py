@@ -126,7 +126,7 @@ def fit(found: Mapping[int, Number], name: str = "n") -> Fit | None:
     values is that through the first d + 1 exactly when its Newton coefficients after those are 0.
 
     Returns:
-        None if every one that meets all values needs so many of them that fewer than
+        None if every one that meets all values needs so much data that fewer than
         `LEAST_CHECKED`, or none of some class, are left to check it.
 
     >>> fit({n: n * (n - 1) // 2 + 1 for n in range(2, 9)}).text("n")

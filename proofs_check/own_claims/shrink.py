@@ -38,7 +38,7 @@ def shrink(subject: Any, fails: Callable[[Any], bool], tries: int = MOST_TRIES) 
     Args:
         subject: an `Arrangement`, `Pseudolines` or a `Grasp` that fails.
         fails: whether an instance belongs to the domain and fails.
-        tries: at most so many calls of `fails`.
+        tries: at most this many calls of `fails`.
     """
     tried = 0
     steps = next(made for kind, made in _STEPS.items() if isinstance(subject, kind))

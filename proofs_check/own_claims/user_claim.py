@@ -80,7 +80,7 @@ def claim(
         planes: smallest and largest number of planes or contacts of random instances; if omitted,
             from the domain's least (at least 3) to 8 planes, or 1 to 4 contacts.
         samples: number of random instances.
-        classes: run over every isomorphism class of 3 to so many planes (at most 8; of
+        classes: run over every isomorphism class of 3 to this many planes (at most 8; of
             pseudolines 9; 0 for none).
         families: run over the named families.
         when: a hypothesis; instances on which it is false are passed over.
@@ -258,7 +258,7 @@ def _value(way: Callable[[Any], Any], subject: Any) -> Any:
 
 
 def type_sources(chosen: Domain, low: int, high: int) -> tuple[Source, ...]:
-    """Return the sources with every isomorphism class of so many planes or pseudolines.
+    """Return the sources with every isomorphism class of a given number of planes or pseudolines.
 
     Raises:
         OwnClaimError: the census has no such numbers.

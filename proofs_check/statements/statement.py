@@ -99,7 +99,7 @@ class Domain(Shown):
         return self.unit in ("planes", "lines")
 
     def mistake(self, low: int, high: int) -> str:
-        """Return why there are no instances of so many planes or contacts; "" if there are."""
+        """Return why there are no instances of this size; "" if there are."""
         if self.least <= low <= high <= (self.most or high):
             return ""
         upto = f" and at most {self.most}" if self.most else ""

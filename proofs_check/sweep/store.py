@@ -41,7 +41,7 @@ _CHUNKS = (
     "CAST(checksum AS BLOB) "
     "FROM chunks LEFT JOIN environments ON environments.id = chunks.environment"
 )
-#: Where the table cannot be read in order, so many numbers are looked up one by one.
+#: Where the table cannot be read in order, this many numbers are looked up one by one.
 _LOOKED_UP = 1_000_000
 #: Damaged chunks that a message names.
 _NAMED = 8

@@ -72,7 +72,7 @@ def about(claim: Claim) -> dict[str, Any]:
     return found | ({"many_types": claim.many_types.name} if claim.many_types else {})
 
 
-#: Of types that are decided many at once, one in so many is checked by the claim's routes too.
+#: Of types that are decided many at once, one in this many is checked by the claim's routes too.
 EACH = 10_000
 #: Outcomes of which the smallest instance is kept.
 _KEPT = ("fails", "excused", "broken")

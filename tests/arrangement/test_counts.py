@@ -268,7 +268,7 @@ def test_a_prime_is_good_if_it_leaves_each_basis_one_minor():
 
 
 def test_points_and_bases_are_foreseen(monkeypatch):
-    """As many steps as there are lines of the space times planes; so many times rank cubed."""
+    """Steps: lines of the space times planes, times rank cubed."""
     asked = []
     monkeypatch.setattr(points.budget, "ask", lambda what, *_, **takes: asked.append((what, takes)))
 

@@ -346,7 +346,7 @@ def test_unusual_grasps_are_shown(grasp, browser, tmp_path):
 
 
 def test_an_equilibrium_is_shown_while_others_are_still_listed(browser, tmp_path):
-    """A ring of eight has so many choices of states that listing them takes seconds."""
+    """A ring of eight has more choices of states than can be listed within a second."""
     corners = [("1", "0"), ("4/5", "3/5"), ("0", "1"), ("-3/5", "4/5")]
     places = [[sign * Fraction(x) for x in corner] for corner in corners for sign in (1, -1)]
     ring = Grasp(Contact(place, [-x for x in place], "1/2", 1, 1) for place in places)

@@ -26,7 +26,7 @@ NORMALS += [
     for t in (1, -1)
 ]
 FRICTIONS = [Fraction(0), Fraction(1, 3), Fraction(1, 2), Fraction(7, 10), Fraction(1), Fraction(2)]
-#: How often there are so many contacts.
+#: How often there are this many contacts.
 NUMBERS = [0, *[1] * 4, *[2] * 12, *[3] * 3]
 AXES = [tuple(side * (i == j) for j in range(3)) for i in range(3) for side in (1, -1)]
 

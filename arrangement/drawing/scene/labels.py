@@ -238,7 +238,7 @@ def write_along(scene: Scene, ends: Floats, text: str, size: float, off: Any, **
 
 
 def tried(count: int) -> int:
-    """Return how many of so many points are to be labelled, outer ones first; few in a crowd."""
+    """Return how many points are to be labelled, outer ones first; few in a crowd."""
     return min(count, 100 if count <= 200 else 12)
 
 

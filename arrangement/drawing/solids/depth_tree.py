@@ -24,7 +24,7 @@ from .flat_polygons import Segment, between, clipped
 from .sight import picture_axes
 from .surface import Patch, rounded
 
-#: So many planes are tried for a split, and one patch cut counts as so many out of balance.
+#: This many planes are tried for a split, and one patch cut counts as this many out of balance.
 _TRIED, _CUT = 12, 8
 
 

@@ -28,7 +28,7 @@ Floats = npt.NDArray[np.float64]
 Triangles = npt.NDArray[np.int64]
 _COLOUR = re.compile("#[0-9a-fA-F]{6}(?:[0-9a-fA-F]{2})?")
 KINDS = (".glb", ".obj", ".stl")
-#: Coordinates are multiples of a power of two, of which the largest one has at most so many: then
+#: Coordinates are multiples of a power of two, of which the largest one has at most this many: then
 #: single precision holds them exactly.
 _STEPS = 1 << 20
 

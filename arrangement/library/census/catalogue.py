@@ -48,7 +48,8 @@ def _extensions() -> dict[str, NDArray[Any]]:
 
 @lru_cache(maxsize=MOST_PLANES)
 def normals(planes: int) -> NDArray[np.int8]:
-    """Return the normals of every type of so many planes, (types, planes, 3), 3 to 9 planes.
+    """Return the normals of every type of a given number of planes, (types, planes, 3), 3 to 9
+    planes.
 
     Those of `families.perles` are 0, as that type has no rational coordinates.
     """
@@ -60,7 +61,7 @@ def normals(planes: int) -> NDArray[np.int8]:
 
 
 def chirotopes(planes: int, chosen: slice | NDArray[np.intp] = slice(None)) -> Signs:
-    """Return the chirotopes of some types of so many planes, (types, triples)."""
+    """Return the chirotopes of some types of a given number of planes, (types, triples)."""
     rows = normals(planes)[chosen]
     signs = chirotope_of(rows)
     irrational = np.flatnonzero(~rows.any((1, 2)))

@@ -44,7 +44,7 @@ def _numbers(planes: int) -> NDArray[np.int32]:
 
 
 def numbers(planes: int) -> NDArray[np.int32]:
-    """Work out the numbers of all types of so many planes, in the order of the census.
+    """Work out the numbers of all types of a given number of planes, in the order of the census.
 
     Those of nine planes take 6 minutes, of eight 3 seconds.
     """
@@ -86,7 +86,7 @@ def representatives(signs: Signs, n: int) -> Integers:
 
 
 def _largest(chi: Signs, most: int) -> Integers:
-    """Return the representatives of chirotopes with points on so many lines, and on no more.
+    """Return the representatives of chirotopes with points on this many lines, and on no more.
 
     Elements are chosen one after another. Of the choices so far those are kept whose text is the
     largest: rows of elements in order, with the sign by which each is multiplied.

@@ -39,8 +39,8 @@ class Table:
 
     Attributes:
         types, simple, simplicial: how many there are.
-        by_regions: how many have so many regions.
-        by_points: how many have so many points on 2, 3, ... planes: the t-vector from t2 on,
+        by_regions: numbers of types by number of regions.
+        by_points: the same by numbers of points on 2, 3, ... planes: the t-vector from t2 on,
             without zeros at its end.
         digest: SHA-256 of all normals, in order, one signed byte an entry.
     """
@@ -54,7 +54,7 @@ class Table:
 
 
 def table(planes: int) -> Table:
-    """Count the types of so many planes, 3 to 9; those of nine take half a minute."""
+    """Count the types of a given number of planes, 3 to 9; those of nine take half a minute."""
     rows = normals(planes)
     parts = watched(list(chunks(len(rows), _TOGETHER)), "parts of the types")
     points = np.concatenate([t_vectors(chirotopes(planes, part), planes) for part in parts])

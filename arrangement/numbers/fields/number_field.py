@@ -6,7 +6,7 @@ over the powers of a with one common denominator. What comes out rational is a P
 `Fraction`: so an `AlgebraicNumber` is irrational, never 0, and has one form.
 
 Signs: the sum of coefficients times powers of a in floats, where a bound of its error allows;
-else in integers, with a to so many digits that the sum exceeds its error. It is not 0, so this
+else in integers, with a with enough digits that the sum exceeds its error. It is not 0, so this
 ends.
 """
 

@@ -156,7 +156,7 @@ class Cone:
         above = [entry for entry in valued if entry[0] > 0]
         kept = [(ray, mask | bit) for value, ray, mask in valued if value == 0]
         masks = [mask for _, mask in self.rays]
-        # Two adjacent rays span a face of dimension 2, which so many conditions cut out at least.
+        # Two adjacent rays span a face of dimension 2, cut out by at least this many conditions.
         fewest = len(row) - len(self.lines) - 2
         for high, ray, mask in above:
             for low, other, other_mask in below:

@@ -202,7 +202,7 @@ class Dictionary:
 
 
 def _work(entries: int, size: Any) -> float:
-    """Return the work of writing so many entries; long numbers count more often."""
+    """Return the work of writing this many entries; long numbers count more often."""
     return 10 * entries * (1 + int(size).bit_length() / 1000)
 
 

@@ -26,7 +26,7 @@ from arrangement.numbers.exact import (
 _Item = TypeVar("_Item")
 #: Of a matrix with more entries a basis is guessed modulo this prime, and proved.
 _FEW, PRIME = 2000, 2**26 - 5
-#: So many products of numbers below the prime are subtracted before they are reduced: they, and
+#: This many products of numbers below the prime are subtracted before they are reduced: they, and
 #: what they are subtracted from, stay below 2^62.
 _LAZY = 2**9
 
@@ -64,7 +64,7 @@ def rank(rows: Sequence[Sequence[int]]) -> int:
 
 
 def spread(rows: Sequence[_Item], few: int) -> Sequence[_Item]:
-    """Return at most so many of the rows, at equal distances."""
+    """Return at most a given number of the rows, at equal distances."""
     return rows[:: max(1, -(-len(rows) // few))]
 
 

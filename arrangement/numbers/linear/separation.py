@@ -22,7 +22,7 @@ from .polyhedron import Polyhedron
 #: underflow are wrong by 2^-1074 at most, far less than the two units to spare.
 _TERMS, _GENERATORS = 4, 2**20
 _NEGATIVE = -_TERMS * error_bound(2 + 1 + _TERMS + _GENERATORS)
-#: So many homogeneous points are compared with all conditions at once.
+#: This many homogeneous points are compared with all conditions at once.
 _MANY = 256
 
 

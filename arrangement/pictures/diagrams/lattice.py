@@ -193,7 +193,7 @@ def layered_orders(sizes: Sequence[int], covers: Covers, fixed: int = 0) -> list
     Args:
         sizes: the number of nodes of each layer.
         covers: for each layer and each node, its neighbours in the next layer.
-        fixed: so many layers, the first ones, keep their order.
+        fixed: this many layers, the first ones, keep their order.
     """
     below = [_reversed(covers[k], sizes[k + 1]) for k in range(len(sizes) - 1)]
     orders = [list(range(size)) for size in sizes]

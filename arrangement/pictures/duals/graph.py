@@ -43,9 +43,9 @@ from arrangement.pictures.parts.names import (
 from .solids import Edge, edges_of, flat_edges
 from .tutte import tutte_places
 
-#: Up to so many regions have labels where edges cross.
+#: Up to this many regions have labels where edges cross.
 FEW = 40
-#: So many planes of projection are tried, this far from one of symmetry.
+#: This many planes of projection are tried, this far from one of symmetry.
 _TRIED, _TILT = 60, 0.12
 
 

@@ -20,7 +20,7 @@ from arrangement.planes.faces import Face
 
 from .graph import GraphPicture, PlacedGraph, region_edges
 
-#: So many directions are tried in which rows are sorted.
+#: This many directions are tried in which rows are sorted.
 _TRIED = 60
 #: Room for the numbers at the left, in points.
 _MARGIN = 22.0

@@ -173,12 +173,12 @@ def explain_regions(
     names.explain(scene.legend, [region.signs for region in drawn])
 
 
-#: From so many circles on lines are thinner.
+#: From this many circles on lines are thinner.
 _MANY = 15
 
 
 def thinner(count: int) -> float:
-    """Return by what lines are multiplied where so many planes are drawn."""
+    """Return by what lines are multiplied where this many planes are drawn."""
     return min(1.0, math.sqrt(_MANY / max(1, count)))
 
 

@@ -40,7 +40,7 @@ from .lifted_cells import Lifted
 from .planes_sheet import PlanesSheet
 from .stage import Stage, StagedAxes, clear_sight, sharp, unit_points, walls_of_edges
 
-#: Up to so many cells have labels.
+#: Up to this many cells have labels.
 _NAMED = 60
 
 

@@ -162,7 +162,7 @@ def _upright(globe: Globe) -> Globe:
     return globe
 
 
-#: So many lines leave enough room in the middle from everywhere.
+#: This many lines leave enough room in the middle from everywhere.
 _OPEN = 6
 #: Rays so near to the limb are meant to lie on it: coordinates are rounded.
 _AT_LIMB = 1e-3

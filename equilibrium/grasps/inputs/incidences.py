@@ -37,7 +37,7 @@ from equilibrium.model.unit_normal import UnitNormal, angle_error
 from .conversion import ContactIncidence, Conversion, assembled, unit_normals
 from .rounding import Rounding, equal_numbers
 
-#: Normals that meet farther away than so many times the size of the grasp count as parallel.
+#: Normals that meet farther away than this many times the size of the grasp count as parallel.
 _FAR = 100
 #: With larger coordinates nothing is looked for.
 _LARGEST = 10**100

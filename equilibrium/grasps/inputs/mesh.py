@@ -42,7 +42,7 @@ _SHARP = math.cos(math.radians(20))
 _FACING = math.cos(math.radians(45))
 #: Facets whose nearest places are found together, which takes memory.
 _AT_ONCE = 50_000
-#: Grasps carry meshes of up to so many facets as their outlines.
+#: Grasps carry meshes of up to this many facets as their outlines.
 _MOST_FACETS = 2000
 
 

@@ -67,7 +67,7 @@ def draw_grasp(
         equilibrium: which of the equilibria found (see `solve`), from 1, in the plane.
         camera: exact, towards the viewer, in space; if omitted, one from above that sees forces
             from the side.
-        azimuth: so many degrees the viewer then goes round to the right, in space.
+        azimuth: degrees by which the viewer then goes round to the right, in space.
         max_displacement: exact; only equilibria up to it count, see `solve`.
 
     Raises:

@@ -116,7 +116,7 @@ class Panel:
             self.scene.text(place, text, ha=ha)
 
     def title(self, text: str, above: float = 5.0) -> None:
-        """Write a title above, from the left edge; its middle is so many points above the top."""
+        """Write a title above, from the left edge; its middle is this many points above the top."""
         place = self.at((-1, 1)) + np.array((0, above))
         self.scene.text(place, text, ha="left", va="center_baseline")
 

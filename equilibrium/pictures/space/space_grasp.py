@@ -186,7 +186,7 @@ def screw_text(solid: SolidGrasp) -> str:
     return f"a turn{far}" + (f", pitch {pitch}{unit} a radian" if screw.pitch else "")
 
 
-#: So many leaves are shown, side by side.
+#: This many leaves are shown, side by side.
 _SHOWN = 3
 #: The largest width of each, in millimetres.
 _PANEL = 88.0

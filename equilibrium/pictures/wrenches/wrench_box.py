@@ -29,7 +29,7 @@ from equilibrium.wrench_sets import Piece, ResistedSet
 _ROOM = Fraction(2, 5)
 #: The middle and the sides of the box are known to this share of the sides.
 _SHORT = Fraction(1, 1000)
-#: Corners farther out than so many times the median do not count.
+#: Corners farther out than this many times the median do not count.
 _FAR = 4
 #: What is resisted, and where the box cuts it.
 SOLID, CUT = "#5f93bd", "#e3ecf3"

@@ -39,7 +39,7 @@ _MARGIN = 24.0
 #: Below this width the grasp is left out; in millimetres.
 _BOTH = 120.0
 #: What the box cuts: the share of white in its faces; how far from the wall, in half sides, other
-#: faces turn white, in so many steps, each with a veil of this opacity.
+#: faces turn white, in this many steps, each with a veil of this opacity.
 _CUT_WHITE, _FADE, _STEPS, _VEIL = 0.8, 0.3, 8, 0.12
 
 
@@ -71,7 +71,7 @@ def draw_wrench_set(
             of the set, except single ones far out.
         camera: exact, towards the viewer, in the coordinates of the box; if omitted, from where
             much of the set is seen.
-        azimuth: so many degrees the viewer then goes round to the right.
+        azimuth: degrees by which the viewer then goes round to the right.
         width: of the figure, in millimetres; below 120 the grasp is left out.
 
     Raises:

@@ -25,7 +25,7 @@ _RANGE = 2
 _TINY = 1e-12
 #: Multipliers of bounded displacements have denominators up to this where that will do.
 _SIMPLE = 2**16
-#: Up to so many contacts all are added up, needed or not.
+#: Up to this many contacts all are added up, needed or not.
 _FEW = 30
 _AROUND = np.array([x for x in itertools.product((-1, 0, 1), repeat=3) if any(x)], dtype=float)
 

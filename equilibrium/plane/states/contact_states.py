@@ -29,7 +29,7 @@ from .state_system import State, States
 Codes: TypeAlias = npt.NDArray[np.int8]
 
 DETACHED = 2
-#: So many planes are counted first, if there are more.
+#: This many planes are counted first, if there are more.
 _SOME = 16
 STATE_OF_CODE: dict[int, State] = {1: "slip+", 0: "stick", -1: "slip-", DETACHED: "detached"}
 
