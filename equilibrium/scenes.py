@@ -232,7 +232,7 @@ class EngineScene(Shown):
             _add(body, "geom", **seen, type="cylinder", size=size, pos=place)
         elif isinstance(shape, Mesh):
             fans = [(face[0], a, b) for face in shape.faces for a, b in pairwise(face[1:])]
-            # Of a surface without volume MuJoCo wants to be told that it is one.
+            # Of a surface without volume MuJoCo needs a flag that it is one.
             surface = {"name": "object", "inertia": "shell", "vertex": shape.vertices}
             _add(_add(root, "asset"), "mesh", **surface, face=fans)
             _add(body, "geom", **seen, type="mesh", mesh="object")

@@ -1,7 +1,7 @@
 """Laws of pictures: every view of both packages, and every built-in instance.
 
 Options have forms, scenes know no format, labels cover nothing, legends have their place, themes
-keep what is told, TikZ shows the same items, and files repeat byte for byte.
+keep what is described, TikZ shows the same items, and files repeat byte for byte.
 """
 
 import json

@@ -12,7 +12,8 @@ from typing import Any
 
 #: What packages add: for each kind the names, and where the function behind each is.
 _ADDED: Mapping[str, Mapping[str, str]] = {
-    # Keys that tell the kind of a document, and functions from a document to an `Arrangement`.
+    # Keys by which the kind of a document is recognised, and functions from a document to an
+    # `Arrangement`.
     "documents": {"contacts": "equilibrium.grasps.files:tangential_arrangement"},
     # Functions from a text to an `Arrangement`, or to None where it is not such a table.
     "tables": {"contacts": "equilibrium.grasps.inputs.csv_file:tangential_arrangement"},

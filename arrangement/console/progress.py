@@ -31,7 +31,7 @@ _FIRST, _LONGEST = 2.0, 60.0
 
 
 class _Watch:
-    """The line of `shown`: whether loops are counted, and whether none tells on it now."""
+    """The line of `shown`: whether loops are counted, and whether none reports it now."""
 
     def __init__(self, wanted: bool) -> None:
         self.counted = self.free = wanted
@@ -65,10 +65,10 @@ def note(text: str) -> None:
 
 
 def watched(items: Iterable[Item], unit: str, total: int | None = None) -> Iterable[Item]:
-    """Return the items; inside `shown` a line tells how many are done, if it takes a while.
+    """Return the items; inside `shown` a line shows how many are done, if it takes a while.
 
-    Of nested loops the outermost tells. One that will not end within the budget, nested or not, is
-    refused as soon as the steps of its first items are known.
+    Of nested loops the outermost reports. One that will not end within the budget, nested or not,
+    is refused as soon as the steps of its first items are known.
 
     Args:
         unit: of what, in the plural.

@@ -34,7 +34,7 @@ def ask_proved(
         arguments: an option, and a path, or ``"-"`` (stdin).
         text: what it reads as stdin; if omitted, our own.
         error: what is raised.
-        seconds: that it may take, for the line that tells how many have passed.
+        seconds: that it may take, for the line with how many have passed.
 
     Raises:
         InputError: there is no such program, or it cannot read the file.

@@ -60,7 +60,8 @@ def _covers_in_cone(
 ) -> dict[int, Cone]:
     """Return the flats one rank above that meet the cone, with their parts of it.
 
-    Such a part is open in its flat, so its generators span it and tell which planes contain it.
+    Such a part is open in its flat, so its generators span it and determine which planes contain
+    it.
     """
     found: dict[int, Cone] = {}
     seen = mask

@@ -132,7 +132,7 @@ def colouring(
 
     Args:
         colour: "sides", "signs", "parity", "orbits", "none", or a function; own colours after a
-            name, or alone. If omitted: the number of sides where it tells neighbours apart, else
+            name, or alone. If omitted: the number of sides where it distinguishes neighbours, else
             the parity of minus signs, which always does. So two colours are enough for distinct
             planes.
         antipodes: "same" or "opposite" colours for opposite regions of central planes. With

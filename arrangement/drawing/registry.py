@@ -47,7 +47,7 @@ if TYPE_CHECKING:
     from .path_artist import Drawing
     from .scene.scene import Scene
 
-#: The kinds of options, for signatures; `command` tells how each is written on a command line.
+#: The kinds of options, for signatures; `command` says how each is written on a command line.
 Vector: TypeAlias = Sequence[object]
 Exact: TypeAlias = object
 Wrench: TypeAlias = Iterable[Any]

@@ -3,7 +3,7 @@
 ``{"schema_version": 3, "certificate": "resisted", "grasp": ..., "wrench": [x, y, r],
 "motion": [x, y, r], "forces": [[c_n, c_t], ...]}``, or ``"not resisted"`` with ``"tree": node``.
 Numbers are integers or texts such as "7/3"; contacts and generators are counted from 0. Nodes cut
-the space of motions or tell apart the states of one contact, and leaves have a virtual motion:
+the space of motions or distinguish the states of one contact, and leaves have a virtual motion:
 
 * ``[x, y, r]``, or ``{"virtual_motion": [x, y, r], "multipliers": {"4": [alpha],
   "7": [alpha, h]}}``: a leaf. The keys of multipliers are contacts; h is 0 if omitted.
@@ -59,7 +59,7 @@ _OLD_BOUNDS = ("largest_turn", "largest_force")
 _ENCLOSURE = ("basis", "friction", "pillars", "centre", "radius", "inverse")
 #: Numbers of a motion, in the plane and in space.
 SIZES = {2: 3, 3: 6}
-#: The states that a split of a contact tells apart, by the key of the split.
+#: The states that a split of a contact distinguishes, by the key of the split.
 STATES = {"attachment": ("detached", "attached"), "slip": ("stick", "slip+", "slip-")}
 
 

@@ -26,7 +26,7 @@ from equilibrium.model.solution import Solution
 Works: TypeAlias = tuple[tuple[RationalVector, Fraction], ...]
 #: Magnitudes, without the ends; None where it is unbounded.
 Ends: TypeAlias = tuple[Fraction | None, Fraction | None]
-#: This many nodes tell in floats where a boundary is.
+#: This many nodes show in floats where a boundary is.
 _REACH = 800
 
 

@@ -28,7 +28,7 @@ from . import RESISTED
 NO_DEADLINE = Deadline()
 #: Choices of holding contacts that are tried.
 MAX_CHOICES = 16
-#: Directions of friction that are told apart in space.
+#: Directions of friction that are distinguished in space.
 _AROUND = 16
 #: How much more normal forces than friction change with the balance, for the same wrench.
 _WEIGHTS = (1.0, 4.0, 0.25)

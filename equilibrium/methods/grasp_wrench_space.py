@@ -243,7 +243,7 @@ PYRAMIDS = (4, 8, 16, 32)
 
 
 def round_cones(grasp: Grasp, wrench: Iterable[Any]) -> WrenchSpaceVerdict:
-    """Decide with exact linear programs; neither yes nor no where the pyramids do not tell.
+    """Decide with exact linear programs; neither yes nor no where the pyramids are inconclusive.
 
     >>> from equilibrium.grasps.files import read_grasp
     >>> fingers = read_grasp("two-opposed-fingers")

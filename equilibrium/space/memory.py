@@ -65,7 +65,7 @@ class OpenTree:
 
 
 class _Known:
-    """Leaves in floats, which tell at once those that may close a part."""
+    """Leaves in floats, which show at once those that may close a part."""
 
     def __init__(self, leaves: Leaves) -> None:
         self._contacts, self._cones = leaves.contacts, leaves.cones

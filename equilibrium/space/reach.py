@@ -1,4 +1,4 @@
-"""How near the loads that are resisted come to one that is not, as far as relaxations tell.
+"""How near the loads that are resisted come to one that is not, as far as relaxations show.
 
 The load is an unknown of the relaxations, between two given ones. The node that reaches furthest is
 split, again and again, so where relaxations come close to the law the border is near. In floats:

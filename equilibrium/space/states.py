@@ -122,8 +122,8 @@ def rubbing_states(
     """Return a motion near, and states, where contacts that rub but hardly press slip; if any.
 
     With a friction of 10^12 a normal force that floats do not see allows any friction, so it does
-    not tell whether a contact sticks. That these slip, by as little, opposite to their friction, is
-    an equation for each motion, as regular as for small frictions.
+    not decide whether a contact sticks. That these slip, by as little, opposite to their friction,
+    is an equation for each motion, as regular as for small frictions.
 
     Args:
         forces: (m, 3), maybe of smaller frictions.
@@ -157,7 +157,7 @@ class StateBalance:
         rows = [row for i in self.sticking for row in grasp.contacts[i].tangential_wrenches]
         self.basis = _null_space(rows)
         self.pillars = self._pillars(6 - len(self.basis))
-        # Motions that no touching contact feels; balance does not tell them.
+        # Motions that no touching contact feels; balance does not determine them.
         touching = [c for c, near in zip(grasp, states.touching, strict=True) if near]
         felt = [c.normal_wrench for c in touching]
         felt += [row for c in touching if c.friction for row in c.tangential_wrenches]

@@ -31,7 +31,7 @@ from .plane import decide_in_plane
 from .relaxation import Point, Ray, Relaxation
 from .states import SpatialContinuation, States, rubbing_states, smooth_states
 
-#: Nodes of a tree, if not told otherwise, and random starts of the first search.
+#: Nodes of a tree, by default, and random starts of the first search.
 NODES, _STARTS = 4000, 3
 #: Nodes tried before exact programs, and before random starts; who asks for few gets neither.
 _FEW, _MORE = 20, 120

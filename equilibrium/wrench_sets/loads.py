@@ -38,7 +38,7 @@ class CheckedLoads:
         grasp: if it was converted from float data, the one that they were rounded to.
         resisted: (n,), whether each load is resisted.
         proved: (n,), true for all: by the bound on the errors of floats, or in fractions.
-        near_border: (n,), which were decided in fractions, because floats could not tell.
+        near_border: (n,), which were decided in fractions, because floats were inconclusive.
     """
 
     grasp: Grasp

@@ -2,7 +2,7 @@
 
 Their set need not be an interval, and in space its ends are algebraic numbers of no small degree.
 So verdicts are asked for at sampled magnitudes, and where they change the change is enclosed
-between two proofs: floats tell where, and what they leave is bisected. What lies between samples of
+between two proofs: floats show where, and what they leave is bisected. What lies between samples of
 the same verdict is not looked at.
 """
 
@@ -32,7 +32,7 @@ Sample: TypeAlias = tuple[Fraction, str]
 _POWERS = range(-6, 9)
 #: The ends of what stays undecided are found to a share of one over this.
 _SHARP = 4
-#: From the edge that floats tell a "no" is asked for at one over the first of how far before it a
+#: From the edge that floats give, a "no" is asked for at one over the first of how far before it a
 #: load is resisted, and moved by one over the second; simple magnitudes are up to the third as far.
 _BEYOND, _FINE, _ABOUT = 16, 64, Fraction(9, 8)
 #: A bracket is wide if it is more than one over this of its larger end.
@@ -215,7 +215,7 @@ def _closer(
 ) -> tuple[Sample, Sample, list[Fraction]]:
     """Return proved magnitudes on both sides of a boundary, near it, and those left open between.
 
-    Floats tell up to where loads may be resisted. Before that edge equilibria are looked for,
+    Floats show up to where loads may be resisted. Before that edge equilibria are looked for,
     without trees; the tree of the floats is closed a little beyond it.
 
     The search before the edge ends: an equilibrium makes `far`, which stays above half of what is

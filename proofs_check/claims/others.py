@@ -33,7 +33,7 @@ def _listed(m: int) -> Iterator[Arrangement]:
 
 
 def _by_codes(m: int) -> tuple[int, int]:
-    """All and simple types, told apart by the smallest code of the dual as a map on the sphere."""
+    """All and simple types, distinguished by the smallest code of the dual map on the sphere."""
     codes = {}
     for planes in _listed(m):
         graph = from_covectors(planes)

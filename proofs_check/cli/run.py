@@ -211,7 +211,7 @@ def _results(
     """Yield the record of each result in order, with the progress taken off the terminal.
 
     Args:
-        piped: whether progress is told in a pipe too, where nothing is printed meanwhile.
+        piped: whether progress is reported in a pipe too, where nothing is printed meanwhile.
     """
     bar = Bar(len(chosen), "claims", piped=piped)
     waiting: dict[int, dict[str, Any]] = {}
@@ -246,7 +246,7 @@ def _result(asked: _Request, number: int) -> tuple[int, dict[str, Any]]:
 
 
 def _record(claim: Claim, seed: int, tick: Callable[[int], None] | None = None) -> dict[str, Any]:
-    with shown(False):  # the bar of the command tells
+    with shown(False):  # the bar of the command reports
         try:
             return report.result_record(evaluate(claim, seed, tick))
         except OwnClaimError as error:

@@ -53,7 +53,7 @@ def run_sweep(arguments: argparse.Namespace) -> int:
         bar.update(done)
 
     try:
-        with shown(False):  # the bar tells
+        with shown(False):  # the bar reports
             due = sweep(
                 plan,
                 arguments.store,

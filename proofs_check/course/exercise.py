@@ -156,7 +156,7 @@ def grade(exercises: Mapping[str, Exercise], source: Source) -> dict[str, Graded
     """Mark the answers of a file, by the ids of the exercises.
 
     An answer to what was not asked gets nothing; where an exercise has no answer, its mark says
-    which key was meant for it, as far as one can tell.
+    which key was meant for it, as far as can be guessed.
 
     Raises:
         InputError: this is not a file of answers.

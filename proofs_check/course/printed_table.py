@@ -1,7 +1,7 @@
 """Numbers in print, row by row against what is computed here.
 
 A table is a CSV file with the columns ``arrangement``, ``quantity`` and ``printed``, in any order;
-others, such as ``source``, are passed over. The arrangement is
+others, such as ``source``, are ignored. The arrangement is
 
 * a built-in name or a file, in any format that is read;
 * a member of a family with its parameters: ``near-pencil m=7``, ``simplicial planes=13 number=2``;

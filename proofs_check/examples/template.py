@@ -23,7 +23,7 @@ from proofs_check import claim
     "Great circles in general position have twice as many arcs as crossing points.",
     formula=r"f_2 = 2 f_1",  # the same in TeX, for the report
     of="simple",
-    when=lambda planes: len(planes) >= 3,  # a hypothesis: what does not satisfy it is passed over
+    when=lambda planes: len(planes) >= 3,  # a hypothesis: what does not satisfy it is skipped
     hypotheses=["at least three planes"],  # the same in words
     samples=50,
 )

@@ -110,7 +110,7 @@ class _Comparisons(ast.NodeTransformer):
 
 
 class _Loader(SourceFileLoader):
-    """Compiles a file afresh, with its comparisons told."""
+    """Compiles a file afresh, with its comparisons reported."""
 
     def path_stats(self, path: Any) -> Any:
         """Say that nothing is known of the file, so that no compiled form is read or kept."""

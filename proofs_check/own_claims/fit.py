@@ -1,7 +1,7 @@
 """What a sequence of values is: polynomials and quasi-polynomials, fitted and then checked.
 
-A fit takes the first values that its coefficients need, and is told only when it meets every other
-value, two at least. That is evidence and no proof.
+A fit takes the first values that its coefficients need, and is returned only when it meets every
+other value, two at least. That is evidence and no proof.
 """
 
 from __future__ import annotations

@@ -83,7 +83,7 @@ def claim(
         classes: run over every isomorphism class of 3 to this many planes (at most 8; of
             pseudolines 9; 0 for none).
         families: run over the named families.
-        when: a hypothesis; instances on which it is false are passed over.
+        when: a hypothesis; instances on which it is false are skipped.
         hypotheses: the same in words, for the report.
         locator: where the statement stands in your text.
         formula: the statement in the part of TeX that `reports.formula` reads.

@@ -3,7 +3,7 @@
 This is the second route of the claims on proofs; it shares no code with the checker. On a cone the
 spring force ``max(0, e)`` of a contact is at most its interpolation between the generators, and no
 less where e keeps its sign; so the least work at the generators bounds that in between. Trees
-that tell states apart are refused.
+that distinguish states are refused.
 """
 
 from __future__ import annotations

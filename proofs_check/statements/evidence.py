@@ -71,8 +71,8 @@ class Part(Shown):
     """What was checked from one source.
 
     Attributes:
-        checked, failures, passed_over, foreign: numbers of instances; those passed over are outside
-            the hypotheses, foreign ones outside the domain.
+        checked, failures, passed_over, foreign: numbers of instances; those skipped are outside
+            the hypotheses, foreign ones out of the domain.
     """
 
     kind: Kind

@@ -131,7 +131,7 @@ def instance(plan: Plan, index: int) -> Any:
 
 
 def _at_once(plan: Plan, claim: Claim, indices: range) -> dict[int, bool]:
-    """Return on which of these types of nine planes the claim holds, if it can be told at once."""
+    """Return on which of these types of nine planes the claim holds, if that is decided at once."""
     if not plan.types or claim.many_types is None or plan.high < MOST_PLANES:
         return {}
     first = plan.samples - PUBLISHED[MOST_PLANES]

@@ -1,4 +1,4 @@
-"""Types told apart by chirotopes: codes, extensions without coordinates, proofs of having none."""
+"""Types distinguished by chirotopes: codes, extensions and proofs without coordinates."""
 
 import itertools
 import json

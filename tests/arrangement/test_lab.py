@@ -125,7 +125,7 @@ def transformed(planes: Arrangement, rng: random.Random) -> Arrangement:
 
 
 def test_it_names_every_type_of_up_to_six_planes(opened):
-    """By a canonical form of its own; the census tells types apart by their tope graphs."""
+    """By a canonical form of its own; the census distinguishes types by their tope graphs."""
     rng = random.Random(2)
     listed = [
         (transformed(planes, rng), f"{m}.{k}")
@@ -263,7 +263,7 @@ def middle(browser: Browser, mark: str) -> tuple[float, float]:
 
 
 def test_what_is_under_the_pointer_is_marked_in_all_views(opened):
-    """And its sign vector, told in the order of the planes, is right."""
+    """And its sign vector, shown in the order of the planes, is right."""
     for mark, place in {
         "line-2": grip(opened, "line-2"),
         "point-3": middle(opened, "point-3"),

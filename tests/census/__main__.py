@@ -54,7 +54,7 @@ def _write(arguments: argparse.Namespace) -> int:
     if not 4 <= planes <= MOST_PLANES:
         raise InputError(f"M is {planes}; give 4 to {MOST_PLANES} planes")
     store = arguments.store or f"{output}.parts"
-    with limit(math.inf):  # whoever asks for it waits, and is told how far it is
+    with limit(math.inf):  # the user asked for it and sees the progress
         if output.endswith(".json"):
             write_text_atomically(output, generate(planes, Path(store)))
             return terminal.YES

@@ -4,7 +4,7 @@ A vector v extends an arrangement to a given one-element extension when ``v . r`
 sign for each ray r = a_i x a_j. All vectors of the box are tried together, the smallest first.
 
 *Types.* Every type of eight planes is extended by a pseudoline in every way (`extensions`), and
-what results is told apart by codes (`codes`). No coordinates are used, so the types of oriented
+what results is distinguished by codes (`codes`). No coordinates are used, so the types of oriented
 matroids are complete, whether they have coordinates or not.
 
 *Vectors.* A small vector with the signs of an extension gives the type coordinates. In round 0

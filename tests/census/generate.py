@@ -1,4 +1,4 @@
-"""The generator of the census: one-plane extensions, told apart by canonical tope graphs.
+"""The generator of the census: one-plane extensions, distinguished by canonical tope graphs.
 
 *Extensions.* Adding a plane with normal v to a representative gives a type that depends only on
 the signs of ``v . r`` over its rays r: on the face of another central arrangement, whose normals

@@ -1,7 +1,7 @@
 """Types and lint of the scripts of the pages: ``tsc --checkJs`` and eslint, from npm.
 
 A page is one script: modules one after another. Types are checked file by file, all of a page
-together; lint reads the whole, so that it knows every name, and its lines are told by file.
+together; lint reads the whole, so that it knows every name, and its lines are reported by file.
 Run from the top of the repository. Without npm it says so, and demands nothing; with
 ``JAVASCRIPT_CHECKS=1`` that is an error.
 """

@@ -128,9 +128,9 @@ class Classes:
     """The flats of a configuration, rank by rank.
 
     Args:
-        images: what tells flats apart.
+        images: what distinguishes flats.
         deadline: looked at before each part of a rank.
-        moduli: primes; their product exceeds what is to be told from its residues.
+        moduli: primes; their product exceeds what is reconstructed from its residues.
     """
 
     def __init__(
@@ -273,7 +273,7 @@ def moduli_above(bound: int, below: int = 1 << 31) -> list[int]:
     return found
 
 
-#: Flats are told apart by class where the planes have at most 1 / 8 as many orbits as planes.
+#: Flats are distinguished by class where the planes have at most 1 / 8 as many orbits as planes.
 _PLANES_IN_AN_ORBIT = 8
 
 

@@ -53,8 +53,8 @@ def one_page(
 ) -> str:
     """Return a complete HTML page.
 
-    The browser is told to run its own scripts and to load nothing else. Texts from files reach
-    the page as JSON only, in which nothing can end the element that holds it.
+    The page allows the browser to run its own scripts and to load nothing else. Texts from files
+    reach the page as JSON only, in which nothing can end the element that holds it.
 
     Args:
         title: of the window.

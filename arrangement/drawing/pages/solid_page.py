@@ -30,7 +30,7 @@ class PageFace:
         fill: ``#rrggbb``, or ``#rrggbbaa`` to shine through.
         normal: outward; None for segments and points.
         edges: (e, 2, 3); the lines drawn.
-        piece: the number of what is told of it, or -1.
+        piece: the number of its description, or -1.
         middle: (3,) of the solid that it moves with, if it does.
         sheet: whether both sides are seen.
         faint: whether the lines are thin and grey.

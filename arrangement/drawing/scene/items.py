@@ -128,7 +128,7 @@ class Mark(Item):
 
 @dataclass(frozen=True, kw_only=True)
 class Label(Item):
-    """A text; `ha` and `va` tell which of its points is at the place."""
+    """A text; `ha` and `va` say which of its points is at the place."""
 
     place: tuple[float, float]
     text: str

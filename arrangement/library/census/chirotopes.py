@@ -1,4 +1,4 @@
-"""Chirotopes of rank 3 in batches, and codes that tell their types apart.
+"""Chirotopes of rank 3 in batches, and codes that distinguish their types.
 
 A chirotope of n elements is written as the signs of its triples i < j < k in lexicographic order
 (int8, shape (..., C(n, 3))), or as an alternating array (..., n, n, n). Elements have no loops and
@@ -165,7 +165,7 @@ def _canonical(chi: Signs, n: int) -> Coded:
     words = [code]
     of, order, sides = flags
     flat, start = chi.reshape(-1), of * n**3
-    # Triples with line 0 are told by the first word; all others are compared by parts.
+    # Triples with line 0 are compared by the first word; all others are compared by parts.
     others = triples(n)[triples(n)[:, 0] > 0]
     for part in _parts(others):
         i, j, k = part.T
@@ -196,7 +196,7 @@ def _along_first_lines(
 ) -> tuple[Integers, tuple[NDArray[np.intp], NDArray[np.intp], Signs]]:
     """Return the first word of each code, and the flags that have it.
 
-    The first word tells how many lines cross line 0 in its first point, its second, ...; the
+    The first word is how many lines cross line 0 in its first point, its second, ...; the
     largest is taken, since it leaves fewest flags. A flag is (chirotope, order, sides), with the
     common sign of its text as one more side.
     """

@@ -9,7 +9,7 @@ The normals were found by search: from a few planes, or the orbits of a few unde
 plane or orbit through vertices that brings t_2 nearest to 3 + sum of (k - 3) t_k is added; over Q,
 the square roots of 2, 3 and 5, and modulo primes, from where the numbers were lifted to the fields
 of the roots of a^3 - a - 1 and a^4 - 3a^3 + 3a^2 - 3a + 1. The members of the families of regular
-polygons are made by `regular`. Entries are told apart by their vectors t and r as printed, and
+polygons are made by `regular`. Entries are distinguished by their vectors t and r as printed, and
 those that have these in common by their graphs of regions or their symmetries.
 
 Sources: B. Gruenbaum, A catalogue of simplicial arrangements in the real projective plane, Ars

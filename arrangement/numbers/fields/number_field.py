@@ -1,9 +1,9 @@
 """Fields of real numbers with one generator, and their numbers.
 
-A field is Q(a) for a real root a of an irreducible polynomial, told from the other roots by an
-interval with rational ends. Inside, a is an algebraic integer, and a number is an integer vector
-over the powers of a with one common denominator. What comes out rational is a Python integer or a
-`Fraction`: so an `AlgebraicNumber` is irrational, never 0, and has one form.
+A field is Q(a) for a real root a of an irreducible polynomial, distinguished from the other roots
+by an interval with rational ends. Inside, a is an algebraic integer, and a number is an integer
+vector over the powers of a with one common denominator. What comes out rational is a Python integer
+or a `Fraction`: so an `AlgebraicNumber` is irrational, never 0, and has one form.
 
 Signs: the sum of coefficients times powers of a in floats, where a bound of its error allows;
 else in integers, with a with enough digits that the sum exceeds its error. It is not 0, so this

@@ -2,7 +2,7 @@
 
 They are taken apart down to what SymPy alone knows, such as ``sqrt(5)`` or
 ``cos(2*pi/7)``; these get a field through their minimal polynomials, and the rest is arithmetic of
-fields. Nothing is evaluated in floats but to tell the roots of a polynomial apart, between
+fields. Nothing is evaluated in floats but to isolate the roots of a polynomial, between
 which rational numbers lie.
 """
 

@@ -1,7 +1,7 @@
 """The arrangement lab: lines and great circles that are dragged and counted at once.
 
 The page counts by itself, in integers: it shares nothing with the enumerators and the counts here
-but the form of files. Of the census it knows representatives; it tells types apart by a canonical
+but the form of files. Of the census it knows representatives; it distinguishes types by a canonical
 form of its own.
 """
 

@@ -116,7 +116,7 @@ def cells_page(
 ) -> str:
     """Return one HTML page, complete in itself: the cells of planes in R^3, in a cube, to turn.
 
-    They can be moved apart. A cell under the pointer tells its sign vector, its planes, whether it
+    They can be moved apart. A cell under the pointer shows its sign vector, its planes, whether it
     is bounded, and an exact point.
 
     Args:

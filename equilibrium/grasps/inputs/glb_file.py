@@ -1,7 +1,7 @@
 """The triangles of GLB files, and how many triangles a mesh may have.
 
 Of a scene the meshes of triangles are read, each where its nodes put it. Materials, textures,
-animations and what is in other files are passed over or refused, never opened.
+animations and what is in other files are ignored or refused, never opened.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The triangles of STL, OBJ, PLY and GLB files, strictly read: geometry, and no second file.
 
 Counts and sizes that a file states are compared with what is in it before anything is made of
-them. Materials, textures, colours and normals are passed over; nothing that is only named is
+them. Materials, textures, colours and normals are ignored; nothing that is only named is
 opened. The readers of trimesh do neither, and differ between its versions.
 """
 

@@ -48,7 +48,7 @@ def draw_grasp(
     """Draw contacts with friction cones and preloads; with a wrench, the equilibrium too.
 
     Forces are those on the object; all arrows of forces have one scale, which the bar states. The
-    mark of a contact tells by shape its state at the motion drawn. The virtual motion is drawn as
+    mark of a contact shows by shape its state at the motion drawn. The virtual motion is drawn as
     the displaced outline (of a grasp without outline, as arrows at the contacts), to first order,
     by a factor that is stated. The outline is that of the grasp; where none is stated, it is dashed
     and only indicative (see `body`), and where no simple curve passes through the contacts, dashed

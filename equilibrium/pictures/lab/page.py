@@ -32,7 +32,7 @@ def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None
     """Return one HTML page, complete in itself: the resisted forces of a grasp.
 
     The plane of forces, at the torque of the load, shows every piece (one choice of contact
-    states). The load can be dragged there, and the contacts beside it: the page tells whether the
+    states). The load can be dragged there, and the contacts beside it: the page shows whether the
     load is resisted, with which states, forces and motions, or proves that it is not.
 
     Args:

@@ -41,7 +41,7 @@ def grasp_page(
     """Return one HTML page, complete in itself: a grasp in space that turns.
 
     Body, contacts, friction cones and preloads; with a wrench, forces and motion of an equilibrium.
-    Under the pointer a cone or an arrow tells its contact in exact numbers.
+    Under the pointer a cone or an arrow shows its contact in exact numbers.
 
     Args:
         grasp: contacts, in space.

@@ -40,9 +40,9 @@ def draw_resist(
 ) -> Scene:
     """Draw which forces are resisted, at zero torque or at the torque of a wrench.
 
-    Every polygon is exact and stands for one choice of contact states: its colour tells how many
+    Every polygon is exact and stands for one choice of contact states: its colour shows how many
     contacts stick, hatching that some contact is detached; where there is room, one character for
-    each contact tells its state. Polygons may overlap (several equilibria exist); smaller ones lie
+    each contact shows its state. Polygons may overlap (several equilibria exist); smaller ones lie
     on top. Lines that no polygon holds are drawn wide. The black boundary is drawn only where
     resistance ends. What reaches the edge of the picture is unbounded, and fades.
 

@@ -29,7 +29,7 @@ def wrench_set_page(
 ) -> str:
     """Return one HTML page, complete in itself: the resisted wrenches as a solid that turns.
 
-    Under the pointer a face tells its exact condition.
+    Under the pointer a face shows its exact condition.
 
     Args:
         grasp: contacts.

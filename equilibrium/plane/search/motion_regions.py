@@ -206,7 +206,7 @@ class MotionRegions:
         done = {n for n, region in enumerate(regions) if self._outside(region)}
         floats = self._floats(generators)
         motions, values = self.virtual.best(floats, self.rounds)
-        # Near the boundary floats cannot tell 0 from what is enough.
+        # Near the boundary floats cannot distinguish 0 from what is enough.
         hopeful = np.flatnonzero(values > -_TINY).tolist()
         exact = [self.virtual.integers(motions[n]) for n in hopeful]
         generators_of = [regions[n].generators for n in hopeful]

@@ -1,7 +1,7 @@
 """The program of one part in floating point: a leaf, tested exactly, or the contact to split.
 
 A leaf is written only when its integers pass the exact test, and any contact may be split. So
-nothing rests on floats; where they do not tell, the exact program decides.
+nothing rests on floats; where they are inconclusive, the exact program decides.
 """
 
 from __future__ import annotations
@@ -126,7 +126,7 @@ class PartGuess:
         """Yield multipliers that seem to close the part, without the last variable.
 
         The second ones leave room where the first are on a boundary, which roundings would cross.
-        Where there are none, forces balance, or floats do not tell.
+        Where there are none, forces balance, or floats are inconclusive.
         """
         if self._solved():
             yield (self._program.point * self._scale)[:-1]

@@ -67,7 +67,8 @@ def state_codes(grasp: Grasp) -> Codes:
 def _count(planes: Arrangement, contacts: int) -> None:
     """Refuse more faces than the memory holds.
 
-    More planes have more faces, so that some of them tell, and all are counted only if they may do.
+    More planes have more faces, so that some of them decide, and all are counted only if they may
+    do.
     """
     from arrangement import counts
 
