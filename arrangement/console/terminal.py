@@ -168,7 +168,7 @@ class Parser(argparse.ArgumentParser):
         for action in self._actions:
             if action.choices and message.endswith(f"required: {action.metavar}"):
                 message += f"; known are {', '.join(map(str, action.choices))}"
-        self.exit(_BAD_INPUT, f"error: {error_text(message)} ({self.prog} --help tells more)\n")
+        self.exit(_BAD_INPUT, f"error: {error_text(message)} (see {self.prog} --help)\n")
 
 
 def _numbers_after(option: argparse.Action) -> int:

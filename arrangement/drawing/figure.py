@@ -69,11 +69,11 @@ def picture(least: float = 40.0) -> Callable[[Callable[P, Scene]], DrawingView[P
                 ax, lambda width: laid_out(scene(*args, **{"width": width, **options}), "none")
             )
 
-        told = inspect.cleandoc(view.__doc__ or "")  # Python 3.13 takes the indent away itself
-        if "    width:" not in told:
-            told = told.replace("\nRaises:", f"{_WIDTH}\nRaises:")
-        told = told.replace("\nRaises:", f"{_AX}\nRaises:")
-        draw.__doc__ = f"{told}\n{_ABSENT}"
+        text = inspect.cleandoc(view.__doc__ or "")  # Python 3.13 takes the indent away itself
+        if "    width:" not in text:
+            text = text.replace("\nRaises:", f"{_WIDTH}\nRaises:")
+        text = text.replace("\nRaises:", f"{_AX}\nRaises:")
+        draw.__doc__ = f"{text}\n{_ABSENT}"
         draw.__annotations__ = {**view.__annotations__, "return": "Drawing"}
         draw.scene = scene  # type: ignore[attr-defined]
         made: Any = draw
