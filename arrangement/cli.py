@@ -289,7 +289,7 @@ def _forecast(arrangement: Arrangement, arguments: argparse.Namespace) -> int:
     if arguments.json:
         terminal.print_json({"ranks": [asdict(entry) for entry in ranks], "steps": total})
         return terminal.YES
-    print("rank   classes of flats            steps       memory")
+    print("rank   orbits of flats             steps       memory")
     for entry in ranks:
         about = " " if entry.exact else "≈"
         print(

@@ -108,7 +108,7 @@ def first_whitney_numbers(
         InputError: a permutation that no linear map makes of the planes.
         TimeLimitError: the time is over; its `known` has the numbers that are final.
 
-    Complexity: with m planes and c classes of flats of rank at most r - 2 (affine: r - 1), O(c m)
+    Complexity: with m planes and c orbits of flats of rank at most r - 2 (affine: r - 1), O(c m)
     operations modulo primes, and as many images of sets as classes have covers.
 
     Source: [Weisner1935]; [BrysiewiczEbleKuehne2023] for the use of symmetries.
@@ -221,7 +221,7 @@ def f_vector(arrangement: Planes) -> tuple[int, ...]:
     Source: T. Zaslavsky, Facing up to arrangements, Memoirs AMS 154 (1975), theorem A.
     Complexity: see `doubly_indexed_whitney_numbers`. Beyond rank 4, planes whose largest minors are
     all seen to be nonzero are counted by binomials, since every flat has as many planes as its
-    rank, and planes with many symmetries by classes of flats: one restriction for each.
+    rank, and planes with many symmetries by orbits of flats: one restriction for each.
 
     >>> from arrangement import Arrangement
     >>> f_vector(Arrangement([[1, 0, 0], [0, 1, 0], [1, 1, 1]]))

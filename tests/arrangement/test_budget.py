@@ -286,7 +286,7 @@ def test_flats_are_refused_as_soon_as_their_second_rank_is_known(tmp_path, capsy
     rows = [[i**k % 1009 for k in range(1, 6)] for i in range(1, 121)]
     path.write_text(json.dumps({"schema_version": 1, "planes": rows, "offsets": [1] * 120}))
     assert arrangement_main(["count", str(path)]) == 2
-    assert "what covers 7,140 classes of flats of rank 2" in capsys.readouterr().err
+    assert "what covers 7,140 orbits of flats of rank 2" in capsys.readouterr().err
 
 
 def test_the_memory_of_a_family_is_foreseen():

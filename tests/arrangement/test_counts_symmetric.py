@@ -1,4 +1,4 @@
-"""Whitney numbers by classes of flats against the lattice, enumeration, subsets, points, print."""
+"""Whitney numbers by orbits of flats against the lattice, enumeration, subsets, points, print."""
 
 import itertools
 import math

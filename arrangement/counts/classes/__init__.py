@@ -1,1 +1,1 @@
-"""Counts by classes of flats under the symmetries of the normals, also in parts."""
+"""Counts by orbits of flats under the symmetries of the normals, also in parts."""

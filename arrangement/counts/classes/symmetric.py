@@ -1,4 +1,4 @@
-"""Whitney numbers of the first kind by Weisner's theorem, over classes of flats.
+"""Whitney numbers of the first kind by Weisner's theorem, over orbits of flats.
 
 For a flat X let |X| be the number of distinct planes through it. Summed over the planes through X,
 Weisner's theorem says ``|X| mu(X) = - sum of mu(Y) (|X| - |Y|)`` over the flats Y that X covers. So
@@ -207,7 +207,7 @@ class Classes:
         ahead = sum(flats_foreseen(self._planes, k, rank - 1, len(flats)) for k in ranks)
         pairs = ahead * count
         budget.ask(
-            f"what covers {len(flats):,} classes of flats of rank {rank - 1}, and so on",
+            f"what covers {len(flats):,} orbits of flats of rank {rank - 1}, and so on",
             "leave out planes, or count in parts (--store FOLDER)",
             long_steps=pairs * self.rank / 2,
         )
@@ -234,7 +234,7 @@ class Classes:
                     found, share = Flats.joined(parts), (done + 1) / len(pieces)
                     numbers = (found.bases, found.members, found.images, found.values)
                     budget.ask(
-                        f"{budget.about(len(found) / share)} classes of flats of rank {rank}",
+                        f"{budget.about(len(found) / share)} orbits of flats of rank {rank}",
                         "leave out planes, or count in parts (--store FOLDER)",
                         bytes=3 * sum(x.nbytes for x in numbers) / share,
                     )
