@@ -282,7 +282,7 @@ def _whitney_numbers(arrangement: Arrangement, arguments: argparse.Namespace) ->
 
 
 def _forecast(arrangement: Arrangement, arguments: argparse.Namespace) -> int:
-    from .counts.classes.symmetric import forecast
+    from .counts.orbits.symmetric import forecast
 
     ranks = list(forecast(arrangement))
     total = sum(entry.steps for entry in ranks)

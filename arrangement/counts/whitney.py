@@ -140,7 +140,7 @@ def _first_numbers(
 
 def _annex() -> Any:
     """Return what counts one flat of each class under symmetries, or None if it was taken away."""
-    name = "arrangement.counts.classes"
+    name = "arrangement.counts.orbits"
     return import_module(f"{name}.symmetric") if find_spec(name) else None
 
 

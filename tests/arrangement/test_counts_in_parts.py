@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from arrangement import Arrangement, InputError, cli, counts, families
-from arrangement.counts.classes import in_parts as counts_in_parts, symmetric
-from arrangement.counts.classes.symmetric import forecast
 from arrangement.counts.configuration import configuration
+from arrangement.counts.orbits import in_parts as counts_in_parts, symmetric
+from arrangement.counts.orbits.symmetric import forecast
 from arrangement.errors import OutOfTimeError, UnfinishedError
 from arrangement.numbers import deadline
 

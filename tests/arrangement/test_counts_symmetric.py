@@ -14,12 +14,12 @@ from sympy.combinatorics import Permutation, PermutationGroup
 from sympy.functions.combinatorial.numbers import stirling
 
 from arrangement import Arrangement, InputError, NumberField, counts, families
-from arrangement.counts.classes import automorphisms, images, symmetric
-from arrangement.counts.classes.automorphisms import Automorphisms, _connected_order
-from arrangement.counts.classes.images import Images
-from arrangement.counts.classes.symmetric import moduli_above
 from arrangement.counts.configuration import configuration
 from arrangement.counts.modular import ModularVectors, _inverses
+from arrangement.counts.orbits import automorphisms, images, symmetric
+from arrangement.counts.orbits.automorphisms import Automorphisms, _connected_order
+from arrangement.counts.orbits.images import Images
+from arrangement.counts.orbits.symmetric import moduli_above
 from arrangement.errors import OutOfTimeError
 from arrangement.numbers import deadline
 from arrangement.numbers.deadline import Deadline

@@ -249,7 +249,7 @@ def foretold(n: int) -> Work:
     """Ours: the forecast of a count, of the resonance arrangement in R^n; its steps."""
     import sympy  # noqa: F401
 
-    from arrangement.counts.classes.symmetric import forecast
+    from arrangement.counts.orbits.symmetric import forecast
     from arrangement.library.families import resonance
 
     planes = resonance(n)

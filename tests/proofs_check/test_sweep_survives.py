@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from arrangement import counts, families
-from arrangement.counts.classes import in_parts
+from arrangement.counts.orbits import in_parts
 from proofs_check.errors import SweepError
 from proofs_check.sweep import report as sweepreport, store
 

@@ -18,11 +18,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.console.progress import watched
-from arrangement.counts.classes.automorphisms import Automorphisms, Permutations
-from arrangement.counts.classes.images import Images
 from arrangement.counts.configuration import Configuration, configuration, flats_foreseen
 from arrangement.counts.modular import Integers, ModularVectors
 from arrangement.counts.operations import localization, restriction
+from arrangement.counts.orbits.automorphisms import Automorphisms, Permutations
+from arrangement.counts.orbits.images import Images
 from arrangement.counts.whitney import first_whitney_numbers
 from arrangement.errors import InputError, OutOfTimeError
 from arrangement.numbers import budget
