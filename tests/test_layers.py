@@ -40,7 +40,7 @@ graph = grimp.build_graph(*sys.argv[1:], exclude_type_checking_imports=True, cac
 pairs = [(m, n) for m in graph.modules for n in graph.find_modules_directly_imported_by(m)]
 for one, other in pairs[:]:
     split = one.split("."), other.split(".")
-    k = len(os.path.commonprefix(split)) + 1  # where the rooms part
+    k = len(os.path.commonprefix(split)) + 1  # where the packages differ
     if k <= min(map(len, split)):
         pairs.append(tuple(".".join(names[:k]) for names in split))
 parts = networkx.strongly_connected_components(networkx.DiGraph(pairs))
@@ -49,7 +49,7 @@ print(json.dumps([sorted(part) for part in parts if len(part) > 1]))
 
 
 def circles(folder: Path) -> list[list[str]]:
-    """Modules and rooms that import each other in circles; functions count, types do not."""
+    """Modules and packages that import each other in circles; functions count, types do not."""
     command = [sys.executable, "-c", CIRCLES, *PACKAGES]
     environment = {**os.environ, "PYTHONPATH": str(folder)}
     printed = subprocess.check_output(command, cwd=folder, env=environment, timeout=120)
@@ -67,7 +67,7 @@ def test_no_modules_or_rooms_import_each_other_in_a_circle():
         ("planes/planes", "pictures import views", {"planes.planes", "pictures.views"}),
         ("pictures/parts/names", "pictures.sphere import projections", {"pictures.parts"}),
     ],
-    ids=["of modules", "of rooms"],
+    ids=["of modules", "of packages"],
 )
 def test_a_planted_circle_is_found(module, other, circle, tmp_path):
     copy_packages(tmp_path)
@@ -213,8 +213,8 @@ grasp = read_grasp("paper-three-contacts-preload-1")
 assert solve(grasp, (0, 1, 0)) and not solve(grasp, (0, 50, 0))
 assert solve(grasp, (0, 50, 0)).certificate.verify()
 """
-#: What the paper does not need, each with the modules that are its doors.
-ANNEXES = {
+#: What the paper does not need, each with the modules by which it is used.
+OPTIONAL = {
     "space": (
         "equilibrium/space",
         "equilibrium/pictures/space",
@@ -232,11 +232,11 @@ ANNEXES = {
 }
 
 
-@pytest.mark.parametrize("annex", ANNEXES)
-def test_the_rest_counts_and_decides_without(annex, tmp_path):
+@pytest.mark.parametrize("part", OPTIONAL)
+def test_the_rest_counts_and_decides_without(part, tmp_path):
     copy_packages(tmp_path)
-    for part in ANNEXES[annex]:
-        gone = tmp_path / part
+    for module in OPTIONAL[part]:
+        gone = tmp_path / module
         (shutil.rmtree if gone.is_dir() else Path.unlink)(gone)
     command = [sys.executable, "-c", REST]
     environment = {**os.environ, "PYTHONPATH": str(tmp_path)}
@@ -244,7 +244,7 @@ def test_the_rest_counts_and_decides_without(annex, tmp_path):
 
 
 def test_no_folder_holds_more_than_twelve():
-    """Files and folders; on the ground floor of a package not what Python asks for."""
+    """Files and folders; at the top level of a package not what Python asks for."""
     asked = {"__init__.py", "__init__.pyi", "__main__.py", "py.typed"}
     folders = [
         folder
@@ -279,8 +279,8 @@ def test_the_kit_draws_what_is_neither_planes_nor_a_grasp(tmp_path):
     pytest.importorskip("matplotlib")
     program = """
 import sys
-rooms = ("planes", "counts", "enumeration", "duals", "arrangement", "library", "pictures")
-for name in rooms:
+packages = ("planes", "counts", "enumeration", "duals", "arrangement", "library", "pictures")
+for name in packages:
     sys.modules["arrangement." + name] = None
 sys.modules["equilibrium"] = None
 from arrangement.drawing.path_artist import write_scene

@@ -131,15 +131,15 @@ def _first_numbers(
     config = configuration(arrangement)
     if symmetry is None and config.rank > MAX_RANK and (generic := _generic_matrix(config)):
         return tuple((-1) ** k * value for k, value in enumerate(generic[0]))
-    if (config.rank > MAX_RANK or (config.rank and symmetry is not None)) and (annex := _annex()):
-        found = annex.first_numbers(arrangement, config, symmetry, deadline)
+    if (config.rank > MAX_RANK or (config.rank and symmetry is not None)) and (orbits := _orbits()):
+        found = orbits.first_numbers(arrangement, config, symmetry, deadline)
         return tuple(found)
     row = doubly_indexed_whitney_numbers(arrangement)[0]
     return tuple((-1) ** k * value for k, value in enumerate(row))
 
 
-def _annex() -> Any:
-    """Return what counts one flat of each class under symmetries, or None if it was taken away."""
+def _orbits() -> Any:
+    """Return what counts one flat of each class under symmetries; None if it is absent."""
     name = "arrangement.counts.orbits"
     return import_module(f"{name}.symmetric") if find_spec(name) else None
 
@@ -147,10 +147,10 @@ def _annex() -> Any:
 def _flats_and_faces(
     arrangement: Planes, config: Configuration, *, faces: bool
 ) -> tuple[tuple[int, ...], tuple[int, ...]] | None:
-    if config.rank <= MAX_RANK or not (annex := _annex()):
+    if config.rank <= MAX_RANK or not (orbits := _orbits()):
         return None
     found: tuple[tuple[int, ...], tuple[int, ...]] | None
-    found = annex.flats_and_faces(arrangement, config, faces=faces)
+    found = orbits.flats_and_faces(arrangement, config, faces=faces)
     return found
 
 

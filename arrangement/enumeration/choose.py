@@ -1,4 +1,4 @@
-"""Which engine lists the faces of which planes: the one door to all of them."""
+"""Which engine lists the faces of which planes: the only entry point to all of them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What claims are made of: one door to all that the modules beside this one share."""
+"""What claims are made of: the names that the modules beside this one share."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ from . import documents
 
 
 def _of_others() -> Iterable[Format]:
-    """Return the formats of other programs, unless that annex was taken away."""
+    """Return the formats of other programs, unless that optional package is absent."""
     name = "arrangement.library.files.others"
     return import_module(name).formats() if find_spec(name) else ()
 

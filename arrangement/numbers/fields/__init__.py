@@ -1,4 +1,4 @@
-"""Fields of real numbers, for irrational entries: the door."""
+"""Fields of real numbers, for irrational entries: the public names."""
 
 from .algebraic_number import AlgebraicNumber as AlgebraicNumber, Real as Real
 from .number_field import NumberField as NumberField

@@ -1,4 +1,4 @@
-"""The formats of other programs; `formats` is their door."""
+"""The formats of other programs; `formats` is the entry point."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def _names(program: str) -> Callable[[str], object]:
 def formats() -> Iterator[Format]:
     """Yield the formats, in the order in which a text is tried.
 
-    Chirotopes need the census, and that the families; without these annexes they are left out.
+    Chirotopes need the census, and that the families; without these packages they are left out.
     """
     yield Format("polymake", (".hyar",), _names("polymake"), polymake.read, polymake.write)
     yield Format("oscar", (".mrdi",), _names("Oscar"), polymake.read_oscar, polymake.write_oscar)
@@ -29,7 +29,7 @@ def formats() -> Iterator[Format]:
     yield Format("sage", (".sage",), *sage, loses=texts.loses_in_sage)
     macaulay2 = texts.ARRANGEMENT.search, texts.read_macaulay2, texts.write_macaulay2
     yield Format("macaulay2", (".m2",), *macaulay2)
-    if all(find_spec(f"arrangement.library.{annex}") for annex in ("census", "families")):
+    if all(find_spec(f"arrangement.library.{part}") for part in ("census", "families")):
         from . import chirotope
 
         yield Format(
