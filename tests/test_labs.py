@@ -145,7 +145,7 @@ LABS = {
         ],
         [
             ("{", "JSON"),
-            ('{"planes": []}', "no grasp"),
+            ('{"planes": []}', "not a grasp"),
             ('{"schema_version": 1, "contacts": [{"point": [0.5, 0]}]}', "point"),
             ('{"schema_version": 1, "contacts": [], "outline": [["0", "0"]]}', "outline"),
         ],
@@ -171,7 +171,7 @@ LABS = {
         ],
         [
             ("{", "JSON"),
-            ('{"contacts": []}', "no arrangement"),
+            ('{"contacts": []}', "not an arrangement"),
             ('{"schema_version": 1, "planes": [["1", "0", "0", "1"]]}', "two entries"),
             ('{"schema_version": 1, "planes": [["0.5", 0.5, "0"]]}', "plane 1"),
             ('{"schema_version": 1, "planes": [["1", "0", "0"]], "offsets": ["1"]}', "origin"),

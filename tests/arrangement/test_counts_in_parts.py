@@ -156,7 +156,7 @@ def test_a_damaged_part_is_named(tmp_path, damage):
         in_parts(RESONANCE, tmp_path)
     part.unlink()
     np.savez(part, other=np.zeros(2))
-    with pytest.raises(InputError, match="no part of a count"):
+    with pytest.raises(InputError, match="not part of a count"):
         in_parts(RESONANCE, tmp_path)
     part.unlink()
     assert in_parts(RESONANCE, tmp_path) == NUMBERS

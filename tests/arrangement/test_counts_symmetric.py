@@ -236,7 +236,7 @@ def test_given_symmetries_are_checked():
     assert counts.first_whitney_numbers(Arrangement([], dimension=2), symmetry=[]) == (1,)
     for generic in (families.generic(7, 5), families.coordinate(5)):
         swapped = [1, 0, *range(2, len(generic) - 1), 2]
-        with pytest.raises(InputError, match=r"each once|no automorphism"):
+        with pytest.raises(InputError, match=r"each once|not an automorphism"):
             counts.first_whitney_numbers(generic, symmetry=[swapped])
 
 
@@ -251,7 +251,7 @@ def test_an_affine_symmetry_must_keep_infinity():
     triangle = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
     assert group(triangle).order() == 6
     line_and_parallels = Arrangement([[1, 0], [1, 0], [0, 1]], [0, 1, 0])
-    with pytest.raises(InputError, match="no automorphism"):
+    with pytest.raises(InputError, match="not an automorphism"):
         counts.first_whitney_numbers(line_and_parallels, symmetry=[[2, 1, 0]])
 
 

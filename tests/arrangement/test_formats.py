@@ -238,7 +238,7 @@ def test_lists_of_finschi_are_read():
 REFUSED = {
     "another field": ("H.<x> = HyperplaneArrangements(GF(5))\nA = H(x)", r"GF\(5\)"),
     "code": ("H.<x> = HyperplaneArrangements(QQ)\nA = H(exit())", "has 'exit'"),
-    "a product": ("H.<x,y> = HyperplaneArrangements(QQ)\nA = H(x*y)", "no linear form"),
+    "a product": ("H.<x,y> = HyperplaneArrangements(QQ)\nA = H(x*y)", "not a linear form"),
     "an unknown variable": ("H.<x> = HyperplaneArrangements(QQ)\nA = H(x, y)", "has 'y'"),
     "division by zero": ("H.<x> = HyperplaneArrangements(QQ)\nA = H(3/0*x)", "zero"),
     "nesting": (f"H.<x> = HyperplaneArrangements(QQ)\nA = H({'[' * 9999}x)", "never closed"),
@@ -264,7 +264,7 @@ REFUSED = {
         '"HYPERPLANES": [["1", "1"]], "SUPPORT": {"INPUT_RAYS": [["1", "0"]]}}',
         "SUPPORT",
     ),
-    "no matrix": ('{"_ns": {"Oscar": []}, "_type": "QQField"}', "no matrix"),
+    "not a matrix": ('{"_ns": {"Oscar": []}, "_type": "QQField"}', "not a matrix"),
     "the dual": ("R = QQ[x,y]\nA = dual arrangement {x,y,x-y}", "the dual"),
     "the ring of a matrix": ("R = ZZ/7[x,y]\nA = arrangement(matrix {{1,0},{0,1}}, R)", "ZZ/7"),
     "rank 4": ("5,4:+++++", "rank 3"),

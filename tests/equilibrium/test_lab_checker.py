@@ -148,8 +148,8 @@ def test_changed_proofs_are_refused_by_both_checkers_alike(ask):
 @pytest.mark.parametrize(
     ("change", "why"),
     [
-        ({"schema_version": 2}, "no certificate"),
-        ({"certificate": "stable"}, "no certificate"),
+        ({"schema_version": 2}, "not a certificate"),
+        ({"certificate": "stable"}, "not a certificate"),
         ({"wrench": ["0", "1"]}, "three numbers"),
         ({"wrench": ["0", 0.5, "0"]}, "the wrench must be a text"),
         ({"tree": {"leaf": []}}, "a node is a list"),

@@ -139,8 +139,8 @@ def broken(tmp_path: Path) -> dict[str, Path]:
             bare(box.vertices, box.faces[1:]), tmp_path / "open.stl"
         ),
         "not oriented alike": written(bare(box.vertices, facets), tmp_path / "mixed.ply"),
-        "no facets|no mesh": text,
-        "no mesh that can be read": damaged,
+        "no facets|not a mesh": text,
+        "not a mesh that can be read": damaged,
         "No such file": tmp_path / "missing.stl",
         "of no kind": tmp_path / "cube.step",
     }

@@ -128,7 +128,7 @@ def test_the_values_of_a_claim_are_fitted_where_its_routes_agree(tmp_path, monke
         (["regions", "--of", "generic(m=2..4, d=2..3)"], "one parameter that varies"),
         (["regions", "--of", "coxeter(type=A3,B3)"], "over integers"),
         (["f_vector", "--of", "generic(m=2..4)"], "f_vector[1]"),
-        (["regions == 2", "--of", "generic(m=2..4)"], "no number"),
+        (["regions == 2", "--of", "generic(m=2..4)"], "not a number"),
         (["p_vector[3]", "--of", "pencil(m=2..4)"], "write .get(key, 0)"),
         (["regions", "--of", "simple"], "no family is"),
     ],
