@@ -1,4 +1,4 @@
-"""Two methods with springs that answer wrongly, each beside the complete model."""
+"""Two methods with springs that answer wrongly, each beside the full model."""
 
 from _plane import BLUE, GREY, ORANGE, arrow, body, dot, label, panels, save
 
@@ -35,7 +35,7 @@ def shown(axes, corners, grasp, wrench, forces, size, moved=()):
 def linear():
     grasp, wrench = read_grasp("paper-three-contacts"), (0, -1, 0)
     window = (-1.5, 1.5, -1.4, 1.2)
-    titles = ["linear springs: not resisted", "complete model: resisted"]
+    titles = ["linear springs: not resisted", "full model: resisted"]
     figure, (left, right) = panels([window, window], scale=18, titles=titles)
     shown(left, SQUARE, grasp, wrench, linear_compliance(grasp, wrench).forces, 0.9)
     (found,) = solve(grasp, wrench).equilibria
@@ -46,7 +46,7 @@ def linear():
 def twisted():
     grasp, wrench = read_grasp("paper-four-contacts").with_friction(2), (0, -1, 0)
     window = (-1.6, 1.8, -1.8, 1.75)
-    titles = ["cones alone: resisted", "complete model: not resisted"]
+    titles = ["cones alone: resisted", "full model: not resisted"]
     figure, (left, right) = panels([window, window], scale=18, titles=titles)
     found = cones(grasp, wrench)
     x, y, r = (float(v) for v in found.motion)

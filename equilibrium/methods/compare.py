@@ -44,7 +44,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class Comparison:
-    """The verdicts of all methods on one question; the complete model comes first.
+    """The verdicts of all methods on one question; the full model comes first.
 
     Attributes:
         pyramid: edges of the friction pyramids asked for; None for round cones, or in the plane.
@@ -57,22 +57,22 @@ class Comparison:
 
     @property
     def stable(self) -> bool:
-        """The verdict of the complete model.
+        """The verdict of the full model.
 
         Raises:
             UndecidedError: in space it may be undecided.
         """
         if self.answers[0].accepts is None:
-            raise UndecidedError(f"the complete model: {self.answers[0].remark}")
+            raise UndecidedError(f"the full model: {self.answers[0].remark}")
         return self.answers[0].accepts
 
     def __bool__(self) -> bool:
-        """Return the verdict of the complete model."""
+        """Return the verdict of the full model."""
         return self.stable
 
     @property
     def disagreeing(self) -> tuple[str, ...]:
-        """The methods with another verdict than the complete model; none where it has none."""
+        """The methods with another verdict than the full model; none where it has none."""
         told = self.answers[0].accepts
         return tuple(
             answer.method
@@ -84,7 +84,7 @@ class Comparison:
         return next(answer for answer in self.answers if answer.method == method)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form; `agrees` is null where it or the complete model says nothing."""
+        """Return a JSON form; `agrees` is null where it or the full model says nothing."""
         asked = {} if self.pyramid is None else {"pyramid": self.pyramid}
         return asked | {
             "stable": self.answers[0].accepts,
@@ -116,7 +116,7 @@ def ask_all(grasp: Grasp) -> None:
     each = 1 if FloatContacts(grasp).moderate else 100
     budget.ask(
         f"all methods on {len(grasp)} contacts",
-        "ask the complete one (solve)",
+        "ask the full model (solve)",
         steps=each * len(grasp) ** 3,
     )
 

@@ -36,8 +36,8 @@ def _decide(grasp: Grasp, wrench: RationalVector, pyramid: int | None = None) ->
 
 COMPLETE = Method(
     "complete",
-    "complete model (springs, cones, dissipation, detachment)",
-    "complete model",
+    "full model (springs, cones, dissipation, detachment)",
+    "full model",
     _decide,
     resisted_region,
     decide_in_space=_decide,

@@ -101,7 +101,7 @@ class StateImages:
         """Return the wrenches resisted with these contact states; None when there are none.
 
         Args:
-            states: besides those of the complete model, "attached": friction inside the cone,
+            states: besides those of the full model, "attached": friction inside the cone,
                 whatever the slip.
             plane: ``(a, b)``: leave out motions at which none of the wrenches has
                 ``a . w + b = 0``. All wrenches of this plane remain, of others only some.

@@ -25,7 +25,7 @@ from tests.equilibrium.test_lab import Question, questions, texts
 from tests.javascript.check import node, paths
 
 CORE = Path(__file__).parent.parent / "javascript" / "core.mjs"
-#: Asks for answers to questions by a method (the complete model is ""), and reports on documents.
+#: Asks for answers to questions by a method (the full model is ""), and reports on documents.
 Ask = Callable[[list[Question], list[Any], str], tuple[list[Any], list[Any]]]
 
 IN_PAGE = """

@@ -236,7 +236,7 @@ def draw_methods(grasp: Grasp, *, wrenches: Iterable[Wrench], width: float = 88.
     """Draw the verdict of every method on several wrenches, one column for each.
 
     A disc: the method accepts; a cross: it refuses; a dash: it says nothing about one wrench.
-    A shaded field: it disagrees with the complete model, which is the first row.
+    A shaded field: it disagrees with the full model, which is the first row.
 
     Args:
         grasp: contacts.
@@ -263,7 +263,7 @@ def draw_methods(grasp: Grasp, *, wrenches: Iterable[Wrench], width: float = 88.
     if any(entry.accepts is None for answer in answers for entry in answer.answers):
         legend.key(symbol("silence"), "says nothing")
     if any(answer.disagreeing for answer in answers):
-        legend.key(symbol(_TINT), "not as the complete model")
+        legend.key(symbol(_TINT), "not as the full model")
     return scene
 
 

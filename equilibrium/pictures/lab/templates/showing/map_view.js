@@ -43,7 +43,7 @@ function paintDifference(view) {
 function comparedWords() {
   const say = (yes) => (yes ? "accepts" : "refuses");
   const other = piecesAt(state.others, [...state.wrench, ONE]).length > 0;
-  const right = state.fits ? ` The complete model ${say(state.found.stable)} the load, this method ${say(other)} it.` : "";
+  const right = state.fits ? ` The full model ${say(state.found.stable)} the load, this method ${say(other)} it.` : "";
   return `Compared with ${METHODS[state.other].name}. Red stripes: it accepts what is not resisted; blue: it refuses what is.${right}`;
 }
 

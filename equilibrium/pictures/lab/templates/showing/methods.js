@@ -1,7 +1,7 @@
 // The compared methods: each is a list of choices of states, and an answer is whether one of them has a
 // solution. `printed` reads the equations of the paper as they stand.
 const METHODS = {
-  complete: { name: "the complete model", choices: (grasp) => statesOf(grasp) },
+  complete: { name: "the full model", choices: (grasp) => statesOf(grasp) },
   "wrench-space": { name: "the wrench space: any force in its cone", choices: (grasp) => [{ states: grasp.map(() => "free") }] },
   cones: { name: "springs and cones only, no dissipation", choices: (grasp) => statesOf(grasp, ["attached", "detached"]) },
   printed: { name: "the paper as printed", printed: true, choices: printedChoices },

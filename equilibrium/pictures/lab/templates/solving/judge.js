@@ -75,7 +75,7 @@ const GOALS = {
   async method({ name, says }, { grasp, wrench }) {
     const right = await work.ask({ task: "resists", grasp, wrench });
     const other = await work.ask({ task: "said", grasp, wrench, method: name });
-    const words = `The complete model ${right ? "accepts" : "refuses"} this load, ${METHODS[name].name.split(":")[0]} ${other ? "accepts" : "refuses"} it.`;
+    const words = `The full model ${right ? "accepts" : "refuses"} this load, ${METHODS[name].name.split(":")[0]} ${other ? "accepts" : "refuses"} it.`;
     return { value: { name, says: other }, solved: right !== other && other === (says ?? other), words };
   },
   async refutes(_, { grasp, wrench, motion }) {
