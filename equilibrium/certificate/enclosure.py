@@ -13,9 +13,9 @@ all conditions of the law hold, if they hold for all of X. Intervals have intege
 and are rounded outwards.
 
 Motions that no attached contact feels (without friction it feels no slip), and on which the load
-does no work ("idle"), leave d open, and F misses them. Then F + sum v (v . d - x) over idle motions
-v with numbers x takes the place of F. Its zeros are zeros of F: its products with idle motions are
-those of the sum, so that is 0.
+does no work (null-space motions, JSON "idle"), leave d open, and F misses them. Then F + sum v (v .
+d - x) over null-space motions v with numbers x takes the place of F. Its zeros are zeros of F: its
+products with null-space motions are those of the sum, so that is 0.
 """
 
 from __future__ import annotations
@@ -107,7 +107,7 @@ def enclosure_problem(
     pairs = zip(felt_contacts, given.friction, strict=True)
     works = [wrench, *chain(*(felt.noticed for felt, friction in pairs if friction is not None))]
     if any(dot(row, motion[:6]) for motion in given.idle for row in works):
-        return "an idle motion moves an attached contact, or the load does work on it"
+        return "a null-space motion moves an attached contact, or the load does work on it"
     if any(r <= 0 for r in given.radius):
         return "a radius of the enclosure is not above 0"
     box = [

@@ -64,7 +64,7 @@ class Units(Documented):
 
 
 #: What is said of answers about one grasp, where its data were converted.
-AS_ROUNDED = "as the data were rounded; `equilibrium solve` asks about others within their error"
+AS_ROUNDED = "for the rounded data, not for all data within the rounding error"
 
 
 @dataclass(frozen=True, repr=False)

@@ -19,7 +19,8 @@ class Enclosure(NamedTuple):
         pillars: (contact, 0 or 1): tangents along which a sticking contact has one more force.
         centre, radius: six intervals, of the combination and of the forces of pillars.
         inverse: (6, 6), about the inverse of the derivative of the balance in the centre.
-        idle: motions that no loaded contact feels, as turns about the line of two, with a number.
+        idle: null-space motions, which do no work at any loaded contact, as turns about the line of
+        two, with a number.
     """
 
     basis: tuple[RationalVector, ...]

@@ -34,7 +34,7 @@ def verdict_html(verdict: Verdict) -> str:
     stated = verdict.grasp.units
     head = f"<p>{escape(str(stated))}</p>" if stated else ""
     if verdict.doubt:
-        head += f"<p><b>{escape(verdict.doubt)}</b>; as it was rounded:</p>"
+        head += f"<p><b>{escape(verdict.doubt)}</b>; for the rounded data:</p>"
     tables = ""
     if not verdict.decided:
         note = escape(verdict.reason)

@@ -516,9 +516,12 @@ FORGED = [
         "contact 4 is a pillar and does not stick",
         {"pillars": (*PILLARS[:2], (3, 0)), "friction": (*[STICK] * 3, "slip")},
     ),
-    ("an idle motion", {**ON_TWO, "idle": (TURN,), "wrench": (0, 0, -2, F(1, 9), 0, 0)}),
-    ("an idle motion", {**ON_TWO, "idle": ((*TILT[:4], 1, 0, 0),)}),
-    ("an idle motion", {**ON_ICE, "idle": ((*ALONG, 0), (*ASIDE, 0), (*plus(TIP, (1, SPIN)), 0))}),
+    ("a null-space motion", {**ON_TWO, "idle": (TURN,), "wrench": (0, 0, -2, F(1, 9), 0, 0)}),
+    ("a null-space motion", {**ON_TWO, "idle": ((*TILT[:4], 1, 0, 0),)}),
+    (
+        "a null-space motion",
+        {**ON_ICE, "idle": ((*ALONG, 0), (*ASIDE, 0), (*plus(TIP, (1, SPIN)), 0))},
+    ),
 ]
 
 

@@ -60,7 +60,7 @@ def arrangement_page(
         camera: the exact first direction towards the viewer; if omitted, a clear one.
         coordinates: at first: "given"; "symmetric", after a linear map that shows the symmetry of
             the planes; "even", after one that spreads the normals evenly. If omitted, symmetric
-            where that differs, but for planes of motions, and even where the planes are narrow.
+            where that differs, but for planes of motions, and even where they are nearly parallel.
 
     Raises:
         InputError: another space, planes off the origin, too many planes, unknown colouring.
@@ -99,7 +99,7 @@ def _shaped(
     """Return what the page needs to show the planes symmetric, else evened out; None below rank 3.
 
     Args:
-        coordinates: those at first; None: the symmetric ones, or narrow planes evened out.
+        coordinates: those at first; None: the symmetric ones, or nearly parallel planes evened out.
     """
     sphere = globe.whole
     if sphere.rank < 3:

@@ -1,4 +1,5 @@
-"""Linear changes of coordinates for pictures: symmetric arrangements look it, narrow ones open up.
+"""Linear changes of coordinates for pictures: symmetric arrangements look it, nearly parallel ones
+open up.
 
 Such a map changes no sign vector and no incidence. It is found in floats, rounded to rationals and
 applied exactly.
@@ -93,9 +94,9 @@ def in_coordinates(
     Args:
         coordinates: "given"; "symmetric", in which the maps that permute the planes are rotations
             and mirrors (where they are few, the given ones); "even", with normals spread evenly.
-            None: given if they have a meaning (`Planes.axes`), else symmetric, or even for narrow
-            planes that have no other symmetric ones. Lines of R^2 and planes off the origin have
-            symmetric ones if they are those of a root system (see `root_map`).
+            None: given if they have a meaning (`Planes.axes`), else symmetric, or even for nearly
+            parallel planes that have no other symmetric ones. Lines of R^2 and planes off the
+            origin have symmetric ones if they are those of a root system (see `root_map`).
         arrangement: planes in R^3, lines in R^2, or central planes of full rank in any space; other
             ones are returned as they are.
         direction: of points, in given coordinates.
@@ -133,7 +134,7 @@ def coordinate_map(coordinates: str | None, arrangement: Arrangement) -> Floats 
     if matrix is None and coordinates is None and full and is_narrow(normals):
         matrix = even_map(normals)
         note(
-            "the planes are narrow: drawn with normals spread evenly, unless coordinates "
+            "the planes are nearly parallel: drawn with normals spread evenly, unless coordinates "
             "given are asked for"
         )
     return matrix

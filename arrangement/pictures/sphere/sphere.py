@@ -74,7 +74,8 @@ def draw_sphere(
         sides: mark the positive side of each plane by an arrow.
         coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
             changes no sign vector; "even": after one that spreads the normals evenly; "given". If
-            omitted, symmetric (narrow planes: even), but for planes of motions and with axes.
+            omitted, symmetric (nearly parallel planes: even), but for planes of motions and with
+            axes.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.

@@ -107,7 +107,7 @@ function onLine(normal, [X, Y]) {
 const weight = (point) => dotOf(chartOf().infinity, point);
 const facing = (point) => (weight(point) < 0n ? opposite(point) : point);
 
-// Coordinates of the ball and of the dual: as given, or those of the picture of lines, so that narrow
+// Coordinates of the ball and of the dual: as given, or those of the picture of lines, so that nearly parallel
 // arrangements fill them. Signs are the same in both.
 function shapeOf(even) {
   const { matrix, inverse } = chartOf();
