@@ -223,7 +223,7 @@ OPTIONAL = {
     "contact modes": ("equilibrium/modes.py",),
     "scenes of engines": ("equilibrium/scenes.py",),
     "census": ("arrangement/library/census",),
-    "counting by classes": ("arrangement/counts/classes",),
+    "counting by orbits": ("arrangement/counts/orbits",),
     "families": ("arrangement/library/families",),
     "irrational entries": ("arrangement/numbers/fields",),
     "formats of others": ("arrangement/library/files/others",),

@@ -35,7 +35,7 @@ from arrangement.drawing.scene.scene import Scene
 from .tex_text import tex_text
 
 #: Lines a x + b y = (k + c / 2) d, for each sign (a, b), d in points and c; this many signs stand
-#: so many times closer.
+#: this many times closer.
 _LINES = {
     "/": [((1, -1), 24.0, 0)],
     "\\": [((1, 1), 24.0, 0)],
