@@ -323,7 +323,7 @@ LIMITS = {
     "is exponential": ("contacts with a choice of three states",),
     "of one picture": ("contacts in a picture", "rays in a picture", "wrenches in a picture"),
     "in ``margin``": ("open ranges of friction coefficients",),
-    "combinatorial types": ("arrangement.library.census.catalogue:MOST_PLANES",),
+    "isomorphism classes": ("arrangement.library.census.catalogue:MOST_PLANES",),
     "tables of types": (
         "arrangement.library.files.others.chirotope:MOST_ELEMENTS",
         "proofs_check.course.printed_table:MOST_PSEUDOLINES",

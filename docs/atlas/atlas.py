@@ -1,6 +1,7 @@
 """An atlas of arrangements: python docs/atlas/atlas.py FOLDER [--only TEXT] [--jobs N].
 
-A page each for the known simplicial arrangements, all types of three to seven planes, and the
+A page each for the known simplicial arrangements, all isomorphism classes of three to seven planes,
+and the
 Coxeter arrangements with their deformations: pictures, TikZ, a model to print, numbers, and how to
 make it. Pages need no network. Numbers come from the package, each time anew.
 """

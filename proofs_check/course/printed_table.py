@@ -8,7 +8,7 @@ others, such as ``source``, are ignored. The arrangement is
 * ``lines n=7`` or ``pseudolines n=7``: all of them, for numbers of types.
 
 Counts of single arrangements are closed forms (`arrangement.counts`). Types of lines are counted in
-the census, types of pseudolines by extending chirotopes, without coordinates.
+the census, isomorphism classes of pseudolines by extending chirotopes, without coordinates.
 """
 
 from __future__ import annotations
@@ -165,7 +165,7 @@ def _in_census(n: int) -> int:
 
 
 def _affine_simple(n: int) -> int:
-    """Count types of n lines in general position in the plane: of n + 1, one is at infinity."""
+    """Count classes of n lines in general position in the plane: of n + 1, one is at infinity."""
     rows = [planes.normals for planes in census(_in_census(n + 1), simple=True)]
     signs = chirotope_of(np.array(rows, dtype=np.int64))
     return int(canonical(signs, n + 1).orbits.sum())
@@ -173,9 +173,9 @@ def _affine_simple(n: int) -> int:
 
 @lru_cache
 def _pseudolines(n: int, simple: bool) -> Signs:
-    """Return a chirotope of each type of n pseudolines, by extending those of n - 1."""
+    """Return a chirotope of each class of n pseudolines, by extending those of n - 1."""
     if not 3 <= n <= MOST_PSEUDOLINES:
-        raise NotComputed(f"types of 3 to {MOST_PSEUDOLINES} pseudolines are counted")
+        raise NotComputed(f"isomorphism classes of 3 to {MOST_PSEUDOLINES} pseudolines are counted")
     if n == 3:
         return np.ones((1, 1), dtype=np.int8)
     found = []

@@ -67,5 +67,5 @@ def most_triangles(planes: Arrangement, triangles: int) -> bool:
     expected="refuted",
 )
 def always_reached(planes: Arrangement, triangles: int) -> bool:
-    """Only one of the four types of six lines has ten triangles."""
+    """Only one of the four isomorphism classes of six lines has ten triangles."""
     return triangles == 20

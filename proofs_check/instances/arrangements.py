@@ -67,7 +67,7 @@ def mixed_cases(
 
 
 def census_cases(counts: range, *, simple: bool = False) -> Iterator[Case]:
-    """Yield every combinatorial type of m distinct planes of rank 3, for each m.
+    """Yield every isomorphism class of m distinct planes of rank 3, for each m.
 
     The arrangements are new ones each time, so that nothing found for one claim is kept for
     another.
@@ -81,7 +81,7 @@ def census_cases(counts: range, *, simple: bool = False) -> Iterator[Case]:
 
 
 def line_cases(counts: range) -> Iterator[Case]:
-    """Yield every combinatorial type of m lines of R^2 that are not all parallel, for each m.
+    """Yield every isomorphism class of m lines of R^2 that are not all parallel, for each m.
 
     They are the types of m + 1 lines of the projective plane, with each of these at infinity; a
     type comes as often as its projective one has symmetries that move the line at infinity.

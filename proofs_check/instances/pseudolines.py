@@ -133,7 +133,7 @@ class Pseudolines:
 
 @lru_cache(maxsize=1)
 def not_stretchable() -> tuple[Pseudolines, ...]:
-    """Return the types of nine pseudolines that no lines have."""
+    """Return the isomorphism classes of nine pseudolines that no lines have."""
     return tuple(
         Pseudolines(tuple(map(int, signs)), MOST_PLANES, stretchable=False)
         for signs, _ in without_coordinates()
@@ -141,7 +141,7 @@ def not_stretchable() -> tuple[Pseudolines, ...]:
 
 
 def types(numbers: Sequence[int]) -> Iterator[Case]:
-    """Yield every type of a given number of pseudolines, but for those of `not_stretchable`."""
+    """Yield every class of a given number of pseudolines, but for those of `not_stretchable`."""
     for n in numbers:
         for k, signs in enumerate(chirotopes(n).tolist() if n < MOST_PLANES else _nine(), 1):
             found = Pseudolines(tuple(signs), n)
@@ -166,7 +166,9 @@ def type_sources(low: int, high: int) -> tuple[Source, ...]:
     return (
         Source(Kind.EXHAUSTIVE, over, lambda _: types(range(low, high + 1))),
         Source(
-            Kind.EXHAUSTIVE, "the types of nine pseudolines that no lines have", lambda _: special
+            Kind.EXHAUSTIVE,
+            "the isomorphism classes of nine pseudolines that no lines have",
+            lambda _: special,
         ),
     )
 

@@ -5,7 +5,7 @@ fails, then planes (one, or all equal ones at once) are replaced by smaller ones
 fails. Each accepted step is smaller in a well-founded order, so this ends; a limit on the number
 of tries bounds it besides.
 A greedy search can stop above the smallest instance, so `smaller_instances` lists what has fewer
-planes: every combinatorial type, and every arrangement with entries -1, 0, 1.
+planes: every isomorphism class, and every arrangement with entries -1, 0, 1.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def smaller_instances(planes: int) -> Iterator[Arrangement]:
     """Yield arrangements in R^3 with fewer planes than given, smallest numbers of planes first.
 
     For each number: all arrangements with entries -1, 0, 1 (up to 4 planes), then one of each
-    combinatorial type of different planes of rank 3 (up to seven planes).
+    isomorphism class of different planes of rank 3 (up to seven planes).
     """
     for m in range(1, planes):
         if m <= _ALL_SMALL:

@@ -9,7 +9,7 @@ Write a Python file and run it with ``proofs-check run FILE.py``::
         _, rays, facets, _ = planes.f_vector
         return facets == 2 * rays or f"{facets} facets and {rays} rays"
 
-The function runs on every combinatorial type up to a number of planes, on the named families and
+The function runs on every isomorphism class up to a number of planes, on the named families and
 on random instances, or on a list of instances; a failure is made as small as possible and saved.
 With ``routes`` a value is computed by several functions that must agree, and the function judges
 it. The file is a program: it runs with all rights of the user who names it on the command line, as

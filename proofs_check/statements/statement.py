@@ -147,11 +147,11 @@ Smaller = Callable[[list[Case], Callable[[Any], bool]], tuple[Case, int]]
 
 @dataclass(frozen=True)
 class ManyTypes:
-    """A way to decide a statement on many combinatorial types at once, from their chirotopes.
+    """A way to decide a statement on many isomorphism classes at once, from their chirotopes.
 
     Attributes:
         name: what is done, in words.
-        holds: whether the statement is true of each of N types of n distinct planes of rank 3,
+        holds: whether the statement is true of each of N classes of n distinct planes of rank 3,
             given the signs (N, C(n, 3)) of their triples, and n.
     """
 
@@ -193,7 +193,7 @@ class Claim(Shown):
         theorems: their names, where the proof is one that Coq checked (`formal.theorem`).
         prose: what the theorems leave to the page on proofs.
         views: pictures that show why; if none, a report draws the counterexample.
-        many_types: a way to decide it on all types of nine planes, for sweeps.
+        many_types: a way to decide it on all isomorphism classes of nine planes, for sweeps.
     """
 
     id: str

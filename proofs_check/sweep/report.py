@@ -57,7 +57,7 @@ def record(opened: Store) -> dict[str, Any]:
 def _over(plan: Plan, claim: dict[str, Any]) -> str:
     numbers = f"{plan.low}" if plan.low == plan.high else f"{plan.low} to {plan.high}"
     if plan.types:
-        return f"all types of {numbers} distinct planes of rank 3"
+        return f"all isomorphism classes of {numbers} distinct planes of rank 3"
     return f"random {claim['domain']} with {numbers} {claim['unit']}"
 
 

@@ -1,6 +1,6 @@
 """Sweeps: one claim on very many instances, in numbered chunks that can be done anywhere.
 
-Instances are random, or the combinatorial types of the census, one after another. Random instance
+Instances are random, or the isomorphism classes of the census, one after another. Random instance
 number k depends on the seed, the claim and k alone. So neither the number of workers, nor
 the order of the chunks, nor any interruption can change what a sweep finds. Every claim with a
 domain can be swept, by its name; claims on the printed tables have none, because their cases are
@@ -106,7 +106,7 @@ def plan_sweep(
         if domain.unit != "planes" or low < 3 or high > MOST_PLANES:
             raise SweepError(
                 f"types is {low}..{high} for {domain.text}; "
-                f"there are types of 3 to {MOST_PLANES} planes, and of nothing else"
+                f"there are isomorphism classes of 3 to {MOST_PLANES} planes, and of nothing else"
             )
         samples, types = sum(PUBLISHED[m] for m in range(low, high + 1)), True
     else:
@@ -131,7 +131,7 @@ def instance(plan: Plan, index: int) -> Any:
 
 
 def _at_once(plan: Plan, claim: Claim, indices: range) -> dict[int, bool]:
-    """Return on which of these types of nine planes the claim holds, if that is decided at once."""
+    """Return on which of these classes of nine planes the claim holds, if decided at once."""
     if not plan.types or claim.many_types is None or plan.high < MOST_PLANES:
         return {}
     first = plan.samples - PUBLISHED[MOST_PLANES]

@@ -33,7 +33,7 @@ def main(argv: list[str] | None = None) -> int:
         "--output",
         required=True,
         metavar="FILE",
-        help=".json: the types of 3 to M planes; .npz: those of M, found without coordinates first",
+        help=".json: classes of 3 to M planes; .npz: of M, found without coordinates first",
     )
     parser.add_argument(
         "--store",

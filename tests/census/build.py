@@ -3,13 +3,14 @@
 A vector v extends an arrangement to a given one-element extension when ``v . r`` has the wanted
 sign for each ray r = a_i x a_j. All vectors of the box are tried together, the smallest first.
 
-*Types.* Every type of eight planes is extended by a pseudoline in every way (`extensions`), and
-what results is distinguished by codes (`codes`). No coordinates are used, so the types of oriented
-matroids are complete, whether they have coordinates or not.
+*Types.* Every isomorphism class of eight planes is extended by a pseudoline in every way
+(`extensions`), and what results is distinguished by codes (`codes`). No coordinates are used, so
+the types of oriented matroids are complete, whether they have coordinates or not.
 
 *Vectors.* A small vector with the signs of an extension gives the type coordinates. In round 0
 the arrangements of the list are extended. What is left over needs other coordinates of the eight
-planes; later rounds take them from types of nine planes that have some, less one plane.
+planes; later rounds take them from isomorphism classes of nine planes that have some, less one
+plane.
 
 *Proofs.* A type for which no vectors turn up is shown to have none (`final_polynomials`), or it is
 the one of `families.perles`, which has no rational ones. The builder ends when this is settled for

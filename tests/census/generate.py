@@ -44,7 +44,7 @@ _SMALL = 3
 
 
 def canonical_form(arrangement: Arrangement) -> bytes:
-    """Return a text of the combinatorial type: equal exactly for arrangements of one type.
+    """Return a text of the isomorphism class: equal exactly for arrangements of one type.
 
     For central arrangements in R^3, up to relabelling of planes and exchange of sides.
 

@@ -18,8 +18,8 @@ from proofs_check.statements.statement import Source
 
 #: Text in `over` -> the types it promises.
 PROMISED = {
-    "all 167 types of 3 to 7 distinct planes": range(3, 8),
-    "all 24 types of 3 to 6 distinct planes": range(3, 7),
+    "all 167 isomorphism classes of 3 to 7 distinct planes": range(3, 8),
+    "all 24 isomorphism classes of 3 to 6 distinct planes": range(3, 7),
 }
 ON_TYPES = [
     (claim.id, counts)

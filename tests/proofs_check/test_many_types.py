@@ -1,4 +1,4 @@
-"""All types of nine planes at once: dual graphs from chirotopes, against those of single planes."""
+"""All classes of nine planes at once: dual graphs from chirotopes, against single ones."""
 
 import numpy as np
 import pytest
@@ -57,7 +57,9 @@ def test_weights_below_one_half_on_small_graphs(edges, exist):
 @pytest.mark.parametrize("claim", ["cycle-basis-faces", "great-circle-regions"])
 def test_a_sweep_over_nine_planes_decides_many_types_at_once(claim):
     plan = plan_sweep(claim, (8, 9), None, chunk=40)
-    number = PUBLISHED[8] // 40  # the last types of eight planes are left out, for their time
+    number = (
+        PUBLISHED[8] // 40
+    )  # the last isomorphism classes of eight planes are left out, for their time
     later = run_chunk(plan, number + 1).result["counts"]
     assert later == {"9": [40, 0, 0, 0, 0]}
     assert not any(index % EACH == 0 for index in plan.indices(number + 1))

@@ -60,7 +60,8 @@ def test_a_sweep_over_types_takes_each_of_them_once(tmp_path, capsys):
     ]
     record = ["sweep", "euler", "--classes", "3..5", "--store", str(tmp_path / "s.sqlite")]
     assert main(record) == 0
-    assert "7 all types of 3 to 5 distinct planes of rank 3: 7 that hold" in capsys.readouterr().out
+    out = capsys.readouterr().out
+    assert "7 all isomorphism classes of 3 to 5 distinct planes of rank 3: 7 that hold" in out
 
 
 def test_shards_merged_are_the_whole(tmp_path):

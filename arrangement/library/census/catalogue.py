@@ -26,7 +26,7 @@ MOST_PLANES = 9
 #: Published numbers of types, all and simple ([FinschiFukuda2002]).
 PUBLISHED = {3: 1, 4: 2, 5: 4, 6: 17, 7: 143, 8: 4890, 9: 460_779}
 PUBLISHED_SIMPLE = {3: 1, 4: 1, 5: 1, 6: 4, 7: 11, 8: 135, 9: 4381}
-#: Published number of types of nine pseudolines ([FinschiFukuda2002]).
+#: Published number of isomorphism classes of nine pseudolines ([FinschiFukuda2002]).
 PSEUDOLINES = 461_053
 #: Types that a search in the list looks at together.
 _AT_ONCE = 31
@@ -41,15 +41,15 @@ def _document() -> dict[str, Any]:
 
 @lru_cache(maxsize=1)
 def _extensions() -> dict[str, NDArray[Any]]:
-    """Return the arrays of the types of nine planes; see `build`."""
+    """Return the arrays of the isomorphism classes of nine planes; see `build`."""
     with files(__package__).joinpath("types9.npz").open("rb") as stream, np.load(stream) as arrays:
         return dict(arrays)
 
 
 @lru_cache(maxsize=MOST_PLANES)
 def normals(planes: int) -> NDArray[np.int8]:
-    """Return the normals of every type of a given number of planes, (types, planes, 3), 3 to 9
-    planes.
+    """Return the normals of every isomorphism class of a given number of planes, (types, planes,
+    3), 3 to 9 planes.
 
     Those of `families.perles` are 0, as that type has no rational coordinates.
     """
@@ -61,7 +61,7 @@ def normals(planes: int) -> NDArray[np.int8]:
 
 
 def chirotopes(planes: int, chosen: slice | NDArray[np.intp] = slice(None)) -> Signs:
-    """Return the chirotopes of some types of a given number of planes, (types, triples)."""
+    """Return the chirotopes of some classes of a given number of planes, (types, triples)."""
     rows = normals(planes)[chosen]
     signs = chirotope_of(rows)
     irrational = np.flatnonzero(~rows.any((1, 2)))
@@ -97,7 +97,7 @@ class Types(Sequence[Arrangement]):
 
 @lru_cache(maxsize=2 * MOST_PLANES)
 def census(planes: int, *, simple: bool = False) -> Sequence[Arrangement]:
-    """Return one arrangement of each combinatorial type of `planes` distinct planes of rank 3.
+    """Return one arrangement of each isomorphism class of `planes` distinct planes of rank 3.
 
     Types are up to relabelling of planes and exchange of their sides. All are central, in R^3, with
     small integer normals, but for `families.perles`, which needs sqrt(5). Complete: the numbers are
@@ -117,7 +117,9 @@ def census(planes: int, *, simple: bool = False) -> Sequence[Arrangement]:
     [1, 2, 4, 17, 143, 460779]
     """
     if type(planes) is not int or not 3 <= planes <= MOST_PLANES:
-        raise InputError(f"planes is {shown(planes)}; the census has types of 3 to {MOST_PLANES}")
+        raise InputError(
+            f"planes is {shown(planes)}; the census has isomorphism classes of 3 to {MOST_PLANES}"
+        )
     types = Types(normals(planes))
     if planes == MOST_PLANES:  # in the order of numbers of regions: the simple ones come last
         places = range(len(types))
@@ -126,9 +128,9 @@ def census(planes: int, *, simple: bool = False) -> Sequence[Arrangement]:
 
 
 def without_coordinates() -> list[tuple[Signs, tuple[OrderedProducts, ...]]]:
-    """Return the types of nine pseudolines that no planes have, each with a proof.
+    """Return the isomorphism classes of nine pseudolines that no planes have, each with a proof.
 
-    Their number and that of ``census(9)`` make up that of all types of nine pseudolines,
+    Their number and that of ``census(9)`` make up that of all classes of nine pseudolines,
     `PSEUDOLINES`. `final_polynomials.proves_no_coordinates` checks a proof.
     """
     arrays = _extensions()

@@ -2,8 +2,8 @@
 
 Signs of triples are written in reverse lexicographic order (123, 124, 134, 234, 125, ...), and
 texts compared with ``- < + < 0``. The representative of a type is the largest text that relabelling
-and reorientation give it, and type k the k-th when representatives rise. The types of pseudolines
-are counted, so some numbers of nine elements belong to no planes.
+and reorientation give it, and type k the k-th when representatives rise. The isomorphism classes of
+pseudolines are counted, so some numbers of nine elements belong to no planes.
 
 Source: [FinschiFukuda2002]; the order, L. Finschi, Homepage of Oriented Matroids, glossary,
 "RevLex-Index".
@@ -44,7 +44,8 @@ def _numbers(planes: int) -> NDArray[np.int32]:
 
 
 def numbers(planes: int) -> NDArray[np.int32]:
-    """Work out the numbers of all types of a given number of planes, in the order of the census.
+    """Work out the numbers of all isomorphism classes of a given number of planes, in the order of
+    the census.
 
     Those of nine planes take 6 minutes, of eight 3 seconds.
     """

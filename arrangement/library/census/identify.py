@@ -24,7 +24,7 @@ from .chirotopes import Coded, Signs, canonical, carried
 
 @dataclass(frozen=True)
 class Identification:
-    """What is known of an arrangement's combinatorial type.
+    """What is known of an arrangement's isomorphism class.
 
     Attributes:
         planes: the number m of distinct planes.
@@ -60,7 +60,7 @@ class Identification:
 
 
 def identify(arrangement: Planes) -> Identification:
-    """Find the combinatorial type of a central arrangement among those of the census.
+    """Find the isomorphism class of a central arrangement among those of the census.
 
     Types are up to relabelling of planes and exchange of sides. Planes that coincide count once;
     `order` then names the first of them. In rank 1 and 2 there is one type for each number of
@@ -126,7 +126,7 @@ def identify(arrangement: Planes) -> Identification:
 
 @lru_cache(maxsize=MOST_PLANES)
 def _catalogue(m: int) -> tuple[Signs, NDArray[np.intp]]:
-    """Return the chirotopes of all types of m planes, and how many triples of each are 0."""
+    """Return the chirotopes of all classes of m planes, and how many triples of each are 0."""
     signs = chirotopes(m)
     return signs, (signs == 0).sum(1)
 

@@ -35,7 +35,7 @@ _TOGETHER = 5000
 
 @dataclass(frozen=True)
 class Table:
-    """The types of m distinct planes of rank 3, counted.
+    """The isomorphism classes of m distinct planes of rank 3, counted.
 
     Attributes:
         types, simple, simplicial: how many there are.
@@ -54,7 +54,7 @@ class Table:
 
 
 def table(planes: int) -> Table:
-    """Count the types of a given number of planes, 3 to 9; those of nine take half a minute."""
+    """Count the classes of a given number of planes, 3 to 9; those of nine take half a minute."""
     rows = normals(planes)
     parts = watched(list(chunks(len(rows), _TOGETHER)), "parts of the types")
     points = np.concatenate([t_vectors(chirotopes(planes, part), planes) for part in parts])
@@ -111,7 +111,7 @@ class Check:
     Attributes:
         different: the types are in strict order of their codes: no two are the same.
         proofs: proofs that hold, each for another type without coordinates.
-        parents: types of eight planes that were extended without coordinates.
+        parents: isomorphism classes of eight planes that were extended without coordinates.
         extensions: in how many ways.
         listed: how many of these are types of the list.
         without: how many are types without coordinates.
@@ -134,7 +134,7 @@ def check(sample: int, seed: int = 0, *, order: bool = True, proved: bool = Fals
     """Check the list of nine planes by a route without coordinates, on a sample.
 
     Args:
-        sample: types of eight planes to extend, 0 to 4890.
+        sample: isomorphism classes of eight planes to extend, 0 to 4890.
         seed: of their choice.
         order: check the order of the whole list too, which takes two minutes.
         proved: let the program that is proved in Coq check the proofs.
@@ -146,7 +146,7 @@ def check(sample: int, seed: int = 0, *, order: bool = True, proved: bool = Fals
     signs = chirotopes(MOST_PLANES - 1)
     chosen = np.random.default_rng(seed).permutation(len(signs))[:sample]
     total = listed = without = 0
-    for parent in watched(chosen, "types of eight planes"):
+    for parent in watched(chosen, "isomorphism classes of eight planes"):
         added = extensions(signs[parent], MOST_PLANES - 1)
         larger = extended(signs[parent], added, MOST_PLANES - 1)
         found = places(larger) >= 0

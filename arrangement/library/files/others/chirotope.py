@@ -72,9 +72,11 @@ def realise(signs: Signs, n: int) -> list[IntegerVector]:
         if _signs(result) in (tuple(signs.tolist()), tuple((-signs).tolist())):
             return result
     if len(firsts) <= MOST_PLANES:
-        raise InputError("no planes have these signs: they are in no type of the complete census")
+        raise InputError(
+            "no planes have these signs: they are in no isomorphism class of the census"
+        )
     raise InputError(
-        f"no coordinates were found for these {len(firsts)} planes; types of up to {MOST_PLANES} "
+        f"no coordinates were found for these {len(firsts)} planes; classes of up to {MOST_PLANES} "
         "are in the census. Give a file with coordinates"
     )
 

@@ -109,7 +109,7 @@ function orderDarts({ arcs }, region) {
   region.corners = region.darts.map((d) => tail(arcs, d));
 }
 
-// A text that is equal exactly for circles of one combinatorial type, up to the order of planes,
+// A text that is equal exactly for circles of one isomorphism class, up to the order of planes,
 // their sides and a mirror: of all ways to number the darts by walking over the map, the least.
 /** @type {(circles: Circles) => string} */
 function canonicalMap({ arcs, regions }) {

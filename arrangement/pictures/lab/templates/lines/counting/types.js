@@ -1,4 +1,4 @@
-// The name of the combinatorial type. Up to 6 planes it is from the census: "6.3" is the third type
+// The name of the isomorphism class. Up to 6 planes it is from the census: "6.3" is the third type
 // of 6 planes there. Beyond, simplicial planes have one from the catalogue, such as "A(9,1)". Forms
 // are compared, so these lists give names only.
 const named = {};
