@@ -283,7 +283,7 @@ def plane_colour(label: int) -> str:
 
 @cache
 def letter_colour(label: int) -> str:
-    """Return the colour of a class of planes, dark enough for letters on white (4.5 to 1, WCAG)."""
+    """Return the colour of a class of planes, dark enough for text on white (4.5 to 1, WCAG)."""
     channels = [int(plane_colour(label)[k : k + 2], 16) / 255 for k in (1, 3, 5)]
     weights = 0.2126, 0.7152, 0.0722
     while sum(w * x**2.2 for w, x in zip(weights, channels, strict=True)) > 0.18:

@@ -144,7 +144,7 @@ def picture_bytes(
     dpi: int = 300,
     font: str | None = None,
 ) -> bytes:
-    """Return the figure that `make` returns as a file; in SVG with letters instead of outlines."""
+    """Return the figure that `make` returns as a file; in SVG with text instead of outlines."""
     stream = io.BytesIO()
     with own_settings(font_settings(font) | ({"svg.fonttype": "none"} if letters else {})):
         make().savefig(stream, format=suffix[1:], dpi=dpi, metadata=_METADATA[suffix])

@@ -183,7 +183,7 @@ def into(place: Room, make: Callable[[float], Scene]) -> Figure:
         place: where to; what is there stays.
         make: returns the scene for a width in millimetres. It is asked for one as wide as the
             axes, or narrower where that one would be too high, but for none that is too narrow
-            for its letters: these, and lines, are made smaller then.
+            for its text: text and lines are made smaller then.
 
     Returns:
         The figure of the axes.
@@ -353,7 +353,7 @@ class Elements:
                 raise InputError(f'{name} is {shown(value)}; give a colour, "gold" or "#0072b2"')
         own, items = {_STYLES[name]: x for name, x in style.items()}, self._drawing.scene.items
         if "color" in own and any(isinstance(items[k], Path) for k in self._found):
-            raise InputError("color is of letters; a shape has fc inside, and ec for its line")
+            raise InputError("color is for text; a shape has fc inside, and ec for its line")
         for k in self._found:
             items[k] = replace(items[k], style={**items[k].style, **own})
         self._drawing.clear()
@@ -394,7 +394,7 @@ class Drawing(Figure):
         Args:
             name: of elements, such as ``region-2`` or ``front-*``.
             style: ``fc`` colour inside, ``ec`` of the line, ``lw`` its width in points, ``ls``,
-                ``alpha``, ``hatch``; of letters ``color``.
+                ``alpha``, ``hatch``; of text ``color``.
 
         Raises:
             InputError: the picture has no such element.

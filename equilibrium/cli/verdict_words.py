@@ -114,7 +114,7 @@ def _proof_lines(verdict: Verdict, path: str | None) -> Iterator[str]:
         yield f"proof: {counted(len(found), 'leaf', 'leaves')}{where}"
         return
     about = displacement_words(verdict.max_displacement)
-    yield f"proof{about}: whatever the contacts do, no forces balance"
+    yield f"proof{about}: no contact forces in the friction cones balance the load"
     for where, together in cases.items():
         done = works(verdict.grasp, verdict.wrench, together, verdict.max_displacement)
         yield (

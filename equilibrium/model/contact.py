@@ -5,7 +5,7 @@ object; a force f at the point p has the wrench ``(f, p x f)``. In the plane the
 by +90 degrees, ``t = (-n_y, n_x)``, ``a x b = a_x b_y - a_y b_x``, and a small motion
 ``d = (x, y, r)`` moves the contact point by ``N . d`` along the normal and ``T . d`` along the
 tangent. In space a motion is ``d = (v, omega)``, and a contact has two tangents, t and ``n x t``;
-t is given, or is the x axis turned by the smallest rotation that takes the z axis to n (no turn
+t is given, or is the x axis rotated by the smallest rotation that takes the z axis to n (no turn
 where n is opposite to it).
 """
 

@@ -6,7 +6,7 @@ systems by eliminating variables one at a time, in integers, without any solver.
 meant for m <= 4. Source of the elimination: A. Schrijver, Theory of Linear and Integer Programming
 (1986), section 12.2; at most four variables are left after the equalities are used.
 
-Signs: normals point into the object, the tangent is the normal turned by +90 degrees, forces act
+Signs: normals point into the object, the tangent is the normal rotated by +90 degrees, forces act
 on the object, and ``forces + wrench = 0``.
 """
 

@@ -129,7 +129,7 @@ def test_a_resisted_wrench_has_no_proof_to_draw():
 
 WORDS = """\
 not resisted: no contact state admits an equilibrium
-proof: whatever the contacts do, no forces balance
+proof: no contact forces in the friction cones balance the load
   x >= 0: on the virtual motion (-1, 2, 0) the load does work 11/5, the contacts at least -2
     contact 1  at least -2 times its normal force
     contact 2  at least 3/2 times its normal force

@@ -22,7 +22,7 @@ _SIZES = (7.0, 6.5, 6.0, 5.5, 5.0)
 #: Space beside the legend, between a symbol and its text, and between keys, in points.
 _SIDE, _BESIDE, _GAP = 8.5, 4.2, 8.5
 _CAPTION, _TABLE = 6.0, 5.5
-#: A row of keys as high as this many sizes of its letters, and the rows of the table in points.
+#: A row of keys as high as this many text sizes, and the rows of the table in points.
 _ROW, _TABLE_ROW = 1.45, 7.0
 #: Between panels, in millimetres; so two of 88 mm fill a page of 180 mm.
 APART = 4.0
@@ -38,7 +38,7 @@ def laid_out(scene: Scene, legend: str = "below") -> Scene:
 
     Args:
         scene: the picture.
-        legend: "below", in letters so small, from 7 to 5 points, that keys and lines take at most a
+        legend: "below", in text so small, from 7 to 5 points, that keys and lines take at most a
             sixth of the height; "right", in a strip that makes the sheet wider; or "none".
     """
     found = scene.legend

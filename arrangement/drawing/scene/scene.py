@@ -200,7 +200,7 @@ class Scene:
         self._clip = None
 
     def scaled(self, factor: float) -> Scene:
-        """Return the same sheet enlarged: paper, letters and lines."""
+        """Return the same sheet enlarged: paper, text and lines."""
         grown = Scene(*(factor * length for length in self.paper))
         grown.items = [scaled(item, factor) for item in self.items]
         return grown

@@ -28,7 +28,7 @@ def draw_lattice(arrangement: Arrangement, *, width: float = 88.0, moebius: bool
     One row for each rank, the whole space at the bottom; the planes stand in input order, and the
     order of the rows above keeps crossings few. A flat is named by the planes that contain it,
     counted from 1; runs of four and more are shortened. Where the names of a row do not fit even
-    in small letters they are turned, and where they still do not fit the row has dots, and a note
+    in small text they are rotated, and where they still do not fit the row has dots, and a note
     says so. At the left stand the number of flats of the rank and, with `moebius`, the sum of
     their Moebius values: the Whitney numbers.
 

@@ -151,7 +151,7 @@ def size_of(text: str) -> int:
     """Return the number of elements of a chirotope of rank 3."""
     n = next((n for n in range(3, MOST_ELEMENTS + 1) if comb(n, 3) == len(text)), None)
     if _SIGNS.fullmatch(text) is None:
-        raise InputError(f"the chirotope {shown(text)} has letters beside +, -, 0")
+        raise InputError(f"the chirotope {shown(text)} has characters other than +, -, 0")
     if n is None:
         raise InputError(
             f"the chirotope {shown(text)} has {len(text)} signs; of rank 3 and up to "
