@@ -137,8 +137,8 @@ class Drawings:
                 such as ``"sphere,dual"``, are panels of one sheet with one legend, by default
                 180 mm wide; each takes the options that it has.
             model: the same for a model alone.
-            font_size: of the larger letters of a picture, in points; if omitted, 7. All other
-                letters and the lines keep their proportions to it; the width stays.
+            font_size: text size of the larger labels, in points; if omitted, 7. All other
+                text and the lines keep their proportions to it; the width stays.
             font: of the text of a picture, by the name of an installed family, "Times New Roman";
                 if omitted, "DejaVu Sans", which comes with matplotlib. TeX sets TikZ in its own.
             text: in SVG "outlines", which look the same everywhere, or "text", which can be found

@@ -5,7 +5,7 @@ sign for each ray r = a_i x a_j. All vectors of the box are tried together, the 
 
 *Types.* Every isomorphism class of eight planes is extended by a pseudoline in every way
 (`extensions`), and what results is distinguished by codes (`codes`). No coordinates are used, so
-the types of oriented matroids are complete, whether they have coordinates or not.
+the isomorphism classes of oriented matroids are complete, whether they have coordinates or not.
 
 *Vectors.* A small vector with the signs of an extension gives the type coordinates. In round 0
 the arrangements of the list are extended. What is left over needs other coordinates of the eight

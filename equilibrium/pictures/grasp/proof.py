@@ -75,7 +75,8 @@ def draw_proof(
         grasp: contacts.
         wrench: one that is not resisted.
         rotation: the angle r of the rotations shown (linearised), above 0, where it matters; if
-            omitted, about the largest one at which a preloaded spring still touches, and no border.
+            omitted, about the largest one at which a preloaded spring still touches, and no
+            boundary.
 
     Raises:
         GraspError: the wrench is resisted, or a rotation that is not above 0.

@@ -46,7 +46,8 @@ def proof_page(
         grasp: contacts.
         wrench: one that is not resisted.
         rotation: the angle r of the rotations shown (linearised), above 0, where it matters; if
-            omitted, about the largest one at which a preloaded spring still touches, and no border.
+            omitted, about the largest one at which a preloaded spring still touches, and no
+            boundary.
         title: a heading; if omitted, the wrench.
 
     Raises:

@@ -146,8 +146,8 @@ def draw_slice(
     All three in the same plane, with the same axes. (a) The slice of the Grasp Wrench Space with
     normal forces that sum to at most 1: it knows neither springs nor preload. (b) The exact set
     without preload. (c) The same with the grasp's own preloads or, where it has none or one is
-    given, with one preload at every contact. The border is drawn only where resistance ends; what
-    reaches the edge has no end, and fades.
+    given, with one preload at every contact. The boundary is drawn only where resistance ends; what
+    reaches the edge is unbounded, and fades.
 
     In space, one picture: the wrenches along directions of a plane of two coordinates, as far as
     they are proved to be resisted, with both ends of each bracket of a boundary; thick where the
@@ -159,10 +159,10 @@ def draw_slice(
         wrench: marked in every part; the plane has its torque.
         preload: at every contact of part (c); if omitted, the grasp's own preloads, or 1 where it
             has none.
-        extent: half the side of each part, about the origin; if omitted, all borders are shown.
+        extent: half the side of each part, about the origin; if omitted, all boundaries are shown.
         slice: in space, the two coordinates of the plane, of fx, fy, fz, tx, ty, tz; if omitted,
             fx and fy.
-        rays: in space, in how many directions borders are looked for, evenly spaced.
+        rays: in space, in how many directions boundaries are looked for, evenly spaced.
 
     Raises:
         GraspError: an extent that is not above 0.
