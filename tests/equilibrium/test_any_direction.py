@@ -35,7 +35,7 @@ def square(wrench, length=1):
 
 
 def first_unresisted(whole, direction, base, length):
-    """Return the squared size of the last of the resisted magnitudes from 0 on; None: no end."""
+    """Return the squared size of the last of the resisted magnitudes from 0 on; None: unbounded."""
     parts = whole.along(direction, base).intervals
     if not parts or parts[0][0] > 0:
         return 0
@@ -43,7 +43,7 @@ def first_unresisted(whole, direction, base, length):
 
 
 def agrees_with_rays_and_verdicts(grasp, base=(0, 0, 0), length=1):
-    """Every ray ends at that size at the earliest, and just beyond the border one has ended."""
+    """Every ray ends at that size at the earliest, and just beyond the boundary one has ended."""
     whole = grasp if isinstance(grasp, ResistedSet) else ResistedSet(grasp)
     found = whole.smallest_outside(base, length)
     directions = DIRECTIONS if not found.size_squared else [*DIRECTIONS, found.beyond]

@@ -58,7 +58,7 @@ def square(wrench):
 
 
 def is_smallest_unresisted(grasp, source):
-    """Return whether no ray of the oracle ends earlier, and one just beyond the border has."""
+    """Return whether no ray of the oracle ends earlier, and one just beyond the boundary has."""
     found = ResistedSet(grasp).smallest_outside()
     directions = [tuple(source.randint(-3, 3) for _ in range(3)), source.choice(AXES)]
     if found.wrench is not None and any(found.wrench):
