@@ -51,7 +51,7 @@ RUBBISH = re.compile(
     r"(^|/)(__pycache__|_build|_generated|build|dist|report|counterexamples|\.(?!gitignore)"
     r"[^/]*)(/|$)|\.(pyc|sqlite|egg-info)$"
 )
-#: CPU seconds for --help: the median of so many runs, on a machine that may be busy.
+#: CPU seconds for --help: the median of this many runs, on a machine that may be busy.
 HELP_LIMIT, HELP_RUNS = 1.0, 3
 
 Done = subprocess.CompletedProcess[str]

@@ -67,7 +67,7 @@ COMMANDS = (
     Command(f"equilibrium resisted {_G} --wrench 0 -1 0 --margin", 0, "resisted: yes"),
     Command("equilibrium resisted single-contact --search --rays 4", 0, "4 directions"),
     Command(f"equilibrium draw {_G} --view slice -o slice.json", 0, writes="slice.json"),
-    Command(f"equilibrium solve {_G} --wrench 0 1 0 --methods", 1, "complete model"),
+    Command(f"equilibrium solve {_G} --wrench 0 1 0 --methods", 1, "full model"),
     Command(f"equilibrium info {_G} --force-closure", 0, "force closure"),
     Command("equilibrium info box-1-wall --modes --count", 0, "196"),
     Command("equilibrium draw ladder --model scene -o ladder.xml", 0, writes="ladder.xml"),

@@ -29,8 +29,8 @@ the sums ``V[k][j]`` of |mu(X, Y)| over flats X <= Y of ranks k and j are
 **Exactness.** The numbers compared are minors of order at most 3, at most 6 B^3 in size, partial
 sums included, for entries up to B. Up to that bound they are int64 (B up to 1,154,107; in rank 3
 the bound is 2 B^2, so B up to 2 * 10^9), else Python integers in the same arrays. In rank 3 most
-flats are told apart by slopes in float64 (`_rank_two_sums`). SymPy's matrices take 5 to 25 times as
-long for the same groups, for 20 to 200 planes of rank 3.
+flats are distinguished by slopes in float64 (`_rank_two_sums`). SymPy's matrices take 5 to 25 times
+as long for the same groups, for 20 to 200 planes of rank 3.
 Irrational vectors are grouped by `modular` instead.
 """
 
@@ -155,7 +155,7 @@ def _rank_two_sums(config: Configuration) -> tuple[int, int]:
     Each plane meets the others in lines, whose slopes in float64 are sorted. Quotients of integers
     up to Q = 2 B^2 that differ do so by 1 / Q^2 of their size at least, so where that is above
     2^-51 (B up to 4,871) rounding keeps them apart, and equal ones round alike. Of larger int64
-    only slopes that floats do not tell apart are compared exactly.
+    only slopes that floats do not distinguish are compared exactly.
     """
     vectors, m = _matrix(config), len(config.vectors)
     if isinstance(vectors, ModularVectors) or vectors.dtype == object:
@@ -167,7 +167,7 @@ def _rank_two_sums(config: Configuration) -> tuple[int, int]:
     _ask(f"the flats of rank 2 of {m:,} planes", config, m * m / 20, 0)
     largest_quotient = 2 * int(np.abs(vectors).max()) ** 2
     near = 0.0 if largest_quotient**2 < 2**51 else 2.0**-48
-    # How often a plane has so many others through one of its lines.
+    # How often a plane has this many others through one of its lines.
     times = np.zeros(len(vectors) + 1, dtype=np.int64)
     for rows in _chunks(m, len(vectors)):
         parts = _contract_by_one(vectors, rows)

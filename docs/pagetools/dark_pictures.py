@@ -20,7 +20,7 @@ _dark = functools.cache(dark_colour)
 def _darkened(element):
     """Return the start of an element with the colours of its style exchanged.
 
-    Style on a group belongs to letters. A stroke of the colour of its shape is no line.
+    Style on a group belongs to letters. A stroke of the colour of its shape is not a line.
     """
     tag, between, style = element.groups()
     colours = dict(_COLOUR.findall(style))

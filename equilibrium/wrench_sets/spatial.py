@@ -45,8 +45,8 @@ _FLOOR = 10**6
 _NODES = 400
 #: Least width of a bracket: verdicts take longer numbers with each halving.
 _LEAST_WIDTH = Fraction(1, 2**100)
-#: Of converted data: about how many borders other roundings are asked, at which share before them,
-#: and with how many steps.
+#: Of converted data: about how many boundaries other roundings are asked, at which share before
+#: them, and with how many steps.
 _ASKED = 2
 _NEAR = Fraction(1, 1000)
 _STEPS = 50_000_000
@@ -75,7 +75,7 @@ class Border:
 
 
 class Nearby(NamedTuple):
-    """The verdict a little before a border, for converted data.
+    """The verdict a little before a boundary, for converted data.
 
     Attributes:
         doubt: what other grasps within the error of the data answer, "" if the same.
@@ -122,9 +122,9 @@ class SpatialMagnitudes:
         return tuple((a, b) for a, b in pairs if a.resisted < a.refused and b.refused < b.resisted)
 
     def within_error(self) -> tuple[Nearby, ...] | None:
-        """Return verdicts a little before the first borders, with what other roundings answer.
+        """Return verdicts a little before the first boundaries, with what other roundings answer.
 
-        None if the data are exact or there is no border. Brackets are finer than the error of
+        None if the data are exact or there is no boundary. Brackets are finer than the error of
         converted data, so that verdicts at their ends would all depend on the rounding.
         """
         if self.grasp.data_error is None or not self.borders:

@@ -27,7 +27,7 @@ KIND_COUNT = 100
 
 def space_tables(contacts: Sequence[int], count: int = 0) -> None:
     found: dict[tuple[int, int], list[Found]] = {}
-    for added, where in ((0, "any wrench"), (NEAR, "near the border")):
+    for added, where in ((0, "any wrench"), (NEAR, "near the boundary")):
         print(f"\nGrasps in space, {where}: medians of CPU time (largest)", flush=True)
         print(
             f"{'m':>4} {'verdict':<14} {'grasps':>6} {'verdict, proof':>20} {'check':>18}"

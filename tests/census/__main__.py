@@ -1,7 +1,7 @@
 """The command of the workshop: make the lists of types again.
 
-make census ARGS="8 -o types.json"     types of 3 to 8 planes, byte for byte as they are shipped
-make census ARGS="9 -o types9.npz"     types of nine planes (32 CPU minutes)
+make census ARGS="8 -o types.json"     classes of 3 to 8 planes, byte for byte as they are shipped
+make census ARGS="9 -o types9.npz"     isomorphism classes of nine planes (32 CPU minutes)
     make census ARGS="9 --numbers -o finschi_fukuda.npz"     the numbers of Finschi and Fukuda
 """
 
