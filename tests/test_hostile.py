@@ -76,7 +76,7 @@ ARRANGEMENT = [
     ("make shi --type E9", "the type is 'E9'; there are A1"),
     ("make shi --type A2 --m 0", "m is 0; it must be at least 1"),
     ("count resonance.json --time-limit 1e-6", "first Whitney numbers 1 are final; give more"),
-    ("count shi-a2-affine --primes 5,4", "4 is no prime"),
+    ("count shi-a2-affine --primes 5,4", "4 is not a prime"),
     ("count shi-a2-affine --primes 2,3", "2 is a prime of bad reduction"),
     ("count shi-a2-affine --primes 5", "give at least 2"),
     ("count shi-a2-affine --primes five", "expected primes such as 5,7,11"),
