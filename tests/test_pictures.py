@@ -22,7 +22,7 @@ from PIL import Image
 
 from arrangement import Arrangement, ArrangementError, InputError, read_arrangement
 from arrangement.cli import main as draw_planes
-from arrangement.console import number_form
+from arrangement.console import number_form, progress
 from arrangement.drawing.command import _KINDS
 from arrangement.drawing.output import font_settings, own_settings, picture_bytes
 from arrangement.drawing.path_artist import Paths, figure, into
@@ -37,6 +37,7 @@ from arrangement.pictures import DRAWINGS as OF_PLANES, compose, draw_sphere
 from arrangement.pictures.views import drawings_of, write_drawing
 from equilibrium import read_grasp
 from equilibrium.cli import main as draw_grasps
+from equilibrium.inputs import from_float_data
 from equilibrium.pictures import DRAWINGS as OF_GRASPS
 from tests.docpages import ROOT
 from tests.drawn import VIEWS, offences, scene, usual
@@ -224,6 +225,45 @@ def test_without_a_legend_captions_stay(tmp_path):
         svg = path.read_text(encoding="utf-8")
         assert "essentialisation" in svg
         assert ("odd number" in svg) == shown
+
+
+@pytest.mark.parametrize(("drawings", "view"), VIEWS)
+def test_legends_hold_no_advice_about_the_software(drawings, view):
+    legend = usual(drawings, view).legend
+    texts = [
+        *legend.captions,
+        *(text for text, _ in legend.lines),
+        *(key.text for key in legend.keys),
+    ]
+    for text in texts:
+        assert not re.search(r"`|--[a-z]|\bno room\b|too (small|many)|without (end|limit)", text)
+
+
+def test_a_picture_of_rounded_data_says_so_and_gives_advice_on_stderr(capsys):
+    points, normals = [[-0.31, 0], [0.31, 0]], [[1, 0], [-1, 0]]
+    grasp = from_float_data(points, normals, 0.5, as_given=True).grasp
+    with progress.shown():
+        made = OF_GRASPS.draw(grasp, "resist").scene
+    assert ("for the rounded data", False) in made.legend.lines
+    assert "equilibrium solve" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("name", "view", "items"),
+    [
+        ("shi-a2-affine", "lines", "lines"),
+        ("shi-a2-affine", "graph", "lines"),
+        ("braid-a3", "sphere", "circles"),
+        ("braid-a3", "stereographic", "circles"),
+        ("braid-a3", "dual", "circles"),
+        ("braid-a3", "gnomonic", "lines"),
+        ("braid-a3", "cells", "planes"),
+        ("braid-a3", "poset", "planes"),
+    ],
+)
+def test_a_legend_names_what_the_picture_shows(name, view, items):
+    lines = scene(OF_PLANES, view, name, labels="numbers").legend.lines
+    assert (f"regions by number; numbers of {items} are italic", False) in lines
 
 
 # Themes.

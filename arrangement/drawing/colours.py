@@ -106,7 +106,7 @@ class Colouring:
             return [
                 (fill, f"{text}{more}")
                 for text, light, dark in pairs
-                for more, fill in ((", + on plane 1", light), (", \u2212 on plane 1", dark))
+                for more, fill in ((", first sign +", light), (", first sign \u2212", dark))
             ]
         groups: dict[str, set[int]] = {}
         for region in drawn if self.name == "signs" else ():

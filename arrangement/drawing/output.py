@@ -171,11 +171,13 @@ def font_settings(font: str | None) -> dict[str, Any]:
         like = "installed are" if near else f"{len(names)} others are installed, such as"
         listed = ", ".join(names[n] for n in (near or sorted(names))[:5])
         raise InputError(f"the font is {shown(font)}, which is not installed; {like} {listed}")
-    slanted, heavy = f"{name}:italic", f"{name}:bold"
-    mathematics = {"fontset": "custom", "rm": name, "it": slanted, "bf": heavy}
+    styles = {"rm": "", "it": ":italic", "bf": ":bold", "bfit": ":italic:bold"}
+    styles |= {"cal": ":italic", "sf": "", "tt": ""}
     return {
         "font.family": [name, "DejaVu Sans"],
-        **{f"mathtext.{key}": value for key, value in mathematics.items()},
+        "axes.formatter.use_mathtext": True,
+        "mathtext.fontset": "custom",
+        **{f"mathtext.{key}": f"{name}{style}" for key, style in styles.items()},
     }
 
 

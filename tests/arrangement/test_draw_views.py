@@ -13,6 +13,7 @@ from hypothesis import assume, given, strategies as st
 from matplotlib.image import imread
 
 from arrangement import Arrangement, InputError, read_arrangement
+from arrangement.console import progress
 from arrangement.counts import bounded_region_count, f_vector, whitney_numbers
 from arrangement.drawing.colours import PALETTE, DrawnRegion, colouring, plane_colour
 from arrangement.drawing.output import own_settings, picture_bytes
@@ -595,9 +596,11 @@ def test_the_legend_counts_bounded_and_unbounded_regions():
     assert {"4 bounded regions", "12 unbounded"} <= set(found)
 
 
-def test_what_has_no_room_is_counted():
-    found = written(scene_of(LINES["shi"], faces="all", width=40))
-    assert any(text.startswith("no room for some labels: ") for text in found)
+def test_labels_without_room_are_counted_on_stderr(capsys):
+    with progress.shown():
+        found = written(scene_of(LINES["shi"], faces="all", width=40))
+    assert re.search(r"^no room for \d+ of the labels of ", capsys.readouterr().err, re.MULTILINE)
+    assert not any("no room" in text for text in found)
 
 
 def test_the_key_of_the_projective_plane_has_the_colours_of_its_regions():
@@ -674,12 +677,13 @@ def test_some_regions_only_have_labels(labels, texts):
             DRAWINGS.draw(planes, labels=wrong)
 
 
-def test_the_dual_names_the_vertices_in_front_or_says_which_it_leaves_out():
-    made = DRAWINGS.draw(read_arrangement("nine-generic-planes"), "dual").scene
+def test_the_dual_names_the_vertices_in_front_or_says_which_it_leaves_out(capsys):
+    with progress.shown():
+        made = DRAWINGS.draw(read_arrangement("nine-generic-planes"), "dual").scene
     front = {x.name.split("-")[1] for x in made.items
              if x.name.startswith("vertex") and x.order == 5}  # fmt: skip
-    (caption,) = (text for text in made.legend.captions if "no room" in text)
-    left = set(re.findall(r"\d+", caption))
+    assert not made.legend.captions
+    left = set(re.findall(r"\d+", capsys.readouterr().err.partition("no room")[2]))
     written = {x.text for x in made.items if isinstance(x, Label) and x.place[0] > made.width / 2}
     assert left < front
     assert front - left <= written

@@ -121,7 +121,7 @@ def test_a_proof_shows_its_virtual_motions():
     scene: Scene = draw_proof.scene(grasp, wrench=(0, 0, -3, 0, 0, 0))
     texts = [text for text, _ in scene.legend.lines]
     assert len(texts) == 3
-    assert texts[0].startswith("1 of 3: 1 detached; λ is a turn")
+    assert texts[0].startswith("1 of 3: 1 detached; λ is a rotation")
     with pytest.raises(GraspError, match="the wrench is resisted"):
         draw_proof.scene(grasp, wrench=WRENCH)
 
@@ -151,7 +151,7 @@ def test_a_slice_without_an_end_says_how_far_it_was_tried(monkeypatch):
     monkeypatch.setattr(space_slice, "spatial_magnitudes", known)
     fingers = read_grasp("two-opposed-fingers")
     scene: Scene = draw_slice.scene(fingers, slice=("fy", "fz"), rays=3)
-    assert scene.legend.lines[-1][0] == "no bound was found up to 64, the most tried, in all"
+    assert scene.legend.lines[-1][0] == "no boundary was found up to 64, the most tried, in all"
     axis, spoke = (next(x for x in scene.items if x.name == name) for name in ("", "spoke-1"))
     assert length([spoke]) == pytest.approx(64 / 160 * length([axis]))
     assert "80" in {x.text for x in scene.items if isinstance(x, Label)}

@@ -64,9 +64,9 @@ def picture_axes(direction: IntegerVector) -> Floats:
 
 def view_direction(direction: Sequence[object]) -> IntegerVector:
     """Return the direction towards the viewer as a primitive integer vector, or refuse it."""
-    vector = primitive(real_vector(direction, "direction"))
+    vector = primitive(real_vector(direction, "camera"))
     if len(vector) != 3 or not any(vector):
-        raise InputError(f"the direction is {shown(vector)}; give three numbers that are not all 0")
+        raise InputError(f"the camera is {shown(vector)}; give three numbers that are not all 0")
     return vector
 
 

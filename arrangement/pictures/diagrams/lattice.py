@@ -80,7 +80,7 @@ class _HasseDiagram:
         height = sum(row.height for row in self.rows) + self.gap * (len(self.rows) - 1)
         self.scene = Scene(width, (height + 14.0) / POINTS)
         if dots:
-            text = f"dots at rank {', '.join(dots)}: no room for names"
+            text = f"dots at rank {', '.join(dots)}: flats without their names"
             self.scene.legend.captions.append(text)
         if moebius:
             self.scene.legend.line(

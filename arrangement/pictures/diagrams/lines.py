@@ -11,6 +11,7 @@ import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
+from arrangement.console.progress import note
 from arrangement.drawing.colours import (
     BLUE,
     PALETTE,
@@ -97,7 +98,7 @@ def draw_lines(
     if everything and labels == "numbers":
         raise InputError("numbers are for regions only; with all faces, labels are signs or none")
     kind = "signs" if everything and labels is None else labels
-    names = RegionLabels(arrangement, kind if len(arrangement) else "none")
+    names = RegionLabels(arrangement, kind if len(arrangement) else "none", items="lines")
     corners = [rational_vector(corner, "window") for corner in window]
     if corners:
         if coordinates not in (None, "given") or projective:
@@ -114,7 +115,7 @@ def draw_lines(
     sheet.label_regions()
     sheet.explain()
     for what, number in (+sheet.missing).items():
-        sheet.scene.legend.captions.append(f"no room for some labels: {what} {number}")
+        note(f"no room for {number} of the labels of {what}, which are left out")
     return sheet.scene
 
 
@@ -168,8 +169,8 @@ class _Sheet:
                 legend.key(swatch(_BOUNDED, **style), text)
             legend.key(swatch(_UNBOUNDED, **style), f"{rest} unbounded")
         explain_regions(self.scene, self.colours, self.names, self.regions)
-        for note in self.notes:
-            legend.line(note)
+        for text in self.notes:
+            legend.line(text)
         if self.notes and self.chart.parallels:
             legend.key(dot("round", fc="black"), "parallel lines meet")
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from arrangement.arrangement import Arrangement
+from arrangement.console.progress import note
 from arrangement.drawing.colours import (
     BLUE,
     VERMILION,
@@ -95,7 +96,7 @@ def draw_dual(
             raise InputError("the hull is that of regions in R^3; leave it out")
         seen = (camera, azimuth)
         return draw_schlegel(arrangement, coordinates, seen, colour, antipodes, labels, width)
-    names = RegionLabels(arrangement, labels)
+    names = RegionLabels(arrangement, labels, items="circles")
     arrangement, camera = in_coordinates(coordinates, arrangement, camera)
     globe = Globe(arrangement, camera)
     if camera is None and not hull:
@@ -286,8 +287,7 @@ class _SolidPanel:
                 missing += texts[:1] * (not hidden)
         if missing:
             some = ", ".join(sorted(missing, key=lambda text: (len(text), text)))
-            text = f"no room in front of the dual for the names of vertices {some}"
-            self.scene.legend.captions.append(text)
+            note(f"no room for the names of vertices {some} of the dual, which are left out")
 
 
 _HULL_STYLES: dict[int, dict[str, Any]] = {

@@ -283,7 +283,7 @@ class GraphPicture:
         fills = [self.colours.shown(fill) if parity else "white" for fill in CHECKERS]
         even = "even number of minus signs"
         if len(self.arrangement.distinct) < len(self.arrangement):
-            even += ", coincident planes counted once"
+            even += f", coincident {self.names.items} counted once"
         shapes = (("round", even), ("square", "odd"))
         for (shape, text), fill in zip(shapes, fills, strict=False):
             self.scene.legend.key(dot(shape, fc=fill, lw=0.7), text)

@@ -38,7 +38,7 @@ from arrangement.numbers.exact import IntegerVector, dot, primitive, shown
 from arrangement.numbers.linear.rank import cross, rank
 from arrangement.planes.planes import Planes
 
-from .essential import inverse_root, rounded_map
+from .essential import inverse_root, items_of, rounded_map
 
 CHOICES = ("given", "symmetric", "even")
 #: More than the roundings of a determinant of three unit vectors.
@@ -110,7 +110,7 @@ def in_coordinates(
         return arrangement, direction
     moved, rows = mapped(matrix, arrangement)
     if direction is not None and len(rows) == 3:
-        given = real_vector(direction, "direction")
+        given = real_vector(direction, "camera")
         if len(given) == 3:
             one, two, three = rows
             cofactors = (cross(two, three), cross(three, one), cross(one, two))
@@ -134,8 +134,8 @@ def coordinate_map(coordinates: str | None, arrangement: Arrangement) -> Floats 
     if matrix is None and coordinates is None and full and is_narrow(normals):
         matrix = even_map(normals)
         note(
-            "the planes are nearly parallel: drawn with normals spread evenly, unless coordinates "
-            "given are asked for"
+            f"the {items_of(arrangement)} are nearly parallel: drawn with normals spread evenly "
+            "(--coordinates given: as they are)"
         )
     return matrix
 

@@ -96,6 +96,11 @@ def shown_as(
     return decorate
 
 
+def items_of(planes: Planes) -> str:
+    """Return what hyperplanes are called in their space."""
+    return {2: "lines", 3: "planes"}.get(planes.dimension, "hyperplanes")
+
+
 def brought(arrangement: Arrangement, view: str) -> Arrangement:
     """Return planes in the space of a view.
 

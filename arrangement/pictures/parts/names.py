@@ -9,12 +9,16 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.console import number_form
+from arrangement.console.number_form import counted
+from arrangement.console.progress import note
 from arrangement.drawing.colours import GREY, Colouring, DrawnRegion
 from arrangement.drawing.registry import Labels
 from arrangement.drawing.scene.labels import sign_text
 from arrangement.drawing.scene.scene import POINTS, Legend, Scene, Symbol
 from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import IntegerVector, shown, to_text
+
+from .essential import items_of
 
 LABELS = ("signs", "numbers", "none")
 #: Planes up to which sign vectors are written of themselves.
@@ -32,6 +36,7 @@ class RegionLabels:
 
     Attributes:
         kind: "signs", "numbers" or "none".
+        items: what the picture shows of the hyperplanes: "lines", "circles", "planes".
         left_out: how many regions were too small for a label.
     """
 
@@ -41,8 +46,10 @@ class RegionLabels:
         labels: Labels | None,
         count: int | None = None,
         most: int = MOST,
+        items: str = "",
     ) -> None:
         """Take the number of regions drawn, if not all, and that up to which they have labels."""
+        self.items = items or items_of(arrangement)
         self._arrangement, self._own = arrangement, None
         if labels is not None and labels not in LABELS:
             self._own = self._read(labels)
@@ -118,7 +125,7 @@ class RegionLabels:
         """Add to a legend what the numbers of the regions drawn mean, and say what was left out."""
         listed = [tuple(signs) for signs in drawn]
         if self.kind == "numbers" and listed:
-            legend.line("regions by number; numbers of planes are italic")
+            legend.line(f"regions by number; numbers of {self.items} are italic")
         if self._own is not None:
             listed = [signs for signs in listed if signs in self._own]
         if self.kind == "numbers" and 0 < len(listed) <= self._tabled:
@@ -126,10 +133,9 @@ class RegionLabels:
             digits = len(str(named[-1][0]))
             legend.table += [f"{str(k).rjust(digits, FIGURE)} {text}" for k, text in named]
         if self._too_many:
-            legend.captions.append(f"{self._too_many} regions, too many for labels")
+            note(f"{self._too_many} regions are too many for labels, which are left out")
         if self.left_out:
-            many = "regions are" if self.left_out > 1 else "region is"
-            legend.captions.append(f"{self.left_out} {many} too small for a label")
+            note(f"{counted(self.left_out, 'region')} too small for a label")
 
 
 #: Width and half the height of a symbol, in points.

@@ -12,6 +12,7 @@ import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import EXACT, LABEL, counted, sign_text
+from arrangement.console.progress import note
 from arrangement.drawing.colours import SKIN, DrawnRegion, Painter, painter, pale, plane_colour
 from arrangement.drawing.figure import picture
 from arrangement.drawing.output import millimetres
@@ -99,9 +100,7 @@ def draw_cells(
     legend = sheet.scene.legend
     names.explain(legend, signs)
     if left:
-        legend.captions.append(
-            f"{left} of {len(lifted)} cells are hidden or too narrow for a label"
-        )
+        note(f"{left} of {len(lifted)} cells are hidden or too narrow for a label")
     return sheet.scene
 
 

@@ -72,7 +72,7 @@ def draw_gnomonic(
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.
     """
-    names = RegionLabels(arrangement, labels)
+    names = RegionLabels(arrangement, labels, items="lines")
     arrangement, camera = in_coordinates(coordinates, arrangement, camera)
     globe = Globe(arrangement, camera)
     if camera is None:
@@ -120,7 +120,7 @@ def _note(globe: Globe) -> str:
     names = plane_names(members, len(globe.whole.arrangement))
     if not names:
         return "rim: the line at infinity; signs up to a common change"
-    many = "planes" if len(members) > 2 else "plane"
+    many = "lines" if len(members) > 2 else "line"
     return f"rim: the line at infinity, {many} {names}; signs up to a common change"
 
 

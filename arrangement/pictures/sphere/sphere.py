@@ -80,7 +80,7 @@ def draw_sphere(
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.
     """
-    names = RegionLabels(arrangement, labels)
+    names = RegionLabels(arrangement, labels, items="circles")
     shown, coordinates = drawn_axes(arrangement, axes, coordinates)
     arrangement, camera = in_coordinates(coordinates, arrangement, camera)
     globe = Globe(arrangement, camera, azimuth)

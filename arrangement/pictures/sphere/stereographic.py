@@ -78,7 +78,7 @@ def draw_stereographic(
         InputError: another space, planes off the origin, too many circles, unknown colouring; or
             the whole is asked for and the direction lies on a plane.
     """
-    names = RegionLabels(arrangement, labels)
+    names = RegionLabels(arrangement, labels, items="circles")
     arrangement, camera = in_coordinates(coordinates, arrangement, camera)
     globe = Globe(arrangement, camera)
     if camera is None and whole is not False:
@@ -99,7 +99,7 @@ def draw_stereographic(
     if math.isinf(_farthest(globe)):
         k = next(i for i, s in enumerate(arrangement.signs_at(globe.direction)) if s == 0)
         raise InputError(
-            f"the camera lies on plane {k + 1}, whose circle would pass through infinity; "
+            f"the camera lies on circle {k + 1}, which would pass through infinity; "
             "choose another camera, or the front half alone (whole=False)"
         )
     scene = Scene(width, width)

@@ -301,9 +301,9 @@ def explain_borders(legend: Legend, regions: Sequence[Region], fades: bool) -> N
     """Say what lines, points and faded edges of regions mean."""
     outlines = [region.outline for region in regions]
     if any(outline.border or outline.whiskers for outline in outlines):
-        legend.key(symbol("border"), "resistance ends")
+        legend.key(symbol("border"), "boundary")
     if any(outline.points for outline in outlines):
-        legend.key(symbol("accepted"), "resisted: this alone")
+        legend.key(symbol("accepted"), "resisted: this point alone")
     if fades and not all(p.polyhedron.bounded for region in regions for p in region.polygons):
         legend.key(symbol("fade"), "unbounded")
 

@@ -179,11 +179,11 @@ def screw_text(solid: SolidGrasp) -> str:
     """Return the motion in words: a turn about an axis with its pitch, or a shift."""
     screw = solid.screw
     if screw is None or screw.pitch is None:
-        return "a shift" if screw else "no motion"
+        return "a translation" if screw else "no motion"
     unit = f" {solid.grasp.units.length}" if solid.grasp.units else ""
     far = " about an axis outside the picture" if solid.axis_is_far else ""
     pitch = f"{screw.pitch:.3g}".replace("-", "−")
-    return f"a turn{far}" + (f", pitch {pitch}{unit} a radian" if screw.pitch else "")
+    return f"a rotation{far}" + (f", pitch {pitch}{unit} a radian" if screw.pitch else "")
 
 
 #: This many leaves are shown, side by side.
@@ -223,7 +223,7 @@ def proof_in_space(grasp: Grasp, wrench: Wrench, width: float) -> Scene:
         work = sum(a * b for a, b in zip(motion, verdict.wrench, strict=True))
         against = ", ".join(f"{i + 1} {text}" for i, text in sorted(states.items()))
         scene.legend.line(
-            f"{k} of {len(leaves)}: {against or 'whatever the contacts do'}; λ is "
+            f"{k} of {len(leaves)}: {against or 'all contact states'}; λ is "
             f"{screw_text(solid)}; the load does work {LABEL.number(work)}"
         )
     return scene

@@ -13,6 +13,7 @@ from arrangement.drawing.colours import BLACK, VERMILION
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import Legend, Scene
 from arrangement.numbers.exact import shown
+from arrangement.pictures.parts.names import stroke
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
 from equilibrium.decide.known_loads import KnownLoads
 from equilibrium.model.errors import GraspError
@@ -145,16 +146,16 @@ def _explain(
     legend: Legend, spokes: list[tuple[Floats, SpatialMagnitudes]], ends: bool, refuted: bool
 ) -> None:
     """Say what is drawn, if there are boundaries beyond 0 or not."""
-    legend.key(symbol(_HELD), "proved to be resisted at the samples")
+    legend.key(stroke(ec=_HELD, lw=2.0), "proved to be resisted at the samples")
     if refuted:
         legend.key(symbol(_REFUTED), "proved not to be resisted (white: left open here)")
     open_ends = any(known.samples[-1][1] == UNDECIDED for _, known in spokes)
     if ends or open_ends:
         legend.key(symbol("missed"), "open between two proofs; thick: tried and undecided")
     elif all(known.borders for _, known in spokes):
-        legend.line("nothing is resisted in these directions, 0 aside")
-    legend.line(f"{len(spokes)} directions; the shade between them is a guide, no proof")
+        legend.line("only 0 is resisted in these directions")
+    legend.line(f"{len(spokes)} directions; the shading between them is not proved")
     tried = [known.samples[-1][0] for _, known in spokes if known.samples[-1][1] == RESISTED]
     if tried:
         part = "all" if len(tried) == len(spokes) else f"{len(tried)} of them"
-        legend.line(f"no bound was found up to {float(max(tried)):g}, the most tried, in {part}")
+        legend.line(f"no boundary was found up to {float(max(tried)):g}, the most tried, in {part}")

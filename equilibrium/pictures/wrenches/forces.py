@@ -258,12 +258,12 @@ def draw_methods(grasp: Grasp, *, wrenches: Iterable[Wrench], width: float = 88.
     _paint(scene, [METHODS[name].label for name in names], heads, answers, height - above)
     legend = scene.legend
     explain_error(legend, grasp)
-    legend.key(symbol("accepted"), "accepts")
-    legend.key(symbol("refusal"), "refuses")
+    legend.key(symbol("accepted"), "predicts stable")
+    legend.key(symbol("refusal"), "predicts unstable")
     if any(entry.accepts is None for answer in answers for entry in answer.answers):
-        legend.key(symbol("silence"), "says nothing")
+        legend.key(symbol("silence"), "no prediction")
     if any(answer.disagreeing for answer in answers):
-        legend.key(symbol(_TINT), "not as the full model")
+        legend.key(symbol(_TINT), "differs from the full model")
     return scene
 
 

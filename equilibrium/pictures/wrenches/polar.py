@@ -105,15 +105,15 @@ def _at(panel: Panel, direction: RationalVector, magnitude: Fraction | None) -> 
 def _describe(entries: Iterable[Entry], region: Region, legend: Legend) -> None:
     listed = list(entries)
     wrong = [entry for entry in listed if not entry.agrees]
-    legend.line(f"the binary search errs in {len(wrong)} of {len(listed)} directions")
+    legend.line(f"the binary search is wrong in {len(wrong)} of {len(listed)} directions")
     legend.key(symbol(SHADE), "resisted (exact)")
     explain_borders(legend, [region], fades=False)
     if len(wrong) < len(listed):
-        legend.key(symbol("dot"), "search is right")
+        legend.key(symbol("dot"), "search is correct")
     if any(entry.found is None for entry in listed):
         legend.key(symbol("rim"), "rim: unbounded")
     if wrong:
-        legend.key(symbol("cross"), "search errs")
+        legend.key(symbol("cross"), "search is wrong")
     if any(entry.wrongly_claimed for entry in wrong):
         legend.key(symbol("claimed"), "wrongly claimed")
     if any(entry.missed for entry in wrong):

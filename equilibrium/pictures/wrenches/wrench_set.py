@@ -130,14 +130,15 @@ class _WrenchSetPicture(SolidSheet):
             )
         solid = any(shape.dimension > 1 for shape in self.box.shapes)
         if self.box.filled:
-            legend.key(symbol(CUT), "every wrench in the box is resisted, and the set goes on")
+            text = "every wrench in the box is resisted; the set continues beyond it"
+            legend.key(symbol(CUT), text)
             return
         if self.box.shapes:
             legend.key(symbol(SOLID if solid else "border"), "resisted wrenches")
         if any(p.row in WALLS for node in self.box.tree for p in node.patches):
-            legend.key(symbol(f"{CUT} hatched"), "cut by the box, goes on")
+            legend.key(symbol(f"{CUT} hatched"), "cut by the box; the set continues beyond it")
         elif self.box.endless:
-            legend.line("what reaches the box goes on")
+            legend.line("what reaches the box continues beyond it")
 
     def _set(self) -> None:
         """Paint the surface back to front."""
