@@ -37,7 +37,7 @@ from arrangement.pictures import DRAWINGS as OF_PLANES, compose, draw_sphere
 from arrangement.pictures.views import drawings_of, write_drawing
 from equilibrium import read_grasp
 from equilibrium.cli import main as draw_grasps
-from equilibrium.inputs import from_float_data
+from equilibrium.grasps.inputs import from_float_data
 from equilibrium.pictures import DRAWINGS as OF_GRASPS
 from tests.docpages import ROOT
 from tests.drawn import VIEWS, offences, scene, usual

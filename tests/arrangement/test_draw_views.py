@@ -205,9 +205,9 @@ def test_a_plane_at_infinity_is_named():
     planes = read_arrangement("coordinate-planes")
     for ahead, named in (((0, 0, 1), True), ((1, 1, 1), False)):
         made = draw_gnomonic.scene(planes, camera=ahead, rim=True)
-        assert any("line at infinity, plane 3;" in text for text, _ in made.legend.lines) == named
+        assert any("line at infinity, line 3;" in text for text, _ in made.legend.lines) == named
         made = draw_gnomonic.scene(planes, camera=ahead)
-        assert any("farther out: plane 3" in text for text in made.legend.captions) == named
+        assert any("farther out: line 3" in text for text in made.legend.captions) == named
 
 
 @pytest.mark.parametrize("rim", [False, True])

@@ -138,7 +138,8 @@ def draw_section(
         width=width,
         coordinates="given",
     )
-    scene.legend.captions.append(f"section by {equation(tuple(normal), offset)}")
+    cut = equation(tuple(normal), offset).replace("-", "\u2212")
+    scene.legend.captions.append(f"section by {cut}")
     if text := caption(arrangement, 4):
         scene.legend.captions.append(text)
     return scene
