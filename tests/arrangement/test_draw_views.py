@@ -679,7 +679,9 @@ def test_some_regions_only_have_labels(labels, texts):
 
 def test_the_dual_names_the_vertices_in_front_or_says_which_it_leaves_out(capsys):
     with progress.shown():
-        made = DRAWINGS.draw(read_arrangement("nine-generic-planes"), "dual").scene
+        made = DRAWINGS.draw(
+            read_arrangement("nine-generic-planes"), "dual", labels="numbers"
+        ).scene
     front = {x.name.split("-")[1] for x in made.items
              if x.name.startswith("vertex") and x.order == 5}  # fmt: skip
     assert not made.legend.captions

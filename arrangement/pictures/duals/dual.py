@@ -285,7 +285,7 @@ class _SolidPanel:
                 self.scene, place, texts, SIZES, off=off, distance=distance, **look
             ):
                 missing += texts[:1] * (not hidden)
-        if missing:
+        if missing and self.names.requested:
             some = ", ".join(sorted(missing, key=lambda text: (len(text), text)))
             note(f"no room for the names of vertices {some} of the dual, which are left out")
 

@@ -36,6 +36,7 @@ class RegionLabels:
 
     Attributes:
         kind: "signs", "numbers" or "none".
+        requested: whether labels were asked for; only then a note says which have no room.
         items: what the picture shows of the hyperplanes: "lines", "circles", "planes".
         left_out: how many regions were too small for a label.
     """
@@ -56,11 +57,11 @@ class RegionLabels:
             some = set(self._own.values()) - {None}
             labels = ("signs" if len(arrangement) <= SHORT else "numbers") if not some else "own"
         self.kind = labels or ("signs" if len(arrangement) <= SHORT else "numbers")
-        self._too_many, self._tabled = 0, math.inf if labels else TABLED
+        self.requested, self._tabled = labels is not None, math.inf if labels else TABLED
         if labels is None and self.kind == "numbers":
             count = len(arrangement.regions()) if count is None else count
             if count > most:
-                self.kind, self._too_many = "none", count
+                self.kind = "none"
         self.left_out = 0
 
     def _read(self, labels: Labels) -> dict[tuple[int, ...], str | None]:
@@ -132,9 +133,7 @@ class RegionLabels:
             named = sorted((self._numbers[signs], sign_text(signs)) for signs in listed)
             digits = len(str(named[-1][0]))
             legend.table += [f"{str(k).rjust(digits, FIGURE)} {text}" for k, text in named]
-        if self._too_many:
-            note(f"{self._too_many} regions are too many for labels, which are left out")
-        if self.left_out:
+        if self.left_out and self.requested:
             note(f"{counted(self.left_out, 'region')} too small for a label")
 
 

@@ -99,7 +99,7 @@ def draw_cells(
     left = 0 if names.kind == "none" else sheet.name_cells(names, beside=False)
     legend = sheet.scene.legend
     names.explain(legend, signs)
-    if left:
+    if left and names.requested:
         note(f"{left} of {len(lifted)} cells are hidden or too narrow for a label")
     return sheet.scene
 
