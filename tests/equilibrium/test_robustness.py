@@ -137,7 +137,11 @@ def test_the_error_of_the_data_goes_along_in_files(tmp_path, capsys):
             3,
             "yes, as it was rounded; it depends on",
         ),
-        (["resisted", "--slice", "fx", "fy"], 0, "for the rounded data; `equilibrium solve` decides"),
+        (
+            ["resisted", "--slice", "fx", "fy"],
+            0,
+            "for the rounded data; `equilibrium solve` decides",
+        ),
     ],
 )
 def test_answers_about_converted_data_say_so(tmp_path, capsys, command, code, words):
