@@ -162,7 +162,7 @@ ARRANGEMENT = [
     ("draw coordinate-planes -o a.svg --view stereographic --colour mood", "known are sides"),
     (
         "draw coordinate-planes -o a.svg --view stereographic --whole --camera 1 1 0",
-        "lies on plane 3",
+        "lies on circle 3",
     ),
     ("draw coordinate-planes -o a.svg --view gnomonic --width 10", "at least 40 millimetres"),
     ("draw pencil -o a.svg --view dual --hull", "rank 2"),

@@ -108,7 +108,7 @@ def _chosen(verdict: Verdict | None, number: int) -> Equilibrium | Solution | No
         return None if verdict is None else verdict.solution
     if not 1 <= number <= len(verdict.equilibria):
         raise GraspError(
-            f"the equilibrium is number {number}; there are {len(verdict.equilibria)} equilibria"
+            f"the equilibrium is number {number}; their number is {len(verdict.equilibria)}"
         )
     return verdict.equilibria[number - 1]
 
