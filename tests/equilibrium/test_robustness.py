@@ -140,7 +140,7 @@ def test_the_error_of_the_data_goes_along_in_files(tmp_path, capsys):
         (
             ["resisted", "--slice", "fx", "fy"],
             0,
-            "for the rounded data; `equilibrium solve` decides",
+            "for the rounded data, not for all data",
         ),
     ],
 )
