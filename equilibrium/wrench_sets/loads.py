@@ -55,7 +55,8 @@ def check_loads(whole: ResistedSet, wrenches: Any) -> CheckedLoads:
 
 def _loads(wrenches: Any) -> Floats:
     """Return loads as floats that have their values exactly."""
-    if np.ma.is_masked(wrenches):
+    rows = wrenches if isinstance(wrenches, list | tuple) else [wrenches]
+    if any(map(np.ma.is_masked, rows)):
         raise GraspError("wrenches has masked entries; leave these loads out, or fill them")
     try:
         given = np.asarray(wrenches)

@@ -19,6 +19,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from arrangement.console.number_form import counted
+from arrangement.console.safe_text import safe_lines
 from arrangement.drawing.output import require_matplotlib
 from arrangement.drawing.pages.html_page import BASE_STYLE, Template, framed
 from arrangement.drawing.registry import Drawings
@@ -103,7 +104,9 @@ def html_page(record: Record) -> str:
         origins=_origins,
     )
     title = record.get("title") or "Verdicts"
-    return framed(title, body, [BASE_STYLE, _STYLE], [_SCRIPT], "; style-src-attr 'unsafe-inline'")
+    return safe_lines(
+        framed(title, body, [BASE_STYLE, _STYLE], [_SCRIPT], "; style-src-attr 'unsafe-inline'")
+    )
 
 
 def _kind(result: Record) -> VerdictStyle:

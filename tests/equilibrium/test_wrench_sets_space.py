@@ -304,6 +304,7 @@ def test_loads_have_three_finite_numbers_each():
     [
         (np.array([[1 + 2j, 0, 0]]), "an array of complex128; give real numbers"),
         (np.ma.array([[1.0, 2, 3]], mask=[[0, 1, 0]]), "masked entries"),
+        ([np.ma.array([1.0, 2, 3], mask=[0, 1, 0])], "masked entries"),
         (np.array([["1/2", 0, 0]], object), r"an array of object; .* `ResistedSet.solve_many`"),
         ([[True, False, True]], "an array of bool"),
         ([[1, 2, 3], [1]], "rows of different lengths"),

@@ -50,8 +50,8 @@ def test_record_without_a_key_is_refused(form, missing, record, tmp_path, capsys
     assert (out, err.count("\n")) == ("", 1)
 
 
-@pytest.mark.parametrize("form", ["txt", "md"])
-def test_text_forms_have_no_control_characters(form, tmp_path, capsys):
+@pytest.mark.parametrize("form", ["txt", "md", "html"])
+def test_reports_have_no_control_characters(form, tmp_path, capsys):
     text = "a\x1b[31m\u202e\x9b\u2066b"
     path, made = tmp_path / "record.json", tmp_path / f"report.{form}"
     path.write_text(json.dumps(hostile(text)), encoding="utf-8")
