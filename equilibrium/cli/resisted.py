@@ -275,7 +275,7 @@ def _margin(arguments: argparse.Namespace, grasp: Grasp) -> int:
     more, again = _rounded(solver, factors.magnitudes) if any(wrench) else ({}, [])
     doubt = grasp.data_error is not None and solver.solve(wrench).doubt
     word = "yes" if factors.resisted else "no"
-    word += f", as it was rounded; it {doubt}" if doubt else ""
+    word += f", for the rounded data; it {doubt}" if doubt else ""
     yes = None if doubt else factors.resisted
     lines = [
         f"resisted: {word}",

@@ -175,7 +175,7 @@ def _by_full_model(arguments: argparse.Namespace) -> int:
     elif verdict.grasp.data_error is not None:
         rounding = verdict.within_error()
         if rounding.turned is not None:
-            lines = [*rounding.lines(), f"as it was rounded: {lines[0]}", *lines[1:]]
+            lines = [*rounding.lines(), f"for the rounded data: {lines[0]}", *lines[1:]]
             yes = None
         else:
             lines += rounding.lines()

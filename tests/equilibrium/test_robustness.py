@@ -135,7 +135,7 @@ def test_the_error_of_the_data_goes_along_in_files(tmp_path, capsys):
         (
             ["resisted", "--wrench", "0", "0", "1", "--margin"],
             3,
-            "yes, as it was rounded; it depends on",
+            "yes, for the rounded data; it depends on",
         ),
         (
             ["resisted", "--slice", "fx", "fy"],
