@@ -322,7 +322,7 @@ LIMITS = {
     "symmetry is drawn": ("planes whose symmetry is looked for",),
     "is exponential": ("contacts with a choice of three states",),
     "of one picture": ("contacts in a picture", "rays in a picture", "wrenches in a picture"),
-    "in ``margin``": ("open ranges of friction coefficients",),
+    "``resisted --margin``": ("open ranges of friction coefficients",),
     "isomorphism classes": ("arrangement.library.census.catalogue:MOST_PLANES",),
     "tables of types": (
         "arrangement.library.files.others.chirotope:MOST_ELEMENTS",
