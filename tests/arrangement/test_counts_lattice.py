@@ -171,7 +171,10 @@ def test_determinants_are_foreseen(monkeypatch):
         del asked[:]
         counts.chirotope(planes)
         (takes,) = [takes for what, takes in asked if "determinants" in what]
-        assert takes == {"seconds": pytest.approx(number * order**3 * 4e-7), "bytes": number * 200}
+        assert takes == {
+            "steps": pytest.approx(1e7 * number * order**3 * 4e-7),
+            "bytes": number * 200,
+        }
 
 
 CENTRAL = arrangements(dimensions=(1, 4), planes=(0, 6), central=True)
@@ -323,6 +326,6 @@ def test_what_flats_take_is_foreseen_from_those_that_are_known(planes, bits, mon
             seconds += pairs / 2 + kept * (2 + 0.06 * bits)
             before, vectors = vectors, kept * (160 + (top - k) * (k + 1) * bits / 4)
             most = max(most, before + vectors + 20 * pairs)
-        return {"seconds": pytest.approx(seconds * 1e-6), "bytes": pytest.approx(most)}
+        return {"steps": pytest.approx(1e7 * seconds * 1e-6), "bytes": pytest.approx(most)}
 
     assert asked == [expected(rank) for rank in range(top - 1)]

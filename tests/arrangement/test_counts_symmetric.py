@@ -312,7 +312,7 @@ def test_the_search_for_symmetries_is_foreseen(monkeypatch):
     del asked[:]
     Automorphisms(config)
     (takes,) = [takes for what, takes in asked if "symmetries of 6 planes" in what]
-    assert takes == {"seconds": pytest.approx((2e-7 * 36 + 2e-6 * 9) * 3), "bytes": 60 * 36}
+    assert takes == {"steps": pytest.approx(1e7 * (2e-7 * 36 + 2e-6 * 9) * 3), "bytes": 60 * 36}
 
 
 def test_small_primes_that_lose_minors_are_noticed(monkeypatch):
