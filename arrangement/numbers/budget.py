@@ -25,6 +25,8 @@ STEPS = 20_000_000
 LONG_STEPS = 3_000_000_000
 #: Steps after which a command ends that did not say before how many it takes.
 COMMAND_STEPS = 300_000_000
+#: Steps that such a command may foresee for work that shows how far it is.
+COMMAND_LONG_STEPS = 60_000_000
 #: What is read, shown or tried at most.
 MOST = {
     "bytes of a file": 4 * 2**20,
@@ -118,6 +120,8 @@ def excess(*, faces: float = 0, bytes: float = 0, steps: float = 0, long_steps: 
 
 def _most_long() -> float:
     meter = _meter.get()
+    if meter is not None and meter.allowed <= COMMAND_STEPS:
+        return COMMAND_LONG_STEPS
     return LONG_STEPS if meter is None else min(meter.allowed, LONG_STEPS)
 
 
