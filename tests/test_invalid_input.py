@@ -509,7 +509,8 @@ CASES += [
     ),
 ]
 SWEEP = "sweep step-1-square-bound"
-SIZE = "--elements 3..4 --samples 9 --store s.sqlite"
+ELEMENTS = "--elements 3..4 --samples 9"
+SIZE = f"{ELEMENTS} --store s.sqlite"
 CASES += [
     (proofs_check, words, said, {})
     for words, said in (
@@ -519,15 +520,18 @@ CASES += [
         (f"sweep nothing {SIZE}", "no claim has the id 'nothing'"),
         (f"sweep table-three-contacts {SIZE}", "not of random instances"),
         (f"sweep nowhere.py {SIZE}", "cannot read nowhere.py"),
-        (f"{SWEEP} {SIZE} --samples 0", "samples is 0"),
+        (f"{SWEEP} --elements 3..4 --store s.sqlite --samples 0", "samples is 0"),
         (f"{SWEEP} {SIZE} --jobs 0", "jobs is 0"),
         (f"{SWEEP} {SIZE} --chunk 0", "chunk is 0"),
-        (f"{SWEEP} {SIZE} --elements 4..3", "smaller number stands first"),
-        (f"{SWEEP} {SIZE} --elements 3-4", "'3-4' is not a range"),
+        (f"{SWEEP} --samples 9 --store s.sqlite --elements 4..3", "smaller number stands first"),
+        (f"{SWEEP} --samples 9 --store s.sqlite --elements 3-4", "'3-4' is not a range"),
         (f"{SWEEP} {SIZE} --shard 3/2", "'3/2' is not a shard"),
-        (f"{SWEEP} {SIZE} --store nowhere/s.sqlite", "cannot open nowhere/s.sqlite"),
-        (f"{SWEEP} {SIZE} --store ''", "it is empty"),
-        (f"{SWEEP} {SIZE} --store :memory:", "not a file"),
+        (
+            f"{SWEEP} {ELEMENTS} --store nowhere/s.sqlite",
+            "cannot open nowhere/s.sqlite",
+        ),
+        (f"{SWEEP} {ELEMENTS} --store ''", "it is empty"),
+        (f"{SWEEP} {ELEMENTS} --store :memory:", "not a file"),
         ("sweep euler --classes 3..5 --samples 3 --store s.sqlite", "samples"),
         ("sweep euler --classes 8..10 --store s.sqlite", "10"),
         ("sweep --store nowhere.sqlite --status", "there is no store nowhere.sqlite"),

@@ -661,7 +661,7 @@ def test_a_region_is_styled_by_its_signs_and_its_number_and_a_circle_as_a_whole(
     for style, said in (
         ({"linewith": 2}, "did you mean linewidth"),
         ({"fc": 3}, "colour"),
-        ({"color": "red"}, "of letters"),
+        ({"color": "red"}, "is for text"),
     ):
         with pytest.raises(InputError, match=said):
             drawn.region(signs).set(**style)

@@ -139,7 +139,8 @@ def _verify(arguments: argparse.Namespace) -> int:
             report = report.asked(question, arguments.cone, max_displacement)
     else:
         report = verify(path, question, arguments.cone, max_displacement)
-    speaker, left_out = ("proved", "leaves") if arguments.verified else ("Python", "")
+    # The verified checker counts no leaves; documents keep its name.
+    name, left_out = ("proved", "leaves") if arguments.verified else ("python", "")
     document = {k: value for k, value in report.to_dict().items() if k != left_out}
     if not known:
         del document["wrench"], document["grasp"]
@@ -149,12 +150,13 @@ def _verify(arguments: argparse.Namespace) -> int:
     )
     proof += f", for all {report.bounds}" if report.bounds is not None else ""
     said = f"valid: {proof}" if report else f"not valid: {printable(report.problem)}"
-    lines = [f"{said} (by the {speaker} checker)", *report.question[: _MOST_LINES * known]]
+    checker = "verified" if arguments.verified else "Python"
+    lines = [f"{said} (by the {checker} checker)", *report.question[: _MOST_LINES * known]]
     more = len(report.grasp) + 1 - _MOST_LINES
     lines += [f"... and {counted(more, 'contact')} more; --json has all"] * (more > 0)
     if not report.compared:
-        lines.append("compared with no question: --grasp FILE --wrench W say what it should prove")
-    shown = {**document, "checker": speaker.lower()}
+        lines.append("not compared with a grasp and wrench: give --grasp FILE --wrench W")
+    shown = {**document, "checker": name}
     return show(arguments, shown, lines, bool(report), report.grasp)
 
 

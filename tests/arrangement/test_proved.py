@@ -310,5 +310,5 @@ def test_forecasts_follow_the_planes(planes, count, faces, error):
 def test_what_is_out_of_reach_or_irrational_is_refused_before_work():
     with pytest.raises(OutOfReachError, match="by the verified program"):
         proved_f_vector(Arrangement([[1, k, k * k, k**3, k**4, k**5] for k in range(200)]))
-    with pytest.raises(InputError, match="rational planes"):
+    with pytest.raises(InputError, match="rational ones"):
         proved_whitney_numbers(families.h3())

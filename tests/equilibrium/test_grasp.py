@@ -10,7 +10,7 @@ from hypothesis import given, settings, strategies as st
 
 from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, GraspError, read_grasp, solve, unit_normal
-from equilibrium.cli.program import LITERAL
+from equilibrium.cli.solve import AS_PRINTED
 from equilibrium.decide.as_printed import OPTIONS
 from equilibrium.grasps.inputs.documents import read_any
 from equilibrium.grasps.instances import paths
@@ -328,4 +328,4 @@ def test_unknown_option_is_refused():
 
 
 def test_command_line_knows_every_option():
-    assert tuple(OPTIONS) == LITERAL
+    assert tuple(OPTIONS) == AS_PRINTED

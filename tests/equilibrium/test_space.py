@@ -419,7 +419,9 @@ class TestBrackets:
         one, other = FINGERS
         soft, hard = replace(one, preload=Fraction(0)), replace(other, preload=Fraction(2))
         for grasp, unit in ((Grasp([soft, hard]), 2), (Grasp([soft]), 1)):
-            loads = SimpleNamespace(grasp=grasp, trees=[], ask=ask, scales=False)
+            loads = SimpleNamespace(
+                grasp=grasp, trees=[], ask=ask, scales=False, max_displacement=None
+            )
             tried.clear()
             found = spatial_magnitudes(grasp, across(1, 0), loads=loads)
             powers = [unit * Fraction(2) ** k for k in range(-6, 9)]

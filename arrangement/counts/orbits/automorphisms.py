@@ -103,7 +103,7 @@ class Automorphisms:
             if not _equal_up_to_signs(moved, self._products):
                 raise InputError(
                     f"symmetry[{number}] takes distinct planes to {shown(list(given))}, which is "
-                    "no automorphism: no linear map takes each plane's normal to plus or minus "
+                    "not an automorphism: no linear map takes each plane's normal to plus or minus "
                     "that of its image; leave it out, or leave out symmetry to have it found"
                 )
             checked.append(image)
