@@ -36,11 +36,11 @@ function equilibriaWords(equilibria) {
 // tangent by more than a tenth of the longest side of the box around the contacts.
 function isSmall({ motion }) {
   const { grasp } = state.found;
-  const sides = [0, 1].map((k) => {
+  const [wide, high] = [0, 1].map((k) => {
     const along = grasp.map(({ point }) => point[k]).sort(order);
     return along.length ? less(along[along.length - 1], along[0]) : ZERO;
   });
-  const limit = times(ratio(1n, 10n), order(...sides) > 0 ? sides[0] : sides[1]);
+  const limit = times(ratio(1n, 10n), order(wide, high) > 0 ? wide : high);
   const moved = grasp.flatMap((contact) => Object.values(wrenchesOf(contact)).map((row) => size(dotted(row, motion))));
   return !limit.n || moved.every((x) => order(x, limit) <= 0);
 }
