@@ -61,7 +61,7 @@ COMMANDS = (
     Command("equilibrium verify proof.json", 0, "valid"),
     Command("equilibrium lab -o lab.html", 0, writes="lab.html"),
     Command("arrangement lab braid-a3 -o lines.html", 0, writes="lines.html"),
-    Command(f"equilibrium resisted {_G} --wrench 0 -1 0", 0, "no end"),
+    Command(f"equilibrium resisted {_G} --wrench 0 -1 0", 0, "oo"),
     Command(f"equilibrium resisted {_G} --slice fx fy", 0, "polygons"),
     Command("equilibrium resisted opposed-contacts", 0, "polyhedra"),
     Command(f"equilibrium resisted {_G} --wrench 0 -1 0 --margin", 0, "resisted: yes"),

@@ -160,7 +160,7 @@ def _smallest_lines(found: SmallestUnresisted, grasp: Grasp) -> Iterator[str]:
         squared = "" if exact else f" (squared {number(found.size_squared)})"
         yield f"{load}every wrench smaller than {size}{_force(grasp)}{squared} is resisted"
         yield f"  where size^2 = f_x^2 + f_y^2 + (tau / length)^2, length {number(found.length)}"
-        yield f"on the border: {vector(found.wrench)}"
+        yield f"on the boundary: {vector(found.wrench)}"
     else:
         yield f"{load}no size is resisted in every direction"
     yield f"not resisted: {vector(found.beyond)}"
@@ -175,7 +175,7 @@ def _rounded(solver: Solver, found: Magnitudes) -> tuple[dict[str, Any], list[st
     if again is None:
         return {}, []
     if again.turned is None:
-        ends = ["no end" if x is None else _between(*x) for x in again.ends]
+        ends = ["unbounded" if x is None else _between(*x) for x in again.ends]
         line = f"ends for {again.asked} others within the error of the data: "
         line += ", ".join(ends) or "none"
     else:
@@ -208,7 +208,7 @@ def _border_lines(found: SpatialMagnitudes) -> Iterator[str]:
     for border in found.borders:
         ends = sorted((border.resisted, border.refused))
         order = "resisted, then not" if border.resisted < border.refused else "not, then resisted"
-        line = f"{order}: the border is {bracket(*ends)}"
+        line = f"{order}: the boundary is {bracket(*ends)}"
         left = len(border.undecided)
         yield line + (f"; {left} undecided between them" if left else "")
     for a, b in found.gaps:
@@ -235,12 +235,12 @@ def _region_lines(region: Region) -> Iterator[str]:
         parts += [f"lines {_points(shape.lines)}"] if shape.lines else []
         yield f"  {' '.join(piece.states)}: {'; '.join(parts)}"
     outline = region.outline
-    for name, segments in (("border", outline.border), ("whisker", outline.whiskers)):
+    for name, segments in (("boundary", outline.border), ("whisker", outline.whiskers)):
         yield from (f"{name} {_segment(segment)}" for segment in segments)
     yield from (f"point {vector(point)}" for point in outline.points)
     for sector in region.unlimited:
         ends = f"from {vector(sector.start)} counter-clockwise to {vector(sector.end)}"
-        yield f"without limit: {'all directions' if sector.whole else ends}"
+        yield f"unbounded: {'all directions' if sector.whole else ends}"
 
 
 def _whole(arguments: argparse.Namespace, grasp: Grasp) -> int:
@@ -301,7 +301,7 @@ def _map_lines(found: SearchMap, unit: str) -> Iterator[str]:
         f"limit {number(found.limit)}{unit}: the search errs in {len(found.disagreements)}"
     )
     for entry in found.entries:
-        answer = "without limit" if entry.found is None else f"up to {number(entry.found)}{unit}"
+        answer = "unbounded" if entry.found is None else f"up to {number(entry.found)}{unit}"
         shown = ", ".join(f"{float(x):+.4f}" for x in entry.direction)
         wrong = "" if entry.agrees else f"; exactly {_intervals(entry.exact)}"
         yield f"  ({shown})  {answer}{wrong}"
@@ -314,8 +314,8 @@ def _force(grasp: Grasp) -> str:
 
 def _intervals(intervals: Iterable[Interval]) -> str:
     shown = [
-        ("(no end" if low is None else f"[{number(low)}")
-        + (", no end)" if high is None else f", {number(high)}]")
+        ("(-oo" if low is None else f"[{number(low)}")
+        + (", oo)" if high is None else f", {number(high)}]")
         for low, high in intervals
     ]
     return " or ".join(shown) if shown else "no interval"
@@ -334,8 +334,8 @@ def _friction(low: Fraction | None, high: Fraction | None) -> str:
 
 
 def _segment(segment: Segment) -> str:
-    start = "without end" if segment.start is None else vector(segment.start)
-    end = "without end" if segment.end is None else vector(segment.end)
+    start = "unbounded" if segment.start is None else vector(segment.start)
+    end = "unbounded" if segment.end is None else vector(segment.end)
     return f"{start} to {end}, direction {vector(segment.direction)}"
 
 

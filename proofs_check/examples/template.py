@@ -14,8 +14,8 @@ from proofs_check import claim
 #
 # `of` says which instances: "distinct" (different planes through the origin of R^3, rank 3),
 # "simple" (in general position), "central", "affine(d=2)" (lines of the plane), "affine(d=3)",
-# "dual" (the dual polyhedra), "grasp"; or a list of your own instances. Planes are tried on one
-# arrangement of every type of up to `census` planes, on named families and on `samples` random
+# "dual" (the dual polyhedra), "grasp"; or a list of instances. Planes are tried on one arrangement
+# of every isomorphism class of 3 to `classes` planes, on named families and on `samples` random
 # ones, the same ones for the same --seed.
 
 

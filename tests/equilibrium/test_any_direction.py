@@ -183,7 +183,7 @@ def test_four_fingers_that_squeeze_sideways_slip_when_pulled_up(preload):
 def test_two_fingers_that_squeeze_hold_until_one_of_them_slips(length):
     """At (+-1, 0), preload 1, friction 1/2: normal forces 1 -+ f_x / 2, whatever f_y and tau are.
 
-    The tangential ones are (f_y +- tau) / 2, so the border is +-f_x / 2 +- f_y +- tau = 1: a long
+    The tangential ones are (f_y +- tau) / 2, so the boundary is +-f_x / 2 +- f_y +- tau = 1: a long
     length makes a torque the smallest wrench, a short one a force.
     """
     ends = [((-1, 0), (1, 0)), ((1, 0), (-1, 0))]

@@ -137,7 +137,7 @@ WITH_UNITS = {
 
 #: How forces and torques are marked.
 MARKED = {
-    "resisted --wrench 0 1 0 --margin": [r"uniform preload in \[1, no end\) kgf"],
+    "resisted --wrench 0 1 0 --margin": [r"uniform preload in \[1, oo\) kgf"],
     "info --force-closure": ["resisted forces at torque 0 kgf furlong:", r"volume +\S+ kgf\^3"],
 }
 
