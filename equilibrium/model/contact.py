@@ -180,6 +180,7 @@ def contact_of(entry: Any, index: int) -> Contact:
     try:
         for key in ("point", "normal", "tangent"):
             check_list(entry.get(key, []), key)
+        rational(entry.get("stiffness", 1), "stiffness")  # null does not mean the default
         if "tangent" in entry and len(entry["normal"]) == 2:
             raise GraspError("in the plane the tangent follows from the normal; leave it out")
         return Contact(**entry)

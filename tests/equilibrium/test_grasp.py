@@ -329,3 +329,10 @@ def test_unknown_option_is_refused():
 
 def test_command_line_knows_every_option():
     assert tuple(OPTIONS) == AS_PRINTED
+
+
+@pytest.mark.parametrize("key", ["stiffness", "preload", "friction", "tangent"])
+def test_null_is_not_a_value_of_a_contact(key):
+    entry = {"point": ["0", "-1"], "normal": ["0", "1"], "friction": "1/2", key: None}
+    with pytest.raises(GraspError, match=rf"contacts\[0\].*{key}"):
+        Grasp.from_dict({"schema_version": 1, "contacts": [entry]})
