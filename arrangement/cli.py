@@ -308,13 +308,15 @@ def _faces(arguments: argparse.Namespace) -> int:
         print(f"points in {arrangement.field!r}")
     if arguments.bounded and arguments.dimension not in (None, arrangement.dimension):
         raise InputError("--bounded lists regions; omit --dimension")
+    if _counts_are_cheap(arrangement):
+        _ask_to_print(_face_count(arrangement, arguments), arrangement)
     found = (
         arrangement.bounded_regions()
         if arguments.bounded
         else arrangement.faces(arguments.dimension)
     )
-    steps = len(found) * (200 + 20 * len(arrangement))
-    budget.ask(f"{len(found):,} faces, printed", "count them (arrangement count)", steps=steps)
+    if not _counts_are_cheap(arrangement):
+        _ask_to_print(len(found), arrangement)
     for face in found:
         if arguments.json:
             terminal.print_json(
@@ -324,6 +326,23 @@ def _faces(arguments: argparse.Namespace) -> int:
             signs = sign_text(face.signs)
             print(f"{signs}  dim {face.dimension}  {vector(face.witness)}")
     return terminal.YES
+
+
+def _face_count(arrangement: Arrangement, arguments: argparse.Namespace) -> int:
+    """Count the faces that are to be printed without a list of them."""
+    from .counts import bounded_region_count, f_vector
+
+    if arguments.bounded:
+        return bounded_region_count(arrangement)
+    of_dimension = dict(enumerate(f_vector(arrangement)))
+    if arguments.dimension is None:
+        return sum(of_dimension.values())
+    return of_dimension.get(arguments.dimension, 0)
+
+
+def _ask_to_print(faces: int, arrangement: Arrangement) -> None:
+    steps = faces * (200 + 20 * len(arrangement))
+    budget.ask(f"{faces:,} faces, printed", "count them (arrangement count)", steps=steps)
 
 
 def _identify(arguments: argparse.Namespace) -> int:

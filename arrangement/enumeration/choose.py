@@ -26,6 +26,7 @@ class Engine:
         can: the same in words.
         steps, bytes: that a face takes.
         order: it takes as much as m^order faces in any case, for m distinct planes.
+        affine: how many times the bytes it takes where planes miss the origin.
     """
 
     list_faces: Callable[[Planes], tuple[Level, ...]]
@@ -34,6 +35,7 @@ class Engine:
     steps: float
     bytes: float
     order: int = 0
+    affine: float = 1
 
 
 def cone_rank(planes: Planes) -> int:
@@ -50,6 +52,7 @@ ENGINES = {
         1,
         20,
         2,
+        affine=3,
     ),
     "affine-space": Engine(
         affine_space.list_faces,
@@ -112,10 +115,12 @@ def _ask(planes: Planes, engine: Engine, count: Callable[[Planes], Sequence[int]
     factor = work_factor(planes.integer_planes)
     faces = most_faces(len(planes.distinct), planes.rank, planes.is_central)
 
+    bytes = engine.bytes * (1 if planes.is_central else engine.affine)
+
     def takes() -> dict[str, float]:
         work = max(faces, len(planes.distinct) ** engine.order)
         steps = work * engine.steps * factor
-        return {"faces": faces, "steps": steps, "bytes": work * engine.bytes}
+        return {"faces": faces, "steps": steps, "bytes": work * bytes}
 
     exact, instead = None, "count them (arrangement count, counts.f_vector)"
     if budget.excess(**takes()) > 1 and count is not None:

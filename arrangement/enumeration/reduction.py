@@ -18,6 +18,9 @@ from arrangement.planes.planes import Planes
 
 from .sequence import Level, Rows, no_faces
 
+#: Faces whose points are made at once.
+_PORTION = 1 << 16
+
 
 def cone(planes: Planes) -> Planes:
     """Return the cone over planes: ``n . x = b`` becomes ``n . x - b w = 0``, and w = 0 is last."""
@@ -71,9 +74,12 @@ def from_dimension(
 def upper_half(level: Level) -> Level:
     """Return the faces of affine planes, from those of their cone one dimension up.
 
-    They are the ones with w > 0, at w = 1.
+    They are the ones with w > 0, at w = 1. Points are made in portions, which bounds the memory.
     """
-    upper = np.flatnonzero(level.points(slice(None))[:, -2] > 0)
+    starts = range(0, level.count, _PORTION)
+    points = (level.points(slice(start, start + _PORTION)) for start in starts)
+    above = [part[:, -2] > 0 for part in points]
+    upper = np.flatnonzero(np.concatenate([*above, np.empty(0, np.bool_)]))
     return Level(
         len(upper),
         lambda rows: level.signs(upper[rows])[:, :-1],

@@ -190,7 +190,7 @@ def check(number: int, folder: Path) -> None:
     assert code != 2 or said.startswith("error: "), told
 
 
-@pytest.mark.parametrize("number", [2, 10, 11, 16, 29, 41])
+@pytest.mark.parametrize("number", [2, 10, 11, 16, 29, 41, 586])
 def test_a_hostile_question_is_answered_or_refused_soon(number: int, tmp_path: Path) -> None:
     check(number, tmp_path)
 
