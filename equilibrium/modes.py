@@ -19,7 +19,7 @@ from typing import Any, Generic, TypeAlias, TypeVar
 
 import numpy as np
 
-from arrangement.console.number_form import Documented, Shown
+from arrangement.console.number_form import JsonMixin, ReprMixin
 from arrangement.console.progress import watched
 from arrangement.enumeration.fan import Fan
 from arrangement.errors import InputError, OutOfTimeError
@@ -36,7 +36,7 @@ S = TypeVar("S")
 
 
 @dataclass(frozen=True, slots=True)
-class Mode(Documented, Generic[S]):
+class Mode(JsonMixin, Generic[S]):
     """A contacting-separating or a sliding-sticking mode.
 
     Attributes:
@@ -46,7 +46,7 @@ class Mode(Documented, Generic[S]):
         motion: one of them, coprime integers ``(x, y, r)``, or ``(v, omega)`` in space.
     """
 
-    in_document = ("signs", "dimension", "motion")
+    json_fields = ("signs", "dimension", "motion")
 
     signs: S
     dimension: int
@@ -54,7 +54,7 @@ class Mode(Documented, Generic[S]):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class ContactModes(Shown):
+class ContactModes(ReprMixin):
     """The modes of rigid contacts, each once, from the smallest dimension up.
 
     Args:
@@ -67,7 +67,7 @@ class ContactModes(Shown):
         TimeLimitError: by any property, the deadline is over.
     """
 
-    shown_fields = ("n", "normals", "tangents")
+    repr_fields = ("n", "normals", "tangents")
     normals: tuple[IntegerVector, ...]
     tangents: tuple[tuple[IntegerVector, ...], ...]
     n: int

@@ -23,7 +23,7 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.numbers.exact import to_text
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.files import read_grasp
@@ -51,7 +51,7 @@ _LARGEST = 10**9
 _Vector: TypeAlias = np.ndarray[Any, np.dtype[np.float64]]
 
 
-class EngineScene(Shown):
+class EngineScene(ReprMixin):
     """A grasp and directions of loads, as bodies in floats.
 
     Args:
@@ -72,7 +72,7 @@ class EngineScene(Shown):
     [['0', '1']]
     """
 
-    shown_fields = ("grasp", "directions")
+    repr_fields = ("grasp", "directions")
 
     def __init__(self, grasp: Grasp, directions: Iterable[Iterable[Any]] | None = None) -> None:
         many = 3 if grasp.dimension == 2 else 6

@@ -23,15 +23,15 @@ from arrangement.numbers.exact import common_digits, number_text, to_text
 WIDTH, IN_LINE, IN_TABLE = 90, 4, 12
 
 
-class Shown:
+class ReprMixin:
     """A value whose fields are shown: its dataclass has ``repr=False``, or a line of its own.
 
     Attributes:
-        shown_fields: what is shown in a table, if not the fields of a dataclass.
+        repr_fields: what is shown in a table, if not the fields of a dataclass.
     """
 
     __slots__ = ()
-    shown_fields: ClassVar[tuple[str, ...]] = ()
+    repr_fields: ClassVar[tuple[str, ...]] = ()
 
     def __repr__(self) -> str:
         text = ", ".join(f"{name} {text}" for name, text in _rows(self, _names(self), IN_LINE))
@@ -42,15 +42,15 @@ class Shown:
         return table(self, _names(self))
 
 
-class Documented(Shown):
-    """A value with a JSON form: the attributes that `in_document` names."""
+class JsonMixin(ReprMixin):
+    """A value with a JSON form: the attributes that `json_fields` names."""
 
     __slots__ = ()
-    in_document: ClassVar[tuple[str, ...]]
+    json_fields: ClassVar[tuple[str, ...]]
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; exact numbers are strings, null means unbounded (or none)."""
-        return {name: _json_form(getattr(self, name)) for name in self.in_document}
+        return {name: _json_form(getattr(self, name)) for name in self.json_fields}
 
 
 def _json_form(value: Any) -> Any:
@@ -72,9 +72,9 @@ def table(value: object, names: Iterable[str]) -> str:
     return f"<table><caption>{type(value).__name__}</caption>{cells}</table>"
 
 
-def _names(value: Shown) -> tuple[str, ...]:
-    if value.shown_fields or not is_dataclass(value):
-        return value.shown_fields
+def _names(value: ReprMixin) -> tuple[str, ...]:
+    if value.repr_fields or not is_dataclass(value):
+        return value.repr_fields
     return tuple(field.name for field in fields(value) if not field.name.startswith("_"))
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.numbers.linear.rank import rank
 from arrangement.planes.faces import Face
 from arrangement.planes.planes import Planes
@@ -22,7 +22,7 @@ _MAX_PROBLEMS = 20
 
 
 @dataclass(frozen=True, repr=False)
-class CompletenessEvidence(Shown):
+class CompletenessEvidence(ReprMixin):
     """What an enumeration was compared with, and what is wrong with it.
 
     Attributes:

@@ -19,7 +19,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.console.progress import watched
 from arrangement.errors import InputError
 from arrangement.numbers import budget
@@ -31,7 +31,7 @@ from .low_rank import WhitneyMatrix, rank_two_groups
 
 
 @dataclass(frozen=True, slots=True)
-class Flat(Shown):
+class Flat(ReprMixin):
     """An intersection of planes.
 
     Attributes:
@@ -46,7 +46,7 @@ class Flat(Shown):
 
 
 @dataclass(eq=False)
-class IntersectionLattice(Shown):
+class IntersectionLattice(ReprMixin):
     """All nonempty intersections of planes, ordered by reverse inclusion.
 
     For a central arrangement a geometric lattice; for an affine one a semilattice, each of whose
@@ -58,7 +58,7 @@ class IntersectionLattice(Shown):
         covers: for each flat, positions in the next level of the flats that cover it.
     """
 
-    shown_fields = ("arrangement",)
+    repr_fields = ("arrangement",)
     arrangement: Planes
     masks: tuple[tuple[int, ...], ...] = field(repr=False)
     covers: tuple[tuple[tuple[int, ...], ...], ...] = field(repr=False)

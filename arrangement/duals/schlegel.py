@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.enumeration.choose import enumerate_faces
 from arrangement.enumeration.regions import neighbours
@@ -31,7 +31,7 @@ _SHARE = 0.75
 
 
 @dataclass(frozen=True, eq=False)
-class SchlegelDiagram(Shown):
+class SchlegelDiagram(ReprMixin):
     """The dual of rank 4, and a point from which it is seen.
 
     Attributes:

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.console.writing import write_bytes_atomically
 from arrangement.drawing.solids.meshes import KINDS, ClosedSurface, model_bytes, triangles
 from arrangement.enumeration.great_circles import Incidence, sphere_arrangement
@@ -44,7 +44,7 @@ _CHUNK = 1 << 22
 
 
 @dataclass(frozen=True, eq=False)
-class DualPolyhedron(Shown):
+class DualPolyhedron(ReprMixin):
     """The zonohedron ``sum_i [-g_i, g_i]`` of an arrangement of rank 3 in R^3.
 
     Frame: the space of the normals. Vertex v belongs to a region of the arrangement, edge e to a

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.enumeration.choose import enumerate_faces
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, RationalVector, rational_vector, shown
@@ -73,7 +73,7 @@ def generators(arrangement: Planes, lengths: Iterable[Any] | None, rank: int) ->
 
 
 @dataclass(frozen=True, slots=True, repr=False)
-class _FlatDual(Shown):
+class _FlatDual(ReprMixin):
     """A dual that is not a polyhedron.
 
     Attributes:

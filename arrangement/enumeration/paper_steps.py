@@ -22,7 +22,7 @@ from functools import cached_property
 from itertools import combinations
 from typing import TYPE_CHECKING, TypeAlias
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, sign
@@ -38,7 +38,7 @@ Cycle: TypeAlias = tuple[tuple[int, int], ...]
 
 
 @dataclass(frozen=True, repr=False)
-class PublishedEnumeration(Shown):
+class PublishedEnumeration(ReprMixin):
     """What Steps 1 to 3 as published give for one arrangement.
 
     Sign vectors run over the input planes, in input order.

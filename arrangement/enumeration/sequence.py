@@ -15,7 +15,7 @@ from typing import Any, TypeAlias, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.coefficients import Coefficients, Integers, primitive
@@ -59,7 +59,7 @@ def no_faces(planes: int, dimension: int) -> Level:
     )
 
 
-class FaceSequence(Shown, Sequence[Face]):
+class FaceSequence(ReprMixin, Sequence[Face]):
     """The faces of an arrangement, or those of one dimension, in a fixed order.
 
     It looks like a tuple of `Face`: length, indices, slices (which are tuples), iteration. The
@@ -72,7 +72,7 @@ class FaceSequence(Shown, Sequence[Face]):
         engine: the name of the engine that found them.
     """
 
-    shown_fields = ("f_vector", "engine")
+    repr_fields = ("f_vector", "engine")
 
     def __init__(
         self, planes: Planes, levels: Sequence[Level], engine: str, lowest: int = 0

@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from arrangement.console.number_form import Shown, sign_text
+from arrangement.console.number_form import ReprMixin, sign_text
 from arrangement.errors import InputError
 from arrangement.numbers.entries import real_vector
 from arrangement.numbers.exact import IntegerVector, RationalVector, bits, dot, quotient, shown
@@ -31,7 +31,7 @@ _SHOWN = 40
 
 
 @dataclass(frozen=True, repr=False)
-class Face(Shown):
+class Face(ReprMixin):
     """A face of an arrangement: the set of all points with one sign vector.
 
     Faces are equal when they are the same set of the same planes, whatever point stands for them.

@@ -37,7 +37,7 @@ from fractions import Fraction
 from itertools import product
 from typing import Any, NamedTuple, TypeAlias
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.numbers.exact import IntegerVector, RationalVector, to_text, vector_text
 from equilibrium.model.contact import VALUES, pyramid_edges
 from equilibrium.model.displacement import along_tangents, displacement_entry
@@ -68,7 +68,7 @@ MAX_DEPTH = 300
 
 
 @dataclass(frozen=True, repr=False)
-class Report(Shown):
+class Report(ReprMixin):
     """What a check found; it is true exactly when the proof holds.
 
     Attributes:
@@ -92,7 +92,7 @@ class Report(Shown):
     wrench: RationalVector = ()
     max_displacement: Fraction | None = None
     bounds: Bounds | None = None
-    shown_fields = ("kind", "problem", "leaves", "pyramid", "compared")
+    repr_fields = ("kind", "problem", "leaves", "pyramid", "compared")
 
     def __bool__(self) -> bool:
         return not self.problem

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.console.writing import write_text_atomically
 from arrangement.numbers.exact import RationalVector, to_text
 from equilibrium.model.displacement import displacement_entry
@@ -21,7 +21,7 @@ from .reading import SCHEMA_VERSION
 
 
 @dataclass(frozen=True)
-class Certificate(Shown):
+class Certificate(ReprMixin):
     """A proof of a verdict: `text` is compact JSON. `to_dict` gives a fresh copy."""
 
     text: str

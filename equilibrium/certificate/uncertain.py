@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.numbers.exact import RationalVector, dot, rational, shown, to_text
 from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.errors import GraspError
@@ -29,7 +29,7 @@ LARGEST: dict[str, Fraction | int] = {
 
 
 @dataclass(frozen=True, repr=False)
-class Bounds(Shown):
+class Bounds(ReprMixin):
     """How far grasps may be from one that is given.
 
     Attributes:

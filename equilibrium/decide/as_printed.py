@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.console.progress import watched
 from arrangement.enumeration.paper_steps import ask_steps, published_enumeration
 from arrangement.numbers.exact import RationalVector, to_text
@@ -35,7 +35,7 @@ OPTIONS = {
 
 
 @dataclass(frozen=True, repr=False)
-class PrintedVerdict(Shown):
+class PrintedVerdict(ReprMixin):
     """The answer of the model as printed in the paper.
 
     Attributes:

@@ -14,7 +14,7 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
-from arrangement.console.number_form import Shown, near
+from arrangement.console.number_form import ReprMixin, near
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, number_text, to_text
@@ -45,7 +45,7 @@ _LEAST_SECONDS = 0.01
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
-class _OtherGrasps(Shown):
+class _OtherGrasps(ReprMixin):
     """What became of a verdict when other grasps were asked about.
 
     Attributes:
@@ -94,7 +94,7 @@ class Robustness(_OtherGrasps):
         reason: why it is undecided, if the time limit is over; else empty.
     """
 
-    shown_fields = ("answer", "verdict", "bounds")
+    repr_fields = ("answer", "verdict", "bounds")
 
     answer: str
     bounds: Bounds
@@ -134,7 +134,7 @@ class WithinError(_OtherGrasps):
         asked: how many others were asked about; `open`: how many of them were undecided.
     """
 
-    shown_fields = ("verdict", "asked", "open", "proved")
+    repr_fields = ("verdict", "asked", "open", "proved")
 
     asked: int = 0
     open: int = 0

@@ -15,7 +15,7 @@ from typing import Any, overload
 
 import numpy as np
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.console.progress import watched
 from arrangement.console.workers import done, due
 from arrangement.errors import OutOfReachError
@@ -166,14 +166,14 @@ _PART, _FEW = 50, 12
 _EXACT = 700
 
 
-class Solver(Shown):
+class Solver(ReprMixin):
     """A grasp prepared for many wrenches: what one question computes serves the next.
 
     `equilibrium.ResistedSet` is its public form. With a largest displacement only equilibria within
     it count; see the function `solve`.
     """
 
-    shown_fields = ("grasp",)
+    repr_fields = ("grasp",)
 
     def __init__(
         self,

@@ -18,7 +18,7 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.exact import (
     RationalVector,
@@ -47,7 +47,7 @@ IN_SPACE = (
 
 
 @dataclass(frozen=True)
-class Contact(Shown):
+class Contact(ReprMixin):
     """One frictional contact with a unilateral normal spring.
 
     Args:

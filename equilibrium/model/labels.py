@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.console.number_form import Documented, counted
+from arrangement.console.number_form import JsonMixin, counted
 from arrangement.library.files.json_files import check_keys
 from arrangement.numbers.exact import rational, shown
 
@@ -22,14 +22,14 @@ _MAX_LENGTH = 20
 
 
 @dataclass(frozen=True, repr=False)
-class Units(Documented):
+class Units(JsonMixin):
     """The units of length and of force, in the user's words.
 
     >>> Units("mm", "N").torque
     'N mm'
     """
 
-    in_document = ("length", "force")
+    json_fields = ("length", "force")
 
     length: str
     force: str
@@ -68,7 +68,7 @@ AS_ROUNDED = "for the rounded data, not for all data within the rounding error"
 
 
 @dataclass(frozen=True, repr=False)
-class DataError(Documented):
+class DataError(JsonMixin):
     """How far an exact grasp may be from what was measured.
 
     Attributes:
@@ -79,7 +79,7 @@ class DataError(Documented):
             hold for the data as they do for the grasp.
     """
 
-    in_document = ("length", "angle", "value", "as_given")
+    json_fields = ("length", "angle", "value", "as_given")
 
     length: Fraction
     angle: Fraction
@@ -89,8 +89,8 @@ class DataError(Documented):
     @classmethod
     def from_dict(cls, document: Any) -> DataError:
         """Return the error of a file form, strictly read."""
-        check_keys(document, cls.in_document, (), "data_error")
-        names = cls.in_document[:3]
+        check_keys(document, cls.json_fields, (), "data_error")
+        names = cls.json_fields[:3]
         errors = tuple(rational(document[name], f"data_error.{name}") for name in names)
         if not all(0 <= x <= 10**9 for x in errors) or errors[1] > 1:
             raise GraspError(

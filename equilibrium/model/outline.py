@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, ClassVar, TypeAlias
 
-from arrangement.console.number_form import Documented, Shown
+from arrangement.console.number_form import JsonMixin, ReprMixin
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.exact import RationalVector, rational, rational_vector, shown, to_text
 
@@ -15,7 +15,7 @@ from .errors import GraspError
 
 
 @dataclass(frozen=True, repr=False)
-class Polygon(Shown):
+class Polygon(ReprMixin):
     """An object with straight edges.
 
     Args:
@@ -42,7 +42,7 @@ class Polygon(Shown):
 
 
 @dataclass(frozen=True, repr=False)
-class Circle(Documented):
+class Circle(JsonMixin):
     """A round object.
 
     Args:
@@ -50,7 +50,7 @@ class Circle(Documented):
         radius: above 0 (length).
     """
 
-    in_document = ("centre", "radius")
+    json_fields = ("centre", "radius")
 
     dimension: ClassVar = 2
     centre: RationalVector
@@ -69,7 +69,7 @@ class Circle(Documented):
 
 
 @dataclass(frozen=True, repr=False)
-class Mesh(Documented):
+class Mesh(JsonMixin):
     """An object in space with flat faces.
 
     Args:
@@ -77,7 +77,7 @@ class Mesh(Documented):
         faces: at least three numbers of vertices each, counter-clockwise seen from outside.
     """
 
-    in_document = ("vertices", "faces")
+    json_fields = ("vertices", "faces")
 
     dimension: ClassVar = 3
     vertices: tuple[RationalVector, ...]

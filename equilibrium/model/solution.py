@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from arrangement.console.number_form import Documented, counted
+from arrangement.console.number_form import JsonMixin, counted
 from arrangement.numbers.exact import RationalVector, vector_text
 
 
@@ -33,7 +33,7 @@ class Enclosure(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Solution(Documented):
+class Solution(JsonMixin):
     """One equilibrium.
 
     Attributes:
@@ -42,7 +42,7 @@ class Solution(Documented):
         box: what holds it if its numbers are not rational; motion and forces are then near floats.
     """
 
-    in_document = ("motion", "forces")
+    json_fields = ("motion", "forces")
 
     motion: RationalVector
     forces: tuple[RationalVector, ...]

@@ -20,7 +20,7 @@ from itertools import combinations, count
 from math import isqrt
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from arrangement.console.number_form import Documented
+from arrangement.console.number_form import JsonMixin
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import (
     IntegerVector,
@@ -48,7 +48,7 @@ _BEYOND = Fraction(1, 1000)
 
 
 @dataclass(frozen=True, repr=False)
-class SmallestUnresisted(Documented):
+class SmallestUnresisted(JsonMixin):
     """How small a wrench that is added to a load may be without being resisted.
 
     Attributes:
@@ -63,7 +63,7 @@ class SmallestUnresisted(Documented):
             thousandth of the size (of 1, if the size is 0).
     """
 
-    in_document = ("base", "length", "size_squared", "wrench", "beyond")
+    json_fields = ("base", "length", "size_squared", "wrench", "beyond")
 
     base: RationalVector
     length: Fraction

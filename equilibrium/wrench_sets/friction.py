@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.console.number_form import Documented
+from arrangement.console.number_form import JsonMixin
 from arrangement.console.progress import watched
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, rational, shown
@@ -47,7 +47,7 @@ _LEAST_WIDTH = Fraction(1, 2**100)
 
 
 @dataclass(frozen=True, repr=False)
-class FrictionBracket(Documented):
+class FrictionBracket(JsonMixin):
     """Where the least sufficient coefficient lies.
 
     Attributes:
@@ -57,7 +57,7 @@ class FrictionBracket(Documented):
         impossible: whether it is proved that no coefficient at all resists the wrench.
     """
 
-    in_document = ("low", "high", "width", "impossible")
+    json_fields = ("low", "high", "width", "impossible")
 
     wrench: RationalVector
     low: Fraction | None

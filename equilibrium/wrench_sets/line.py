@@ -13,7 +13,7 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
-from arrangement.console.number_form import Documented, Shown
+from arrangement.console.number_form import JsonMixin, ReprMixin
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector, dot, primitive
 from arrangement.numbers.linear import programs
@@ -39,7 +39,7 @@ ALL: Interval = (Fraction(0), None)
 
 
 @dataclass(frozen=True, repr=False)
-class Magnitudes(Documented):
+class Magnitudes(JsonMixin):
     """All t >= 0 with ``base + t direction`` resisted.
 
     Attributes:
@@ -47,7 +47,7 @@ class Magnitudes(Documented):
         intervals: disjoint, closed, increasing; an upper end None means unbounded.
     """
 
-    in_document = ("intervals",)
+    json_fields = ("intervals",)
 
     base: RationalVector
     direction: RationalVector
@@ -105,7 +105,7 @@ def resisted_magnitudes(
 
 
 @dataclass(frozen=True, repr=False)
-class RoundedEnds(Shown):
+class RoundedEnds(ReprMixin):
     """Ends of the magnitudes resisted, for the grasps within the error of data that were asked.
 
     Attributes:

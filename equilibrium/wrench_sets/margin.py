@@ -14,7 +14,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from arrangement.console.number_form import Documented
+from arrangement.console.number_form import JsonMixin
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.intervals import Interval, holds, union
@@ -28,7 +28,7 @@ from .line import ALL, Magnitudes, interval_between, resisted_magnitudes
 
 
 @dataclass(frozen=True, repr=False)
-class Margin(Documented):
+class Margin(JsonMixin):
     """How a wrench may be scaled.
 
     Attributes:
@@ -36,7 +36,7 @@ class Margin(Documented):
         intervals: all s >= 0 with s times the wrench resisted, disjoint, closed, increasing.
     """
 
-    in_document = ("resisted", "around", "nearest", "intervals")
+    json_fields = ("resisted", "around", "nearest", "intervals")
 
     wrench: RationalVector
     resisted: bool
@@ -99,14 +99,14 @@ def margin(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Margin:
 
 
 @dataclass(frozen=True)
-class Preloads(Documented):
+class Preloads(JsonMixin):
     """All p >= 0 for which a grasp resists a wrench when every preload is p.
 
     Attributes:
         intervals: disjoint, closed, increasing; an upper end None means unbounded.
     """
 
-    in_document = ("least", "intervals")
+    json_fields = ("least", "intervals")
 
     wrench: RationalVector
     intervals: tuple[Interval, ...]

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.console.number_form import Documented
+from arrangement.console.number_form import JsonMixin
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, to_text
 from arrangement.numbers.linear.intervals import Interval, is_long, remainder, union
@@ -54,7 +54,7 @@ class Segment:
 
 
 @dataclass(frozen=True, repr=False)
-class Outline(Documented):
+class Outline(JsonMixin):
     """The boundary of a union of polygons.
 
     Attributes:
@@ -63,7 +63,7 @@ class Outline(Documented):
         points: isolated points.
     """
 
-    in_document = ("border", "whiskers", "points")
+    json_fields = ("border", "whiskers", "points")
 
     border: tuple[Segment, ...]
     whiskers: tuple[Segment, ...]

@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
@@ -120,7 +120,7 @@ FORCES = ((1, 0, 0), (0, 1, 0))
 
 
 @dataclass(frozen=True, repr=False)
-class Region(Shown):
+class Region(ReprMixin):
     """The resisted wrenches of a plane.
 
     Attributes:

@@ -10,7 +10,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.errors import HintsMixin
 from arrangement.numbers.exact import vector_text
 from equilibrium.decide.solver import Solver
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from equilibrium.wrench_sets.spatial import SpatialMagnitudes
 
 
-class ResistedSet(HintsMixin, Shown):
+class ResistedSet(HintsMixin, ReprMixin):
     """The set of wrenches that a grasp resists.
 
     In the plane it is a finite union of convex polyhedra of wrenches ``(f_x, f_y, tau)``, and every
@@ -59,7 +59,7 @@ class ResistedSet(HintsMixin, Shown):
     Fraction(4, 9)
     """
 
-    shown_fields = ("grasp", "max_displacement", "pyramid")
+    repr_fields = ("grasp", "max_displacement", "pyramid")
     _synonyms: ClassVar[Mapping[str, str]] = {
         "check_loads": "check(wrenches)",
         "epsilon": "smallest_outside().size, or GraspWrenchSpace(grasp).epsilon",

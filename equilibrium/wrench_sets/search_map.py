@@ -13,7 +13,7 @@ from fractions import Fraction
 from math import cos, pi, sin
 from typing import Any
 
-from arrangement.console.number_form import Documented
+from arrangement.console.number_form import JsonMixin
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector, rational, shown, to_text
 from arrangement.numbers.linear.intervals import (
@@ -32,7 +32,7 @@ from .plane import FORCES, resisted_region
 
 
 @dataclass(frozen=True)
-class Entry(Documented):
+class Entry(JsonMixin):
     """One direction of the map.
 
     Attributes:
@@ -44,7 +44,7 @@ class Entry(Documented):
         missed: resisted magnitudes above the answer by more than the tolerance, up to the limit.
     """
 
-    in_document = ("direction", "found", "agrees", "exact", "wrongly_claimed", "missed")
+    json_fields = ("direction", "found", "agrees", "exact", "wrongly_claimed", "missed")
 
     direction: RationalVector
     found: Fraction | None

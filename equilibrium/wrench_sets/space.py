@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from arrangement import Arrangement
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.console.progress import watched
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, reduced
@@ -244,7 +244,7 @@ def _extreme_sums(ends: Sequence[Sequence[IntegerVector]]) -> Sequence[Sequence[
 
 
 @dataclass(frozen=True, repr=False)
-class Piece(Shown):
+class Piece(ReprMixin):
     """All wrenches that are resisted with one choice of contact states (a convex polyhedron)."""
 
     states: States

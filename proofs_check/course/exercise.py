@@ -24,7 +24,7 @@ from pathlib import Path
 from typing import Any
 
 from arrangement.arrangement import Arrangement
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.errors import InputError
 from arrangement.library.files.json_files import (
     Source,
@@ -42,7 +42,7 @@ from proofs_check.own_claims.claim_file import defined, id_of, line_of
 
 
 @dataclass(frozen=True, repr=False)
-class Exercise(Shown):
+class Exercise(ReprMixin):
     """A question with a check of its answers.
 
     Attributes:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from random import Random
 from typing import Any
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.numbers import budget
 from proofs_check.errors import OwnClaimError
 
@@ -35,7 +35,7 @@ class Failure:
 
 
 @dataclass(frozen=True, repr=False)
-class Record(Shown):
+class Record(ReprMixin):
     """The check of one case: the values of all routes side by side, and what they mean.
 
     Attributes:
@@ -67,7 +67,7 @@ class Record(Shown):
 
 
 @dataclass(frozen=True, repr=False)
-class Part(Shown):
+class Part(ReprMixin):
     """What was checked from one source.
 
     Attributes:
@@ -84,7 +84,7 @@ class Part(Shown):
 
 
 @dataclass(frozen=True, repr=False)
-class Evidence(Shown):
+class Evidence(ReprMixin):
     """Everything that was checked for one claim.
 
     Attributes:
@@ -112,7 +112,7 @@ class Evidence(Shown):
 
 
 @dataclass(frozen=True, repr=False)
-class Result(Shown):
+class Result(ReprMixin):
     """A claim with its evidence, and the time it took. The verdict follows from the evidence."""
 
     claim: Claim

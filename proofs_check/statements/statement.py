@@ -16,7 +16,7 @@ from itertools import chain
 from random import Random
 from typing import TYPE_CHECKING, Any
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.numbers.exact import shown
 from proofs_check.errors import OwnClaimError, UnknownClaimError
 
@@ -46,7 +46,7 @@ class Kind(Enum):
 
 
 @dataclass(frozen=True, repr=False)
-class Case(Shown):
+class Case(ReprMixin):
     """One instance on which a claim is checked.
 
     Attributes:
@@ -63,7 +63,7 @@ class Case(Shown):
 
 
 @dataclass(frozen=True, repr=False)
-class Source(Shown):
+class Source(ReprMixin):
     """Where cases come from: how far they reach, what they are in words, and the cases."""
 
     kind: Kind
@@ -72,7 +72,7 @@ class Source(Shown):
 
 
 @dataclass(frozen=True, repr=False)
-class Domain(Shown):
+class Domain(ReprMixin):
     """A set of instances that random ones can be drawn from.
 
     Attributes:
@@ -107,7 +107,7 @@ class Domain(Shown):
 
 
 @dataclass(frozen=True, repr=False)
-class Route(Shown):
+class Route(ReprMixin):
     """A way to compute the quantity of a claim; the name says how.
 
     A route beside the first may return NotImplemented: the case is beyond it.
@@ -118,7 +118,7 @@ class Route(Shown):
 
 
 @dataclass(frozen=True, repr=False)
-class Hypothesis(Shown):
+class Hypothesis(ReprMixin):
     """A condition on instances under which a statement is true although it fails without."""
 
     text: str
@@ -126,7 +126,7 @@ class Hypothesis(Shown):
 
 
 @dataclass(frozen=True, repr=False)
-class View(Shown):
+class View(ReprMixin):
     """A picture for the report of a claim, by one of the registered drawings.
 
     Attributes:
@@ -160,7 +160,7 @@ class ManyTypes:
 
 
 @dataclass(frozen=True, repr=False)
-class Claim(Shown):
+class Claim(ReprMixin):
     """A statement, what it is about, and the routes by which it is checked.
 
     Attributes:
@@ -279,10 +279,10 @@ class Claim(Shown):
         return "; ".join(texts)
 
 
-class Registry(Shown):
+class Registry(ReprMixin):
     """Claims by id, in order of entry; ids are unique."""
 
-    shown_fields = ("ids",)
+    repr_fields = ("ids",)
 
     def __init__(self, claims: Iterable[Claim] = ()) -> None:
         self._claims: dict[str, Claim] = {}

@@ -11,7 +11,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from arrangement import Arrangement, read_arrangement
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 
 AFFINE = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
 
@@ -62,7 +62,7 @@ def test_without_the_library_there_is_a_table(monkeypatch):
 )
 def test_a_value_shows_its_fields_in_one_line_and_in_a_table(row, text):
     @dataclass(frozen=True, repr=False)
-    class Some(Shown):
+    class Some(ReprMixin):
         some_row: tuple[Any, ...]
         then: Callable[[], None] = print
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.console.proved_program import ask_proved
 from arrangement.counts import region_count
 from arrangement.duals.zonohedron import DualPolyhedron, dual_polyhedron
@@ -32,7 +32,7 @@ from .search import decide
 
 
 @dataclass(frozen=True, repr=False)
-class Inscribability(Shown):
+class Inscribability(ReprMixin):
     """Whether some convex polyhedron inscribed in a sphere has the graph of the dual; with proof.
 
     Attributes:

@@ -13,7 +13,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 from arrangement.enumeration.reduction import cone, from_dimension, in_dimension, upper_half
 from arrangement.enumeration.sequence import Level, Rows
 from arrangement.errors import InputError
@@ -31,7 +31,7 @@ from .validation import check_geometry, check_topology
 SignVector: TypeAlias = tuple[int, ...]
 
 
-class SphereArrangement(Shown):
+class SphereArrangement(ReprMixin):
     """All vertices, arcs and regions of a central arrangement in R^3, with their incidence.
 
     Made by `sphere_arrangement`. Everything is numbered as `Incidence` says. Sign vectors are
@@ -46,7 +46,7 @@ class SphereArrangement(Shown):
             where that is proven to be exact, else Python integers.
     """
 
-    shown_fields = ("circle_count", "vertex_count", "arc_count", "region_count")
+    repr_fields = ("circle_count", "vertex_count", "arc_count", "region_count")
 
     def __init__(
         self,

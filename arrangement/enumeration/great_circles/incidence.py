@@ -24,13 +24,13 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.console.number_form import Shown
+from arrangement.console.number_form import ReprMixin
 
 Indices = NDArray[np.int32]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Incidence(Shown):
+class Incidence(ReprMixin):
     """Vertices, arcs and regions of a great-circle arrangement, as int32 arrays.
 
     Attributes:

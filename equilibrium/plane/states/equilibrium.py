@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
-from arrangement.console.number_form import Documented
+from arrangement.console.number_form import JsonMixin
 from arrangement.numbers.exact import (
     RationalVector,
     dot,
@@ -25,7 +25,7 @@ from .state_system import States, StateSystem, each_force, value
 
 
 @dataclass(frozen=True)
-class Equilibrium(Documented):
+class Equilibrium(JsonMixin):
     """All solutions with one choice of contact states: a closed convex polyhedron, often a point.
 
     Attributes:
@@ -37,7 +37,7 @@ class Equilibrium(Documented):
             polyhedron; None where it is unbounded.
     """
 
-    in_document = (
+    json_fields = (
         "states",
         "motion",
         "forces",
