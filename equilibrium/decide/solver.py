@@ -279,14 +279,14 @@ class Solver(ReprMixin):
     ) -> Any:
         """Return the search for one wrench in space."""
         from equilibrium.space.cones import Pyramids
-        from equilibrium.space.tree import NODES, SpatialSearch
+        from equilibrium.space.tree import SETTINGS, SpatialSearch
 
         cones = None if self._edges is None else Pyramids(self._edges)
 
         def accept(found: Solution) -> bool:
             return bool(self._verdict(wrench, found).verify())
 
-        contacts, most = FloatContacts(self.grasp), NODES if nodes is None else nodes
+        contacts, most = FloatContacts(self.grasp), SETTINGS.max_nodes if nodes is None else nodes
         how = effort, most, self.max_displacement, cones, memory or self._in_space_before
         return SpatialSearch(contacts, wrench, accept, *how)
 

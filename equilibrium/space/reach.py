@@ -14,7 +14,7 @@ from arrangement.numbers.float_filter import Floats
 
 from .cones import Node
 from .memory import OpenTree
-from .tree import OBEYS, SpatialSearch
+from .tree import SETTINGS, SpatialSearch
 
 
 class Reach(NamedTuple):
@@ -61,8 +61,9 @@ def reach(search: SpatialSearch, change: Floats, nodes: int, near: float) -> Rea
         _, _, point, (states, parent, position) = nearest[0]
         values = relaxation.violations(states, point)
         split = None
-        if values.max(initial=0.0) > OBEYS:
-            split = search.split(states, values, point) or search.any_split(states, point)
+        if values.max(initial=0.0) > SETTINGS.law_tolerance:
+            split = search.splits.of_worst_contact(states, values, point)
+            split = split or search.splits.of_any_contact(states, point)
         if split is None:
             stuck = True
             break
@@ -75,5 +76,7 @@ def reach(search: SpatialSearch, change: Floats, nodes: int, near: float) -> Rea
         return Reach(1.0, tree, stuck)
     share, _, point, _ = nearest[0]
     # There may be an equilibrium near.
-    search.memory.hold(search.smooth.load + share * change, point.motion * relaxation.scale)
+    search.memory.hold(
+        search.equilibria.smooth.load + share * change, point.motion * relaxation.scale
+    )
     return Reach(share, tree, stuck)

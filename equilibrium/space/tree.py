@@ -6,13 +6,12 @@ a node is the law, and exact programs decide what floats leave open, so the sear
 
 from __future__ import annotations
 
-import copy
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 from itertools import chain
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -22,40 +21,51 @@ from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import FloatContacts, nearest
 
-from .cones import NARROW, Node, OpenSplit, Pyramids, RoundCones, finished, split_of
-from .equilibria import proposals
-from .exact_parts import ExactParts, PyramidParts
+from .cones import NARROW, Cones, Node, OpenSplit, Proof, RoundCones, finished, split_of
+from .equilibria import EquilibriumSearch
 from .leaves import Leaves
 from .memory import Memory, OpenTree
 from .plane import decide_in_plane
 from .relaxation import Point, Ray, Relaxation
-from .states import SpatialContinuation, States, rubbing_states, smooth_states
 
-#: Nodes of a tree, by default, and random starts of the first search.
-NODES, _STARTS = 4000, 3
-#: Nodes tried before exact programs, and before random starts; who asks for few gets neither.
-_FEW, _MORE = 20, 120
-#: After how many nodes without a leaf, at first, an equilibrium is looked for near a relaxation.
-_PATIENCE = 6
-#: Relative size below which a relaxation obeys the law.
-OBEYS = 1e-7
-#: The same for trying its states, and normal forces that count as none.
-_ALMOST, _LOOSE = 1e-3, 1e-6
-#: Contacts this close to the law (in shares of the load) are not split; sectors of less than this
-#: sine of their angle are split last.
-_NOTHING, _THIN = 1e-9, 0.3
-#: The sharpness of contacts for a search that starts near an equilibrium.
-_NEAR = 1e-3
-#: Equilibria of loads that differ by one over this of all forces are near each other.
-_CLOSE = 8
-#: Larger frictions are huge.
-_EVEN = 100.0
-#: Steps of a program and of a proposal, and for each contact of them; of a sharpness of a path.
-_PROGRAM, _EACH, _PROPOSAL, _PROPOSED, _PATH = 10_000, 1000, 20_000, 5000, 40_000
-#: States that are not split further.
-_DECIDED = ("detached", "stick")
-#: Exact programs of more contacts take seconds, and are asked last.
-_SMALL = 6
+
+@dataclass(frozen=True)
+class TreeSettings:
+    """What bounds and steers the search in a tree of contact states."""
+
+    #: Nodes of a tree, unless the caller gives another number.
+    max_nodes: int = 4000
+    #: Nodes tried before exact programs; with no more in all, neither they nor random starts come.
+    first_nodes: int = 20
+    #: Nodes tried before random starts, which cost as much as many nodes.
+    nodes_before_random_starts: int = 120
+    #: Random motions that the first search for an equilibrium starts from.
+    random_starts: int = 3
+    #: Nodes without a leaf after which, at first, an equilibrium is looked for near a relaxation.
+    min_patience: int = 6
+    #: The same for each contact, if that is more: with many contacts leaves lie deeper.
+    patience_per_contact: int = 2
+    #: Violations, as shares of the load, up to which a relaxation obeys the law.
+    law_tolerance: float = 1e-7
+    #: Violations up to which the states of a relaxation are tried.
+    almost_lawful: float = 1e-3
+    #: Contacts with less of a violation are not split: there is nothing to learn from them.
+    min_violation_split: float = 1e-9
+    #: Sectors with a smaller sine of their angle are split last: more is learnt of wide ones.
+    thin_sector_sine: float = 0.3
+    #: Sharpness of contacts where a search starts near an equilibrium.
+    sharpness_near: float = 1e-3
+    #: An equilibrium of another load is near if the loads differ by this share of all forces.
+    near_load_share: float = 1 / 8
+    #: With more contacts exact programs take seconds, and come last.
+    max_contacts_exact_first: int = 6
+    #: Steps that are counted for one relaxation, see `Effort`.
+    relaxation_steps: int = 10_000
+    #: The same for each contact of it.
+    relaxation_steps_per_contact: int = 1000
+
+
+SETTINGS = TreeSettings()
 
 
 @dataclass(frozen=True)
@@ -71,15 +81,19 @@ class Open:
     residual: float
 
 
+#: An accepted equilibrium, a tree that refutes all, or neither.
+Outcome: TypeAlias = Solution | Proof | Open
+
+
 class SpatialSearch:
     """The search for one question.
 
     Args:
-        cones: of friction.
         accept: whether a proposal is proved to be an equilibrium.
         effort: that is left.
         nodes: of a tree, at most.
         max_displacement: how far contact points may move, if bounded; `accept` knows it, too.
+        cones: of friction.
         memory: of other loads on the grasp, with the same cones and bound.
     """
 
@@ -89,177 +103,209 @@ class SpatialSearch:
         wrench: RationalVector,
         accept: Callable[[Solution], bool],
         effort: Effort | None = None,
-        nodes: int = NODES,
+        nodes: int = SETTINGS.max_nodes,
         max_displacement: Fraction | None = None,
-        cones: RoundCones | Pyramids | None = None,
+        cones: Cones | None = None,
         memory: Memory | None = None,
     ) -> None:
-        self.memory = memory or Memory()
+        self.contacts, self.wrench, self.accept = contacts, wrench, accept
+        self.effort, self.max_nodes = effort or Effort(), nodes
         self.max_displacement, self.cones = max_displacement, cones or RoundCones()
-        self.contacts, self.wrench = contacts, wrench
+        self.memory = memory or Memory()
         self.root: Node = ("undecided",) * len(contacts.grasp)
-        self.accept, self.effort, self.nodes = accept, effort or Effort(), nodes
         self.relaxation = Relaxation(contacts, wrench, self.cones, max_displacement)
         self.leaves = Leaves(contacts, wrench, self.cones, max_displacement)
         if self.effort.seconds is not None:
             self.relaxation.settings.time_limit = max(0.01, self.effort.remaining)
-        self.smooth = SpatialContinuation(contacts, wrench, self.cones)
-        #: The last as given; before it one of smaller frictions, if some are huge.
-        self.searches = [self.smooth]
-        if contacts.friction.max(initial=0.0) > _EVEN:
-            less = copy.copy(contacts)
-            less.friction = np.minimum(contacts.friction, _EVEN)
-            self.searches.insert(0, SpatialContinuation(less, wrench, self.cones))
-        self.tried: set[object] = set()
+        self.splits = Splits(self.relaxation)
+        question = wrench, accept, self.effort, max_displacement
+        self.equilibria = EquilibriumSearch(self.relaxation, *question)
         #: Whether exact programs are tried where floats end; other ways are tried before.
         self.exactly = False
-        self.exact: ExactParts | PyramidParts
-        if isinstance(self.cones, Pyramids):
-            how = self.effort, self.cones, max_displacement
-            self.exact = PyramidParts(contacts, wrench, *how)
-        else:
-            self.exact = ExactParts(contacts, wrench, self.effort, max_displacement)
-        #: States that an equilibrium was looked for in, the latest last.
-        self.states: list[States] = []
-        self.residual = 1.0
-        #: Nodes since the last leaf, and how many of them are borne.
-        self.idle, self.patience = 0, max(_PATIENCE, 2 * len(contacts.grasp))
+        self._reset_patience()
 
-    def decide(self) -> Solution | Any | Open:
+    def decide(self) -> Outcome:
         """Return an accepted equilibrium, a tree that refutes all, or what is open."""
         with np.errstate(all="ignore"):
             try:
-                found = self._decide()
-                if isinstance(found, Open):
-                    found = self._exact_equilibrium() or found
-                if isinstance(found, Solution) and any(found.motion):
-                    motion = np.array([nearest(x) for x in found.motion])
-                    self.memory.hold(self.smooth.load, motion)
-                return found
+                outcome = self._decide()
+                if isinstance(outcome, Open):
+                    outcome = self.equilibria.in_visited_states() or outcome
+                if isinstance(outcome, Solution) and any(outcome.motion):
+                    motion = np.array([nearest(x) for x in outcome.motion])
+                    self.memory.hold(self.equilibria.smooth.load, motion)
+                return outcome
             except TimeoutError as late:
-                return Open(str(late), self.residual)
+                return Open(str(late), self.equilibria.residual)
 
-    def close(self, tree: OpenTree, nodes: int) -> Solution | Any | Open:
+    def close(self, tree: OpenTree, nodes: int) -> Outcome:
         """Return what a tree with given splits leads to, with this many further nodes."""
         with np.errstate(all="ignore"):
             self.exactly = True
-            return self.go_on(tree, tree.nodes + len(tree.waiting) + nodes)
+            return self._search(tree, tree.nodes + len(tree.waiting) + nodes)
 
-    def _decide(self) -> Solution | Any | Open:
-        root = self.root
-        ray = self.relaxation.inner_ray(["loose"] * len(root), 0.0)
-        leaf = ray and self.leaves.leaf(root, ray)
-        leaf = leaf or self._leaf(root, self.relaxation.solve(root))
-        if leaf is not None:
-            return leaf
-        smooth = self.smooth
-        motion = self.memory.near(smooth.load, smooth.arms, smooth.size / _CLOSE)
-        near = None if motion is None else self._near(motion, _NEAR)
+    def count_program(self) -> None:
+        """Count the steps of one relaxation."""
+        each = SETTINGS.relaxation_steps_per_contact
+        self.effort.check(SETTINGS.relaxation_steps + each * len(self.contacts.grasp))
+
+    def _decide(self) -> Outcome:
+        """Take the steps from the cheapest to the dearest, until one decides."""
+        early: Solution | Proof | None = self._root_leaf() or self._near_another_load()
+        if early is not None:
+            return early
+        tree = OpenTree(self.root)
+        if self.memory.promises(self.root, self.leaves):
+            outcome = self._search(tree, SETTINGS.first_nodes)
+            if not isinstance(outcome, Open):
+                return outcome
+        few = self.max_nodes <= SETTINGS.first_nodes
+        starts = self.equilibria.smooth.starts(0 if few else SETTINGS.random_starts)
+        near = self.equilibria.near_motion(next(starts), 1.0)
         if near is not None:
             return near
-        few, tree = self.nodes <= _FEW, OpenTree(root)
-        if self.memory.promises(root, self.leaves):
-            found = self.go_on(tree, _FEW)
-            if not isinstance(found, Open):
-                return found
-        for i, motion in enumerate(self.smooth.starts(0 if few else _STARTS)):
-            near = self._near(motion, 1.0)
+        outcome = self._few_nodes(tree)
+        if few or not isinstance(outcome, Open):
+            return outcome
+        outcome = self._search(tree, min(SETTINGS.nodes_before_random_starts, self.max_nodes))
+        if not isinstance(outcome, Open):
+            return outcome
+        self.exactly = True
+        return self._near_starts(starts) or self._all_nodes(tree)
+
+    def _root_leaf(self) -> Proof | None:
+        """Return a proof without any split, first of what holds whatever the contacts do."""
+        ray = self.relaxation.inner_ray(["loose"] * len(self.root), 0.0)
+        leaf = ray and self.leaves.leaf(self.root, ray)
+        return leaf or self._leaf(self.root, self.relaxation.solve(self.root))
+
+    def _near_another_load(self) -> Solution | None:
+        """Return an equilibrium near one of another load on the grasp."""
+        smooth = self.equilibria.smooth
+        distance = smooth.size * SETTINGS.near_load_share
+        motion = self.memory.near(smooth.load, smooth.arms, distance)
+        if motion is None:
+            return None
+        return self.equilibria.near_motion(motion, SETTINGS.sharpness_near)
+
+    def _few_nodes(self, tree: OpenTree) -> Outcome:
+        """Try the first nodes, the question in a plane, and exact programs of visited states."""
+        outcome = self._search(tree, min(SETTINGS.first_nodes, self.max_nodes))
+        if isinstance(outcome, Open) and isinstance(self.cones, RoundCones):
+            question = self.contacts.grasp, self.wrench, self.effort, self.max_displacement
+            outcome = decide_in_plane(*question) or outcome
+        if isinstance(outcome, Open):
+            outcome = self.equilibria.in_visited_states() or outcome
+        return outcome
+
+    def _near_starts(self, starts: Iterator[Floats]) -> Solution | None:
+        """Return an equilibrium that one of the random motions leads to."""
+        for motion in starts:
+            near = self.equilibria.near_motion(motion, 1.0)
             if near is not None:
                 return near
-            if not i:
-                found = self.go_on(tree, min(_FEW, self.nodes))
-                if isinstance(found, Open) and isinstance(self.cones, RoundCones):
-                    grasp = self.contacts.grasp
-                    question = grasp, self.wrench, self.effort, self.max_displacement
-                    found = decide_in_plane(*question) or found
-                if isinstance(found, Open):
-                    found = self._exact_equilibrium() or found
-                if few or not isinstance(found, Open):
-                    return found
-                found = self.go_on(tree, min(_MORE, self.nodes))
-                if not isinstance(found, Open):
-                    return found
-                self.exactly = True
+        return None
+
+    def _all_nodes(self, tree: OpenTree) -> Outcome:
+        """Go on with a tree up to the limit; begin anew if it has nodes that cannot be split."""
         again = tree.holes or tree.hopeless
-        return self.go_on(OpenTree(root) if again else tree, self.nodes)
+        return self._search(OpenTree(self.root) if again else tree, self.max_nodes)
 
-    def _exact_equilibrium(self) -> Solution | None:
-        """Return an equilibrium of states looked at since this was asked last, found exactly."""
-        asked, self.states = self.states, []
-        for states in reversed(asked):
-            if states.kind in self.tried:
-                continue
-            self.tried.add(states.kind)
-            found = self.exact.equilibrium(states)
-            if found is not None and self.accept(found):
-                return found
-        return None
+    def _search(self, tree: OpenTree, max_nodes: int) -> Outcome:
+        """Search depth first; nodes that other loads show are not counted."""
+        self._reset_patience()
+        while tree.waiting and not tree.hopeless:
+            if tree.nodes >= max_nodes:
+                return self._open(f"after {tree.nodes} nodes the tree is not closed")
+            if self.effort.passed:
+                raise TimeoutError(
+                    f"{self.effort}, {tree.nodes} nodes, {tree.leaves} of them closed"
+                )
+            states, parent, position = tree.waiting.pop()
+            part = self.memory.at(states, self.leaves)
+            if part is None:
+                part = self._new_node(tree, states)
+            if isinstance(part, Solution):
+                return part
+            if isinstance(part, OpenSplit):
+                tree.splits[states] = part
+                parent[position] = part.node
+                children = enumerate(part.parts)
+                tree.waiting += reversed([(x, part.children, k) for k, x in children])
+            elif part is not None:
+                parent[position], self.idle, tree.leaves = part, 0, tree.leaves + 1
+            else:
+                # Further on there may be an equilibrium.
+                tree.holes += 1
+        if tree.holes or tree.waiting:
+            return self._open("a relaxation neither closes nor splits further")
+        self.memory.keep(tree.splits, self.leaves.found)
+        proof: Proof = finished(tree.top[0])
+        return proof
 
-    def _near(self, motion: Floats, sharpness: float) -> Solution | None:
-        """Return an equilibrium that the smoothed balance leads to."""
-        for smooth in self.searches:
-            for end, eps in smooth.path(motion, sharpness):
-                self.effort.check(_PATH)
-                if isinstance(self.exact, PyramidParts):
-                    found = self._smooth_pyramids(self.exact, end, eps)
-                else:
-                    states = smooth_states(smooth.contacts, end, eps)
-                    found = self._equilibrium(end, states)
-                    found = found or self._rubbing(end, states.forces, states.slipping)
-                if found is not None:
-                    return found
-        self.residual = min(self.residual, self.smooth.reached / (self.smooth.size or 1.0))
-        return None
+    def _open(self, reason: str) -> Open:
+        return Open(reason, self.equilibria.residual)
 
-    def _equilibrium(self, motion: Floats, states: States) -> Solution | None:
-        """Return an accepted equilibrium of given states near a motion."""
-        self.states.append(states)
-        self.effort.check(_PROPOSAL + _PROPOSED * len(self.contacts.grasp))
-        for found in proposals(self.contacts, self.wrench, motion, states, self.tried):
-            if self.accept(found):
-                return found
-        return None
+    def _reset_patience(self) -> None:
+        """Count the nodes since the last leaf anew, and how many of them are borne."""
+        each = SETTINGS.patience_per_contact * len(self.contacts.grasp)
+        self.idle, self.patience = 0, max(SETTINGS.min_patience, each)
 
-    def _smooth_pyramids(self, exact: PyramidParts, end: Floats, eps: float) -> Solution | None:
-        """Return an equilibrium of the states of pyramids at a motion of the smooth balance."""
-        c = self.contacts
-        normal = np.maximum(0.0, c.spring[:, 0] + c.spring[:, 1:] @ end)
-        return self._of(exact, exact.near(normal, exact.cones.directions(c.tangents @ end, eps)))
+    @property
+    def is_impatient(self) -> bool:
+        """Whether too many nodes have led to no leaf."""
+        return self.idle >= self.patience
 
-    def _of(self, exact: PyramidParts, states: Node) -> Solution | None:
-        """Return the equilibrium of decided states, asked for once."""
-        found = None if states in self.tried else exact.holds(states)
-        self.tried.add(states)
-        return found if found is not None and self.accept(found) else None
+    def _new_node(self, tree: OpenTree, states: Node) -> Solution | Proof | OpenSplit | None:
+        """Decide a node that no other load has shown; split it as another load did, if at all."""
+        self.count_program()
+        self.idle += 1
+        tree.nodes += 1
+        tree.pairs += sum(self.cones.sine(x) < NARROW for x in states) > 1
+        part = self._node(states)
+        return (self.memory.split(states) or part) if isinstance(part, OpenSplit) else part
 
-    def _near_point(self, found: Point) -> Solution | None:
-        """Return an equilibrium with the states of a relaxation that nearly obeys the law."""
-        normal = found.forces[:, 0]
-        normal = np.where(normal * np.maximum(1.0, self.contacts.friction) > _LOOSE, normal, 0.0)
-        if isinstance(self.exact, PyramidParts):
-            slips = self.relaxation.tangents @ found.motion
-            still = self.relaxation.stiffness * np.hypot(*slips.T) <= _LOOSE
-            return self._of(
-                self.exact, self.exact.near(normal, np.where(still[:, None], 0.0, slips))
-            )
-        limits = np.maximum(self.contacts.friction * normal, 1e-12)
-        round_ = States(self.contacts, normal, found.forces[:, 1:] / limits[:, None])
-        motion = found.motion * self.relaxation.scale
-        near = self._equilibrium(motion, round_)
-        forces = found.forces * self.relaxation.force
-        return near or self._rubbing(motion, forces, round_.slipping)
+    def _node(self, states: Node) -> Solution | Proof | OpenSplit | None:
+        """Return an equilibrium, a leaf, a cut, or None where there is none of them."""
+        relaxed = self.relaxation.solve(states)
+        leaf = self._leaf(states, relaxed)
+        if leaf is not None:
+            return leaf
+        # Where floats end, or lead nowhere for long, exact programs are used.
+        if isinstance(relaxed, Point) and not (self.exactly and self.is_impatient):
+            part = self._equilibrium_or_cut(states, relaxed)
+            if part is not None:
+                return part
+        small = len(states) <= SETTINGS.max_contacts_exact_first
+        exact_first = self.exactly and (small or self.is_impatient)
+        split = None if exact_first else self.splits.of_any_contact(states, relaxed)
+        if split is not None or not self.exactly:
+            return split
+        return self._exact_node(states, relaxed)
 
-    def _rubbing(self, motion: Floats, forces: Floats, slipping: list[bool]) -> Solution | None:
-        """Return an equilibrium where contacts of huge friction slip that seem to stick."""
-        size = self.relaxation.force
-        found = rubbing_states(self.contacts, motion, forces, slipping, size)
-        return self._equilibrium(*found) if found else None
+    def _exact_node(
+        self, states: Node, relaxed: Ray | Point | None
+    ) -> Solution | Proof | OpenSplit | None:
+        """Decide a node by exact programs, or split it where their point fails the law."""
+        exact = self.equilibria.exact.part(states, self.splits.towards(relaxed))
+        if not isinstance(exact, Solution):
+            return exact
+        near = exact if self.accept(exact) else self.equilibria.in_visited_states()
+        point = self._point(exact)
+        part = near or self._equilibrium_or_cut(states, point)
+        return part or self.splits.of_any_contact(states, point)
 
-    def _leaf(self, states: Node, found: Ray | Point | None) -> Any | None:
+    def _point(self, solution: Solution) -> Point:
+        """Return a solution in the units of relaxations."""
+        numbers = np.array([nearest(x) for x in chain(solution.motion, *solution.forces)])
+        forces = numbers[6:].reshape(-1, 3) / self.relaxation.force
+        return Point(numbers[:6] / self.relaxation.scale, forces)
+
+    def _leaf(self, states: Node, relaxed: Ray | Point | None) -> Proof | None:
         """Return a leaf where a relaxation has no solution, or where its program failed."""
-        if isinstance(found, Point):
+        if isinstance(relaxed, Point):
             return None
-        leaf = found and self.leaves.leaf(states, found)
+        leaf = relaxed and self.leaves.leaf(states, relaxed)
         if leaf is None:
             inner = self.relaxation.inner_ray(states)
             leaf = inner and self.leaves.leaf(states, inner)
@@ -267,130 +313,78 @@ class SpatialSearch:
             self.memory.add(self.leaves.found[states], self.leaves)
         return leaf
 
-    def go_on(self, tree: OpenTree, most: int) -> Solution | Any | Open:
-        """Go on with a search, depth first; nodes that other loads show are not counted."""
-        self.idle, self.patience = 0, max(_PATIENCE, 2 * len(self.contacts.grasp))
-        while tree.waiting and not tree.hopeless:
-            nodes = tree.nodes
-            if nodes >= most:
-                return Open(f"after {nodes} nodes the tree is not closed", self.residual)
-            if self.effort.passed:
-                raise TimeoutError(f"{self.effort}, {nodes} nodes, {tree.leaves} of them closed")
-            states, parent, position = tree.waiting.pop()
-            found = self.memory.at(states, self.leaves)
-            if found is None:
-                self.count_program()
-                tree.nodes, self.idle = nodes + 1, self.idle + 1
-                tree.pairs += sum(self.cones.sine(x) < NARROW for x in states) > 1
-                found = self._node(states)
-                if isinstance(found, OpenSplit):
-                    found = self.memory.split(states) or found
-            if isinstance(found, Solution):
-                return found
-            if isinstance(found, OpenSplit):
-                tree.splits[states] = found
-                parent[position] = found.node
-                parts = enumerate(found.parts)
-                tree.waiting += reversed([(x, found.children, k) for k, x in parts])
-            elif found is not None:
-                parent[position], self.idle, tree.leaves = found, 0, tree.leaves + 1
-            else:
-                # Further on there may be an equilibrium.
-                tree.holes += 1
-        if tree.holes or tree.waiting:
-            return Open("a relaxation neither closes nor splits further", self.residual)
-        self.memory.keep(tree.splits, self.leaves.found)
-        return finished(tree.top[0])
-
-    def count_program(self) -> None:
-        """Count the steps of one relaxation."""
-        self.effort.check(_PROGRAM + _EACH * len(self.contacts.grasp))
-
-    def _node(self, states: Node) -> Solution | Any | OpenSplit | None:
-        """Return an equilibrium, a leaf, a cut, or None where there is none of them."""
-        found = self.relaxation.solve(states)
-        leaf = self._leaf(states, found)
-        if leaf is not None:
-            return leaf
-        # Where floats end, or lead nowhere for long, exact programs are asked.
-        if isinstance(found, Point) and not (self.exactly and self.idle >= self.patience):
-            answer = self._equilibrium_or_cut(states, found)
-            if answer is not None:
-                return answer
-        soon = self.exactly and (len(states) <= _SMALL or self.idle >= self.patience)
-        split = None if soon else self.any_split(states, found)
-        if split is not None or not self.exactly:
-            return split
-        exact = self.exact.part(states, self._towards(found))
-        if not isinstance(exact, Solution):
-            return exact
-        point = self._point(exact)
-        near = exact if self.accept(exact) else self._exact_equilibrium()
-        return near or self._equilibrium_or_cut(states, point) or self.any_split(states, point)
-
-    def _point(self, found: Solution) -> Point:
-        """Return a solution in scaled units."""
-        numbers = np.array([nearest(x) for x in chain(found.motion, *found.forces)])
-        forces = numbers[6:].reshape(-1, 3) / self.relaxation.force
-        return Point(numbers[:6] / self.relaxation.scale, forces)
-
-    def _equilibrium_or_cut(self, states: Node, found: Point) -> Solution | OpenSplit | None:
+    def _equilibrium_or_cut(self, states: Node, point: Point) -> Solution | OpenSplit | None:
         """Return an equilibrium near a point of a relaxation, or a cut where it fails the law."""
-        values = self.relaxation.violations(states, found)
-        worst = float(values.max(initial=0.0))
-        obeys = worst <= OBEYS
-        near = self._near_point(found) if worst <= _ALMOST else None
-        if near is None and (obeys or self.idle >= self.patience):
-            self.idle, self.patience = 0, 2 * self.patience if not obeys else self.patience
-            near = self._near(found.motion * self.relaxation.scale, _NEAR)
-        return near or (None if obeys else self.split(states, values, found))
+        violations = self.relaxation.violations(states, point)
+        worst = float(violations.max(initial=0.0))
+        is_lawful = worst <= SETTINGS.law_tolerance
+        near = None
+        if worst <= SETTINGS.almost_lawful:
+            near = self.equilibria.with_states_of(point)
+        if near is None and (is_lawful or self.is_impatient):
+            self.idle, self.patience = 0, self.patience * (1 if is_lawful else 2)
+            motion = point.motion * self.relaxation.scale
+            near = self.equilibria.near_motion(motion, SETTINGS.sharpness_near)
+        if near is not None or is_lawful:
+            return near
+        return self.splits.of_worst_contact(states, violations, point)
 
-    def _towards(self, found: Ray | Point | None) -> Floats:
+
+class Splits:
+    """Which contact of a node is split, and into which states."""
+
+    def __init__(self, relaxation: Relaxation) -> None:
+        self.relaxation, self.cones = relaxation, relaxation.cones
+        self.contacts = relaxation.contacts
+
+    def of_worst_contact(self, states: Node, violations: Floats, point: Point) -> OpenSplit | None:
+        """Return the split of the contact furthest from the law, with one part around its slip."""
+        least = SETTINGS.min_violation_split
+        order = [int(i) for i in np.argsort(-violations) if violations[i] > least]
+        order = [i for i in order if self._is_open(states, i)]
+        order.sort(key=lambda i: self.cones.sine(states[i]) < SETTINGS.thin_sector_sine)
+        return self._first(states, order, lambda i: self.relaxation.tangents[i] @ point.motion)
+
+    def of_any_contact(self, states: Node, relaxed: Ray | Point | None) -> OpenSplit | None:
+        """Return the split of the contact that is decided least; of a ray, with the least room."""
+        room = relaxed.room[:, 0] if isinstance(relaxed, Ray) else np.zeros(len(states))
+        towards = self.towards(relaxed)
+        ranks = {"undecided": 0, "attached": 1}
+
+        def decidedness(i: int) -> tuple[float, ...]:
+            return ranks.get(str(states[i]), 2), -self.cones.sine(states[i]), room[i]
+
+        order = filter(partial(self._is_open, states), range(len(states)))
+        return self._first(
+            states,
+            sorted(order, key=decidedness),
+            lambda i: -towards[i] if towards[i].any() else np.array([1.0, 0.0]),
+        )
+
+    def towards(self, relaxed: Ray | Point | None) -> Floats:
         """Return for each contact the direction of friction in which its cone matters."""
-        if isinstance(found, Point):
-            return found.forces[:, 1:]
-        if found is None:
+        if isinstance(relaxed, Point):
+            return relaxed.forces[:, 1:]
+        if relaxed is None:
             return np.zeros((len(self.contacts.grasp), 2))
-        towards: Floats = -(self.contacts.tangents @ found.virtual)
+        towards: Floats = -(self.contacts.tangents @ relaxed.virtual)
         return towards
 
-    def split(self, states: Node, values: Floats, found: Point) -> OpenSplit | None:
-        """Return the node that splits the contact furthest from the law, its children and parts."""
-        order = [int(i) for i in np.argsort(-values) if values[i] > _NOTHING]
-        order = [i for i in order if self._splits(states, i)]
-        # Of narrow sectors more is learnt when all others are decided.
-        order.sort(key=lambda i: self.cones.sine(states[i]) < _THIN)
-        for i in order:
-            slip = self.relaxation.tangents[i] @ found.motion
-            split = self._parts(states, i, slip)
-            if split is not None:
-                return split
-        return None
-
-    def _splits(self, states: Node, i: int) -> bool:
+    def _is_open(self, states: Node, i: int) -> bool:
         """Return whether a contact is not decided: one without friction does not slip."""
         return states[i] != "attached" or bool(self.contacts.grasp.contacts[i].friction)
 
-    def any_split(self, states: Node, found: Ray | Point | None) -> OpenSplit | None:
-        """Return a split of the contact that is decided least; of a ray, with the least room."""
-        room = found.room[:, 0] if isinstance(found, Ray) else np.zeros(len(states))
-        towards = self._towards(found)
-        kinds = {"undecided": 0, "attached": 1}
+    def _first(
+        self, states: Node, order: list[int], slip_of: Callable[[int], Floats]
+    ) -> OpenSplit | None:
+        """Return the split of the first contact that has one: sectors may be too narrow."""
+        splits = (self._of_contact(states, i, slip_of(i)) for i in order)
+        return next((split for split in splits if split is not None), None)
 
-        def least(i: int) -> tuple[float, ...]:
-            return kinds.get(str(states[i]), 2), -self.cones.sine(states[i]), room[i]
-
-        for i in sorted(filter(partial(self._splits, states), range(len(states))), key=least):
-            slip = -towards[i] if towards[i].any() else np.array([1.0, 0.0])
-            split = self._parts(states, i, slip)
-            if split is not None:
-                return split
-        return None
-
-    def _parts(self, states: Node, i: int, slip: Floats) -> OpenSplit | None:
-        """Return the split of one contact; None if its sector is too narrow."""
+    def _of_contact(self, states: Node, i: int, slip: Floats) -> OpenSplit | None:
         if states[i] != "undecided":
-            return None if states[i] in _DECIDED else self.cones.slips(states, i, slip)
+            is_decided = states[i] in ("detached", "stick")
+            return None if is_decided else self.cones.slips(states, i, slip)
         children: list[Any] = [None, None]
         node = {"contact": i, "attachment": children}
         return split_of(node, children, states, i, ["detached", "attached"])
