@@ -84,7 +84,7 @@ def _parser() -> terminal.Parser:
     terminal.add_number_options(faces)
     add("identify", _identify, "find the isomorphism class, of those of up to nine hyperplanes")
     draw = add("draw", _draw, "draw pictures and pages; export 3D-printable models")
-    draw.later = lambda: _later("drawing.command").add_options(
+    draw.lazy_options = lambda: _later("drawing.command").add_options(
         draw, _later("pictures.views").DRAWINGS
     )
 
@@ -93,7 +93,7 @@ def _parser() -> terminal.Parser:
     _later("library.commands").add_list_options(names)
     text = "make a member of a family, such as shi --type E6"
     make = add("make", _make, text, file=None, heading="more")
-    make.later = lambda: _later("library.commands").add_families(make)
+    make.lazy_options = lambda: _later("library.commands").add_families(make)
     text = "convert between the formats of other programs"
     _later("library.commands").add_convert_options(add("convert", _convert, text, heading="more"))
     text = "write a page in which lines and great circles are dragged and counted"
@@ -342,7 +342,7 @@ def _face_count(arrangement: Arrangement, arguments: argparse.Namespace) -> int:
 
 def _ask_to_print(faces: int, arrangement: Arrangement) -> None:
     steps = faces * (200 + 20 * len(arrangement))
-    budget.ask(f"{faces:,} faces, printed", "count them (arrangement count)", steps=steps)
+    budget.check_cost(f"{faces:,} faces, printed", "count them (arrangement count)", steps=steps)
 
 
 def _identify(arguments: argparse.Namespace) -> int:

@@ -49,7 +49,7 @@ class OutOfTimeError(UnfinishedError):
 
 
 def refusal(
-    mistake: str, value: object, known: Iterable[str], remedy: str = "known are"
+    mistake: str, value: object, known: Iterable[str], remedy: str = "expected one of"
 ) -> InputError:
     """Return the error for a name that does not exist, with the nearest ones that do."""
     from difflib import get_close_matches

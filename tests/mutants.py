@@ -373,7 +373,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = parser.parse_args(arguments)
     for name in given.targets:
         if name not in TARGETS:
-            parser.error(f"{name!r} is not a target; known are {', '.join(TARGETS)}")
+            parser.error(f"{name!r} is not a target; expected one of {', '.join(TARGETS)}")
     os.chdir(ROOT)
     _preload()
     options = (given.seed, given.first, given.argued, given.sample)

@@ -329,7 +329,7 @@ LIMITS = {
         "proofs_check.course.printed_table:MOST_PSEUDOLINES",
     ),
     "in ``import``; a record": ("bytes of a file of many arrangements", "bytes of a record"),
-    "after the other": ("proofs_check.sweep.sweep:MOST", "arrangement.console.terminal:MOST"),
+    "after the other": ("proofs_check.sweep.sweep:MOST", "arrangement.console.terminal:MAX_COUNT"),
     "of a proof": ("equilibrium.certificate.checker:MAX_DEPTH",),
 }
 

@@ -97,7 +97,7 @@ def _telling(items: Iterable[Item], bar: Bar, line: _Watch) -> Iterator[Item]:
             if taken > _MEASURED:
                 asked = True
                 text = f"{bar.total:,} {bar.unit}, of which {done:,} are done"
-                budget.ask(text, "ask for less", long_steps=taken / (done - 1) * bar.total)
+                budget.check_cost(text, "ask for less", long_steps=taken / (done - 1) * bar.total)
     finally:
         bar.close()
         line.free = line.free or outermost

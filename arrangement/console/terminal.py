@@ -40,8 +40,8 @@ UNDECIDED = 3
 _INTERRUPTED = 130
 _BROKEN_PIPE = 141
 
-#: Most things that one command does one after the other.
-MOST = 1_000_000
+#: Repetitions of a task in one command, at most.
+MAX_COUNT = 1_000_000
 _NEGATIVE_NUMBER = re.compile(r"-\.?[0-9]")
 _WITH_UNIT = re.compile(r"[-+]?[0-9./]+ ?[A-Za-z]+")
 
@@ -60,11 +60,11 @@ class Parser(argparse.ArgumentParser):
         self._negative_number_matcher = _NEGATIVE_NUMBER
 
         #: Adds the options that take time to find out, when they are asked for.
-        self.later: Callable[[], None] | None = None
+        self.lazy_options: Callable[[], None] | None = None
         #: Options that take at least this many numbers.
-        self.growing: list[argparse.Action] = []
+        self.variadic: list[argparse.Action] = []
         #: What is parsed, and the options with a value seen so far.
-        self.words: Sequence[str] = ()
+        self.arguments: Sequence[str] = ()
         self._seen: list[argparse.Action] = []
         #: Commands and options of earlier releases and of other programs, with what to write now.
         self.renamed: Mapping[str, str] = {}
@@ -79,12 +79,12 @@ class Parser(argparse.ArgumentParser):
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         """Parse, with all options; ``--help`` comes through here too."""
-        self.words = words = sys.argv[1:] if args is None else args
+        self.arguments = words = sys.argv[1:] if args is None else args
         self._seen = []
-        later, self.later = self.later, None
-        if later is not None:
-            later()
-        found, rest = super().parse_known_args(list(self._separated(words)), namespace)
+        lazy_options, self.lazy_options = self.lazy_options, None
+        if lazy_options is not None:
+            lazy_options()
+        found, rest = super().parse_known_args(list(self._split_numbers(words)), namespace)
         for word in rest:
             self.error(self._unknown(word))
         for action in self._actions:
@@ -93,14 +93,14 @@ class Parser(argparse.ArgumentParser):
                 self.error(f"argument {name}: it is empty; give a name")
         return found, rest
 
-    def _separated(self, words: Sequence[str]) -> Iterator[str]:
+    def _split_numbers(self, words: Sequence[str]) -> Iterator[str]:
         """Split ``0,1,0`` and ``0, 1, 0``, in one word or several, where several are taken."""
         due = 0
         for i, word in enumerate(words):
             name, equals, value = word.partition("=")
             option = self._option_string_actions.get(name)
             if option is not None:
-                if option in self.growing:
+                if option in self.variadic:
                     given = [value, *words[i + 1 :]] if equals else words[i + 1 :]
                     option.nargs = max(option.nargs, _numbers(given))  # type: ignore[type-var]
                 due = _numbers_after(option)
@@ -133,8 +133,8 @@ class Parser(argparse.ArgumentParser):
             if isinstance(action, argparse._SubParsersAction) and value in self.renamed:
                 raise argparse.ArgumentError(None, self._renamed(value))
             known = list(action.choices)
-            text = f"there is no {shown(value)}; known are {', '.join(known)}{_meant(value, known)}"
-            raise argparse.ArgumentError(action, text)
+            text = f"there is no {shown(value)}; expected one of {', '.join(known)}"
+            raise argparse.ArgumentError(action, text + _suggestion(value, known))
 
     def _renamed(self, word: str) -> str:
         return f"{word!r} is now {self.renamed[word]!r}"
@@ -142,8 +142,8 @@ class Parser(argparse.ArgumentParser):
     def _unknown(self, word: str) -> str:
         if (name := word.partition("=")[0]) in self.renamed:
             return self._renamed(name)
-        kind = "option" if word.startswith("-") else "place for"
-        return f"there is no {kind} {shown(word)}{_meant(word, self._option_string_actions)}"
+        kind = "unknown option" if word.startswith("-") else "unexpected argument"
+        return f"{kind} {shown(word)}{_suggestion(word, self._option_string_actions)}"
 
     def format_help(self) -> str:
         """Return the help; a program with headings lists its commands under them."""
@@ -161,20 +161,20 @@ class Parser(argparse.ArgumentParser):
 
         Where something is missing, an option that is misspelt may be it.
         """
-        options = (word.partition("=")[0] for word in self.words if word[:2] == "--" != word)
+        options = (word.partition("=")[0] for word in self.arguments if word[:2] == "--" != word)
         misspelt = (word for word in options if word not in self._option_string_actions)
         if "required" in message and (word := next(misspelt, None)):
             message = self._unknown(word)
         for action in self._actions:
             if action.choices and message.endswith(f"required: {action.metavar}"):
-                message += f"; known are {', '.join(map(str, action.choices))}"
+                message += f"; expected one of {', '.join(map(str, action.choices))}"
         self.exit(_BAD_INPUT, f"error: {error_text(message)} (see {self.prog} --help)\n")
 
 
 def _numbers_after(option: argparse.Action) -> int:
     """Return how many numbers an option takes at most."""
     if option.nargs == "+" and option.type is rational_argument:
-        return MOST
+        return MAX_COUNT
     numbers = isinstance(option.nargs, int) and option.type in (None, rational_argument)
     return option.nargs if numbers else 0  # type: ignore[return-value]
 
@@ -185,7 +185,7 @@ def _numbers(words: Sequence[str]) -> int:
     return sum(1 for _ in takewhile(re.compile(r"[-+]?[.]?[0-9]").match, parts))
 
 
-def _meant(word: str, known: Iterable[str]) -> str:
+def _suggestion(word: str, known: Iterable[str]) -> str:
     near = get_close_matches(word, known, 3)
     return f"; did you mean {' or '.join(near)}?" if near else ""
 
@@ -324,9 +324,9 @@ def rational_argument(text: str) -> Fraction:
 
 def count_argument(text: str) -> int:
     """Read a number of things to do, one after the other, or a seed."""
-    if re.fullmatch(r"[0-9]{1,9}", text, re.ASCII) is None or int(text) > MOST:
+    if re.fullmatch(r"[0-9]{1,9}", text, re.ASCII) is None or int(text) > MAX_COUNT:
         raise argparse.ArgumentTypeError(
-            f"{shown(text)} is not a whole number from 0 to {MOST}; more takes days: go in parts"
+            f"{shown(text)} is not a whole number from 0 to {MAX_COUNT}; more takes days"
         )
     return int(text)
 
@@ -357,7 +357,7 @@ def run(parser: Parser, argv: Sequence[str] | None = None) -> int:
     if sys.stderr is None:  # closed by the shell; print would write to stdout instead
         sys.stderr = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115
     if sys.stdout is None:
-        return _refuse("standard output is closed, so there is nowhere to answer; open it")
+        return _report_error("standard output is closed, so there is nowhere to answer; open it")
     with safe_stdout():
         return _run(parser, argv)
 
@@ -372,19 +372,19 @@ def _run(parser: Parser, argv: Sequence[str] | None) -> int:
             code: int = arguments.command(arguments)
         sys.stdout.flush()
     except (InputError, MissingExtraError) as error:
-        return _refuse(str(error))
+        return _report_error(str(error))
     except budget.WorkOver as error:
         _discard_stdout()
-        return _refuse(str(error))
+        return _report_error(str(error))
     except MemoryError:
         _discard_stdout()
-        return _refuse("there is not enough memory on this machine for it; ask for less")
+        return _report_error("there is not enough memory on this machine for it; ask for less")
     except BrokenPipeError:
         _discard_stdout()
         return _BROKEN_PIPE
     except OSError as error:
         _discard_stdout()
-        return _refuse(f"cannot write the output: {error.strerror or error}")
+        return _report_error(f"cannot write the output: {error.strerror or error}")
     except KeyboardInterrupt:
         return _INTERRUPTED
     except Exception as error:
@@ -423,7 +423,7 @@ def _encode(value: Any) -> str | list[str]:
     raise TypeError(f"{type(value).__name__} has no JSON form")
 
 
-def _refuse(message: str) -> int:
+def _report_error(message: str) -> int:
     print(f"error: {error_text(message)}", file=sys.stderr)
     return _BAD_INPUT
 

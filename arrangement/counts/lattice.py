@@ -157,7 +157,7 @@ def intersection_lattice(arrangement: Planes) -> IntersectionLattice:
     config = configuration(arrangement)
     levels = config.rank + (config.infinity is None)
     least = budget.power(2, arrangement.rank)  # those of as many independent planes
-    budget.ask(
+    budget.check_cost(
         f"the {budget.about(least)} or more flats of planes of rank {arrangement.rank}",
         "give planes of lower rank",
         bytes=200 * least,
@@ -248,7 +248,7 @@ class _Quotients:
         position: dict[int, int] = {}
         covers: list[tuple[int, ...]] = []
         quotients: list[dict[int, IntegerVector]] = []
-        self._ask()
+        self._check_cost()
         for mask, vectors in zip(self.masks, self.vectors, strict=True):
             groups: dict[IntegerVector, list[int]] = {}
             for plane, vector in vectors.items():
@@ -269,7 +269,7 @@ class _Quotients:
         self.masks, self.vectors, self.rank = tuple(position), quotients, self.rank + 1
         return self.masks, tuple(covers)
 
-    def _ask(self) -> None:
+    def _check_cost(self) -> None:
         """Refuse what is out of reach, on this level or a later one."""
         planes, known = self.infinity, max(self.rank, 2)
         found: float = len(self.masks)
@@ -284,7 +284,7 @@ class _Quotients:
             before, vectors = vectors, kept * (160 + (self.top - k) * self.bits * (k + 1) / 4)
             steps += flats * (planes - k) * 5 + kept * (20 + 0.6 * self.bits)
             bytes = max(bytes, before + vectors + 20 * flats * (planes - k))
-        budget.ask(
+        budget.check_cost(
             f"the flats of rank {self.rank + 1} and more of {planes:,} planes",
             "count without the lattice (arrangement polynomial)",
             steps=steps,

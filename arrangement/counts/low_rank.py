@@ -114,7 +114,7 @@ def _rank_two_parts(config: Configuration, bytes: float) -> Iterator[Groups]:
     vectors, m = _matrix(config), len(config.vectors)
     if isinstance(vectors, ModularVectors):  # all at once
         bytes = 130 * m * m
-    _ask(f"the flats of rank 2 of {m:,} planes", config, m * m / 2, bytes)
+    _check_cost(f"the flats of rank 2 of {m:,} planes", config, m * m / 2, bytes)
     if isinstance(vectors, ModularVectors):
         bases = np.arange(m)[:, None]
         groups = iter([_covers(vectors, bases, np.eye(m, vectors.count, dtype=np.bool_))])
@@ -134,7 +134,7 @@ def _below_top(config: Configuration) -> WhitneyMatrix:
     if config.rank == 2:
         return ((1, m), (0, m))
     if config.rank == 4 and m > _SAMPLE:
-        _ask(f"the flats of rank 3 of {m:,} planes", config, m * _about_rank_two(config), 0)
+        _check_cost(f"the flats of rank 3 of {m:,} planes", config, m * _about_rank_two(config), 0)
     if config.rank == 3:
         count, planes = _rank_two_sums(config)
         return ((1, m, planes - count), (0, m, planes), (0, 0, count))
@@ -164,7 +164,7 @@ def _rank_two_sums(config: Configuration) -> tuple[int, int]:
             count += len(part.row)
             planes += int(part.size.sum()) + len(part.row)
         return count, planes
-    _ask(f"the flats of rank 2 of {m:,} planes", config, m * m / 20, 0)
+    _check_cost(f"the flats of rank 2 of {m:,} planes", config, m * m / 20, 0)
     largest_quotient = 2 * int(np.abs(vectors).max()) ** 2
     near = 0.0 if largest_quotient**2 < 2**51 else 2.0**-48
     # How often a plane has this many others through one of its lines.
@@ -257,11 +257,11 @@ def _about_rank_two(config: Configuration) -> float:
     return float((1 / (groups.size + 1)).sum()) * m / _SAMPLE
 
 
-def _ask(what: str, config: Configuration, pairs: float, bytes: float) -> None:
+def _check_cost(what: str, config: Configuration, pairs: float, bytes: float) -> None:
     """Refuse to compare too many planes with too many flats."""
     slow = 10 if largest(config.vectors) == math.inf else 1
     steps = pairs * 2.5 * slow * work_factor(config.vectors)
-    budget.ask(what, "leave out planes", steps=steps, bytes=bytes)
+    budget.check_cost(what, "leave out planes", steps=steps, bytes=bytes)
 
 
 def _matrix(config: Configuration) -> Integers | ModularVectors:

@@ -49,7 +49,7 @@ def chirotope(arrangement: Planes) -> Mapping[tuple[int, ...], int]:
     columns = pivot_columns(normals, arrangement.dimension)
     rows = [[normal[j] for j in columns] for normal in normals]
     number = budget.choose(len(rows), len(columns))
-    budget.ask(
+    budget.check_cost(
         f"{budget.about(number)} determinants of {len(columns)} of {len(rows):,} normals",
         "take fewer planes",
         steps=4 * number * max(1, len(columns)) ** 3,
@@ -78,7 +78,7 @@ def chirotope_string(arrangement: Planes, order: str = "reverse-lexicographic") 
     '++-++-++-+'
     """
     if order not in ORDERS:
-        raise InputError(f"the order is {shown(order)}; known are {' and '.join(ORDERS)}")
+        raise InputError(f"the order is {shown(order)}; expected one of {' and '.join(ORDERS)}")
     values = chirotope(arrangement if arrangement.is_central else cone(arrangement))
     rows = sorted(values, key=lambda row: row[::-1]) if order == ORDERS[0] else values
     return sign_text([values[row] for row in rows])

@@ -92,7 +92,7 @@ def points_off(arrangement: Planes, prime: int) -> int:
         return 1
     if d * prime**2 >= 1 << 63:
         raise InputError(f"{prime} is too large for words of 64 bits in dimension {d}")
-    budget.ask(
+    budget.check_cost(
         f"the points of F_{prime}^{d} off {len(arrangement)} planes",
         "use characteristic_polynomial",
         steps=budget.power(prime, d - 1) * max(1, len(arrangement)) / 10,
@@ -124,7 +124,7 @@ def _minors(arrangement: Planes) -> Iterator[tuple[list[Any], tuple[int, ...]]]:
     if not arrangement.is_central:
         rows.append((0,) * arrangement.dimension + (1,))
     order = rank(rows)
-    budget.ask(
+    budget.check_cost(
         f"a test of the bases of {len(arrangement)} planes of rank {arrangement.rank}",
         "use characteristic_polynomial",
         steps=4 * comb(len(rows), order) * (order + 2) ** 3,

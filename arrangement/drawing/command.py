@@ -46,7 +46,7 @@ def add_options(
     The help explains those of the view, model or page that is named; without one it lists the
     views, and the options that most of them have.
     """
-    words = parser.words if isinstance(parser, terminal.Parser) else ()
+    words = parser.arguments if isinstance(parser, terminal.Parser) else ()
     before = {*parser._actions}
     asked = _asked(words) if {"-h", "--help"} & {*words} else None
     subject = next(a.metavar for a in parser._actions if not a.option_strings)
@@ -73,7 +73,7 @@ def add_options(
             text = _help(uses, asked)
             added = parser.add_argument(f"--{flag.replace('_', '-')}", **style, help=text)
             if uses[0][1].kind == "Wrench" and isinstance(parser, terminal.Parser):
-                parser.growing.append(added)
+                parser.variadic.append(added)
     if isinstance(parser, terminal.Parser):
         names = {f"--{old}": f"--{new}" for old, new in RENAMED_OPTIONS.items() if new in found}
         parser.renamed = {**parser.renamed, **names}

@@ -118,9 +118,9 @@ def ending(path: str | os.PathLike[str], known: Iterable[str]) -> str:
     if place.is_dir():
         raise InputError(f"{shown(str(path))} is a folder; name a file")
     if not suffix:
-        raise InputError(f"the file name {shown(str(path))} has no ending; known are {ends}")
+        raise InputError(f"the file name {shown(str(path))} has no ending; expected one of {ends}")
     if suffix not in ends.split(", "):
-        raise InputError(f"the file name ends in {shown(suffix)}; known are {ends}")
+        raise InputError(f"the file name ends in {shown(suffix)}; expected one of {ends}")
     if not place.parent.is_dir():
         raise InputError(f"there is no folder {shown(str(place.parent))}; make it first")
     return suffix

@@ -173,7 +173,9 @@ class DualPolyhedron(ReprMixin):
             colours: one for each face, as ``#rrggbb``; only GLB keeps them.
         """
         if kind not in KINDS:
-            raise InputError(f"the file name ends in {shown(kind)}; known are {', '.join(KINDS)}")
+            raise InputError(
+                f"the file name ends in {shown(kind)}; expected one of {', '.join(KINDS)}"
+            )
         v, e, f = self.f_vector
         points = np.array(self.to_trimesh(size, single=True).vertices)
         part = ClosedSurface("dual", points, self.faces, colours or (_GREY,) * f)

@@ -83,11 +83,11 @@ def enumerate_faces(
     if engine is None:
         engine = next(name for name, known in ENGINES.items() if known.ranks(planes))
     if engine not in ENGINES:
-        raise InputError(f"the engine is {shown(engine)}; known are {', '.join(ENGINES)}")
+        raise InputError(f"the engine is {shown(engine)}; expected one of {', '.join(ENGINES)}")
     chosen = ENGINES[engine]
     if not chosen.ranks(planes):
         raise InputError(f"the engine {engine} does {chosen.can}; these are {planes!r}")
-    _ask(planes, chosen, count)
+    _check_cost(planes, chosen, count)
     planes = copy(planes)  # planes may keep their faces, so the faces do not keep those planes
     return FaceSequence(planes, chosen.list_faces(planes), engine)
 
@@ -110,7 +110,9 @@ def most_faces(m: int, rank: int, central: bool) -> float:
     return found + central
 
 
-def _ask(planes: Planes, engine: Engine, count: Callable[[Planes], Sequence[int]] | None) -> None:
+def _check_cost(
+    planes: Planes, engine: Engine, count: Callable[[Planes], Sequence[int]] | None
+) -> None:
     """Refuse a list that is out of reach, by a bound where that is enough."""
     factor = work_factor(planes.integer_planes)
     faces = most_faces(len(planes.distinct), planes.rank, planes.is_central)
@@ -131,7 +133,7 @@ def _ask(planes: Planes, engine: Engine, count: Callable[[Planes], Sequence[int]
             instead = "leave out planes: to count them takes too long as well"
     try:
         many = "" if exact is not None else "up to "
-        budget.ask(
+        budget.check_cost(
             f"a list of the {many}{budget.about(faces)} faces of {planes!r}",
             instead,
             **takes(),

@@ -119,7 +119,7 @@ def published_enumeration(arrangement: Planes, merge: bool = False) -> Published
 
 def ask_steps(planes: int) -> None:
     """Refuse the steps for this many planes where they would take long."""
-    budget.ask(
+    budget.check_cost(
         f"the published enumeration of {planes} planes",
         "list their faces",
         steps=15 * planes**6,

@@ -148,7 +148,9 @@ class FaceSequence(ReprMixin, Sequence[Face]):
         if isinstance(chosen, int):
             return next(self._faces_at(np.array([chosen])))
         signs = len(chosen) * len(self._planes)
-        budget.ask(f"a tuple of faces with {signs:,} signs", "go through them", bytes=24 * signs)
+        budget.check_cost(
+            f"a tuple of faces with {signs:,} signs", "go through them", bytes=24 * signs
+        )
         return tuple(self._faces_at(np.array(chosen, np.intp)))
 
     def __iter__(self) -> Iterator[Face]:

@@ -74,7 +74,7 @@ def limit(times: float) -> Iterator[None]:
     """Scale the limits on faces, bytes and steps inside by a factor; `math.inf`: no limits.
 
     >>> with limit(2):
-    ...     ask("a list of all of them", faces=35_000_000)
+    ...     check_cost("a list of all of them", faces=35_000_000)
     """
     if not times > 0:
         raise InputError(f"the limit is {times}; give a positive number of times the usual budget")
@@ -125,7 +125,7 @@ def _most_long() -> float:
     return LONG_STEPS if meter is None else min(meter.allowed, LONG_STEPS)
 
 
-def ask(
+def check_cost(
     what: str,
     instead: str = "",
     *,

@@ -76,7 +76,7 @@ class Planes:
     ) -> None:
         given = _listed(normals)
         entries = sum(len(row) for row in given if isinstance(row, (list, tuple)))
-        budget.ask(f"{entries:,} numbers", "give fewer planes", bytes=60 * entries)
+        budget.check_cost(f"{entries:,} numbers", "give fewer planes", bytes=60 * entries)
         plain = plain_rows(given)
         rows: list[Any] = plain or [
             rational_vector(row, f"normals[{i}]", entry) for i, row in enumerate(given)
@@ -105,7 +105,7 @@ class Planes:
             for x in row
             if isinstance(x, (int, Fraction)) and x.numerator.bit_length() > 1000
         ]
-        budget.ask(
+        budget.check_cost(
             f"planes of {len(bits)} numbers of up to {max(bits, default=0)} bits",
             "round them",
             steps=sum(n * n for n in bits) / 10_000,

@@ -112,7 +112,9 @@ def _forecast(planes: Planes, deepest: int) -> float:
         found = [_probe(rows, rank, central, deepest > 0, source) for _ in range(_PROBES)]
         likely = [fmean(n) + 2 * stdev(n) / math.sqrt(_PROBES) for n in zip(*found, strict=True)]
         faces, steps = min(faces, likely[0]), min(steps, likely[1] * _STEP * pace)
-    budget.ask(f"counting {budget.about(faces)} faces by the verified program", long_steps=steps)
+    budget.check_cost(
+        f"counting {budget.about(faces)} faces by the verified program", long_steps=steps
+    )
     if steps > _MANY:
         progress.note(
             f"the verified program counts about {budget.about(faces)} faces; it takes about "

@@ -8,9 +8,9 @@ from proofs_check.cli import program as proofs_check_cli
 
 
 def _whole(parser):
-    later, parser.later = parser.later, None
-    if later is not None:
-        later()
+    lazy_options, parser.lazy_options = parser.lazy_options, None
+    if lazy_options is not None:
+        lazy_options()
     for action in parser._actions:
         if isinstance(action, argparse._SubParsersAction):
             for child in action.choices.values():

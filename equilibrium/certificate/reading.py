@@ -118,7 +118,7 @@ def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
     if type(version) is not int or version != SCHEMA_VERSION:
         raise CertificateError(f"schema_version is {shown(version)}; {SCHEMA_VERSION} is read here")
     if not isinstance(kind, str) or kind not in _KEYS:
-        raise CertificateError(f"certificate is {shown(kind)}; known are {', '.join(_KEYS)}")
+        raise CertificateError(f"certificate is {shown(kind)}; expected one of {', '.join(_KEYS)}")
     if old := next((key for key in _OLD_BOUNDS if key in document), ""):
         raise CertificateError(
             f"the certificate has {old}; expected max_displacement. Make a new one with "

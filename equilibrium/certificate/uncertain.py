@@ -60,7 +60,9 @@ class Bounds(ReprMixin):
                 )
             object.__setattr__(self, name, found)
         if given:
-            raise GraspError(f"{shown(min(given))} is not a bound; known are {', '.join(LARGEST)}")
+            raise GraspError(
+                f"{shown(min(given))} is not a bound; expected one of {', '.join(LARGEST)}"
+            )
 
     @property
     def angle(self) -> Fraction:

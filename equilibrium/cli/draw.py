@@ -36,7 +36,7 @@ def add_commands(commands: Any) -> None:
     """Add draw."""
     text = "draw a grasp, its resisted wrenches, a proof, or methods side by side"
     draw: Any = add_command(commands, "draw", _draw, text, numbers=False, heading="common")
-    draw.later = lambda: _add_options(draw)
+    draw.lazy_options = lambda: _add_options(draw)
 
 
 def add_lab(commands: Any) -> None:

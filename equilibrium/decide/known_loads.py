@@ -49,7 +49,7 @@ class KnownLoads:
         self.scales = max_displacement is None and not any(contact.preload for contact in grasp)
         self._verdicts: dict[RationalVector, Verdict] = {}
 
-    def ask(self, wrench: RationalVector, nodes: int | None = None, tree: Any = None) -> Verdict:
+    def solve(self, wrench: RationalVector, nodes: int | None = None, tree: Any = None) -> Verdict:
         """Decide one load, and remember the answer and its proof.
 
         Args:
@@ -95,7 +95,7 @@ class KnownMagnitudes:
             return NOT_RESISTED
         if any(low <= t <= high for low, high in self.held):
             return RESISTED
-        found = self.known.ask(self.load(t), **how)
+        found = self.known.solve(self.load(t), **how)
         if found.verdict == NOT_RESISTED and (around := self._range(self.known.trees[-1])):
             self.refuted.append(around)
         if found.solution is not None and found.solution.box is None:

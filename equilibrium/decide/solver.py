@@ -206,11 +206,11 @@ class Solver(ReprMixin):
         """The choices of contact states; see `contact_states`."""
         return tuple(map(states_of_code, self._codes.tolist()))
 
-    def ask(self, times: int = 1) -> None:
+    def check_cost(self, times: int = 1) -> None:
         """Refuse to try all choices of contact states so often where floats rule out none."""
         count, contacts = len(self._codes), len(self.grasp)
         if not self.screen.contacts.moderate:
-            budget.ask(
+            budget.check_cost(
                 f"{count:,} choices of states of {contacts} contacts with huge or tiny numbers",
                 "decide one load (solve)",
                 long_steps=_EXACT * contacts * count * times,

@@ -5,7 +5,12 @@ Signs follow the package: the grasp resists the wrench w when contact forces c e
 is their table, `compare` asks all of them.
 """
 
-from .compare import Answer as Answer, Comparison as Comparison, ask as ask, compare as compare
+from .compare import (
+    Answer as Answer,
+    Comparison as Comparison,
+    compare as compare,
+    predict as predict,
+)
 from .grasp_wrench_space import GraspWrenchSpace as GraspWrenchSpace
 from .method import Method as Method
 from .registry import METHODS as METHODS, method_named as method_named

@@ -105,16 +105,16 @@ class Comparison:
         }
 
 
-def ask(method: str, grasp: Grasp, wrench: RationalVector) -> bool | None:
+def predict(method: str, grasp: Grasp, wrench: RationalVector) -> bool | None:
     """Return one method's verdict, by its key in `METHODS`."""
     return method_named(method).outcome(grasp, wrench)[0]
 
 
-def ask_all(grasp: Grasp) -> None:
+def check_cost(grasp: Grasp) -> None:
     """Refuse more contacts than all methods can take."""
     # Programs with huge or tiny numbers are solved without floats.
     each = 1 if FloatContacts(grasp).moderate else 100
-    budget.ask(
+    budget.check_cost(
         f"all methods on {len(grasp)} contacts",
         "ask the full model (solve)",
         steps=each * len(grasp) ** 3,
@@ -150,7 +150,7 @@ def compare(
     >>> compare(read_grasp("paper-three-contacts"), [0, -1, 0]).disagreeing
     ('linear-compliance',)
     """
-    ask_all(grasp)
+    check_cost(grasp)
     applied = read_wrench(wrench, grasp.dimension)
     if pyramid is not None:
         pyramid_edges(pyramid, grasp.dimension)
@@ -169,5 +169,5 @@ def _chosen(grasp: Grasp, methods: Iterable[str] | None) -> list[str]:
         if name not in answering:
             where = "" if name not in METHODS else " for one wrench of such a grasp"
             known = ", ".join(answering)
-            raise GraspError(f"there is no method {shown(name)}{where}; known are {known}")
+            raise GraspError(f"there is no method {shown(name)}{where}; expected one of {known}")
     return [name for name in answering if name in wanted]

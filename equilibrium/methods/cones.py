@@ -57,7 +57,7 @@ def cones(grasp: Grasp, wrench: Iterable[Any], *, printed: bool = False) -> Cone
     """
     applied = read_wrench(wrench)
     tried, n = 0, 3 + len(grasp)
-    budget.ask(f"a linear program in {n} variables", "leave out contacts", steps=1.5 * n**3)
+    budget.check_cost(f"a linear program in {n} variables", "leave out contacts", steps=1.5 * n**3)
     choices = [(True,) * len(grasp)] if printed else _attached_choices(grasp)
     for tried, attached in enumerate(choices, 1):
         pairs, rows = _program(grasp, attached)

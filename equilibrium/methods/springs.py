@@ -266,20 +266,20 @@ def _legal_rows(
             yield negated(pair[0])
 
 
-def _ask(grasp: Grasp) -> None:
-    budget.ask(
+def _check_cost(grasp: Grasp) -> None:
+    budget.check_cost(
         f"three states of each of {len(grasp)} contacts", steps=10_000 * budget.power(3, len(grasp))
     )
 
 
 def _decide_frictionless(grasp: Grasp, wrench: RationalVector) -> Outcome:
-    _ask(grasp)
+    _check_cost(grasp)
     return _with_usual_springs(frictionless_slip)(grasp, wrench)
 
 
 @cut
 def _frictionless_region(grasp: Grasp) -> Iterator[Polyhedron | None]:
-    _ask(grasp)
+    _check_cost(grasp)
     springs, _ = usual_springs(grasp)
     for states in product(STATES, repeat=len(grasp)):
         forces, rows = _forces_in(states, springs), _legal_rows(grasp, states, springs)

@@ -40,7 +40,7 @@ _PLACES = {2: "the plane", 3: "space"}
 
 def ask_contacts(count: int) -> None:
     """Refuse more contacts than any question can be answered for."""
-    budget.ask(f"{count:,} contacts", "leave out contacts", steps=5000 * count)
+    budget.check_cost(f"{count:,} contacts", "leave out contacts", steps=5000 * count)
 
 
 @dataclass(frozen=True)

@@ -87,7 +87,7 @@ def resisted_magnitudes(
     if not any(along):
         raise GraspError("direction is (0, 0, 0); give a wrench other than zero")
     solver = prepare(grasp)
-    solver.ask()
+    solver.check_cost()
     screen = solver.screen
     possible = screen.codes[screen.possible(start, along)].tolist()
     systems = (

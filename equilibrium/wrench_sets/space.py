@@ -272,7 +272,7 @@ def images_of(
     """Yield all contact states with `StateImages.resisted_with`."""
     images, listed = StateImages(solver.grasp, solver.max_displacement), solver.states
     contacts = len(solver.grasp)
-    budget.ask(
+    budget.check_cost(
         f"all resisted wrenches of {contacts} contacts, {len(listed):,} choices of states",
         "decide one load after the other (solve)",
         long_steps=300 * contacts * len(listed),

@@ -10,7 +10,7 @@ from itertools import product
 from typing import Any
 
 from equilibrium.decide.solver import solve
-from equilibrium.methods.compare import ask
+from equilibrium.methods.compare import predict
 from proofs_check.routes.oracle import Touch
 
 from .parts import *
@@ -38,7 +38,7 @@ class Asked:
 def _by_packages(asked: Asked) -> tuple[bool | None, bool]:
     grasp = grasp_of(asked.question)
     wrench = asked.question.wrench
-    return ask(asked.method, grasp, wrench), solve(grasp, wrench).stable
+    return predict(asked.method, grasp, wrench), solve(grasp, wrench).stable
 
 
 def _by_elimination(asked: Asked) -> tuple[bool, bool]:

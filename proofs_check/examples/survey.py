@@ -9,7 +9,7 @@ Change the numbers below for other questions. Run time: about 10 seconds.
 from arrangement.numbers.exact import RationalVector
 from equilibrium import Grasp
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
-from equilibrium.methods import ask
+from equilibrium.methods import predict
 from proofs_check import claim
 
 SEED = 0
@@ -28,9 +28,9 @@ QUESTIONS_ASKED: dict[str, Question] = {
 def _wrong(question: Question, verdict: bool, methods: tuple[str, ...]) -> bool | str:
     """Return which methods give a verdict that the full model does not give; else True."""
     grasp, wrench = question
-    if ask("complete", grasp, wrench) is verdict:
+    if predict("complete", grasp, wrench) is verdict:
         return True
-    wrong = [name for name in methods if ask(name, grasp, wrench) is verdict]
+    wrong = [name for name in methods if predict(name, grasp, wrench) is verdict]
     word = "accept" if verdict else "refuse"
     contacts = "; ".join(contact.words for contact in grasp)
     load = ", ".join(map(str, wrench))

@@ -156,7 +156,7 @@ def test_comparisons_of_flats_with_planes_are_foreseen(root, monkeypatch):
     Irrational numbers take ten times as long.
     """
     asked = []
-    monkeypatch.setattr(lowrank.budget, "ask", lambda *_, **takes: asked.append(takes))
+    monkeypatch.setattr(lowrank.budget, "check_cost", lambda *_, **takes: asked.append(takes))
     rational = root == 1
     factor = 2.5 if rational else 10 * 3.03 * 2.5
 
@@ -270,7 +270,9 @@ def test_a_prime_is_good_if_it_leaves_each_basis_one_minor():
 def test_points_and_bases_are_foreseen(monkeypatch):
     """Steps: lines of the space times planes, times rank cubed."""
     asked = []
-    monkeypatch.setattr(points.budget, "ask", lambda what, *_, **takes: asked.append((what, takes)))
+    monkeypatch.setattr(
+        points.budget, "check_cost", lambda what, *_, **takes: asked.append((what, takes))
+    )
 
     def steps(planes, word):
         del asked[:]

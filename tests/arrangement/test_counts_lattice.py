@@ -148,7 +148,7 @@ def test_chirotopes_are_written_in_the_order_of_their_kind():
         signs = [chi[tuple(int(x) - 1 for x in word)] for word in words.split()]
         assert chi[0, 3, 4] != chi[1, 2, 4]
         assert counts.chirotope_string(planes, *order) == "".join("0+-"[x] for x in signs)
-    with pytest.raises(InputError, match="the order is 'random'; known are rev"):
+    with pytest.raises(InputError, match="the order is 'random'; expected one of rev"):
         counts.chirotope_string(planes, "random")
 
 
@@ -163,7 +163,9 @@ def test_of_affine_planes_there_are_those_of_the_cone(planes):
 def test_determinants_are_foreseen(monkeypatch):
     """Of r of m normals, r^3 steps each."""
     asked = []
-    monkeypatch.setattr(flats.budget, "ask", lambda what, *_, **takes: asked.append((what, takes)))
+    monkeypatch.setattr(
+        flats.budget, "check_cost", lambda what, *_, **takes: asked.append((what, takes))
+    )
     for planes, number, order in (
         (families.generic(6, 3), 20, 3),
         (Arrangement([], dimension=2), 1, 1),
@@ -293,7 +295,9 @@ def foreseen(planes, monkeypatch):
     """Return the seconds and bytes that are foreseen before the lattice and before each rank."""
     asked = []
     with monkeypatch.context() as patch:
-        patch.setattr(flats.budget, "ask", lambda *what, **takes: asked.append((*what, takes)))
+        patch.setattr(
+            flats.budget, "check_cost", lambda *what, **takes: asked.append((*what, takes))
+        )
         lattice = counts.intersection_lattice(planes)
     asked = [takes for what, *_, takes in asked if "flats" in what]
     return asked, [len(level) for level in lattice.masks]

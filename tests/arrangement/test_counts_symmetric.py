@@ -306,7 +306,7 @@ def test_a_search_takes_the_steps_that_it_may(steps):
 def test_the_search_for_symmetries_is_foreseen(monkeypatch):
     asked = []
     monkeypatch.setattr(
-        automorphisms.budget, "ask", lambda what, *_, **takes: asked.append((what, takes))
+        automorphisms.budget, "check_cost", lambda what, *_, **takes: asked.append((what, takes))
     )
     config = configuration(families.braid(4))
     del asked[:]

@@ -16,7 +16,7 @@ from arrangement.numbers.exact import RationalVector, dot
 from equilibrium import Contact, Grasp, methods, read_grasp, solve
 from equilibrium.cli.program import main
 from equilibrium.grasps.inputs.random import random_grasp
-from equilibrium.methods.compare import ask, compare
+from equilibrium.methods.compare import compare, predict
 from equilibrium.methods.cones import cones
 from equilibrium.methods.form_closure import form_closure
 from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace, round_cones
@@ -403,7 +403,7 @@ STEP = Fraction(1, 7)
 def accepts(method: str, grasp: Grasp, wrench: tuple[Fraction, ...]) -> bool | None:
     """The verdict on one wrench, by the linear programs of the methods."""
     if not method.startswith("wrench-space"):
-        return ask(method, grasp, wrench)
+        return predict(method, grasp, wrench)
     norm = "L1" if method.endswith("L1") else "Linf"
     least = GraspWrenchSpace(grasp, norm).verdict(wrench).least_force
     return least is not None and least <= 1
@@ -451,7 +451,7 @@ def test_wrench_space_region_has_the_corners_of_its_slice(norm):
 
 
 def test_unknown_methods_and_too_many_contacts_are_refused():
-    with pytest.raises(GraspError, match="known are complete"):
+    with pytest.raises(GraspError, match="expected one of complete"):
         method_named("guess")
     nine = Grasp([Contact((0, 0), (1, 0), 0)] * 9)
     assert METHODS["frictionless-slip"].outcome(nine, (0, 0, 0))[1].startswith("not tried: three")

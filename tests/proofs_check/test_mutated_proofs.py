@@ -16,7 +16,7 @@ from arrangement.enumeration import choose
 from arrangement.enumeration.sequence import Level
 from arrangement.planes.planes import Planes
 from equilibrium import Contact, Grasp, read_grasp
-from equilibrium.methods.compare import ask as right
+from equilibrium.methods.compare import predict as right
 from proofs_check import ClaimVerdict, evaluate, registry
 from proofs_check.claims import dual, methods, model, tables
 from proofs_check.routes import oracle
@@ -189,7 +189,7 @@ def test_cones_need_friction_above_one(friction):
 
 
 def test_a_method_that_says_the_opposite_is_caught(monkeypatch):
-    monkeypatch.setattr(methods, "ask", lambda *question: not right(*question))
+    monkeypatch.setattr(methods, "predict", lambda *question: not right(*question))
     assert all(evaluate(registry()[id]).verdict is None for id in OF_METHODS)
 
 

@@ -46,7 +46,7 @@ class Automorphisms:
         infinity = [] if config.infinity is None else [config.infinity]
         rows = [*config.vectors, *infinity]
         self.size = len(rows)
-        budget.ask(
+        budget.check_cost(
             f"the symmetries of {self.size:,} planes of rank {config.rank}",
             "leave out planes",
             steps=(2 * self.size**2 + 20 * config.rank**2) * config.rank * work_factor(rows),

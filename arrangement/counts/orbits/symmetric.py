@@ -206,7 +206,7 @@ class Classes:
         ranks = range(rank - 1, self.rank - 1 if rank > 2 else rank)
         ahead = sum(flats_foreseen(self._planes, k, rank - 1, len(flats)) for k in ranks)
         pairs = ahead * count
-        budget.ask(
+        budget.check_cost(
             f"what covers {len(flats):,} orbits of flats of rank {rank - 1}, and so on",
             "leave out planes, or count in parts (--store FOLDER)",
             long_steps=pairs * self.rank / 2,
@@ -233,7 +233,7 @@ class Classes:
                 if done == min(2, len(pieces) - 1):
                     found, share = Flats.joined(parts), (done + 1) / len(pieces)
                     numbers = (found.bases, found.members, found.images, found.values)
-                    budget.ask(
+                    budget.check_cost(
                         f"{budget.about(len(found) / share)} orbits of flats of rank {rank}",
                         "leave out planes, or count in parts (--store FOLDER)",
                         bytes=3 * sum(x.nbytes for x in numbers) / share,

@@ -71,7 +71,7 @@ def model_bytes(parts: Sequence[ClosedSurface], kind: str, title: str) -> bytes:
         ArrangementError: a part that is not a solid any more in single precision.
     """
     if kind not in _WRITERS:
-        raise InputError(f"the file name ends in {shown(kind)}; known are {', '.join(KINDS)}")
+        raise InputError(f"the file name ends in {shown(kind)}; expected one of {', '.join(KINDS)}")
     for colour in {colour for part in parts for colour in part.colours}:
         if not (isinstance(colour, str) and _COLOUR.fullmatch(colour)):
             raise InputError(f"the colour is {shown(colour)}; models take the form #rrggbb")

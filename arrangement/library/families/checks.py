@@ -14,7 +14,7 @@ def planned(planes: float, dimension: float, bits: float = 0) -> None:
         bits: of an entry, where they are many.
     """
     entries = planes * dimension if math.inf not in (planes, dimension) else math.inf
-    budget.ask(
+    budget.check_cost(
         f"{budget.about(planes)} planes in dimension {budget.about(dimension)}",
         "take a smaller member",
         steps=60 * planes + entries * (2 + bits**2 / 10_000 if bits < 1e100 else math.inf),

@@ -138,7 +138,7 @@ class Entries:
 def format_named(name: str) -> Format:
     """Return the format of this name."""
     if name not in FORMATS:
-        raise InputError(f"there is no format {shown(name)}; known are {', '.join(FORMATS)}")
+        raise InputError(f"there is no format {shown(name)}; expected one of {', '.join(FORMATS)}")
     return FORMATS[name]
 
 
@@ -147,7 +147,7 @@ def format_of_file(path: str) -> Format:
     ending = Path(path).suffix.lower()
     if ending not in _BY_ENDING:
         raise InputError(
-            f"the file name ends in {shown(ending)}; known are {', '.join(_BY_ENDING)}. Or write "
+            f"the file name ends in {shown(ending)}; expected one of {', '.join(_BY_ENDING)}. Or write "
             "--to NAME; pictures and models are made by arrangement draw"
         )
     return _BY_ENDING[ending]

@@ -91,7 +91,7 @@ def echelon(rows: Sequence[Sequence[int]], *, reduced: bool = True) -> tuple[Any
     """
     import numpy as np
 
-    budget.ask(
+    budget.check_cost(
         f"elimination in a matrix of {len(rows)} rows",
         steps=len(rows) * len(rows[0]) * min(len(rows), len(rows[0])) / 50,
     )
@@ -130,7 +130,7 @@ def ask_elimination(rows: Sequence[Sequence[Any]], width: int) -> None:
     filled = sum(1 for row in rows for x in row if x)
     order = min(width, len(rows))
     digits = 1 + order * int(largest(rows)).bit_length() / 2000 if largest(rows) < math.inf else 20
-    budget.ask(
+    budget.check_cost(
         f"elimination in a matrix of {len(rows)} rows with {width} entries",
         "leave out planes or coordinates",
         steps=6 * digits * filled**2 * order / max(1, len(rows) * width),

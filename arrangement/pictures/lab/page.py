@@ -113,7 +113,7 @@ def _exercise(
             raise InputError(f'"{name}" must be a list of texts')
     strange = next((name for name in lists["fixed"] if name not in fixed), None)
     if strange is not None:
-        raise InputError(f'"fixed" has {shown(strange)}; known are {", ".join(fixed)}')
+        raise InputError(f'"fixed" has {shown(strange)}; expected one of {", ".join(fixed)}')
     goal = entry["goal"]
     if not isinstance(goal, dict) or len(goal) != 1 or not set(goal) <= set(goals):
         raise InputError(f'"goal" must be an object with one of: {", ".join(goals)}')

@@ -173,6 +173,8 @@ def _check_header(header: list[str]) -> None:
         )
     for name in header:
         if name not in _KNOWN:
-            raise GraspError(f"the column {shown(name)} is unknown; known are {', '.join(_KNOWN)}")
+            raise GraspError(
+                f"the column {shown(name)} is unknown; expected one of {', '.join(_KNOWN)}"
+            )
         if header.count(name) > 1:
             raise GraspError(f"the column {name} appears twice; keep one")

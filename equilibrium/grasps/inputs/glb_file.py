@@ -35,7 +35,7 @@ _GLB_FLOAT = 5126
 
 def check_size(facets: int, points: int = 0) -> None:
     """Refuse a mesh that takes more memory than the budget has."""
-    budget.ask(
+    budget.check_cost(
         f"a mesh of {facets:,} facets",
         "give a coarser mesh",
         bytes=_BYTES_OF_FACET * facets + _BYTES_OF_POINT * points,

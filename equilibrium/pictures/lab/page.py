@@ -206,7 +206,7 @@ def _method(value: Any) -> None:
     if not isinstance(value, dict) or set(value) != {"name", "says"}:
         raise InputError(f'{shown(value)} must be an object with "name" and "says"')
     if value["name"] not in METHODS:
-        raise InputError(f"method {shown(value['name'])}; known are {', '.join(METHODS)}")
+        raise InputError(f"method {shown(value['name'])}; expected one of {', '.join(METHODS)}")
     _yes_or_no(value["says"])
 
 

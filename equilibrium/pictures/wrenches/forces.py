@@ -15,7 +15,7 @@ from arrangement.drawing.scene.scene import POINTS, Legend, Scene, measure
 from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import rational
-from equilibrium.methods.compare import Comparison, ask_all, compare
+from equilibrium.methods.compare import Comparison, check_cost, compare
 from equilibrium.methods.registry import METHODS, WITH_REGION, method_named
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
@@ -120,9 +120,9 @@ def draw_compare(
     question = PlaneQuestion(wrench, extent)
     chosen = [method_named(name) for name in (WITH_REGION if methods is None else methods)]
     if not chosen:
-        raise GraspError(f"no method is given; known are {', '.join(WITH_REGION)}")
+        raise GraspError(f"no method is given; expected one of {', '.join(WITH_REGION)}")
     if methods is None:
-        ask_all(grasp)
+        check_cost(grasp)
     parts = []
     for method in watched(chosen, "methods"):
         with suppress(*[OutOfReachError] * (methods is None)):

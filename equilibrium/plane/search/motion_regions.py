@@ -124,7 +124,7 @@ class MotionRegions:
         cuts, first = 0, _SMALL_CUTS if len(self.contacts) <= _SMALL else math.inf
         if not self.contacts.floats.moderate:
             first, count = 0, len(self.contacts)
-            budget.ask(
+            budget.check_cost(
                 f"exact programs for {count} contacts with huge or tiny numbers",
                 "round them to the range from 1e-30 to 1e30",
                 steps=30 * count**3,

@@ -81,7 +81,7 @@ def _count(planes: Arrangement, contacts: int) -> None:
         number: int = sum(counts.f_vector(part)[1:])
         if budget.excess(bytes=24 * number * contacts) > 1:
             many = number * step**2  # as many lines cross; there may be more
-            budget.ask(
+            budget.check_cost(
                 f"{'about ' * (step > 1)}{many:,} choices of states of {contacts} contacts",
                 "decide one load (solve)",
                 bytes=24 * many * contacts,

@@ -38,7 +38,9 @@ def lattice(arrangement: Arrangement) -> nx.Graph[int]:
 
     found = counts.intersection_lattice(arrangement)
     arrows = sum(len(above) for covers in found.covers for above in covers)
-    budget.ask(f"a graph of {arrows:,} covers of flats", "draw fewer planes", bytes=700 * arrows)
+    budget.check_cost(
+        f"a graph of {arrows:,} covers of flats", "draw fewer planes", bytes=700 * arrows
+    )
     graph: nx.DiGraph[int] = nx.DiGraph()
     first = 0
     for level, covers in zip(found.flats, found.covers, strict=True):

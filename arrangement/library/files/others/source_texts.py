@@ -119,7 +119,7 @@ def read_sage(text: str) -> Arrangement:
     """Read the first arrangement of a text."""
     plain = re.sub(r"(?m)^\s*(?:sage:|\.\.\.\.:)", "", re.sub("#.*", "", text))
     marks = len(_MARKS.findall(plain))
-    budget.ask(
+    budget.check_cost(
         f"a text of Sage with {marks:,} commas and brackets",
         "write the planes as JSON, or one row of numbers for each",
         steps=_MARK * marks,
