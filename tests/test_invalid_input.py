@@ -117,7 +117,7 @@ ARRANGEMENT = [
     ("draw pencil -o none/a.svg", "there is no folder"),
     (
         "draw pencil -o a",
-        "has no ending; expected one of .gif, .glb, .html, .mp4, .obj, .pdf, .png, .stl, .svg, .tex",
+        "no ending; expected one of .gif, .glb, .html, .mp4, .obj, .pdf, .png, .stl, .svg, .tex",
     ),
     ("draw pencil -o .", "is a folder"),
     ("draw pencil -o a.bmp", "ends in '.bmp'"),

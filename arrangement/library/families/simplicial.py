@@ -96,8 +96,8 @@ def _entry(planes: int, number: int) -> dict[str, Any]:
     if entry not in _document():
         known = ", ".join(f"A{key}" for key in _document() if key[0] == entry[0]) or "A(6, 1), ..."
         raise InputError(
-            f"A{shown(entry)} is not here; expected one of {known}, as `simplicial_entries` lists them, "
-            "and near_pencil for A(n, 0)"
+            f"A{shown(entry)} is not here; expected one of {known}, as `simplicial_entries` lists "
+            "them, and near_pencil for A(n, 0)"
         )
     return _document()[entry]
 

@@ -147,8 +147,8 @@ def format_of_file(path: str) -> Format:
     ending = Path(path).suffix.lower()
     if ending not in _BY_ENDING:
         raise InputError(
-            f"the file name ends in {shown(ending)}; expected one of {', '.join(_BY_ENDING)}. Or write "
-            "--to NAME; pictures and models are made by arrangement draw"
+            f"the file name ends in {shown(ending)}; expected one of {', '.join(_BY_ENDING)}. Or "
+            "write --to NAME; pictures and models are made by arrangement draw"
         )
     return _BY_ENDING[ending]
 
