@@ -270,6 +270,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_verdict.py",
         "tests/equilibrium/test_space_checker.py",
     ): ("equilibrium.model.solution",),
+    ("tests/equilibrium/test_rows.py",): ("equilibrium.model.rows",),
     (
         "tests/equilibrium/test_space.py::TestModel",
         "tests/equilibrium/test_grasp.py",

@@ -33,6 +33,7 @@ from equilibrium.model.errors import (
     TimeLimitError,
 )
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import FloatContacts, IntegerContacts, are_moderate, nearest
 from equilibrium.plane.search.motion_regions import resistance
@@ -199,7 +200,7 @@ class Solver(ReprMixin):
     @cached_property
     def screen(self) -> Screen:
         """The systems of all choices of contact states in floating point, with error bounds."""
-        return Screen(FloatContacts(self.grasp), self._codes)
+        return Screen(self.grasp, self._codes)
 
     @property
     def states(self) -> tuple[States, ...]:
@@ -286,7 +287,8 @@ class Solver(ReprMixin):
         def accept(found: Solution) -> bool:
             return bool(self._verdict(wrench, found).verify())
 
-        contacts, most = FloatContacts(self.grasp), SETTINGS.max_nodes if nodes is None else nodes
+        contacts = FloatContacts(ContactRows.of_grasp(self.grasp))
+        most = SETTINGS.max_nodes if nodes is None else nodes
         how = effort, most, self.max_displacement, cones, memory or self._in_space_before
         return SpatialSearch(contacts, wrench, accept, *how)
 

@@ -12,6 +12,7 @@ from arrangement.numbers.exact import RationalVector, shown, to_text
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.rows import ContactRows
 from equilibrium.plane.contacts import FloatContacts
 
 from .registry import DECIDING, DECIDING_IN_SPACE, METHODS, method_named
@@ -113,7 +114,7 @@ def predict(method: str, grasp: Grasp, wrench: RationalVector) -> bool | None:
 def check_cost(grasp: Grasp) -> None:
     """Refuse more contacts than all methods can take."""
     # Programs with huge or tiny numbers are solved without floats.
-    each = 1 if FloatContacts(grasp).moderate else 100
+    each = 1 if FloatContacts(ContactRows.of_grasp(grasp)).moderate else 100
     budget.check_cost(
         f"all methods on {len(grasp)} contacts",
         "ask the full model (solve)",

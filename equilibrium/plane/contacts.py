@@ -18,7 +18,9 @@ import numpy as np
 import numpy.typing as npt
 
 from arrangement.numbers.exact import RationalVector, primitive, to_text
+from arrangement.numbers.float_filter import Floats
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.rows import ContactRows
 
 from .contact_rows import over_unit
 
@@ -42,29 +44,31 @@ def are_moderate(numbers: Iterable[Fraction]) -> bool:
 
 
 class FloatContacts:
-    """The numbers of the contacts in the plane (n = 3) or in space (n = 6), each rounded once.
+    """The numbers of contacts in R^n, each rounded once.
 
     Attributes:
         spring: (m, n + 1), the row ``(preload, -stiffness N)``.
-        normal: (m, n); tangents: (m, n // 3, n); tangent: (m, n), the first of them.
+        normal: (m, n); tangents: (m, 1 or 2, n); tangent: (m, n), the first of them.
         stiffness, preload, friction: (m,); pull: friction times the first tangent.
         length: a typical distance of the contacts from the origin.
     """
 
-    def __init__(self, grasp: Grasp) -> None:
-        self.grasp, m, d = grasp, len(grasp), grasp.dimension
-        n = 3 * (d - 1)
+    def __init__(self, rows: ContactRows) -> None:
+        self.rows, m, n = rows, len(rows), rows.n
+        self.turns = np.array(rows.turns)
         self._exact = [
             (*c.normal_wrench, *chain(*c.tangential_wrenches), c.stiffness, c.preload, c.friction)
-            for c in grasp
+            for c in rows
         ]
-        table = np.array([[nearest(x) for x in row] for row in self._exact]).reshape(m, n * d + 3)
-        self.normal, self.tangents = table[:, :n].copy(), table[:, n:-3].reshape(m, d - 1, n)
+        table = np.array([[nearest(x) for x in row] for row in self._exact])
+        table = table.reshape(m, n * (1 + rows.tangents) + 3)
+        self.normal = table[:, :n].copy()
+        self.tangents = table[:, n:-3].reshape(m, rows.tangents, n)
         self.stiffness, self.preload, self.friction = table[:, -3:].T
         self.spring = np.column_stack([self.preload, -self.stiffness[:, None] * self.normal])
         self.tangent = self.tangents[:, 0]
         self.pull = self.friction[:, None] * self.tangent
-        points = np.array([[nearest(x) for x in c.point] for c in grasp]).reshape(m, d)
+        points = np.array([[nearest(x) for x in point] for point in rows.points])
         self.length = median(np.linalg.norm(points, axis=1).tolist()) if m else 1.0
         if not self.length > 0:
             self.length = 1.0
@@ -77,7 +81,12 @@ class FloatContacts:
     @cached_property
     def springs(self) -> list[RationalVector]:
         """The exact rows ``(preload, -stiffness N)``."""
-        return [(c.preload, *(-c.stiffness * x for x in c.normal_wrench)) for c in self.grasp]
+        return [(c.preload, *(-c.stiffness * x for x in c.normal_wrench)) for c in self.rows]
+
+    def arms(self, arm: float, step: float = 1.0) -> Floats:
+        """Return a number for each coordinate of a motion, another one for turns."""
+        found: Floats = np.where(self.turns, arm, step)
+        return found
 
 
 #: Python integers in an array.
@@ -180,7 +189,7 @@ class IntegerContacts:
     @cached_property
     def floats(self) -> FloatContacts:
         """The same in floating point."""
-        return FloatContacts(self.grasp)
+        return FloatContacts(ContactRows.of_grasp(self.grasp))
 
 
 def whole(values: Sequence[Any], shape: tuple[int, ...]) -> Whole:

@@ -47,6 +47,12 @@ _SECTORS = 4096
 _SLIPS = 0.9999
 
 
+def lengths(rows: Floats) -> Floats:
+    """Return the lengths of vectors along the tangents, one or two."""
+    found: Floats = np.hypot.reduce(np.abs(rows), axis=-1)
+    return found
+
+
 class OpenSplit(NamedTuple):
     """A node that splits one contact, its children still open, and their states."""
 
@@ -104,7 +110,7 @@ class RoundCones:
         ratio = -slip / root
         return ratio, (np.eye(2) - ratio[:, :, None] * ratio[:, None, :]) / root[:, :, None]
 
-    def below(self, room: int, mu: Fraction, b: tuple[int, int], state: State) -> bool:
+    def below(self, room: int, mu: Fraction, b: Sequence[int], state: State) -> bool:
         """Return whether ``room >= mu x . b`` for all unit vectors x that the state allows."""
         (s, t), p, q = b, mu.numerator, mu.denominator
         if ends := self.ends(state):
@@ -204,7 +210,7 @@ class Pyramids:
         """Return how far friction forces (m, 2) are from what slips demand."""
         most = (slip @ self._corners.T).max(axis=1)
         power = limit * most + (friction * slip).sum(axis=1)
-        missed: Floats = power / np.maximum(np.hypot(*slip.T), 1e-300)
+        missed: Floats = power / np.maximum(lengths(slip), 1e-300)
         return missed
 
     def weights(self, slip: Floats, eps: float) -> Floats:
@@ -233,7 +239,7 @@ class Pyramids:
         squares = np.einsum("mk,ki,kj->mij", weights, self._corners, self._corners)
         return -mean, (squares - mean[:, :, None] * mean[:, None, :]) / eps
 
-    def below(self, room: int, mu: Fraction, b: tuple[int, int], state: State) -> bool:
+    def below(self, room: int, mu: Fraction, b: Sequence[int], state: State) -> bool:
         """Return whether ``room >= mu x . b`` for all edges x that the state allows."""
         edges = state.edges if isinstance(state, Slip) else self.edges
         return bool(room >= mu * max(dot(edge, b) for edge in edges))

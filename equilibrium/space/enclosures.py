@@ -34,9 +34,10 @@ _ROUNDING = 1e-13
 def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Solution]:
     """Yield boxes around the solution that Newton's method finds near a motion."""
     p, size = len(balance.basis), len(balance.basis) + len(balance.pillars)
-    if size != 6:
+    c, n = balance.contacts, balance.contacts.rows.n
+    if size != n:
         return
-    c, start = balance.contacts, np.zeros(6)
+    start = np.zeros(n)
     start[:p] = balance.coordinates(motion)
     for k, (i, j) in enumerate(balance.pillars, p):
         force = max(0.0, float(c.spring[i, 0] + c.spring[i, 1:] @ motion))
@@ -69,7 +70,7 @@ def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Solution]:
                 continue
             box = Enclosure(
                 tuple(balance.basis),
-                tuple(map(balance.named_share, range(len(c.grasp)))),
+                tuple(map(balance.named_share, range(len(c.rows)))),
                 balance.pillars,
                 _short(point, _SHORT if floats else _CENTRE),
                 _short(np.maximum(radii, _LEAST), 2),
@@ -87,14 +88,14 @@ def _leaves_states(balance: StateBalance, motion: Floats, radii: Floats) -> bool
     """
     spring = balance.contacts.spring
     force = spring[:, 0] + spring[:, 1:] @ motion
-    basis = np.array([[nearest(x) for x in row] for row in balance.basis]).reshape(-1, 6)
+    basis = np.array([[nearest(x) for x in row] for row in balance.basis]).reshape(-1, len(motion))
     reach = np.abs(spring[:, 1:] @ basis.T) @ radii
     reach -= _ROUNDING * (np.abs(spring[:, 0]) + np.abs(spring[:, 1:]) @ np.abs(motion))
     return bool((np.where(balance.states.touching, -force, force) + reach > 0).any())
 
 
 class _System:
-    """Balance of given states as six equations, in floats or in decimals."""
+    """Balance of given states as n equations, in floats or in decimals."""
 
     def __init__(
         self,
@@ -102,22 +103,22 @@ class _System:
         idle: Iterable[RationalVector],
         number: Callable[[Fraction], Any],
     ) -> None:
-        grasp, self.balance, self.number = balance.contacts.grasp, balance, number
+        rows, self.balance, self.number = balance.contacts.rows, balance, number
         self.type: Any = float if number is nearest else object
 
-        def array(rows: Iterable[Iterable[Fraction]], *shape: int) -> Any:
-            listed = [[number(x) for x in row] for row in rows]
+        def array(table: Iterable[Iterable[Fraction]], *shape: int) -> Any:
+            listed = [[number(x) for x in row] for row in table]
             return np.array(listed, dtype=self.type).reshape(shape)
 
-        m = len(grasp)
-        self.load = array([balance.wrench], 6)
-        self.basis = array(balance.basis, len(balance.basis), 6).T
-        self.spring = array(balance.contacts.springs, m, 7)
-        self.normal = array((c.normal_wrench for c in grasp), m, 6)
-        self.tangents = array((row for c in grasp for row in c.tangential_wrenches), m, 2, 6)
-        self.friction = array([[c.friction for c in grasp]], m)
+        m, n = len(rows), rows.n
+        self.load = array([balance.wrench], n)
+        self.basis = array(balance.basis, len(balance.basis), n).T
+        self.spring = array(balance.contacts.springs, m, n + 1)
+        self.normal = array((c.normal_wrench for c in rows), m, n)
+        self.tangents = array((row for c in rows for row in c.tangential_wrenches), m, 2, n)
+        self.friction = array([[c.friction for c in rows]], m)
         self.shares = array(map(balance.share, range(m)), m, 2)
-        self.idle = [array([row], 7) for row in idle]
+        self.idle = [array([row], n + 1) for row in idle]
 
     def newton(self, point: Any) -> tuple[Any, ...]:
         """Return the end, and there: the sum, its derivative's inverse, the motion, the forces."""
@@ -141,7 +142,7 @@ class _System:
     def _value(self, point: Any) -> tuple[Any, Any, Any, Any]:
         """Return the sum of all wrenches, its derivative, the motion and the forces."""
         balance, basis, p = self.balance, self.basis, len(self.balance.basis)
-        zeros = np.zeros((6, 6), self.type)
+        zeros = np.zeros((len(self.load), len(self.load)), self.type)
         motion = basis @ point[:p] if p else zeros[0]
         value, derivative = self.load.copy(), zeros.copy()
         forces = np.zeros((len(self.spring), 3), self.type)
@@ -174,8 +175,8 @@ class _System:
             derivative += np.outer(self.normal[i], slope) + self.tangents[i].T @ change
             forces[i] = normal, *friction
         for row in self.idle:
-            value = value + row[:6] * (row[:6] @ motion - row[6])
-            derivative[:, :p] += np.outer(row[:6], row[:6] @ basis)
+            value = value + row[:-1] * (row[:-1] @ motion - row[-1])
+            derivative[:, :p] += np.outer(row[:-1], row[:-1] @ basis)
         return value, derivative, motion, forces
 
 
@@ -183,14 +184,15 @@ def _inverse(matrix: Any) -> Any:
     """Return the inverse; ArithmeticError or LinAlgError if there is none in the numbers given."""
     if matrix.dtype != object:
         return np.linalg.inv(matrix)
-    table = np.hstack([matrix, np.diag([Decimal(1)] * 6)])
-    for k in range(6):
+    n = len(matrix)
+    table = np.hstack([matrix, np.diag([Decimal(1)] * n)])
+    for k in range(n):
         top = k + int(np.abs(table[k:, k]).argmax())
         table[[k, top]] = table[[top, k]]
         table[k] = table[k] / table[k, k]
-        others = np.arange(6) != k
+        others = np.arange(n) != k
         table[others] -= np.outer(table[others, k], table[k])
-    return table[:, 6:]
+    return table[:, n:]
 
 
 def _decimal(x: Fraction | int) -> Decimal:

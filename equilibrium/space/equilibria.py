@@ -141,7 +141,7 @@ class EquilibriumSearch:
         """Return an accepted equilibrium of given states near a motion."""
         self._visited.append(states)
         each = SETTINGS.proposal_steps_per_contact
-        self.effort.check(SETTINGS.proposal_steps + each * len(self.contacts.grasp))
+        self.effort.check(SETTINGS.proposal_steps + each * len(self.contacts.rows))
         proposed = proposals(self.contacts, self.wrench, motion, states, self._tried)
         return next(filter(self.accept, proposed), None)
 
@@ -180,7 +180,7 @@ def proposals(
     balance = StateBalance(contacts, wrench, states)
     if states.rational:
         # The simplest motion first, of those that balance leaves open.
-        for start in (np.zeros(6), motion):
+        for start in (np.zeros(len(motion)), motion):
             found = _solved(balance, start)
             if found is not None:
                 yield found
@@ -205,14 +205,14 @@ def _solved(balance: StateBalance, motion: Floats) -> Solution | None:
         point[pivot] = Fraction(-row[size] - sum(row[k] * point[k] for k in free)) / scale
     moved = tuple(dot(column, point[:p]) for column in zip(*balance.basis, strict=True))
     forces = []
-    for i, contact in enumerate(balance.contacts.grasp):
+    for i, contact in enumerate(balance.contacts.rows):
         normal = dot(springs[i], [*point, Fraction(1)]) if i in springs else Fraction(0)
         pair = [contact.friction * normal * x for x in balance.share(i)]
         for k, (pillar, j) in enumerate(balance.pillars, p):
             if pillar == i:
                 pair[j] += point[k]
         forces.append((normal, *pair))
-    return Solution(moved or (Fraction(0),) * 6, tuple(forces))
+    return Solution(moved or (Fraction(0),) * balance.contacts.rows.n, tuple(forces))
 
 
 def _springs(balance: StateBalance, size: int) -> dict[int, list[Fraction]]:
@@ -224,7 +224,7 @@ def _springs(balance: StateBalance, size: int) -> dict[int, list[Fraction]]:
             *rest,
             contact.preload,
         ]
-        for i, contact in enumerate(balance.contacts.grasp)
+        for i, contact in enumerate(balance.contacts.rows)
         if balance.states.touching[i]
     }
 
@@ -236,7 +236,7 @@ def _rows(
     rows = [[Fraction(0)] * size + [w] for w in balance.wrench]
     p, straight = len(balance.basis), []
     for i, spring in springs.items():
-        contact, share = balance.contacts.grasp.contacts[i], balance.share(i)
+        contact, share = balance.contacts.rows[i], balance.share(i)
         one, other = contact.tangential_wrenches
         arm = [
             n + contact.friction * (share[0] * s + share[1] * t)
@@ -249,7 +249,7 @@ def _rows(
             turns = [dot(across, b) for b in balance.basis]
             straight.append([*turns, *[Fraction(0)] * (size - p + 1)])
     for k, (i, j) in enumerate(balance.pillars, p):
-        pull = balance.contacts.grasp.contacts[i].tangential_wrenches[j]
+        pull = balance.contacts.rows[i].tangential_wrenches[j]
         for row, x in zip(rows, pull, strict=True):
             row[k] += x
     return rows + straight

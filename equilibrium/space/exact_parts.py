@@ -19,9 +19,9 @@ import numpy as np
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.programs import Infeasible, Program
-from equilibrium.model.contact import Contact, pyramid_edges
+from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.effort import Effort
-from equilibrium.model.grasp import Grasp
+from equilibrium.model.rows import ContactRow, ContactRows
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import FloatContacts
 
@@ -53,7 +53,7 @@ class StateProgram:
 
     def __init__(
         self,
-        grasp: Grasp,
+        rows: ContactRows,
         wrench: RationalVector,
         states: Sequence[Ends],
         cones: Sequence[Sequence[ConeRow]],
@@ -62,29 +62,30 @@ class StateProgram:
     ) -> None:
         self.effort, self.max_displacement = effort, max_displacement
         # A detached contact has no unknown, one without friction only its normal force.
-        self.places, self.size = list[slice](), 6
-        for contact, state in zip(grasp, states, strict=True):
-            count = 0 if state == "detached" else 3 if contact.friction else 1
+        self.n, self.frame = rows.n, 1 + rows.tangents
+        self.places, self.size = list[slice](), self.n
+        for contact, state in zip(rows, states, strict=True):
+            count = 0 if state == "detached" else self.frame if contact.friction else 1
             self.places.append(slice(self.size, self.size + count))
             self.size += count
         self.equal: list[RationalVector] = []
         self.least: list[RationalVector] = []
         #: Contact and alpha, h, and what a leaf has of its displacements, of one of each row.
         self.parts: dict[tuple[bool, int], tuple[int, tuple[Any, ...]]] = {}
-        rows = [[Fraction(0)] * self.size + [w] for w in wrench]
-        for i, contact in enumerate(grasp):
+        balance = [[Fraction(0)] * self.size + [w] for w in wrench]
+        for i, contact in enumerate(rows):
             wrenches = (contact.normal_wrench, *contact.tangential_wrenches)
             columns = range(self.size)[self.places[i]]
             for j, unit in zip(columns, wrenches, strict=False):
-                for row, x in zip(rows, unit, strict=True):
+                for row, x in zip(balance, unit, strict=True):
                     row[j] = x
-        self.equal += map(tuple, rows)
-        for i, (contact, state, cone) in enumerate(zip(grasp, states, cones, strict=True)):
+        self.equal += map(tuple, balance)
+        for i, (contact, state, cone) in enumerate(zip(rows, states, cones, strict=True)):
             self._add_contact(i, contact, state, cone)
 
     def _row(self, i: int, motion: Sequence[Fraction], force: Sequence[Any], constant: Any) -> Any:
         place = self.places[i]
-        row = [*motion, *[Fraction(0)] * (self.size - 6), Fraction(constant)]
+        row = [*motion, *[Fraction(0)] * (self.size - self.n), Fraction(constant)]
         row[place] = map(Fraction, force[: place.stop - place.start])
         return tuple(row)
 
@@ -93,61 +94,60 @@ class StateProgram:
         self.parts[equal, len(rows)] = (i, part)
         rows.append(row)
 
-    def _add_contact(self, i: int, contact: Contact, state: Ends, cone: Sequence[ConeRow]) -> None:
+    def _add_contact(
+        self, i: int, contact: ContactRow, state: Ends, cone: Sequence[ConeRow]
+    ) -> None:
         self.effort.check(_ROW * self.size)
-        zero = [Fraction(0)] * 6
+        zero, along = [Fraction(0)] * self.n, _units(self.frame - 1)
+        none, first = (0,) * self.frame, (1, *[0] * (self.frame - 1))
         self._bound(i, contact)
         gap = [contact.stiffness * x for x in contact.normal_wrench]
         if state == "detached":
-            self._add(False, self._row(i, gap, (0, 0, 0), -contact.preload), i, (1, 0, 0))
+            self._add(False, self._row(i, gap, none, -contact.preload), i, first)
             return
-        row = self._row(i, gap, (1, 0, 0), -contact.preload)
-        self._add(state != "undecided", row, i, (1, 0, 0))
-        self.least.append(self._row(i, zero, (1, 0, 0), 0))
+        row = self._row(i, gap, first, -contact.preload)
+        self._add(state != "undecided", row, i, first)
+        self.least.append(self._row(i, zero, first, 0))
         for equal, force in cone:
             (self.equal if equal else self.least).append(self._row(i, zero, force, 0))
-        one, other = contact.tangential_wrenches
         if isinstance(state, tuple):
-            if len(state) == 1:
-                ((x, y),) = state
-                sides: list[tuple[bool, tuple[Any, Any]]] = [(False, (x, y)), (True, (-y, x))]
-            else:
-                (x, y), (v, w) = state
-                sides = [(False, (-y, x)), (False, (w, -v))]
+            sides = _sides(state)
         else:
-            sides = [(True, (1, 0)), (True, (0, 1))] if state == "stick" else []
-        for equal, (x, y) in sides:
-            moved = [x * s + y * t for s, t in zip(one, other, strict=True)]
-            self._add(equal, self._row(i, moved, (0, 0, 0), 0), i, (0, -x, -y))
+            sides = [(True, unit) for unit in along] if state == "stick" else []
+        for equal, side in sides:
+            moved = [dot(side, column) for column in zip(*contact.tangential_wrenches, strict=True)]
+            self._add(equal, self._row(i, moved, none, 0), i, (0, *(-x for x in side)))
 
-    def _bound(self, i: int, contact: Contact) -> None:
+    def _bound(self, i: int, contact: ContactRow) -> None:
         """Add the conditions on the displacements of a contact point."""
         if self.max_displacement is None:
             return
         for j, row in enumerate((contact.normal_wrench, *contact.tangential_wrenches)):
             for sign in (1, -1):
-                part = [0] * 6
-                part[3 + j] = sign
+                part = [0] * (2 * self.frame)
+                part[self.frame + j] = sign
                 moved = [-sign * x for x in row]
-                whole = self._row(i, moved, (0, 0, 0), self.max_displacement)
+                whole = self._row(i, moved, (0,) * self.frame, self.max_displacement)
                 self._add(False, whole, i, tuple(part))
 
     def solve(self) -> tuple[RationalVector, tuple[RationalVector, ...]] | Any:
-        """Return the motion and all forces, three each, or the leaf that shows there are none."""
+        """Return the motion and all forces, or the leaf that shows there are none."""
         found = Program(self.size, self.least, self.equal, self.effort).point()
         if not isinstance(found, Infeasible):
             forces = (found[place] for place in self.places)
-            return found[:6], tuple((*force, *[Fraction(0)] * (3 - len(force))) for force in forces)
-        motion = [to_text(-x) for x in found.equality_multipliers[:6]]
+            missing = ((force, self.frame - len(force)) for force in forces)
+            return found[: self.n], tuple((*f, *[Fraction(0)] * k) for f, k in missing)
+        motion = [to_text(-x) for x in found.equality_multipliers[: self.n]]
         given: dict[int, list[Fraction]] = {}
         for (equal, k), (i, part) in self.parts.items():
             factor = (found.equality_multipliers if equal else found.inequality_multipliers)[k]
             if factor:
-                row = given.setdefault(i, [Fraction(0)] * 6)
-                whole = (*part, *[0] * (6 - len(part)))
+                row = given.setdefault(i, [Fraction(0)] * (2 * self.frame))
+                whole = (*part, *[0] * (2 * self.frame - len(part)))
                 given[i] = [x + factor * y for x, y in zip(row, whole, strict=True)]
-        rows = {str(i): [to_text(x) for x in row[:3]] for i, row in given.items()}
-        moved = {str(i): [to_text(x) for x in row[3:]] for i, row in given.items() if any(row[3:])}
+        f = self.frame
+        rows = {str(i): [to_text(x) for x in row[:f]] for i, row in given.items()}
+        moved = {str(i): [to_text(x) for x in row[f:]] for i, row in given.items() if any(row[f:])}
         leaf: dict[str, Any] = {"virtual_motion": motion, "multipliers": rows}
         return {**leaf, "displacements": moved} if moved else leaf
 
@@ -166,7 +166,7 @@ class ExactParts:
         effort: Effort,
         max_displacement: Fraction | None = None,
     ) -> None:
-        self.grasp, self.wrench, self.effort = contacts.grasp, wrench, effort
+        self.rows, self.wrench, self.effort = contacts.rows, wrench, effort
         self.max_displacement = max_displacement
         self.base = pyramid_edges(_SIDES)
 
@@ -181,13 +181,13 @@ class ExactParts:
         for _ in range(_CUTS):
             cones = [
                 _outside(contact.friction, state, directions)
-                for contact, state, directions in zip(self.grasp, states, around, strict=True)
+                for contact, state, directions in zip(self.rows, states, around, strict=True)
             ]
             found = self._solve(ends, cones)
             if not isinstance(found, Solution):
                 return found
             cut = False
-            for contact, force, directions in zip(self.grasp, found.forces, around, strict=True):
+            for contact, force, directions in zip(self.rows, found.forces, around, strict=True):
                 normal, *friction = force
                 if dot(friction, friction) > (contact.friction * normal) ** 2:
                     x, y = map(float, _scaled(friction))
@@ -202,7 +202,7 @@ class ExactParts:
         """Return an equilibrium of given states, if there is one whose slips are rational."""
         ends: list[Ends] = []
         cones: list[list[ConeRow]] = []
-        for i, contact in enumerate(self.grasp):
+        for i, contact in enumerate(self.rows):
             share, mu = states.shares[i], contact.friction
             if not states.touching[i]:
                 ends.append("detached")
@@ -219,7 +219,7 @@ class ExactParts:
     def _solve(
         self, states: Sequence[Ends], cones: Sequence[Sequence[ConeRow]]
     ) -> Solution | dict[str, Any]:
-        question = self.grasp, self.wrench, states, cones, self.effort, self.max_displacement
+        question = self.rows, self.wrench, states, cones, self.effort, self.max_displacement
         found: Any = StateProgram(*question).solve()
         if not isinstance(found, tuple):
             leaf: dict[str, Any] = found
@@ -246,7 +246,7 @@ class PyramidParts(ExactParts):
         ends: list[Ends] = [s.ends if isinstance(s, Slip) else s for s in states]
         cones = [
             self._cone(contact.friction, state) if contact.friction else []
-            for contact, state in zip(self.grasp, states, strict=True)
+            for contact, state in zip(self.rows, states, strict=True)
         ]
         return self._solve(ends, cones)
 
@@ -265,7 +265,7 @@ class PyramidParts(ExactParts):
             else self._slip(slip)
             if slip.any()
             else "stick"
-            for contact, force, slip in zip(self.grasp, normal.tolist(), slips, strict=True)
+            for contact, force, slip in zip(self.rows, normal.tolist(), slips, strict=True)
         )
 
     def _slip(self, slip: Floats) -> Slip:
@@ -293,6 +293,20 @@ class PyramidParts(ExactParts):
             return [*rows, (True, (mu * dot(end, state.edges[0]), *end))]
         (corner,) = state.edges
         return [*rows, *((True, (mu * corner[j], j == 0, j == 1)) for j in range(2))]
+
+
+def _units(t: int) -> list[tuple[int, ...]]:
+    """Return the axes of the tangents."""
+    return [tuple(int(k == j) for k in range(t)) for j in range(t)]
+
+
+def _sides(ends: tuple[Sequence[Any], ...]) -> list[tuple[bool, tuple[Any, ...]]]:
+    """Return whether a product with the slip is 0, or at least 0, and its factor."""
+    if len(ends) == 1:
+        across = [(True, (-y, x)) for x, y in ends] if len(ends[0]) == 2 else []
+        return [(False, tuple(ends[0])), *across]
+    (x, y), (v, w) = ends
+    return [(False, (-y, x)), (False, (w, -v))]
 
 
 def _near(x: float, y: float) -> list[RationalVector]:

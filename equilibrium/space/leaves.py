@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import islice
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -22,8 +23,9 @@ from .relaxation import Ray
 
 #: Numbers are rounded to multiples of one over the first, multipliers below the second left out.
 _FINE = ((2**10, 1e-6), (2**20, 1e-6), (2**34, 1e-9), (2**48, 1e-12))
-#: This many multipliers, those with most room, mostly do for what has to cancel.
-_FIRST = 9
+#: As many multipliers as a motion has numbers, those with most room, and this many more, mostly
+#: do for what has to cancel.
+_MORE = 3
 
 
 class _WholeContact(NamedTuple):
@@ -62,6 +64,7 @@ class Leaves:
 
     Attributes:
         unit: of works.
+        size: numbers of a frame: the normal, and the tangents.
         found: by states.
         ends: below the node of states, how many leaves of other loads refute this one, or do not.
     """
@@ -75,35 +78,37 @@ class Leaves:
     ) -> None:
         self.contacts, self.cones = contacts, cones
         self.floats = np.array([nearest(x) for x in wrench])
+        self.size = 1 + contacts.rows.tangents
         self.found: dict[Node, ExactLeaf] = {}
         self.ends: dict[Node, tuple[int, int]] = {}
-        grasp = contacts.grasp
+        rows = contacts.rows
         bound = max_displacement or Fraction(0)
-        given = [*wrench, bound, *(c.preload for c in grasp)]
+        given = [*wrench, bound, *(c.preload for c in rows)]
         unit = self.unit = math.lcm(*(x.denominator for x in given))
         self.load, self.bound = _whole(wrench, unit), int(bound * unit)
-        frames = [(c.normal_wrench, *c.tangential_wrenches) for c in grasp]
+        frames = [(c.normal_wrench, *c.tangential_wrenches) for c in rows]
         units = [math.lcm(*(x.denominator for row in frame for x in row)) for frame in frames]
-        pairs = list(zip(grasp, units, strict=True))
+        pairs = list(zip(rows, units, strict=True))
         self.motions = math.lcm(*(c.stiffness.denominator * unit for c, unit in pairs))
         self.each = []
         for (c, own), frame in zip(pairs, frames, strict=True):
-            rows = tuple(_whole(row, own) for row in frame)
-            factors = int(-c.stiffness * (self.motions // own)), *[self.motions // own] * 5
+            whole = tuple(_whole(row, own) for row in frame)
+            more = [self.motions // own] * (2 * self.size - 1)
+            factors = int(-c.stiffness * (self.motions // own)), *more
             columns = [
                 tuple(factor * x for x in row)
-                for factor, row in zip(factors, (*rows, *rows), strict=True)
+                for factor, row in zip(factors, (*whole, *whole), strict=True)
             ]
             preload = int(c.preload * unit)
-            self.each.append(_WholeContact(rows, own, tuple(columns), preload, c.friction))
+            self.each.append(_WholeContact(whole, own, tuple(columns), preload, c.friction))
 
     def leaf(self, states: Node, ray: Ray) -> Any | None:
         """Return a leaf near a dual ray, or None where rounding finds none."""
         arm = 2.0 ** round(math.log2(self.contacts.length))
-        largest = float(np.abs(ray.virtual * [1, 1, 1, arm, arm, arm]).max())
+        largest = float(np.abs(ray.virtual * self.contacts.arms(arm)).max())
         if not 0 < largest < math.inf or not np.isfinite(ray.multipliers).all():
             return None
-        kept = None
+        kept, size = None, self.size
         for fine, nothing in _FINE:
             if kept is None or not np.array_equal(kept, ray.sizes > nothing):
                 kept = ray.sizes > nothing
@@ -114,14 +119,19 @@ class Leaves:
                 pinned = self._pinned(states, ray, kept, nothing)
             unit = fine / largest
             # Turns are multiples of one over the length: the unit of length makes no difference.
-            unit, steps = unit * max(1.0, arm), [max(1.0, arm)] * 3 + [max(1.0, 1 / arm)] * 3
+            unit, steps = (
+                unit * max(1.0, arm),
+                self.contacts.arms(max(1.0, 1 / arm), max(1.0, arm)).tolist(),
+            )
             motion = _rounded(pinned, [x * unit for x in ray.virtual.tolist()], steps)
             listed = [ray.multipliers[place] for place in places]
-            values, scale = _cancelled(columns, [round(float(x) * unit) for x in listed])
+            values, scale = _cancelled(
+                columns, [round(float(x) * unit) for x in listed], len(motion)
+            )
             given: dict[int, list[int]] = {}
             pins: dict[int, list[int]] = {}
             for (i, j), value in zip(places, values, strict=True):
-                (given if j < 3 else pins).setdefault(i, [0] * 3)[j % 3] = value
+                (given if j < size else pins).setdefault(i, [0] * size)[j % size] = value
             own, common = _common(motion)
             found = _Numbers(
                 [scale * x for x in own],
@@ -141,7 +151,7 @@ class Leaves:
         The conditions of such a contact have no room, as of one on an axis of a rotation.
         """
         c = self.contacts
-        scale = ray.virtual * np.array([1.0] * 3 + [c.length] * 3)
+        scale = ray.virtual * c.arms(c.length)
         limit = max(nothing, 1e-9) * float(np.abs(scale).max())
         moved = np.abs(np.column_stack([c.tangents @ ray.virtual, c.normal @ ray.virtual]))
         still = (moved.max(axis=1) <= limit) & ~kept[:, 0]
@@ -177,7 +187,7 @@ class Leaves:
         if self._work(leaf) <= 0:
             return False
         for i, (contact, state) in enumerate(zip(self.each, states, strict=True)):
-            alpha, *h = leaf.given.get(i, (0, 0, 0))
+            alpha, *h = leaf.given.get(i, [0] * self.size)
             if alpha < 0 and state in ("undecided", "detached"):
                 return False
             ends = self.cones.ends(state)
@@ -185,9 +195,9 @@ class Leaves:
                 return False
             if state == "detached":
                 continue
-            a, s, t = (dot(row, leaf.motion) for row in contact.frame)
+            a, *b = (dot(row, leaf.motion) for row in contact.frame)
             room = a - alpha * contact.unit
-            if not self.cones.below(room, contact.friction, (s, t), state):
+            if not self.cones.below(room, contact.friction, b, state):
                 return False
         return True
 
@@ -202,13 +212,15 @@ def _common(row: Sequence[Fraction | int]) -> tuple[list[int], int]:
     return [x.numerator * (unit // x.denominator) for x in row], unit
 
 
-def _cancelled(columns: Sequence[IntegerVector], values: list[int]) -> tuple[list[int], int]:
+def _cancelled(
+    columns: Sequence[IntegerVector], values: list[int], n: int
+) -> tuple[list[int], int]:
     """Return multiples of columns near given ones that add up to 0, and the scale of both.
 
     Those that come first are changed.
     """
-    for count in (6, _FIRST, len(columns)):
-        others = [0] * 6
+    for count in (n, n + _MORE, len(columns)):
+        others = [0] * n
         for column, value in zip(columns[count:], values[count:], strict=True):
             if value:
                 others = [x + value * y for x, y in zip(others, column, strict=True)]
@@ -233,10 +245,10 @@ def _rounded(
         int(step) * round(x / step) for x, step in zip(motion, steps, strict=True)
     ]
     # Pivots go to the entries that come first: the largest stay as they are.
-    order = sorted(range(6), key=lambda j: abs(motion[j]))
+    order = sorted(range(len(motion)), key=lambda j: abs(motion[j]))
     reduced, pivots, scale = gauss_jordan([[row[j] for j in order] for row in rows])
     for row, pivot in zip(reduced, pivots, strict=False):
-        others = sum(row[k] * found[order[k]] for k in range(6) if k not in pivots)
+        others = sum(row[k] * found[order[k]] for k in range(len(motion)) if k not in pivots)
         found[order[pivot]] = Fraction(-others) / scale
     return found
 
@@ -248,11 +260,13 @@ def _node(leaf: _Numbers) -> Any:
     whole = [to_text(x) for x in primitive(every)]
     if not (given or pins):
         return whole
-    rows = {str(i): whole[6 + 3 * k : 9 + 3 * k] for k, i in enumerate(given)}
-    short = {i: row[:1] if row[1:] == ["0", "0"] else row for i, row in rows.items()}
-    found: dict[str, Any] = {"virtual_motion": whole[:6], "multipliers": short}
+    numbers = iter(whole)
+    moved = list(islice(numbers, len(motion)))
+    rows = {str(i): list(islice(numbers, len(row))) for i, row in given.items()}
+    short = {i: row if set(row[1:]) - {"0"} else row[:1] for i, row in rows.items()}
+    found: dict[str, Any] = {"virtual_motion": moved, "multipliers": short}
     if pins:
-        start = 6 + 3 * len(given)
-        moved = {str(i): whole[start + 3 * k :][:3] for k, i in enumerate(pins)}
-        found["displacements"] = moved
+        found["displacements"] = {
+            str(i): list(islice(numbers, len(row))) for i, row in pins.items()
+        }
     return found

@@ -69,12 +69,13 @@ class _Known:
 
     def __init__(self, leaves: Leaves) -> None:
         self._contacts, self._cones = leaves.contacts, leaves.cones
-        m = self._m = len(leaves.contacts.grasp)
+        rows = leaves.contacts.rows
+        m = self._m = len(rows)
         self.leaves: list[ExactLeaf] = []
         #: The works of a load are ``motion . w + rest``.
-        self._motion, self._rest = np.empty((_FIRST, 6)), np.empty(_FIRST)
+        self._motion, self._rest = np.empty((_FIRST, rows.n)), np.empty(_FIRST)
         #: Of each contact ``a - alpha``, its error, ``b`` and h, as leaves have them.
-        self._numbers = np.empty((_FIRST, m, 6))
+        self._numbers = np.empty((_FIRST, m, 2 + 2 * rows.tangents))
         #: For each state of `_PLAIN` and contact, whether it holds there.
         self._holds = np.empty((len(_PLAIN), m, _FIRST), np.bool_)
 
@@ -91,7 +92,7 @@ class _Known:
         self.leaves.append(leaf)
         self._motion[n] = [x / unit for x in motion]
         self._rest[n] = nearest(Fraction(leaves.rest(leaf.numbers), leaves.unit * unit))
-        rows = np.zeros((m, 3))
+        rows = np.zeros((m, 1 + c.rows.tangents))
         for i, row in given.items():
             rows[i] = [nearest(Fraction(x, unit)) for x in row]
         taken = rows[:, 0]
@@ -122,10 +123,11 @@ class _Known:
                 return
             if state not in _PLAIN:
                 rows = self._numbers[left, i]
-                rub = self._contacts.friction[i] * self._cones.support(state, rows[:, 2:4])
+                t = self._contacts.rows.tangents
+                rub = self._contacts.friction[i] * self._cones.support(state, rows[:, 2 : 2 + t])
                 good = rows[:, 0] - rub >= -rows[:, 1]
-                for x, y in self._cones.ends(state):
-                    good &= rows[:, 4] * float(x) + rows[:, 5] * float(y) <= 0
+                for end in self._cones.ends(state):
+                    good &= rows[:, 2 + t :] @ np.array(end, dtype=float) <= 0
                 left = left[good]
         yield from (self.leaves[k] for k in left[-_TRIES:].tolist())
 

@@ -29,7 +29,7 @@ from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from equilibrium.plane.contacts import FloatContacts, nearest
 
-from .cones import Cones, State
+from .cones import Cones, State, lengths
 from .states import SpatialContinuation
 
 #: Weight of the square of the motion beside the forces, in scaled units.
@@ -40,8 +40,6 @@ _NO_ROOM = 1e-6
 _UNEVEN = 100.0
 #: Whether a contact touches is asked before how it slips, by this factor.
 _FIRST = 3.0
-#: Numbers of a row, see `Relaxation._new_block`.
-_WIDTH = 17
 _KINDS = {
     "zero": clarabel.ZeroConeT,
     "plus": clarabel.NonnegativeConeT,
@@ -53,10 +51,11 @@ class Ray(NamedTuple):
     """A dual ray: there is no solution.
 
     Attributes:
-        virtual: (6,) virtual motion.
-        multipliers: (m, 6), alpha and h, then three of bounded displacements.
-        room: (m, 6), how far each multiplier may be changed.
-        sizes: (m, 6), of the multipliers beside the virtual motion.
+        virtual: (n,) virtual motion.
+        multipliers: (m, 2 f), alpha and h, then those of bounded displacements; f is one more
+            than the tangents.
+        room: (m, 2 f), how far each multiplier may be changed.
+        sizes: (m, 2 f), of the multipliers beside the virtual motion.
     """
 
     virtual: Floats
@@ -66,7 +65,7 @@ class Ray(NamedTuple):
 
 
 class Point(NamedTuple):
-    """A solution of the relaxation, in scaled units: motion (6,) and forces (m, 3)."""
+    """A solution of the relaxation, in scaled units: motion (n,) and forces (m, f)."""
 
     motion: Floats
     forces: Floats
@@ -76,10 +75,10 @@ class _Block(NamedTuple):
     """The rows of one contact in one state: minus what they give, and `right`, is in the cones.
 
     Attributes:
-        rows, motion: the rows (k,) with coefficients (k, 6) of the motion.
+        rows, motion: the rows (k,) with coefficients (k, n) of the motion.
         data, index, own: coefficients of the forces by columns, their rows, and whether these are
             rows of the block, not of balance; counts: how many in each column.
-        dual: (6, rows), what multipliers of the rows are of alpha, h and displacements.
+        dual: (2 f, rows), what multipliers of the rows are of alpha, h and displacements.
         room: (rows,), where there has to be room in a leaf.
     """
 
@@ -135,8 +134,9 @@ class Relaxation:
         max_displacement: Fraction | None = None,
     ) -> None:
         c, search = contacts, SpatialContinuation(contacts, wrench, cones)
-        self.contacts, self.m, self.cones = c, len(c.grasp), cones
-        self.arms = np.array([1.0] * 3 + [1 / c.length] * 3)
+        self.contacts, self.m, self.cones = c, len(c.rows), cones
+        self.n, self.frame = c.rows.n, 1 + c.rows.tangents
+        self.arms = c.arms(1 / c.length)
         self.force, self.step = search.size or 1.0, float(search.scale[0])
         self.scale = self.step * self.arms
         self.load = search.load * self.arms / self.force
@@ -158,42 +158,45 @@ class Relaxation:
     def _new_block(self, i: int, state: State) -> _Block:
         """Return the rows of a contact in a state."""
         # Of each row: motion, force, end; alpha, h, displacements of a leaf; its room.
+        n, f = self.n, self.frame
+        end, alpha, pins = n + f, n + f + 1, n + 2 * f + 1
+        width = n + 3 * f + 2
         cones: list[tuple[str, Floats]] = []
         if state != "loose" and self.most < np.inf:
             frame = np.array([self.normal[i], *self.tangents[i]])
-            rows = np.zeros((6, _WIDTH))
-            rows[:3, :6], rows[3:, :6], rows[:, 9] = frame, -frame, self.most
-            rows[:3, 13:16], rows[3:, 13:16] = np.eye(3), -np.eye(3)
+            rows = np.zeros((2 * f, width))
+            rows[:f, :n], rows[f:, :n], rows[:, end] = frame, -frame, self.most
+            rows[:f, pins:-1], rows[f:, pins:-1] = np.eye(f), -np.eye(f)
             cones.append(("plus", rows))
         if state != "loose":
-            row = np.zeros((1, _WIDTH))
-            row[0, :6] = -self.stiffness[i] * self.normal[i]
-            row[0, [6, 9, 10]] = -float(state != "detached"), -self.preload[i], 1.0
+            row = np.zeros((1, width))
+            row[0, :n] = -self.stiffness[i] * self.normal[i]
+            row[0, [n, end, alpha]] = -float(state != "detached"), -self.preload[i], 1.0
             cones.append(("plus" if state in ("undecided", "detached") else "zero", row))
         if state != "detached":
             for kind, slips, forces in self.cones.conditions(self.friction[i], state):
-                rows = np.zeros((len(slips), _WIDTH))
-                rows[:, :6], rows[:, 6:9] = slips @ self.tangents[i], forces
-                rows[:, 11:13] = slips
+                rows = np.zeros((len(slips), width))
+                rows[:, :n], rows[:, n:end] = slips @ self.tangents[i], forces
+                rows[:, alpha + 1 : pins] = slips
                 cones.append((kind, rows))
             cones[-1][1][: 1 if cones[-1][0] == "round" else None, -1] = 1.0
         table = np.concatenate([rows for _, rows in cones])
-        felt = np.flatnonzero(table[:, :6].any(axis=1))
+        felt = np.flatnonzero(table[:, :n].any(axis=1))
         # A contact without friction has no unknown but its normal force.
-        count = 0 if state == "detached" else 3 if self.friction[i] else 1
+        count = 0 if state == "detached" else f if self.friction[i] else 1
         along = np.array([self.normal[i], *self.tangents[i]])[:count]
-        columns = np.concatenate([-along, table[:, 6 : 6 + count].T], axis=1)
+        columns = np.concatenate([-along, table[:, n : n + count].T], axis=1)
         column, place = np.nonzero(columns)
         return _Block(
             felt,
-            table[felt, :6],
+            table[felt, :n],
             columns[column, place],
-            place - 6 * (place >= 6),
-            place >= 6,
+            place - n * (place >= n),
+            place >= n,
             np.bincount(column, minlength=count).tolist(),
-            table[:, 9],
+            table[:, end],
             [_KINDS[kind](len(rows)) for kind, rows in cones],
-            table[:, 10:16].T,
+            table[:, alpha:-1].T,
             table[:, -1],
         )
 
@@ -202,15 +205,15 @@ class Relaxation:
     ) -> tuple[list[_Block], list[int], _Columns, Floats, list[Any]]:
         """Return blocks, where they begin and the last ends, and the matrix, end and cones."""
         blocks = list(map(self._block, range(self.m), states))
-        starts = [6]
+        starts = [self.n]
         for block in blocks:
             starts.append(starts[-1] + len(block.right))
         rows = starts[-1]
         felt = [block.rows + start for block, start in zip(blocks, starts, strict=False)]
         place = np.concatenate(felt or [np.zeros(0, int)])
-        motion = np.concatenate([block.motion for block in blocks] or [np.zeros((0, 6))])
-        data, index = [motion.T.ravel()], [np.tile(place, 6)]
-        counts = [len(place)] * 6
+        motion = np.concatenate([block.motion for block in blocks] or [np.zeros((0, self.n))])
+        data, index = [motion.T.ravel()], [np.tile(place, self.n)]
+        counts = [len(place)] * self.n
         for block, start in zip(blocks, starts, strict=False):
             data.append(block.data)
             index.append(block.index + start * block.own)
@@ -219,19 +222,19 @@ class Relaxation:
         entries = np.concatenate(data), np.concatenate(index), pointer
         matrix = _Columns(*entries, (rows, len(counts)))
         ends = [self.load, *(block.right for block in blocks)]
-        kinds = [clarabel.ZeroConeT(6), *(kind for block in blocks for kind in block.kinds)]
+        kinds = [clarabel.ZeroConeT(self.n), *(kind for block in blocks for kind in block.kinds)]
         return blocks, starts, matrix, np.concatenate(ends), kinds
 
     def solve(self, states: Sequence[State]) -> Ray | Point | None:
         """Return a ray or a point for one node; None where the program solver fails."""
         blocks, starts, matrix, right, kinds = self._program(states)
         n = matrix.shape[1]
-        cost, j = np.zeros(n), 6
+        cost, j = np.zeros(n), self.n
         for block, state in zip(blocks, states, strict=True):
             if state == "undecided":
                 cost[j] = 1.0
             j += len(block.counts)
-        program = _squares(n), cost, matrix, right, kinds
+        program = _squares(n, self.n), cost, matrix, right, kinds
         found = clarabel.DefaultSolver(*program, self.settings).solve()
         status = str(found.status)
         if status in ("PrimalInfeasible", "AlmostPrimalInfeasible"):
@@ -244,24 +247,24 @@ class Relaxation:
         """Return the least share of a change of the load, up to 1, with a point, if any has one."""
         blocks, _, matrix, right, kinds = self._program(states)
         rows, n = matrix.shape
-        data = [matrix.data, -change * self.arms / self.force, [-1.0, 1.0]]
-        index = [matrix.indices, np.arange(6), [rows, rows + 1]]
-        pointer = np.append(matrix.indptr, matrix.indptr[-1] + 8)
+        data: list[Any] = [matrix.data, -change * self.arms / self.force, [-1.0, 1.0]]
+        index = [matrix.indices, np.arange(self.n), [rows, rows + 1]]
+        pointer = np.append(matrix.indptr, matrix.indptr[-1] + self.n + 2)
         whole = _Columns(np.concatenate(data), np.concatenate(index), pointer, (rows + 2, n + 1))
         ends, kinds = np.append(right, [0.0, 1.0]), [*kinds, clarabel.NonnegativeConeT(2)]
-        program = _squares(n + 1, 0.0), np.append(np.zeros(n), 1.0), whole, ends, kinds
+        program = _squares(n + 1, self.n, 0.0), np.append(np.zeros(n), 1.0), whole, ends, kinds
         found = clarabel.DefaultSolver(*program, self.settings).solve()
         if str(found.status) not in ("Solved", "AlmostSolved"):
             return None
         return float(found.x[-1]), self._point(blocks, np.array(found.x))
 
     def _point(self, blocks: Sequence[_Block], found: Floats) -> Point:
-        """Return the motion and the forces of the unknowns, three for each contact."""
-        forces, j = np.zeros((self.m, 3)), 6
+        """Return the motion, and all forces of each contact, of the unknowns."""
+        forces, j = np.zeros((self.m, self.frame)), self.n
         for i, block in enumerate(blocks):
             forces[i, : len(block.counts)] = found[j : j + len(block.counts)]
             j += len(block.counts)
-        return Point(found[:6], forces)
+        return Point(found[: self.n], forces)
 
     def _ray(
         self,
@@ -271,27 +274,27 @@ class Relaxation:
         dual: Floats,
     ) -> Ray:
         """Read a virtual motion and multipliers off a dual ray, in the units of the grasp."""
-        virtual = -dual[:6]
+        virtual, f = -dual[: self.n], self.frame
         found = [
             block.dual @ dual[start:end]
             for block, (start, end) in zip(blocks, pairwise(starts), strict=True)
         ]
-        multipliers, room = np.array(found).reshape(self.m, 6), np.zeros((self.m, 6))
+        multipliers, room = np.array(found).reshape(self.m, 2 * f), np.zeros((self.m, 2 * f))
         along, across = self.normal @ virtual, self.tangents @ virtual
         most = self.cones.support("stick", across)
         for i, state in enumerate(states):
             if isinstance(state, tuple):
                 most[i] = self.cones.support(state, across[i])
                 ends = np.array(self.cones.ends(state), dtype=float)
-                room[i, 1:3] = min(-(ends @ multipliers[i, 1:3]) / np.hypot(*ends.T))
+                room[i, 1:f] = min(-(ends @ multipliers[i, 1:f]) / lengths(ends))
         slack, alpha = along - multipliers[:, 0] - self.friction * most, multipliers[:, 0]
         kinds = np.array([state if isinstance(state, str) else "" for state in states])
         room[:, 0] = np.where(kinds == "undecided", np.minimum(alpha, slack), slack)
         room[:, 0] = np.where(kinds == "detached", alpha, room[:, 0])
-        room[kinds == "stick", 1:3] = np.inf
-        room[:, 3:] = np.inf
+        room[kinds == "stick", 1:f] = np.inf
+        room[:, f:] = np.inf
         sizes = np.abs(multipliers) / max(float(np.abs(virtual).max()), 1e-300)
-        units = np.array([1.0, *[self.force / self.step] * 5])
+        units = np.array([1.0, *[self.force / self.step] * (2 * f - 1)])
         return Ray(virtual * self.arms, multipliers * units, room, sizes)
 
     def inner_ray(self, states: Sequence[State], room: float = 1.0) -> Ray | None:
@@ -307,26 +310,27 @@ class Relaxation:
         for block, (start, end) in zip(blocks, pairwise(starts), strict=True):
             inside[start:end] = room * block.room
         last = np.append(np.zeros(rows), 1.0)
-        bounds = np.eye(rows + 1)[[*range(6), rows]]
+        n = self.n
+        bounds = np.eye(rows + 1)[[*range(n), rows]]
         table = np.concatenate(
             [
                 np.column_stack([matrix.table().T, np.zeros(columns)]),
                 [np.append(right, 1.0)],
                 bounds,
-                -bounds[:6],
-                np.column_stack([-np.eye(rows)[6:], inside[6:]]),
+                -bounds[:n],
+                np.column_stack([-np.eye(rows)[n:], inside[n:]]),
             ]
         )
-        ends = np.concatenate([np.zeros(columns + 1), np.ones(13), np.zeros(rows - 6)])
-        kept = [clarabel.ZeroConeT(columns), clarabel.NonnegativeConeT(14)]
-        free, k = [], columns + 14
+        ends = np.concatenate([np.zeros(columns + 1), np.ones(2 * n + 1), np.zeros(rows - n)])
+        kept = [clarabel.ZeroConeT(columns), clarabel.NonnegativeConeT(2 * n + 2)]
+        free, k = [], columns + 2 * n + 2
         for kind in kinds[1:]:
             # Multipliers of equations are free.
             free += [*range(k, k + kind.dim)] if isinstance(kind, clarabel.ZeroConeT) else []
             kept += [] if isinstance(kind, clarabel.ZeroConeT) else [kind]
             k += kind.dim
         table, ends = np.delete(table, free, axis=0), np.delete(ends, free)
-        program = (_squares(rows + 1, 0.0), -last, _Columns.of(table), ends, kept)
+        program = (_squares(rows + 1, n, 0.0), -last, _Columns.of(table), ends, kept)
         found = np.array(clarabel.DefaultSolver(*program, self.settings).solve().x)
         return self._ray(states, blocks, starts, found[:-1]) if found[-1] > -_NO_ROOM else None
 
@@ -336,7 +340,7 @@ class Relaxation:
         spring = self.preload - self.stiffness * (self.normal @ d)
         slip = self.tangents @ d
         missed = self.cones.misses(self.friction * f[:, 0], f[:, 1:], slip)
-        rubs = np.minimum(self.stiffness * np.hypot(*slip.T), missed)
+        rubs = np.minimum(self.stiffness * lengths(slip), missed)
         lifts = f[:, 0] - np.maximum(0.0, spring)
         open_ = np.array([state not in ("detached", "stick") for state in states], dtype=bool)
         first = np.array([state == "undecided" for state in states], dtype=bool)
@@ -345,6 +349,6 @@ class Relaxation:
 
 
 @cache
-def _squares(n: int, weight: float = _SMALL_MOTION) -> _Columns:
+def _squares(size: int, n: int, weight: float = _SMALL_MOTION) -> _Columns:
     """Return the weights of squares: small motions are preferred."""
-    return _Columns.of(np.diag([weight] * 6 + [0.0] * (n - 6)))
+    return _Columns.of(np.diag([weight] * n + [0.0] * (size - n)))

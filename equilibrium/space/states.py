@@ -2,8 +2,8 @@
 
 As in the plane (`equilibrium.plane.search.continuation`), with the friction force
 ``-mu c_n s / sqrt(|s|^2 + eps^2)`` in the tangent plane, or with pyramids a mean of their edges, of
-the weights ``exp(e . s / eps)``: balance is an equation in the six unknowns of the motion, whatever
-the number of contacts. Contacts are made sharper step by step, and states read off at the end.
+the weights ``exp(e . s / eps)``: balance is an equation in the unknowns of the motion, whatever the
+number of contacts. Contacts are made sharper step by step, and states read off at the end.
 """
 
 from __future__ import annotations
@@ -53,10 +53,10 @@ class SpatialContinuation(Continuation):
 
     def starts(self, count: int) -> Iterator[Floats]:
         """Yield motions to start from: none, then small random ones, the same on every run."""
-        yield np.zeros(6)
+        yield np.zeros(len(self.scale))
         random = np.random.default_rng(1)
         for _ in range(count):
-            yield self.scale * random.normal(size=6)
+            yield self.scale * random.normal(size=len(self.scale))
 
 
 class States:
@@ -148,26 +148,26 @@ class StateBalance:
 
     def __init__(self, contacts: FloatContacts, wrench: RationalVector, states: States) -> None:
         self.contacts, self.wrench, self.states = contacts, wrench, states
-        grasp = contacts.grasp
+        rows = contacts.rows
         self.sticking = [
             i
-            for i, contact in enumerate(grasp)
+            for i, contact in enumerate(rows)
             if states.touching[i] and not states.slipping[i] and contact.friction
         ]
-        rows = [row for i in self.sticking for row in grasp.contacts[i].tangential_wrenches]
-        self.basis = _null_space(rows)
-        self.pillars = self._pillars(6 - len(self.basis))
+        still = [row for i in self.sticking for row in rows[i].tangential_wrenches]
+        self.basis = _null_space(still, rows.n)
+        self.pillars = self._pillars(rows.n - len(self.basis))
         # Motions that no touching contact feels; balance does not determine them.
-        touching = [c for c, near in zip(grasp, states.touching, strict=True) if near]
+        touching = [c for c, near in zip(rows, states.touching, strict=True) if near]
         felt = [c.normal_wrench for c in touching]
         felt += [row for c in touching if c.friction for row in c.tangential_wrenches]
-        self.unfelt = _null_space(felt)
+        self.unfelt = _null_space(felt, rows.n)
 
     def _pillars(self, count: int) -> tuple[tuple[int, int], ...]:
         """Return tangents of sticking contacts that span all of them; strong contacts first."""
         c = self.contacts
         places = [(i, j) for i in self.sticking for j in (0, 1)]
-        tangents = np.array([c.tangents[i, j] for i, j in places]).reshape(-1, 6)
+        tangents = np.array([c.tangents[i, j] for i, j in places]).reshape(-1, c.rows.n)
         spare = [1.01 - float(np.linalg.norm(self.states.ratio[i])) for i, _ in places]
         weight = np.array(
             [x * (c.friction[i] + 1e-9) for x, (i, _) in zip(spare, places, strict=True)]
@@ -205,13 +205,13 @@ class StateBalance:
         return nearest_one
 
 
-def _null_space(rows: list[RationalVector]) -> list[RationalVector]:
-    """Return a basis of the motions on which all rows are 0."""
+def _null_space(rows: list[RationalVector], n: int) -> list[RationalVector]:
+    """Return a basis of the motions in R^n on which all rows are 0."""
     reduced, pivots, scale = gauss_jordan([list(row) for row in rows])
     basis = []
-    for j in range(6):
+    for j in range(n):
         if j not in pivots:
-            motion = [Fraction(int(k == j)) for k in range(6)]
+            motion = [Fraction(int(k == j)) for k in range(n)]
             for row, pivot in zip(reduced, pivots, strict=False):
                 motion[pivot] = Fraction(-row[j], scale)
             basis.append(tuple(motion))

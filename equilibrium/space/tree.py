@@ -112,7 +112,7 @@ class SpatialSearch:
         self.effort, self.max_nodes = effort or Effort(), nodes
         self.max_displacement, self.cones = max_displacement, cones or RoundCones()
         self.memory = memory or Memory()
-        self.root: Node = ("undecided",) * len(contacts.grasp)
+        self.root: Node = ("undecided",) * len(contacts.rows)
         self.relaxation = Relaxation(contacts, wrench, self.cones, max_displacement)
         self.leaves = Leaves(contacts, wrench, self.cones, max_displacement)
         if self.effort.seconds is not None:
@@ -147,7 +147,7 @@ class SpatialSearch:
     def count_program(self) -> None:
         """Count the steps of one relaxation."""
         each = SETTINGS.relaxation_steps_per_contact
-        self.effort.check(SETTINGS.relaxation_steps + each * len(self.contacts.grasp))
+        self.effort.check(SETTINGS.relaxation_steps + each * len(self.contacts.rows))
 
     def _decide(self) -> Outcome:
         """Take the steps from the cheapest to the dearest, until one decides."""
@@ -191,8 +191,9 @@ class SpatialSearch:
     def _few_nodes(self, tree: OpenTree) -> Outcome:
         """Try the first nodes, the question in a plane, and exact programs of visited states."""
         outcome = self._search(tree, min(SETTINGS.first_nodes, self.max_nodes))
-        if isinstance(outcome, Open) and isinstance(self.cones, RoundCones):
-            question = self.contacts.grasp, self.wrench, self.effort, self.max_displacement
+        grasp = self.contacts.rows.grasp
+        if isinstance(outcome, Open) and grasp and isinstance(self.cones, RoundCones):
+            question = grasp, self.wrench, self.effort, self.max_displacement
             outcome = decide_in_plane(*question) or outcome
         if isinstance(outcome, Open):
             outcome = self.equilibria.in_visited_states() or outcome
@@ -248,7 +249,7 @@ class SpatialSearch:
 
     def _reset_patience(self) -> None:
         """Count the nodes since the last leaf anew, and how many of them are borne."""
-        each = SETTINGS.patience_per_contact * len(self.contacts.grasp)
+        each = SETTINGS.patience_per_contact * len(self.contacts.rows)
         self.idle, self.patience = 0, max(SETTINGS.min_patience, each)
 
     @property
@@ -298,8 +299,9 @@ class SpatialSearch:
     def _point(self, solution: Solution) -> Point:
         """Return a solution in the units of relaxations."""
         numbers = np.array([nearest(x) for x in chain(solution.motion, *solution.forces)])
-        forces = numbers[6:].reshape(-1, 3) / self.relaxation.force
-        return Point(numbers[:6] / self.relaxation.scale, forces)
+        n = self.contacts.rows.n
+        forces = numbers[n:].reshape(len(solution.forces), -1) / self.relaxation.force
+        return Point(numbers[:n] / self.relaxation.scale, forces)
 
     def _leaf(self, states: Node, relaxed: Ray | Point | None) -> Proof | None:
         """Return a leaf where a relaxation has no solution, or where its program failed."""
@@ -366,13 +368,13 @@ class Splits:
         if isinstance(relaxed, Point):
             return relaxed.forces[:, 1:]
         if relaxed is None:
-            return np.zeros((len(self.contacts.grasp), 2))
+            return np.zeros((len(self.contacts.rows), 2))
         towards: Floats = -(self.contacts.tangents @ relaxed.virtual)
         return towards
 
     def _is_open(self, states: Node, i: int) -> bool:
         """Return whether a contact is not decided: one without friction does not slip."""
-        return states[i] != "attached" or bool(self.contacts.grasp.contacts[i].friction)
+        return states[i] != "attached" or bool(self.contacts.rows[i].friction)
 
     def _first(
         self, states: Node, order: list[int], slip_of: Callable[[int], Floats]

@@ -31,6 +31,7 @@ from equilibrium.grasps.schemas import certificate_schema
 from equilibrium.model.contact import Contact, pyramid_edges
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import GraspError, UndecidedError
+from equilibrium.model.rows import ContactRows
 from equilibrium.plane.contacts import FloatContacts
 from equilibrium.space.plane import decide_in_plane
 from equilibrium.space.relaxation import Relaxation
@@ -93,7 +94,7 @@ class TestKnownLeaves:
     def searched(self):
         """A search that stays open after few nodes."""
         contacts, load = (
-            FloatContacts(random_grasp(8, 18, dimension=3)),
+            FloatContacts(ContactRows.of_grasp(random_grasp(8, 18, dimension=3))),
             random_wrench(18, dimension=3, bound=1),
         )
         search = SpatialSearch(contacts, load, lambda _: False, nodes=120)

@@ -173,8 +173,7 @@ def _step(left: Floats, sizes: Floats, right: Floats, value: Floats, damping: fl
 @np.errstate(all="ignore")  # sizes beyond floats are replaced below
 def motion_scale(contacts: FloatContacts, load: Floats) -> Floats:
     """Return typical sizes of the coordinates of the motion of an equilibrium."""
-    turns = 3 if len(load) == 6 else 1
-    arms = np.array([1.0] * (len(load) - turns) + [1 / contacts.length] * turns)
+    arms = contacts.arms(1 / contacts.length)
     total = float(contacts.stiffness.sum())
     if not 0 < total < np.inf:
         return arms

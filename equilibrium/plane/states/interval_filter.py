@@ -27,6 +27,8 @@ import numpy.typing as npt
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Booleans, Floats, error_bound
+from equilibrium.model.grasp import Grasp
+from equilibrium.model.rows import ContactRows
 from equilibrium.plane.contacts import FloatContacts, are_moderate, nearest
 
 from .contact_states import DETACHED, Codes
@@ -48,18 +50,19 @@ class Screen:
     """The systems of all contact states of one grasp, ready for any wrench.
 
     Args:
+        grasp: in the plane.
         codes: choices of contact states, as `contact_states.state_codes` returns them.
     """
 
-    def __init__(self, contacts: FloatContacts, codes: Codes) -> None:
-        self.contacts, self.codes = contacts, codes
+    def __init__(self, grasp: Grasp, codes: Codes) -> None:
+        self.contacts, self.codes = FloatContacts(ContactRows.of_grasp(grasp)), codes
         self._batches: list[_Batch] = []
-        if not contacts.moderate:
+        if not self.contacts.moderate:
             return
-        planes = contacts.grasp.tangential_arrangement()
+        planes = grasp.tangential_arrangement()
         self.class_of = np.array(planes.class_of, dtype=np.int64)
         self.orientation = np.array(planes.orientation, dtype=np.float64)
-        self.plane = contacts.tangent[list(planes.firsts)].reshape(-1, 3)
+        self.plane = self.contacts.tangent[list(planes.firsts)].reshape(-1, 3)
         parts = [
             (rows[start : start + _ROWS], classes[start : start + _ROWS])
             for rows, classes in self._by_sticking_planes()
