@@ -1,4 +1,6 @@
 """Verdicts: the search and the proof that the checker accepts, put together."""
 
 #: The answers in words.
-RESISTED, NOT_RESISTED, UNDECIDED = "resisted", "not resisted", "undecided"
+RESISTED = "resisted"
+NOT_RESISTED = "not resisted"
+UNDECIDED = "undecided"

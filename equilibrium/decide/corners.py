@@ -16,10 +16,12 @@ from equilibrium.model.unit_normal import unit_normal
 
 from . import NOT_RESISTED, RESISTED
 
-#: Virtual motions of one proof that are tried, and grasps inside of the bounds.
-MAX_MOTIONS, MAX_RANDOM = 3, 4
-#: Of loads that are larger by these shares the proofs are asked for virtual motions.
-LARGER = (Fraction(1, 100), Fraction(1))
+#: Virtual motions of one proof that are tried.
+MAX_MOTIONS_PER_PROOF = 3
+#: Random grasps that are tried inside of the bounds.
+MAX_INNER_GRASPS = 4
+#: Proofs of loads that are larger by these shares give virtual motions of a resisted one.
+LARGER_LOAD_SHARES = (Fraction(1, 100), Fraction(1))
 
 
 def moved(contact: Contact, signs: Iterable[float], bounds: Bounds) -> Contact:
@@ -69,7 +71,7 @@ def _shares(found: Any, decide: Any) -> Iterator[list[list[float]]]:
     for virtual in _virtual_motions(found, decide):
         yield [_working(contact, virtual, motion, most) for contact in grasp]
     source = Random("robust")
-    for _ in range(MAX_RANDOM):
+    for _ in range(MAX_INNER_GRASPS):
         yield [[source.uniform(-1, 1) for _ in range(size)] for _ in grasp]
 
 
@@ -78,11 +80,11 @@ def _virtual_motions(found: Any, decide: Any) -> Iterator[RationalVector]:
     loads = [found.wrench]
     if found.verdict == RESISTED:
         yield found.wrench
-        loads = [tuple(x * (1 + more) for x in found.wrench) for more in LARGER]
+        loads = [tuple(x * (1 + more) for x in found.wrench) for more in LARGER_LOAD_SHARES]
     for load in loads:
         proof = found if load == found.wrench else decide(found.grasp, load)
         if proof is not None and proof.verdict == NOT_RESISTED:
-            yield from islice(_leaves(proof.proof["tree"], len(load)), MAX_MOTIONS)
+            yield from islice(_leaves(proof.proof["tree"], len(load)), MAX_MOTIONS_PER_PROOF)
 
 
 def _working(

@@ -27,7 +27,7 @@ Works: TypeAlias = tuple[tuple[RationalVector, Fraction], ...]
 #: Magnitudes, without the ends; None where it is unbounded.
 Ends: TypeAlias = tuple[Fraction | None, Fraction | None]
 #: This many nodes show in floats where a boundary is.
-_REACH = 800
+_BOUNDARY_NODES = 800
 
 
 class KnownLoads:
@@ -85,7 +85,9 @@ class KnownMagnitudes:
 
     def reach(self, refused: Fraction, resisted: Fraction, near: float) -> Any:
         """Return how near resisted loads come to one that is not; see `Solver.reach`."""
-        return self.known.solver.reach(self.load(refused), self.load(resisted), _REACH, near)
+        return self.known.solver.reach(
+            self.load(refused), self.load(resisted), _BOUNDARY_NODES, near
+        )
 
     def verdict(self, t: Fraction, **how: Any) -> str:
         """Return what follows from earlier proofs, or decide; see `KnownLoads.ask`."""

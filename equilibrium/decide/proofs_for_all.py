@@ -27,13 +27,15 @@ from . import RESISTED
 
 NO_DEADLINE = Deadline()
 #: Choices of holding contacts that are tried.
-MAX_CHOICES = 16
+MAX_HOLDING_CHOICES = 16
 #: Directions of friction that are distinguished in space.
-_AROUND = 16
+_FRICTION_DIRECTIONS = 16
 #: How much more normal forces than friction change with the balance, for the same wrench.
-_WEIGHTS = (1.0, 4.0, 0.25)
-#: Rounds of the energy, which grows with itself; by this share beyond its last value.
-_ROUNDS, _MORE = 30, 1 + 1e-6
+_NORMAL_WEIGHTS = (1.0, 4.0, 0.25)
+#: Rounds of the energy, which grows with itself.
+_MAX_ENERGY_ROUNDS = 30
+#: Floats are enlarged by this factor, so that rounding does not spoil the proof.
+_ENLARGED = 1 + 1e-6
 
 
 def proof_for_all(
@@ -55,13 +57,13 @@ def _held(
 ) -> Iterator[dict[str, Any]]:
     """Yield proofs of a yes, as parts of a document."""
     rows = _FloatGrasp(grasp, wrench, bounds)
-    for holding in islice(_choices(grasp), MAX_CHOICES):
+    for holding in islice(_choices(grasp), MAX_HOLDING_CHOICES):
         if deadline.passed:
             return
         choice = _forces(rows, holding)
         if choice is None:
             continue
-        for weight in _WEIGHTS:
+        for weight in _NORMAL_WEIGHTS:
             parts = _corrected(rows, holding, choice, weight)
             if parts is not None:
                 yield parts
@@ -98,7 +100,7 @@ class _FloatGrasp:
         self.normal = np.array([c.normal_wrench for c in grasp], float).reshape(m, n) * self.units
         tangents = np.array([c.tangential_wrenches for c in grasp], float)
         self.tangents = tangents.reshape(m, self.d - 1, n) * self.units
-        around = np.arange(_AROUND if self.d == 3 else 2)
+        around = np.arange(_FRICTION_DIRECTIONS if self.d == 3 else 2)
         turn = 2 * np.pi * around / len(around)
         #: Friction forces of length 1.
         self.around = np.stack([np.cos(turn), np.sin(turn)], axis=1)[:, : self.d - 1]
@@ -200,21 +202,21 @@ def _corrected(
     rests, gains = (np.array(x, float) for x in held.balance())
     least = 1e-12 * rows.force / rows.units
     try:
-        reach = np.linalg.solve(np.eye(n) - gains, rests * _MORE + least)
+        reach = np.linalg.solve(np.eye(n) - gains, rests * _ENLARGED + least)
     except np.linalg.LinAlgError:
         return None
     if not (np.isfinite(reach).all() and reach.min() > 0):
         return None
-    limits = tuple(_short(x * _MORE) for x in reach)
+    limits = tuple(_short(x * _ENLARGED) for x in reach)
     # The least energy that counts: that of a small share of the largest force.
     energy = _short(1e-20 * rows.force**2 / rows.stiff)
-    for _ in range(_ROUNDS):
+    for _ in range(_MAX_ENERGY_ROUNDS):
         needed, problem = held.energy(limits, energy)
         if problem:
             return None
         if needed < energy:
             break
-        energy = _short(float(needed) * _MORE)
+        energy = _short(float(needed) * _ENLARGED)
     if held.problem(limits, energy):
         return None
     return {

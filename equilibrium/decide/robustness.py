@@ -32,16 +32,20 @@ from . import RESISTED, UNDECIDED
 from .corners import corners
 from .proofs_for_all import NO_DEADLINE, proof_for_all
 
-HOLDS, FAILS, OPEN = "holds", "does not hold", UNDECIDED
+HOLDS = "holds"
+FAILS = "does not hold"
+OPEN = UNDECIDED
 DEPENDS = "depends on the rounding"
-#: Other roundings that are asked about.
-ROUNDINGS = 4
-#: Steps for each grasp that is asked about.
-STEPS = 30_000_000
-#: Grasps that are tried on the way to one that turns a verdict, and smaller bounds for a proof.
-_STEPS, _INNER = 12, 3
-#: Seconds that a question about one grasp is given at least.
-_LEAST_SECONDS = 0.01
+#: Other roundings of the data that are decided.
+MAX_ROUNDINGS = 4
+#: Steps for each other grasp that is decided.
+STEPS_PER_GRASP = 30_000_000
+#: Grasps that are decided on the way to one with another verdict.
+_MAX_GRASPS_BETWEEN = 12
+#: Smaller bounds that a proof is tried for, each a quarter of the last.
+_MAX_SMALLER_BOUNDS = 3
+#: Seconds that one grasp is given at least.
+_MIN_SECONDS = 0.01
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
@@ -174,7 +178,7 @@ def _nearest(
     """
     ends, effort = (found.grasp, turned.grasp), _effort(deadline)
     low, high = Fraction(0), Fraction(1)
-    for _ in range(_STEPS):
+    for _ in range(_MAX_GRASPS_BETWEEN):
         if effort.passed or 4 * low > 3 * high:
             break
         share = (low + high) / 2 if low else high / 8
@@ -194,7 +198,7 @@ def _nearest(
 
 def _inner(found: Any, bounds: Bounds, share: Fraction) -> Certificate | None:
     """Return a proof for bounds below a share of the given ones, if one is found."""
-    for k in range(_INNER if _may_be_proved(found) and _fits_floats(found) else 0):
+    for k in range(_MAX_SMALLER_BOUNDS if _may_be_proved(found) and _fits_floats(found) else 0):
         proof = proof_for_all(found, bounds.times(share / 2 / 4**k))
         if proof is not None:
             return proof
@@ -232,7 +236,7 @@ def within_error(found: Any) -> WithinError:
     asked = left = 0
     for grasp in others(found):
         asked += 1
-        other = _soon(found, Effort(STEPS), grasp, found.wrench)
+        other = _soon(found, Effort(STEPS_PER_GRASP), grasp, found.wrench)
         if other is None:
             left += 1
         elif found.verdict not in (OPEN, other.verdict):
@@ -250,12 +254,14 @@ def others(found: Any) -> Iterator[Grasp]:
     Raises:
         GraspError: the grasp was not converted.
     """
-    for seed in range(ROUNDINGS):
+    for seed in range(MAX_ROUNDINGS):
         yield other_rounding(found.grasp, seed)
     against = found.verdict == RESISTED or found.grasp.data_error.as_given
     if against and _fits_floats(found):
         bounds, _ = _error_bounds(found.grasp)
-        yield from corners(found, bounds, lambda *asked: _soon(found, Effort(STEPS), *asked))
+        yield from corners(
+            found, bounds, lambda *asked: _soon(found, Effort(STEPS_PER_GRASP), *asked)
+        )
 
 
 def _error_bounds(grasp: Grasp) -> tuple[Bounds, bool]:
@@ -276,8 +282,8 @@ def _error_bounds(grasp: Grasp) -> tuple[Bounds, bool]:
 def _effort(deadline: Deadline) -> Effort:
     """Return the effort for one grasp, within a time limit."""
     if deadline.seconds is None:
-        return Effort(STEPS)
-    return Effort(STEPS, max(deadline.remaining, _LEAST_SECONDS))
+        return Effort(STEPS_PER_GRASP)
+    return Effort(STEPS_PER_GRASP, max(deadline.remaining, _MIN_SECONDS))
 
 
 def _soon(asked: Any, effort: Effort, grasp: Grasp, wrench: RationalVector) -> Any:

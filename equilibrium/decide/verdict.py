@@ -253,7 +253,7 @@ class Verdict(HintsMixin):
     def warnings(self) -> tuple[str, ...]:
         """Where displacements are not bounded: a line if no equilibrium is one of small motions.
 
-        Looking for a smaller one than `solution` takes at most `robustness.STEPS` steps.
+        Looking for a smaller one than `solution` takes at most `robustness.STEPS_PER_GRASP` steps.
         """
         if self.solution is None or self.max_displacement is not None:
             return ()
@@ -261,7 +261,7 @@ class Verdict(HintsMixin):
         if most is None or displacement(self.grasp, self.solution.motion) <= most:
             return ()
         try:
-            effort = Effort(robustness.STEPS)
+            effort = Effort(robustness.STEPS_PER_GRASP)
             found = self.again(self.grasp, self.wrench, effort, max_displacement=most).verdict
         except OutOfReachError:
             found = UNDECIDED

@@ -25,22 +25,23 @@ from equilibrium.model.rows import ContactRows
 from .contact_rows import over_unit
 
 #: Larger numbers are cut off.
-_LARGEST = 1e60
+_MAX_FLOAT = 1e60
 #: Where all numbers but 0 are in this range, nothing underflows or overflows on the way.
-_SMALL, _LARGE = 1e-30, 1e30
+_MIN_MODERATE = 1e-30
+_MAX_MODERATE = 1e30
 
 
 def nearest(x: Fraction) -> float:
     """Return the nearest float of moderate size."""
     try:
-        return min(max(float(x), -_LARGEST), _LARGEST)
+        return min(max(float(x), -_MAX_FLOAT), _MAX_FLOAT)
     except OverflowError:
-        return _LARGEST if x > 0 else -_LARGEST
+        return _MAX_FLOAT if x > 0 else -_MAX_FLOAT
 
 
 def are_moderate(numbers: Iterable[Fraction]) -> bool:
     """Return whether bounds of rounding errors may be trusted: no number is tiny or huge."""
-    return all(not x or _SMALL <= abs(nearest(x)) <= _LARGE for x in numbers)
+    return all(not x or _MIN_MODERATE <= abs(nearest(x)) <= _MAX_MODERATE for x in numbers)
 
 
 class FloatContacts:
@@ -92,7 +93,7 @@ class FloatContacts:
 #: Python integers in an array.
 Whole: TypeAlias = npt.NDArray[Any]
 
-_WORD = 2**62
+_MAX_WORD = 2**62
 
 
 class IntegerContacts:
@@ -200,7 +201,7 @@ def whole(values: Sequence[Any], shape: tuple[int, ...]) -> Whole:
 def product(left: Whole, right: Whole) -> Whole:
     """Return the exact matrix product; in machine words where they cannot overflow."""
     one, other = (max(map(abs, factor.flat), default=0) for factor in (left, right))
-    if left.shape[1] * one * other < _WORD and max(one, other) < _WORD:
+    if left.shape[1] * one * other < _MAX_WORD and max(one, other) < _MAX_WORD:
         return (left.astype(np.int64) @ right.astype(np.int64)).astype(object)
     exact: Whole = left.dot(right)
     return exact

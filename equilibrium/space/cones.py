@@ -39,12 +39,16 @@ Proof: TypeAlias = dict[str, Any]
 #: Of a cone, "zero", "plus" or "round": coefficients (k, 2) of the slip, (k, 3) of the force.
 Condition: TypeAlias = tuple[str, Floats, Floats]
 
-#: Sectors are cut down to this sine of their angle; directions are multiples of one over these.
-NARROW, _COARSE, _DIRECTIONS = 1e-4, 8, 64
-#: This many sectors are remembered.
-_SECTORS = 4096
+#: Sectors with a smaller sine of their angle are not cut.
+NARROW_SINE = 1e-4
+#: The first directions, and the middle of wide sectors, have integers up to about this.
+_WIDE_SECTOR_SIZE = 8
+#: Those of other sectors up to about this, over the sine: fine enough to lie inside.
+_SECTOR_SIZE = 64
+#: Sectors whose unit vectors are remembered.
+_CACHED_SECTORS = 4096
 #: From this share of its limit on, smooth friction is that of a slip.
-_SLIPS = 0.9999
+_SLIP_SHARE = 0.9999
 
 
 def lengths(rows: Floats) -> Floats:
@@ -131,7 +135,7 @@ class RoundCones:
         state, parts = states[i], list[State]()
         sector: Any = self.ends(state)
         if not sector:
-            ends = [_turned(slip, turn, _COARSE) for turn in (-60, 60, 180)]
+            ends = [_turned(slip, turn, _WIDE_SECTOR_SIZE) for turn in (-60, 60, 180)]
             parts = ["stick", *((ends[k - 1], ends[k]) for k in (1, 2, 0))]
         else:
             middle = self._middle(sector)
@@ -149,10 +153,10 @@ class RoundCones:
     def _middle(self, sector: Any) -> Direction | None:
         """Return integers near the middle of a sector; None if it is narrow."""
         sine = self.sine(sector)
-        if sine < NARROW:
+        if sine < NARROW_SINE:
             return None
         x, y = _units(sector).sum(axis=0)
-        scale = (_COARSE if sine == 1.0 else _DIRECTIONS / sine) / math.hypot(x, y)
+        scale = (_WIDE_SECTOR_SIZE if sine == 1.0 else _SECTOR_SIZE / sine) / math.hypot(x, y)
         return round(x * scale), round(y * scale)
 
 
@@ -226,9 +230,9 @@ class Pyramids:
         pairs = weights + np.roll(weights, -1, axis=1)
         corner, side = weights.argmax(axis=1), pairs.argmax(axis=1)
         normals = np.array(self.normals, dtype=float)
-        found = np.where((pairs.max(axis=1) > _SLIPS)[:, None], normals[side], 0.0)
+        found = np.where((pairs.max(axis=1) > _SLIP_SHARE)[:, None], normals[side], 0.0)
         slips: Floats = np.where(
-            (weights.max(axis=1) > _SLIPS)[:, None], self._corners[corner], found
+            (weights.max(axis=1) > _SLIP_SHARE)[:, None], self._corners[corner], found
         )
         return slips
 
@@ -283,13 +287,13 @@ def finished(node: Any) -> Any:
     return node
 
 
-@lru_cache(maxsize=_SECTORS)
+@lru_cache(maxsize=_CACHED_SECTORS)
 def _units(sector: Sector) -> Floats:
     """Return the unit vectors of the ends of a sector."""
     return np.array([(x / math.hypot(x, y), y / math.hypot(x, y)) for x, y in sector])
 
 
-@lru_cache(maxsize=_SECTORS)
+@lru_cache(maxsize=_CACHED_SECTORS)
 def _sine(sector: Sector) -> float:
     """Return the sine of the angle of a sector, 1 for wide ones."""
     u, v = _units(sector)

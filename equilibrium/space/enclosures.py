@@ -19,16 +19,23 @@ from equilibrium.model.solution import Enclosure, Solution
 from equilibrium.plane.contacts import nearest
 from equilibrium.space.states import StateBalance
 
-#: Sizes of boxes, relative to the motion, and digits of their inverses: in floats, in decimals.
-_RADII, _FINE = ((1e-11, 9), (1e-9, 9), (1e-7, 9)), ((1e-30, 30),)
-_LEAST = 1e-40
-#: Significant digits of the centres of boxes in decimals and in floats; the decimals.
-_CENTRE, _SHORT = 45, 20
-_CONTEXT = Context(prec=60, Emin=-200, Emax=200)
-#: Steps at most; after how many each has to be far shorter than the last; what may be left over.
-_STEPS, _PATIENCE, _CLOSE = 24, 6, 1e-9
+#: Boxes tried in floats: sizes relative to the motion, and digits of the inverses.
+_FLOAT_BOXES = ((1e-11, 9), (1e-9, 9), (1e-7, 9))
+#: The same in decimals.
+_DECIMAL_BOXES = ((1e-30, 30),)
+#: No box is smaller: the checker wants radii above 0.
+_MIN_RADIUS = 1e-40
+#: Significant digits of the centres of boxes found in floats, and in decimals.
+_FLOAT_CENTRE_DIGITS = 20
+_DECIMAL_CENTRE_DIGITS = 45
+_DECIMALS = Context(prec=60, Emin=-200, Emax=200)
+_MAX_NEWTON_STEPS = 24
+#: After this many steps each has to be an eighth of the last at most.
+_FREE_NEWTON_STEPS = 6
+#: What may be left over, as a share of the load.
+_MAX_RESIDUAL = 1e-9
 #: Relative error of sums in floats, with room.
-_ROUNDING = 1e-13
+_SUM_ERROR = 1e-13
 
 
 def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Solution]:
@@ -52,18 +59,18 @@ def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Solution]:
     for number in (nearest, _decimal):
         floats = number is nearest
         try:
-            with localcontext(_CONTEXT):
+            with localcontext(_DECIMALS):
                 found = _System(balance, idle, number).newton(start)
         except (ArithmeticError, np.linalg.LinAlgError):
             # A derivative has no inverse, or decimals grow too long.
             continue
         point, value, inverse, *numbers = found
-        if not (np.abs(value).max() <= _CLOSE * load and np.abs(inverse).max() < 1e200):
+        if not (np.abs(value).max() <= _MAX_RESIDUAL * load and np.abs(inverse).max() < 1e200):
             continue
         sizes = np.abs(point).astype(float)
         error = np.abs(inverse).astype(float).sum(axis=1) * load
         end, forces = (x.astype(float).tolist() for x in numbers)
-        for radius, digits in _RADII if floats else _FINE:
+        for radius, digits in _FLOAT_BOXES if floats else _DECIMAL_BOXES:
             radii = radius * np.maximum(sizes, sizes[:p].max(initial=0.0))
             radii = np.maximum(radii, error * (1e-14 if floats else 1e-40))
             if _leaves_states(balance, np.array(end), radii[:p]):
@@ -72,8 +79,8 @@ def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Solution]:
                 tuple(balance.basis),
                 tuple(map(balance.named_share, range(len(c.rows)))),
                 balance.pillars,
-                _short(point, _SHORT if floats else _CENTRE),
-                _short(np.maximum(radii, _LEAST), 2),
+                _short(point, _FLOAT_CENTRE_DIGITS if floats else _DECIMAL_CENTRE_DIGITS),
+                _short(np.maximum(radii, _MIN_RADIUS), 2),
                 tuple(_short(row, digits) for row in inverse),
                 tuple(idle),
             )
@@ -90,7 +97,7 @@ def _leaves_states(balance: StateBalance, motion: Floats, radii: Floats) -> bool
     force = spring[:, 0] + spring[:, 1:] @ motion
     basis = np.array([[nearest(x) for x in row] for row in balance.basis]).reshape(-1, len(motion))
     reach = np.abs(spring[:, 1:] @ basis.T) @ radii
-    reach -= _ROUNDING * (np.abs(spring[:, 0]) + np.abs(spring[:, 1:]) @ np.abs(motion))
+    reach -= _SUM_ERROR * (np.abs(spring[:, 0]) + np.abs(spring[:, 1:]) @ np.abs(motion))
     return bool((np.where(balance.states.touching, -force, force) + reach > 0).any())
 
 
@@ -123,9 +130,9 @@ class _System:
     def newton(self, point: Any) -> tuple[Any, ...]:
         """Return the end, and there: the sum, its derivative's inverse, the motion, the forces."""
         point = np.array([self.number(Fraction(x)) for x in point.tolist()], dtype=self.type)
-        close = 1e-15 if self.type is float else Decimal(10) ** -_CENTRE
+        close = 1e-15 if self.type is float else Decimal(10) ** -_DECIMAL_CENTRE_DIGITS
         last, long = False, point[0]
-        for k in range(_STEPS):
+        for k in range(_MAX_NEWTON_STEPS):
             value, derivative, motion, forces = self._value(point)
             inverse = _inverse(derivative)
             if last:
@@ -135,7 +142,8 @@ class _System:
             long, before = np.abs(step).max(), long
             # Near a root that has an inverse steps shrink faster and faster.
             last = bool(
-                long <= close * np.abs(point).max() or (k >= _PATIENCE and 8 * long > before)
+                long <= close * np.abs(point).max()
+                or (k >= _FREE_NEWTON_STEPS and 8 * long > before)
             )
         return point, value, inverse, motion, forces
 

@@ -32,14 +32,19 @@ from .states import States, rational_direction
 Ends: TypeAlias = str | tuple[Sequence[Fraction | int], ...]
 #: Whether a combination of normal force and friction is 0, or at least 0.
 ConeRow: TypeAlias = tuple[bool, tuple[Any, ...]]
-#: Sides of the polygons at first; how often corners are cut off; denominators of directions.
-_SIDES, _CUTS, _SIMPLE, _LONG = 8, 3, 64, 2**20
+#: Sides of the polygons at first.
+_FIRST_SIDES = 8
+#: How often corners that stick out are cut off.
+_MAX_CUTS = 3
+#: Denominators of half-angle tangents: of directions near the friction, and of cuts.
+_NEAR_DENOMINATOR = 64
+_CUT_DENOMINATOR = 2**20
 #: What is taken off the least product of a middle direction with the arc of a sector.
-_LESS = Fraction(1, 2**40)
+_MIDDLE_ERROR = Fraction(1, 2**40)
 #: Steps of the rows of a contact, for each unknown.
-_ROW = 200
+_ROW_STEPS = 200
 #: Up to this sine of the angle a slip is along a direction.
-_ALONG = 1e-6
+_SAME_DIRECTION_SINE = 1e-6
 
 
 class StateProgram:
@@ -97,7 +102,7 @@ class StateProgram:
     def _add_contact(
         self, i: int, contact: ContactRow, state: Ends, cone: Sequence[ConeRow]
     ) -> None:
-        self.effort.check(_ROW * self.size)
+        self.effort.check(_ROW_STEPS * self.size)
         zero, along = [Fraction(0)] * self.n, _units(self.frame - 1)
         none, first = (0,) * self.frame, (1, *[0] * (self.frame - 1))
         self._bound(i, contact)
@@ -168,7 +173,7 @@ class ExactParts:
     ) -> None:
         self.rows, self.wrench, self.effort = contacts.rows, wrench, effort
         self.max_displacement = max_displacement
-        self.base = pyramid_edges(_SIDES)
+        self.base = pyramid_edges(_FIRST_SIDES)
 
     def part(self, states: Sequence[State], towards: Floats) -> Solution | dict[str, Any]:
         """Return a leaf, or a point that obeys the relaxed law, or nearly.
@@ -178,7 +183,7 @@ class ExactParts:
         """
         ends: list[Any] = list(states)
         around = [[*self.base, *_near(*pair)] for pair in towards.tolist()]
-        for _ in range(_CUTS):
+        for _ in range(_MAX_CUTS):
             cones = [
                 _outside(contact.friction, state, directions)
                 for contact, state, directions in zip(self.rows, states, around, strict=True)
@@ -191,7 +196,8 @@ class ExactParts:
                 normal, *friction = force
                 if dot(friction, friction) > (contact.friction * normal) ** 2:
                     x, y = map(float, _scaled(friction))
-                    new = {rational_direction(x, y, _LONG, 1.0), *_near(x, y)} - set(directions)
+                    cutting = rational_direction(x, y, _CUT_DENOMINATOR, 1.0)
+                    new = {cutting, *_near(x, y)} - set(directions)
                     directions += [pair for pair in new if pair is not None]
                     cut = cut or bool(new)
             if not cut:
@@ -274,7 +280,7 @@ class PyramidParts(ExactParts):
             ends = np.array(part.ends, dtype=float)
             sines = (ends[:, 0] * slip[1] - ends[:, 1] * slip[0]) / np.hypot(*slip)
             if (ends @ slip > 0).all() and (
-                abs(sines[0]) < _ALONG if len(ends) == 1 else sines[0] > 0 > sines[1]
+                abs(sines[0]) < _SAME_DIRECTION_SINE if len(ends) == 1 else sines[0] > 0 > sines[1]
             ):
                 return part
         raise AssertionError("the sectors of a pyramid cover all directions")
@@ -311,7 +317,7 @@ def _sides(ends: tuple[Sequence[Any], ...]) -> list[tuple[bool, tuple[Any, ...]]
 
 def _near(x: float, y: float) -> list[RationalVector]:
     """Return the simple unit vector near a direction, if there is one."""
-    found = rational_direction(x, y, _SIMPLE, 1.0) if x or y else None
+    found = rational_direction(x, y, _NEAR_DENOMINATOR, 1.0) if x or y else None
     return [] if found is None else [found]
 
 
@@ -331,7 +337,7 @@ def _outside(mu: Fraction, state: State, directions: Sequence[RationalVector]) -
         ends /= np.hypot(ends[:, 0], ends[:, 1])[:, None]
         middle = [Fraction(x) for x in ends.sum(axis=0).tolist()]
         # Along the middle the arc is at least as long as at one of its ends.
-        low = Fraction(float((ends @ ends.sum(axis=0)).min())) - _LESS
+        low = Fraction(float((ends @ ends.sum(axis=0)).min())) - _MIDDLE_ERROR
         rows.append((False, (-mu * low, *(-x for x in middle))))
     return rows
 

@@ -22,10 +22,10 @@ from .cones import Cones, Node, State
 from .relaxation import Ray
 
 #: Numbers are rounded to multiples of one over the first, multipliers below the second left out.
-_FINE = ((2**10, 1e-6), (2**20, 1e-6), (2**34, 1e-9), (2**48, 1e-12))
+_ROUNDINGS = ((2**10, 1e-6), (2**20, 1e-6), (2**34, 1e-9), (2**48, 1e-12))
 #: As many multipliers as a motion has numbers, those with most room, and this many more, mostly
 #: do for what has to cancel.
-_MORE = 3
+_MORE_MULTIPLIERS = 3
 
 
 class _WholeContact(NamedTuple):
@@ -109,7 +109,7 @@ class Leaves:
         if not 0 < largest < math.inf or not np.isfinite(ray.multipliers).all():
             return None
         kept, size = None, self.size
-        for fine, nothing in _FINE:
+        for fine, nothing in _ROUNDINGS:
             if kept is None or not np.array_equal(kept, ray.sizes > nothing):
                 kept = ray.sizes > nothing
                 places = list(zip(*np.nonzero(kept), strict=True))
@@ -219,7 +219,7 @@ def _cancelled(
 
     Those that come first are changed.
     """
-    for count in (n, n + _MORE, len(columns)):
+    for count in (n, n + _MORE_MULTIPLIERS, len(columns)):
         others = [0] * n
         for column, value in zip(columns[count:], values[count:], strict=True):
             if value:

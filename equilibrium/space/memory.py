@@ -20,26 +20,28 @@ from equilibrium.plane.contacts import nearest
 from .cones import Node, OpenSplit
 from .leaves import ExactLeaf, Leaves
 
-#: This many leaves are kept; of all contacts together, for parts that none was found in.
-_MOST, _NUMBERS = 20_000, 80_000
-#: This many have room at first.
-_FIRST = 64
-#: Floats propose this many leaves, of which none may hold.
-_TRIES = 3
-#: This many equilibria are kept, and one.
-_EQUILIBRIA = 999
+#: Leaves that are kept by their states, and for parts that none was found in.
+_MAX_LEAVES = 20_000
+#: The same, times the contacts of each: numbers of arrays.
+_MAX_LEAF_CONTACTS = 80_000
+#: Leaves that arrays have room for at first.
+_FIRST_ROOM = 64
+#: Leaves that floats propose for a part, of which none may hold.
+_MAX_PROPOSED_LEAVES = 3
+#: Equilibria that are kept, besides the last.
+_MAX_OTHER_EQUILIBRIA = 999
 #: States without directions.
-_PLAIN = ("undecided", "detached", "attached", "stick")
+_PLAIN_STATES = ("undecided", "detached", "attached", "stick")
 #: Relative error of sums in floats, with room.
-_ROUNDING = 1e-12
+_SUM_ERROR = 1e-12
 #: A split is followed where open leaves are at most those that refute the load, over this.
-_SHARE = 2
-#: This many parts stay open before a search ends.
-_HOLES = 8
-#: Nodes with two slips in sectors too narrow to split may be one in this many, and this many
-#: others. On some boundaries there are as many as pairs of sectors; no search seen to succeed had
-#: as many.
-_NODES, _PAIRS = 8, 10
+_CLOSED_PER_OPEN = 2
+#: A search ends when this many parts stay open.
+_MAX_HOLES = 8
+#: Nodes with two slips in sectors too narrow to split may be one in so many, and some more. On some
+#: boundaries there are as many as pairs of sectors; no search seen to succeed had as many.
+_NODES_PER_PAIR = 8
+_FREE_PAIRS = 10
 
 
 class OpenTree:
@@ -61,7 +63,7 @@ class OpenTree:
     @property
     def hopeless(self) -> bool:
         """Whether too many parts are open, or too narrow to split, for the search to go on."""
-        return self.holes >= _HOLES or self.pairs >= _PAIRS + self.nodes // _NODES
+        return self.holes >= _MAX_HOLES or self.pairs >= _FREE_PAIRS + self.nodes // _NODES_PER_PAIR
 
 
 class _Known:
@@ -73,11 +75,11 @@ class _Known:
         m = self._m = len(rows)
         self.leaves: list[ExactLeaf] = []
         #: The works of a load are ``motion . w + rest``.
-        self._motion, self._rest = np.empty((_FIRST, rows.n)), np.empty(_FIRST)
+        self._motion, self._rest = np.empty((_FIRST_ROOM, rows.n)), np.empty(_FIRST_ROOM)
         #: Of each contact ``a - alpha``, its error, ``b`` and h, as leaves have them.
-        self._numbers = np.empty((_FIRST, m, 2 + 2 * rows.tangents))
-        #: For each state of `_PLAIN` and contact, whether it holds there.
-        self._holds = np.empty((len(_PLAIN), m, _FIRST), np.bool_)
+        self._numbers = np.empty((_FIRST_ROOM, m, 2 + 2 * rows.tangents))
+        #: For each state of `_PLAIN_STATES` and contact, whether it holds there.
+        self._holds = np.empty((len(_PLAIN_STATES), m, _FIRST_ROOM), np.bool_)
 
     def add(self, leaf: ExactLeaf, leaves: Leaves) -> None:
         """Add one."""
@@ -98,7 +100,7 @@ class _Known:
         taken = rows[:, 0]
         a, b = c.normal @ self._motion[n], c.tangents @ self._motion[n]
         rub = c.friction * self._cones.support("stick", b)
-        size = _ROUNDING * (np.abs(a) + np.abs(taken) + np.abs(rub))
+        size = _SUM_ERROR * (np.abs(a) + np.abs(taken) + np.abs(rub))
         self._numbers[n] = np.column_stack([a - taken, size, b, rows[:, 1:]])
         inside, least = a - taken - rub >= -size, rows[:, 0] >= 0
         moved = ~rows[:, 1:].any(axis=1)
@@ -112,7 +114,7 @@ class _Known:
     def closing(self, states: Node, load: Floats) -> Iterator[ExactLeaf]:
         """Yield leaves that may close a part, for a load."""
         n = len(self.leaves)
-        plain = [(_PLAIN.index(s), i) for i, s in enumerate(states) if s in _PLAIN]
+        plain = [(_PLAIN_STATES.index(s), i) for i, s in enumerate(states) if s in _PLAIN_STATES]
         near = self._motion[:n] @ load + self._rest[:n] > 0
         if plain:
             places: Any = (*zip(*plain, strict=True), slice(n))
@@ -121,7 +123,7 @@ class _Known:
         for i, state in enumerate(states):
             if not left.size:
                 return
-            if state not in _PLAIN:
+            if state not in _PLAIN_STATES:
                 rows = self._numbers[left, i]
                 t = self._contacts.rows.tangents
                 rub = self._contacts.friction[i] * self._cones.support(state, rows[:, 2 : 2 + t])
@@ -129,7 +131,7 @@ class _Known:
                 for end in self._cones.ends(state):
                     good &= rows[:, 2 + t :] @ np.array(end, dtype=float) <= 0
                 left = left[good]
-        yield from (self.leaves[k] for k in left[-_TRIES:].tolist())
+        yield from (self.leaves[k] for k in left[-_MAX_PROPOSED_LEAVES:].tolist())
 
 
 class Memory:
@@ -144,7 +146,7 @@ class Memory:
 
     def hold(self, load: Floats, motion: Floats) -> None:
         """Remember an equilibrium."""
-        self._held = [*self._held[-_EQUILIBRIA:], (load, motion)]
+        self._held = [*self._held[-_MAX_OTHER_EQUILIBRIA:], (load, motion)]
 
     def near(self, load: Floats, arms: Floats, size: float) -> Floats | None:
         """Return the motion of the equilibrium whose load is nearest, up to a distance."""
@@ -155,13 +157,15 @@ class Memory:
     def add(self, leaf: ExactLeaf, leaves: Leaves) -> None:
         """Remember a leaf, of a tree that may stay open."""
         known = self._known
-        if known is None or len(known.leaves) >= min(_MOST, _NUMBERS // len(leaves.each)):
+        if known is None or len(known.leaves) >= min(
+            _MAX_LEAVES, _MAX_LEAF_CONTACTS // len(leaves.each)
+        ):
             known = self._known = _Known(leaves)
         known.add(leaf, leaves)
 
     def keep(self, splits: dict[Node, OpenSplit], leaves: dict[Node, ExactLeaf]) -> None:
         """Remember a tree."""
-        if len(self._leaves) + len(leaves) > _MOST:
+        if len(self._leaves) + len(leaves) > _MAX_LEAVES:
             self._splits, self._leaves = {}, {}
         self._splits |= splits
         self._leaves |= leaves
@@ -184,7 +188,7 @@ class Memory:
     def promises(self, states: Node, leaves: Leaves) -> bool:
         """Return whether most leaves that are remembered below a node refute the load."""
         closed, still = self._ends(states, leaves)
-        return closed > 0 and still <= closed // _SHARE
+        return closed > 0 and still <= closed // _CLOSED_PER_OPEN
 
     def _ends(self, states: Node, leaves: Leaves) -> tuple[int, int]:
         """Return how many ends of what is remembered below a node refute the load, or do not."""

@@ -33,14 +33,14 @@ from .cones import Cones, State, lengths
 from .states import SpatialContinuation
 
 #: Weight of the square of the motion beside the forces, in scaled units.
-_SMALL_MOTION = 1e-3
+_MOTION_WEIGHT = 1e-3
 #: Where no ray has more room than minus this, there is none.
-_NO_ROOM = 1e-6
+_ROOM_ERROR = 1e-6
 #: Frictions above this, or stiffnesses further apart, are uneven.
-_UNEVEN = 100.0
+_EVEN_RATIO = 100.0
 #: Whether a contact touches is asked before how it slips, by this factor.
-_FIRST = 3.0
-_KINDS = {
+_LIFT_WEIGHT = 3.0
+_CLARABEL_CONES = {
     "zero": clarabel.ZeroConeT,
     "plus": clarabel.NonnegativeConeT,
     "round": clarabel.SecondOrderConeT,
@@ -151,7 +151,7 @@ class Relaxation:
         self.settings.max_threads = 1
         # Refined steps take a third of the time, and matter only where sizes are far apart.
         spread = self.stiffness.max(initial=0.0) / self.stiffness.min(initial=np.inf)
-        uneven = max(spread, c.friction.max(initial=0.0)) > _UNEVEN
+        uneven = max(spread, c.friction.max(initial=0.0)) > _EVEN_RATIO
         self.settings.iterative_refinement_enable = bool(uneven)
         self._block = cache(self._new_block)
 
@@ -195,7 +195,7 @@ class Relaxation:
             place >= n,
             np.bincount(column, minlength=count).tolist(),
             table[:, end],
-            [_KINDS[kind](len(rows)) for kind, rows in cones],
+            [_CLARABEL_CONES[kind](len(rows)) for kind, rows in cones],
             table[:, alpha:-1].T,
             table[:, -1],
         )
@@ -332,7 +332,7 @@ class Relaxation:
         table, ends = np.delete(table, free, axis=0), np.delete(ends, free)
         program = (_squares(rows + 1, n, 0.0), -last, _Columns.of(table), ends, kept)
         found = np.array(clarabel.DefaultSolver(*program, self.settings).solve().x)
-        return self._ray(states, blocks, starts, found[:-1]) if found[-1] > -_NO_ROOM else None
+        return self._ray(states, blocks, starts, found[:-1]) if found[-1] > -_ROOM_ERROR else None
 
     def violations(self, states: Sequence[State], found: Point) -> Floats:
         """Return how far each contact is from the law: the change of force that it would take."""
@@ -344,11 +344,11 @@ class Relaxation:
         lifts = f[:, 0] - np.maximum(0.0, spring)
         open_ = np.array([state not in ("detached", "stick") for state in states], dtype=bool)
         first = np.array([state == "undecided" for state in states], dtype=bool)
-        values: Floats = np.where(open_, rubs + np.where(first, _FIRST * lifts, 0.0), 0.0)
+        values: Floats = np.where(open_, rubs + np.where(first, _LIFT_WEIGHT * lifts, 0.0), 0.0)
         return values
 
 
 @cache
-def _squares(size: int, n: int, weight: float = _SMALL_MOTION) -> _Columns:
+def _squares(size: int, n: int, weight: float = _MOTION_WEIGHT) -> _Columns:
     """Return the weights of squares: small motions are preferred."""
     return _Columns.of(np.diag([weight] * n + [0.0] * (size - n)))

@@ -23,13 +23,15 @@ from equilibrium.plane.search.continuation import Continuation
 from .cones import Cones
 
 #: Shares of the friction limit are multiples of one over this.
-_SHARES = 2**14
-#: Of rational slip directions: the largest denominator of half-angle tangents, the error allowed.
-_SIMPLE, _SAME = 64, 1e-6
+_SHARE_DENOMINATOR = 2**14
+#: Rational slip directions have half-angle tangents with denominators up to this.
+_MAX_TANGENT_DENOMINATOR = 64
+#: How far such a tangent may be from that of the slip.
+_TANGENT_ERROR = 1e-6
 #: From this share of its limit on, friction may be that of a slip.
-_SLIPS = 0.9999
+_SLIP_SHARE = 0.9999
 #: Beside others, forces below this are within the errors of floats.
-_FELT = 1e-6
+_FORCE_TOLERANCE = 1e-6
 
 
 class SpatialContinuation(Continuation):
@@ -80,13 +82,17 @@ class States:
         self.touching = [bool(x) for x in force > 0]
         self.ratio = ratio
         size = np.linalg.norm(ratio, axis=1)
-        self.slipping = [t and bool(x > _SLIPS) for t, x in zip(self.touching, size, strict=True)]
+        self.slipping = [
+            t and bool(x > _SLIP_SHARE) for t, x in zip(self.touching, size, strict=True)
+        ]
         self.shares: list[RationalVector | None] = []
         for (x, y), slips in zip(ratio, self.slipping, strict=True):
             if slips:
                 self.shares.append(rational_direction(float(x), float(y)))
             else:
-                self.shares.append(tuple(Fraction(int(v * _SHARES), _SHARES) for v in (x, y)))
+                self.shares.append(
+                    tuple(Fraction(int(v * _SHARE_DENOMINATOR), _SHARE_DENOMINATOR) for v in (x, y))
+                )
         self.rational = None not in self.shares
         near = tuple(np.rint(64 * ratio).astype(int).ravel().tolist())
         self.key = (tuple(self.touching), tuple(self.slipping), near)
@@ -95,7 +101,7 @@ class States:
 
 
 def rational_direction(
-    x: float, y: float, simple: int = _SIMPLE, error: float = _SAME
+    x: float, y: float, simple: int = _MAX_TANGENT_DENOMINATOR, error: float = _TANGENT_ERROR
 ) -> RationalVector | None:
     """Return the unit vector of a simple half-angle tangent in a direction, if there is one."""
     size = math.hypot(x, y)
@@ -129,7 +135,7 @@ def rubbing_states(
         forces: (m, 3), maybe of smaller frictions.
         size: of the forces that matter.
     """
-    c, pull, least = contacts, np.hypot(*forces[:, 1:].T), _FELT * size
+    c, pull, least = contacts, np.hypot(*forces[:, 1:].T), _FORCE_TOLERANCE * size
     press = pull / np.maximum(c.friction, 1e-300)
     rubs = (pull > least) & (press < least) & (np.array(slipping) | (forces[:, 0] < least))
     if not rubs.any():

@@ -21,7 +21,7 @@ from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import FloatContacts, nearest
 
-from .cones import NARROW, Cones, Node, OpenSplit, Proof, RoundCones, finished, split_of
+from .cones import NARROW_SINE, Cones, Node, OpenSplit, Proof, RoundCones, finished, split_of
 from .equilibria import EquilibriumSearch
 from .leaves import Leaves
 from .memory import Memory, OpenTree
@@ -262,7 +262,7 @@ class SpatialSearch:
         self.count_program()
         self.idle += 1
         tree.nodes += 1
-        tree.pairs += sum(self.cones.sine(x) < NARROW for x in states) > 1
+        tree.pairs += sum(self.cones.sine(x) < NARROW_SINE for x in states) > 1
         part = self._node(states)
         return (self.memory.split(states) or part) if isinstance(part, OpenSplit) else part
 

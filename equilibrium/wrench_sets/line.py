@@ -26,7 +26,7 @@ from arrangement.numbers.linear.intervals import (
     where_positive,
 )
 from arrangement.numbers.linear.rank import gauss_jordan
-from equilibrium.decide.robustness import DEPENDS, ROUNDINGS, others
+from equilibrium.decide.robustness import DEPENDS, MAX_ROUNDINGS, others
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
@@ -141,7 +141,7 @@ def ends_within_error(solver: Solver, found: Magnitudes) -> RoundedEnds | None:
     for k, grasp in enumerate(others(verdict)):
         prepared = Solver(grasp, solver.max_displacement)
         other = resisted_magnitudes(prepared, found.direction, found.base).intervals
-        if k >= ROUNDINGS and not solver.grasp.data_error.as_given:
+        if k >= MAX_ROUNDINGS and not solver.grasp.data_error.as_given:
             common = (intersection(*two) for two in product(other, found.intervals))
             other = union(part for part in common if part is not None)
         ends.append(_ends(other))

@@ -24,17 +24,25 @@ from equilibrium.plane.contacts import FloatContacts, IntegerContacts, nearest
 
 from .state_equilibrium import Guess, exact_equilibrium
 
-_STEPS = 30
-#: Sharpness grows by one over this, or less where a step fails.
-_FACTOR, _SLOW = 0.1, 0.7
-#: How many sharpnesses are tried, and from which one on exact attempts are made.
-_PATH, _SHARP, _SHARPEST = 40, 2e-2, 1e-8
-#: Residuals relative to the load.
-_CLOSE = 1e-8
-_NEAR = 1e-3
+_MAX_NEWTON_STEPS = 30
+#: The smoothing parameter is multiplied by this, or by more where a step fails.
+_SMOOTHING_FACTOR = 0.1
+#: A path ends where a step fails with a larger factor.
+_MAX_SMOOTHING_FACTOR = 0.7
+#: Smoothing parameters that are tried at most.
+_MAX_PATH_STEPS = 40
+#: Below this smoothing parameter equilibria are proposed.
+_SHARP = 2e-2
+#: Below this one a path ends.
+_SHARPEST = 1e-8
+#: Residual of a point of a path, as a share of the load.
+_PATH_RESIDUAL = 1e-8
+#: Where a path starts that starts near an equilibrium.
+_SHARPNESS_NEAR = 1e-3
 #: Motions smaller than this, or larger than its inverse, are not scaled.
-_SMALL = 1e-60
-_EXACT = 1e-12
+_MIN_SCALE = 1e-60
+#: Residual that ends Newton's method, as a share of the load.
+_NEWTON_RESIDUAL = 1e-12
 
 
 def find_equilibrium(
@@ -46,7 +54,7 @@ def find_equilibrium(
         start: a motion that may be near one; the path then begins with rather sharp contacts.
     """
     search = Continuation(contacts.floats, wrench)
-    path = search.path(np.zeros(3)) if start is None else search.path(start, _NEAR)
+    path = search.path(np.zeros(3)) if start is None else search.path(start, _SHARPNESS_NEAR)
     tried: set[Guess] = set()
     with np.errstate(all="ignore"):
         for motion, eps in path:
@@ -82,18 +90,18 @@ class Continuation:
     def path(self, motion: Floats, first: float = 1.0) -> Iterator[tuple[Floats, float]]:
         """Yield motions along a path, from a sharpness on; the steps adapt."""
         slip = float(self.scale[0])
-        eps, factor = first / _FACTOR, _FACTOR
-        for _ in range(_PATH):
+        eps, factor = first / _SMOOTHING_FACTOR, _SMOOTHING_FACTOR
+        for _ in range(_MAX_PATH_STEPS):
             end, residual = self._newton(motion, eps * factor * slip)
-            good = residual <= _CLOSE * self.size
+            good = residual <= _PATH_RESIDUAL * self.size
             self.reached = min(self.reached, residual) if eps * factor < _SHARP else self.reached
             if eps * factor < _SHARP and residual <= self.size:
                 yield end, eps * factor * slip
             if good:
-                motion, eps, factor = end, eps * factor, max(factor**2, _FACTOR)
+                motion, eps, factor = end, eps * factor, max(factor**2, _SMOOTHING_FACTOR)
                 if eps < _SHARPEST:
                     return
-            elif factor > _SLOW:
+            elif factor > _MAX_SMOOTHING_FACTOR:
                 return
             else:
                 factor = factor**0.5
@@ -102,8 +110,8 @@ class Continuation:
         """Return a motion of less residual: Newton steps, damped where they fail."""
         value, jacobian = self._balance(motion, eps)
         residual, damping, factors = _length(value), 0.0, None
-        for _ in range(_STEPS):
-            if not np.isfinite(jacobian).all() or residual <= _EXACT * self.size:
+        for _ in range(_MAX_NEWTON_STEPS):
+            if not np.isfinite(jacobian).all() or residual <= _NEWTON_RESIDUAL * self.size:
                 break
             # Where a step fails only the damping changes.
             factors = factors or np.linalg.svd(jacobian * self.scale)
@@ -179,4 +187,4 @@ def motion_scale(contacts: FloatContacts, load: Floats) -> Floats:
         return arms
     size = 3 * float(np.abs(load * arms).max()) / total
     size = max(size, 2 * median((contacts.preload / contacts.stiffness).tolist()))
-    return (size if _SMALL < size < 1 / _SMALL else 1.0) * arms
+    return (size if _MIN_SCALE < size < 1 / _MIN_SCALE else 1.0) * arms

@@ -39,17 +39,23 @@ ORTHANTS = tuple(
     for x, y, z in itertools.product((1, -1), repeat=3)
 )
 #: Numbers of numpy arrays at once.
-_NUMBERS = 3_000_000
+_MAX_ARRAY_NUMBERS = 3_000_000
 #: A region cut out so often, and every fourth time from then on, is tried by states.
-_PATIENCE = 12
-#: Few contacts, and any with huge or tiny numbers, which floats cannot guide, are tried by states
-#: as a whole: few after some cuts; with a limit of programs.
-_SMALL, _SMALL_CUTS, _SMALL_PARTS = 6, 40, 300
-#: Cuts after which edges are cut where springs end, too.
-_FEW = 4
-_TINY = 1e-9
-#: Steps of a region that is cut: of any, and for each contact.
-_REGION, _EACH = 10_000, 200
+_CUTS_BEFORE_STATES = 12
+#: Up to so many contacts, and all with huge or tiny numbers, which floats cannot guide, are tried
+#: by states as a whole.
+_MAX_CONTACTS_WHOLE = 6
+#: Cuts before that.
+_CUTS_BEFORE_WHOLE = 40
+#: Programs of it.
+_MAX_PROGRAMS_WHOLE = 300
+#: Cuts after which edges are cut where springs end, too: until then their middles do.
+_CUTS_BEFORE_SPRING_ENDS = 12
+#: What counts as 0, in units of the generators and of the load.
+_TOLERANCE = 1e-9
+#: Steps of a region that is cut, and for each contact.
+_REGION_STEPS = 10_000
+_REGION_STEPS_PER_CONTACT = 200
 
 
 @dataclass(eq=False, slots=True)
@@ -104,7 +110,7 @@ class MotionRegions:
         self.virtual = VirtualMotions(self.contacts, wrench)
         scale = motion_scale(self.contacts.floats, self.virtual.load)
         self.lengths = np.array([1.0, *(1 / scale)])
-        self.batch = max(1, _NUMBERS // (50 * max(len(contacts), 30)))
+        self.batch = max(1, _MAX_ARRAY_NUMBERS // (50 * max(len(contacts), 30)))
         self.solution: Solution | None = None
         #: Rows of bounded displacements.
         self.rows = np.array([_shortened(row) for row in contacts.bounds[0].tolist()])
@@ -121,7 +127,10 @@ class MotionRegions:
         active = self._unclosed(
             [_OpenRegion(orthant, (children, n)) for n, orthant in enumerate(ORTHANTS)]
         )
-        cuts, first = 0, _SMALL_CUTS if len(self.contacts) <= _SMALL else math.inf
+        cuts, first = (
+            0,
+            _CUTS_BEFORE_WHOLE if len(self.contacts) <= _MAX_CONTACTS_WHOLE else math.inf,
+        )
         if not self.contacts.floats.moderate:
             first, count = 0, len(self.contacts)
             budget.check_cost(
@@ -133,11 +142,13 @@ class MotionRegions:
             if cuts >= first:
                 first = math.inf
                 root: list[Node] = [None]
-                if self._by_states(_OpenRegion(HALF_SPACE, (root, 0)), _SMALL_PARTS):
+                if self._by_states(_OpenRegion(HALF_SPACE, (root, 0)), _MAX_PROGRAMS_WHOLE):
                     return root[0] if self.solution is None else self.solution
             active.sort(key=lambda region: region.depth)
             chosen, active = active[-self.batch :], active[: -self.batch]
-            self.effort.check(len(chosen) * (_REGION + _EACH * len(self.contacts)))
+            self.effort.check(
+                len(chosen) * (_REGION_STEPS + _REGION_STEPS_PER_CONTACT * len(self.contacts))
+            )
             whole = [region for region in chosen if not self._decided(region)]
             if self.solution is not None:
                 return self.solution
@@ -149,13 +160,13 @@ class MotionRegions:
         """Try the states of contacts on a small region, now and then; return whether that ended."""
         if self.solution is not None:
             return True
-        if region.depth < _PATIENCE or region.depth % 4:
+        if region.depth < _CUTS_BEFORE_STATES or region.depth % 4:
             return False
-        if region.depth == _PATIENCE:
+        if region.depth == _CUTS_BEFORE_STATES:
             self._look_inside(region)
         loose = self._floats(self._scaled([region.generators])[0])
         count = int(np.sum(loose.mixed | (loose.touching & (loose.slip == 0))))
-        if self.solution is not None or count > region.depth - _PATIENCE // 2:
+        if self.solution is not None or count > region.depth - _CUTS_BEFORE_STATES // 2:
             return self.solution is not None
         return self._by_states(region, 10 * 2.0 ** (region.depth // 8))
 
@@ -166,8 +177,8 @@ class MotionRegions:
         """
         v, c = self.virtual, self.contacts
         load, least, _, _ = v.works
-        works = load > _TINY * np.abs(load).max()
-        for row in np.flatnonzero(works & (least.min(axis=0, initial=1.0) > -_TINY)):
+        works = load > _TOLERANCE * np.abs(load).max()
+        for row in np.flatnonzero(works & (least.min(axis=0, initial=1.0) > -_TOLERANCE)):
             motion = np.array(v.integers(v.candidates[row]), dtype=object)
             across = np.abs(c.tangent.dot(motion) * c.friction)
             work = sum(int(x) * w for x, w in zip(motion, self.wrench, strict=True))
@@ -192,7 +203,7 @@ class MotionRegions:
         # The row that most of the region breaks.
         values = generators @ self.rows.T
         least, most = values.min(axis=1), values.max(axis=1)
-        share = np.where(least < -_TINY, -least / (most - least + 1e-300), 0.0)
+        share = np.where(least < -_TOLERANCE, -least / (most - least + 1e-300), 0.0)
         row = share.argmax(axis=1)
         beyond = np.take_along_axis(values, row[:, None, None], axis=2)[:, :, 0]
         beyond = np.where(share.max(axis=1)[:, None] > 0, beyond, 0.0)
@@ -207,7 +218,7 @@ class MotionRegions:
         floats = self._floats(generators)
         motions, values = self.virtual.best(floats, self.rounds)
         # Near the boundary floats cannot distinguish 0 from what is enough.
-        hopeful = np.flatnonzero(values > -_TINY).tolist()
+        hopeful = np.flatnonzero(values > -_TOLERANCE).tolist()
         exact = [self.virtual.integers(motions[n]) for n in hopeful]
         generators_of = [regions[n].generators for n in hopeful]
         rows = floats.row[hopeful].tolist() if len(self.rows) else []
@@ -244,7 +255,7 @@ class MotionRegions:
         first, second = (list(ends) for ends in zip(*EDGES, strict=True))
         ratio = size[:, second] / size[:, first]
         left, right = _simple(np.exp2(np.rint(np.log2(ratio))), np.abs(np.log2(ratio)) < 1.5)
-        if any(region.depth >= _FEW for region in regions):
+        if any(region.depth >= _CUTS_BEFORE_SPRING_ENDS for region in regions):
             crossing, there = self._springs_end(floats, first, second)
             crossing = np.where(crossing > 0, crossing * ratio, 1.0)
             more = _simple(crossing, np.zeros(1, dtype=bool))
@@ -280,7 +291,7 @@ class MotionRegions:
         one, two = floats.spring[:, first], floats.spring[:, second]
         strength = np.where(one * two < 0, np.minimum(np.abs(one), np.abs(two)), 0.0)
         chosen = strength.argmax(axis=2)[..., None]
-        there = np.take_along_axis(strength, chosen, axis=2)[..., 0] > _TINY
+        there = np.take_along_axis(strength, chosen, axis=2)[..., 0] > _TOLERANCE
         one, two = (np.abs(np.take_along_axis(x, chosen, axis=2)[..., 0]) for x in (one, two))
         return np.where(there, two / np.where(there, one, 1.0), 0.0), there
 
@@ -320,9 +331,11 @@ class MotionRegions:
 
 
 #: Other searches that may find a smaller proof: rounds and turn, see `MotionRegions`.
-_SEARCHES = ((3, 1.0), (10, 1.0), (8, 0.5), (8, 2.0))
-#: Up to how many contacts, and with how many programs, states alone are tried for a smaller proof.
-_FEW, _PARTS = 12, 100
+_OTHER_SEARCHES = ((3, 1.0), (10, 1.0), (8, 0.5), (8, 2.0))
+#: Up to so many contacts states alone are tried for a smaller proof.
+_MAX_CONTACTS_STATES_ALONE = 12
+#: Programs of that.
+_MAX_PROGRAMS_STATES_ALONE = 100
 
 
 def resistance(
@@ -354,12 +367,16 @@ def _others(contacts: IntegerContacts, wrench: RationalVector, effort: Effort) -
     """Return other proofs of the same, as many as the effort allows."""
     trees = []
     try:
-        if len(contacts) <= _FEW:
-            trees.append(StateSplits(contacts, wrench, HALF_SPACE, _PARTS, effort).decide())
+        if len(contacts) <= _MAX_CONTACTS_STATES_ALONE:
+            trees.append(
+                StateSplits(
+                    contacts, wrench, HALF_SPACE, _MAX_PROGRAMS_STATES_ALONE, effort
+                ).decide()
+            )
     except (TooManyParts, TimeoutError):
         pass
     try:
-        for rounds, turn in _SEARCHES:
+        for rounds, turn in _OTHER_SEARCHES:
             trees.append(MotionRegions(contacts, wrench, effort, rounds, turn).search())
     except TimeoutError:
         pass

@@ -17,14 +17,18 @@ from equilibrium.model.solution import Solution
 
 from .part_program import Cut, Node, PartProgram
 
-#: What is taken for 0: the work of a part that cannot be closed, and what contacts violate.
-_CLOSED, _OBEYED = 1e-9, 1e-6
-#: How often bounds are added, and the bound of what is free, in units of the works.
-_ROUNDS, _FREE = 30, 1e4
+#: The work of a part, relative to the largest, up to which it cannot be closed.
+_WORK_TOLERANCE = 1e-9
+#: Relative violations of the law that count as none.
+_LAW_TOLERANCE = 1e-6
+#: How often cuts are added.
+_MAX_CUT_ROUNDS = 30
+#: The bound of what is free, in units of the works.
+_FREE_BOUND = 1e4
 #: Steps of a guess, about, besides those of its numbers.
-_GUESS = 30_000
+_GUESS_STEPS = 30_000
 #: What is left at boundaries, in units of the works.
-_ROOM = 1 / 16
+_BOUNDARY_ROOM = 1 / 16
 
 
 def decide(part: PartProgram, effort: Effort) -> Node | int | Solution:
@@ -34,7 +38,7 @@ def decide(part: PartProgram, effort: Effort) -> Node | int | Solution:
     """
     if not part.region.contacts.floats.moderate:
         return part.solve(effort)
-    effort.check(_GUESS + 10 * part.size * len(part.region.known))
+    effort.check(_GUESS_STEPS + 10 * part.size * len(part.region.known))
     guess = PartGuess(part, part.cuts)
     for numbers in guess.leaves():
         for tried in guess.hopeful(list(part.roundings(numbers.tolist()))):
@@ -97,7 +101,7 @@ class PartGuess:
         rows[:, :-1] *= self._scale
         for k, i in enumerate(part.sticks):
             pair = rows[6 + len(part.bounds) + 2 * k :][:2]
-            pair[:, part.h[i]], pair[:, -1] = (1, -1), _FREE
+            pair[:, part.h[i]], pair[:, -1] = (1, -1), _FREE_BOUND
         return rows
 
     def _cuts_at(self, motion: Floats) -> list[Cut]:
@@ -130,7 +134,7 @@ class PartGuess:
         """
         if self._solved():
             yield (self._program.point * self._scale)[:-1]
-            self._room = _ROOM
+            self._room = _BOUNDARY_ROOM
             limits = self._own[6 : 6 + len(self.part.limits)]
             limits[:, -2] = -self._room
             self._program.add(np.concatenate([limits, self._cut_rows(self._cuts)]))
@@ -155,22 +159,24 @@ class PartGuess:
             ],
             axis=2,
         )
-        good = terms.sum(axis=2) >= -_CLOSED * np.abs(terms).sum(axis=2)
+        good = terms.sum(axis=2) >= -_WORK_TOLERANCE * np.abs(terms).sum(axis=2)
         return [tried[k] for k in np.flatnonzero(good.all(axis=1)).tolist()]
 
     def _solved(self) -> bool:
         """Solve with as many bounds as matter; return whether the work can be above 0."""
-        for _ in range(_ROUNDS):
+        for _ in range(_MAX_CUT_ROUNDS):
             if not self._program.solve():
                 return False
             point = self._program.point
-            if point[-1] <= _CLOSED * self._largest:
+            if point[-1] <= _WORK_TOLERANCE * self._largest:
                 if not self._room:
                     self.contact = self._violated()
                 return False
             found = self._cuts_at(point[:3])
             rows = self._cut_rows(found)
-            broken = np.flatnonzero(rows[:, :-1] @ point < -_CLOSED * np.abs(rows).max(axis=1))
+            broken = np.flatnonzero(
+                rows[:, :-1] @ point < -_WORK_TOLERANCE * np.abs(rows).max(axis=1)
+            )
             if not len(broken):
                 return True
             self._cuts += [found[j] for j in broken]
@@ -182,7 +188,9 @@ class PartGuess:
         part, floats, c = self.part, self.floats, self.floats.contacts
         y = self._program.multipliers() * self._scale[-1]
         weights, pushes = y[self._first_cut :], y[6 : 6 + len(part.limits)]
-        self.binding = [cut for cut, w in zip(self._cuts, weights, strict=True) if w > _CLOSED]
+        self.binding = [
+            cut for cut, w in zip(self._cuts, weights, strict=True) if w > _WORK_TOLERANCE
+        ]
         at = [cut.generator for cut in self._cuts]
         signs = np.array([cut.signs for cut in self._cuts])
         given = weights[:, None] * floats.spring[at]
@@ -193,8 +201,8 @@ class PartGuess:
             normal[i] += force
             rub[i] -= sign * force * c.friction[i]
         slip = c.tangent @ motion
-        slip[np.abs(slip) <= _OBEYED * (1e-3 + np.abs(motion).max())] = 0.0
+        slip[np.abs(slip) <= _LAW_TOLERANCE * (1e-3 + np.abs(motion).max())] = 0.0
         force = c.preload + c.spring[:, 1:] @ motion
         wrong = part.violations(force, slip, normal, rub, c.friction)
         worst = int(wrong.argmax())
-        return worst if wrong[worst] > _OBEYED * (1.0 + np.abs(normal).max()) else None
+        return worst if wrong[worst] > _LAW_TOLERANCE * (1.0 + np.abs(normal).max()) else None

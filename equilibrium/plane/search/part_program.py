@@ -29,9 +29,9 @@ States: TypeAlias = dict[int, str]
 
 _ZERO = Fraction(0)
 #: The directions of slip that a state allows.
-_SIGNS = {"slip+": (1,), "slip-": (-1,), "stick": (1, -1), "attached": (1, -1), "detached": ()}
+_SLIP_SIGNS = {"slip+": (1,), "slip-": (-1,), "stick": (1, -1), "attached": (1, -1), "detached": ()}
 #: Largest entries of rounded multipliers that are tried.
-_SIZES = (1, 2, 3, 4, 5, 7, 10, 20, 50, 100, 1000, 10**4, 10**6, 10**9, 10**12)
+_ROUNDED_SIZES = (1, 2, 3, 4, 5, 7, 10, 20, 50, 100, 1000, 10**4, 10**6, 10**9, 10**12)
 
 
 class RegionRows:
@@ -159,7 +159,7 @@ class PartProgram:
                 self.bounds.append(self._row({self.h[i]: -1 if states[i] == "slip+" else 1}))
 
     def _signs(self, i: int) -> tuple[int, ...]:
-        signs = _SIGNS[self.states.get(i, "attached")]
+        signs = _SLIP_SIGNS[self.states.get(i, "attached")]
         known = int(self.region.known[i])
         # A known direction helps where the state leaves it open, as the checker allows.
         return (known,) if known and self.states.get(i) in (None, "attached") else signs
@@ -264,7 +264,7 @@ class PartProgram:
     def roundings(self, numbers: Sequence[Any]) -> Iterator[Sequence[int]]:
         """Yield roundings of multipliers, finer and finer; no alpha above its limit."""
         largest = max(map(abs, numbers[:3])) or max(map(abs, numbers)) or Fraction(1)
-        for size in _SIZES:
+        for size in _ROUNDED_SIZES:
             rounded = [round(x * size / largest) for x in numbers]
             for alpha, arm, unit in self._most:
                 rounded[alpha] = min(rounded[alpha], dot(arm, rounded[:3]) // unit)

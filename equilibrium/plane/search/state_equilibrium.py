@@ -21,11 +21,11 @@ from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import IntegerContacts, product
 
 #: Shares of the friction limit are multiples of one over this.
-_SHARES = 2**14
+_SHARE_DENOMINATOR = 2**14
 #: Rounded motions are multiples of one over this.
-_COARSE = 16
+_MOTION_DENOMINATOR = 16
 #: The least weight of a contact that bears nothing.
-_LIGHT = 1e-6
+_MIN_WEIGHT = 1e-6
 
 
 @dataclass(frozen=True)
@@ -35,9 +35,10 @@ class Guess:
     Attributes:
         touching: the contacts with a normal force.
         sticking: those among them that do not slip.
-        shares: of its friction limit, over `_SHARES`, for each contact; exact when it slips.
-        motion: over `_COARSE`, rounded.
-        weights: which of those that stick bear most, from `_LIGHT` to 1.
+        shares: of its friction limit, over `_SHARE_DENOMINATOR`, for each contact;
+            exact when it slips.
+        motion: over `_MOTION_DENOMINATOR`, rounded.
+        weights: which of those that stick bear most, from `_MIN_WEIGHT` to 1.
     """
 
     touching: tuple[bool, ...]
@@ -53,13 +54,15 @@ class Guess:
         """Return the guess of floats: motion, spring force, share of the friction limit, slip."""
         touching = force > 0
         sticking = touching & ~slips
-        shares = np.where(sticking, np.rint(ratio * _SHARES), np.sign(ratio) * _SHARES)
+        shares = np.where(
+            sticking, np.rint(ratio * _SHARE_DENOMINATOR), np.sign(ratio) * _SHARE_DENOMINATOR
+        )
         return cls(
             tuple(touching.tolist()),
             tuple(sticking.tolist()),
             tuple(int(x) for x in np.nan_to_num(shares).tolist()),
-            tuple(round(x * _COARSE) for x in np.nan_to_num(motion).tolist()),
-            tuple(np.clip(np.nan_to_num(force / force.max(initial=0)), _LIGHT, 1).tolist()),
+            tuple(round(x * _MOTION_DENOMINATOR) for x in np.nan_to_num(motion).tolist()),
+            tuple(np.clip(np.nan_to_num(force / force.max(initial=0)), _MIN_WEIGHT, 1).tolist()),
         )
 
 
@@ -72,8 +75,8 @@ def exact_equilibrium(
     shares = np.array(guess.shares, dtype=object)
     shares[pillars] = 0
     touching = np.array(guess.touching, dtype=bool)
-    arm = (along * _SHARES + across * shares[:, None])[touching]
-    unit = contacts.common_unit * _SHARES
+    arm = (along * _SHARE_DENOMINATOR + across * shares[:, None])[touching]
+    unit = contacts.common_unit * _SHARE_DENOMINATOR
     stiffness = product(arm.T, contacts.spring[touching])
     rows = []
     for j in range(3):
@@ -91,10 +94,12 @@ def exact_equilibrium(
     for j in free:
         point[j] = guess.motion[j] * scale if j < 3 else 0
     for row, pivot in zip(reduced, pivots, strict=False):
-        point[pivot] = -row[size] * _COARSE - sum(row[j] * point[j] // scale for j in free)
+        point[pivot] = -row[size] * _MOTION_DENOMINATOR - sum(
+            row[j] * point[j] // scale for j in free
+        )
     if scale < 0:
         point, scale = [-x for x in point], -scale
-    return _checked(contacts, wrench, guess, pillars, point, scale * _COARSE)
+    return _checked(contacts, wrench, guess, pillars, point, scale * _MOTION_DENOMINATOR)
 
 
 def _pillars(contacts: IntegerContacts, guess: Guess) -> list[int]:
@@ -104,7 +109,7 @@ def _pillars(contacts: IntegerContacts, guess: Guess) -> list[int]:
     """
     sticking = np.flatnonzero(guess.sticking)
     tangents = contacts.floats.tangent[sticking]
-    spare = 1.0 - np.abs(np.array(guess.shares)[sticking]) / (_SHARES + 1)
+    spare = 1.0 - np.abs(np.array(guess.shares)[sticking]) / (_SHARE_DENOMINATOR + 1)
     spare *= np.broadcast_to(guess.weights, len(contacts))[sticking]
     left = tangents * (spare * contacts.floats.friction[sticking])[:, None]
     chosen: list[int] = []
@@ -150,7 +155,7 @@ def _checked(
         if i in special:
             rub = Fraction(special[i] * contacts.wrench_unit[i], scale)
         else:
-            rub = limit * Fraction(guess.shares[i], _SHARES)
+            rub = limit * Fraction(guess.shares[i], _SHARE_DENOMINATOR)
         if s and rub * s != -limit * abs(s):
             return None
         if abs(rub) > limit:

@@ -31,7 +31,7 @@ from .motion_regions import HALF_SPACE, ORTHANTS
 from .part_program import Node
 
 #: Bits of a number that is a unit itself.
-_SHORT = 48
+_MAX_UNIT_BITS = 48
 
 
 def unit_of(numbers: Iterable[Fraction]) -> Fraction:
@@ -40,7 +40,7 @@ def unit_of(numbers: Iterable[Fraction]) -> Fraction:
     if not largest:
         return Fraction(1)
     sizes = largest.numerator.bit_length(), largest.denominator.bit_length()
-    if max(sizes) <= _SHORT:
+    if max(sizes) <= _MAX_UNIT_BITS:
         return largest
     unit = Fraction(2) ** (sizes[0] - sizes[1])
     return unit / 2 if largest < unit else unit

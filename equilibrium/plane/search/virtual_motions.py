@@ -21,13 +21,15 @@ from arrangement.numbers.float_filter import Floats
 from equilibrium.plane.contacts import FloatContacts, IntegerContacts, nearest, product, whole
 
 #: Entries of the virtual motions tried first.
-_RANGE = 2
-_TINY = 1e-12
+_MAX_FIRST_ENTRY = 2
+#: What counts as 0, in units of the works.
+_TOLERANCE = 1e-12
 #: Multipliers of bounded displacements have denominators up to this where that will do.
-_SIMPLE = 2**16
+_MAX_DENOMINATOR = 2**16
 #: Up to this many contacts all are added up, needed or not.
-_FEW = 30
-_AROUND = np.array([x for x in itertools.product((-1, 0, 1), repeat=3) if any(x)], dtype=float)
+_MAX_CONTACTS_DENSE = 30
+#: Steps from a virtual motion to those around it.
+_NEIGHBOURS = np.array([x for x in itertools.product((-1, 0, 1), repeat=3) if any(x)], dtype=float)
 
 
 class VirtualMotions:
@@ -43,7 +45,7 @@ class VirtualMotions:
         c = self.contacts
         self.load = np.array([nearest(w) for w in wrench])
         self.arm = 2.0 ** round(math.log2(c.length))
-        entries = range(-_RANGE, _RANGE + 1)
+        entries = range(-_MAX_FIRST_ENTRY, _MAX_FIRST_ENTRY + 1)
         every = itertools.product(entries, repeat=3)
         # The simplest first: where two do equally well, that one is taken.
         listed = sorted((x for x in every if math.gcd(*x) == 1), key=lambda x: sum(map(abs, x)))
@@ -84,12 +86,13 @@ class VirtualMotions:
                 (mixed & chosen, lifted, np.minimum(kappa, 0.0)),
             ):
                 # Deep down few contacts are mixed, and few may slip either way.
-                used = np.flatnonzero(of.any(axis=0)) if of.shape[1] > _FEW else slice(None)
+                dense = of.shape[1] <= _MAX_CONTACTS_DENSE
+                used = slice(None) if dense else np.flatnonzero(of.any(axis=0))
                 total += (force[:, :, used] * of[:, None, used]) @ works[..., used, :]
         if regions.beyond.any():
             total -= _multiplier(total, regions.beyond[:, :, None]) * regions.beyond[:, :, None]
         far = (regions.weight == 0)[:, :, None]
-        total = np.where(far & (total > -_TINY), np.inf, total - _TINY)
+        total = np.where(far & (total > -_TOLERANCE), np.inf, total - _TOLERANCE)
         value: Floats = np.nan_to_num(total.min(axis=1), nan=-1.0)
         return value
 
@@ -103,7 +106,7 @@ class VirtualMotions:
             open_ = np.flatnonzero(value <= 0)
             if not len(open_):
                 break
-            near = 2 * motions[open_, None, :] + _AROUND
+            near = 2 * motions[open_, None, :] + _NEIGHBOURS
             found = self.values(regions.take(open_), near)
             best = np.argmax(found, axis=1)
             best_value = found[np.arange(len(best)), best]
@@ -143,10 +146,10 @@ class Regions:
         self.weight, self.spring, self.shift = weight, spring, shift
         self.beyond, self.row = beyond, row
         low, high = spring.min(axis=1), spring.max(axis=1)
-        self.touching = low >= -_TINY
-        self.mixed = (high > _TINY) & ~self.touching
-        self.slip = np.where(shift.min(axis=1) > _TINY, 1, 0) - np.where(
-            shift.max(axis=1) < -_TINY, 1, 0
+        self.touching = low >= -_TOLERANCE
+        self.mixed = (high > _TOLERANCE) & ~self.touching
+        self.slip = np.where(shift.min(axis=1) > _TOLERANCE, 1, 0) - np.where(
+            shift.max(axis=1) < -_TOLERANCE, 1, 0
         )
 
     def take(self, rows: npt.NDArray[np.intp]) -> Regions:
@@ -164,8 +167,8 @@ def _multiplier(work: Floats, beyond: Floats) -> Floats:
     """
     with np.errstate(all="ignore"):
         ratio = work / beyond
-    low = np.where(beyond < -_TINY, ratio, 0.0).max(axis=1, keepdims=True)
-    high = np.where(beyond > _TINY, ratio, np.inf).min(axis=1, keepdims=True)
+    low = np.where(beyond < -_TOLERANCE, ratio, 0.0).max(axis=1, keepdims=True)
+    high = np.where(beyond > _TOLERANCE, ratio, np.inf).min(axis=1, keepdims=True)
     low = np.maximum(low, 0.0)
     middle: Floats = np.where(high == np.inf, 2 * low, (low + high) / 2)
     return np.where((low > 0) & (low < high), middle, 0.0)
@@ -228,7 +231,7 @@ def _exact_multiplier(
     low = max(low, Fraction(0))
     high = min((Fraction(x, y) for x, y in zip(work, beyond, strict=True) if y > 0), default=None)
     middle = 2 * low + 1 if high is None else (low + high) / 2
-    for number in (middle.limit_denominator(_SIMPLE), middle):
+    for number in (middle.limit_denominator(_MAX_DENOMINATOR), middle):
         left = [x - number * y for x, y in zip(work, beyond, strict=True)]
         if number > 0 and all(
             x > 0 or (x == 0 and not w) for x, w in zip(left, weight, strict=True)

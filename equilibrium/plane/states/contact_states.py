@@ -30,7 +30,7 @@ Codes: TypeAlias = npt.NDArray[np.int8]
 
 DETACHED = 2
 #: This many planes are counted first, if there are more.
-_SOME = 16
+_PLANES_COUNTED_FIRST = 16
 STATE_OF_CODE: dict[int, State] = {1: "slip+", 0: "stick", -1: "slip-", DETACHED: "detached"}
 
 
@@ -74,7 +74,7 @@ def _count(planes: Arrangement, contacts: int) -> None:
 
     for step in (27, 9, 3, 1):
         some = planes.firsts[::step]
-        if step > 1 and len(some) < _SOME:
+        if step > 1 and len(some) < _PLANES_COUNTED_FIRST:
             continue
         normals, offsets = [planes.normals[i] for i in some], [planes.offsets[i] for i in some]
         part = Arrangement(normals, offsets, dimension=3)

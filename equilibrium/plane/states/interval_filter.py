@@ -36,14 +36,16 @@ from .contact_states import DETACHED, Codes
 Integers: TypeAlias = npt.NDArray[np.int64]
 
 #: Above the rounding errors of a bound's own computation: sums of positive numbers, a few hundred
-#: roundings at most. Nothing that matters is as small as `_TINY`.
-_MARGIN, _TINY = 1.01, 1e-200
+#: roundings at most.
+_MARGIN = 1.01
+#: Above what underflow loses: nothing that matters is as small.
+_UNDERFLOW = 1e-200
 #: Of a preload less a scalar product of a motion and ``k N``: two rounded factors and their
 #: product, the product with the motion, three sums; three to spare.
-_PRODUCT = error_bound(7 + 3)
+_FORCE_ERROR = error_bound(7 + 3)
 #: Of a number that is rounded once, and once more when it is used.
-_ROUNDED = error_bound(2)
-_ROWS = 8192
+_ROUNDED_ERROR = error_bound(2)
+_BATCH_ROWS = 8192
 
 
 class Screen:
@@ -64,9 +66,9 @@ class Screen:
         self.orientation = np.array(planes.orientation, dtype=np.float64)
         self.plane = self.contacts.tangent[list(planes.firsts)].reshape(-1, 3)
         parts = [
-            (rows[start : start + _ROWS], classes[start : start + _ROWS])
+            (rows[start : start + _BATCH_ROWS], classes[start : start + _BATCH_ROWS])
             for rows, classes in self._by_sticking_planes()
-            for start in range(0, len(rows), _ROWS)
+            for start in range(0, len(rows), _BATCH_ROWS)
         ]
         for rows, classes in watched(parts, "batches of states"):
             self._batches.append(_Batch(self, rows, classes))
@@ -124,7 +126,7 @@ class _Solutions:
     @property
     def reach(self) -> Floats:
         """The error, with that of the product of a motion and three rounded numbers."""
-        reach: Floats = self.error + _PRODUCT * np.abs(self.motion).max(axis=1)
+        reach: Floats = self.error + _FORCE_ERROR * np.abs(self.motion).max(axis=1)
         return reach
 
     def at(self, rows: Integers) -> _Solutions:
@@ -189,9 +191,9 @@ class _Batch:
         # As in `_invert`, and one more subtraction.
         product = error_bound(2 * (self.size + 4))
         bound += product * (np.abs(given) + np.abs(self.matrix) @ size)
-        bound[:, :3, 0] += loaded * self.load_error + _ROUNDED * np.abs(wrench)
+        bound[:, :3, 0] += loaded * self.load_error + _ROUNDED_ERROR * np.abs(wrench)
         spread = (np.abs(self.inverse) @ bound)[:, :, 0].max(axis=1)
-        error = _MARGIN * spread / (1 - self.beta) + _TINY
+        error = _MARGIN * spread / (1 - self.beta) + _UNDERFLOW
         # Without any load and wrench the solution is 0, and nothing was rounded.
         error = np.where(bound.any(axis=(1, 2)), error, 0.0)
         error = np.where(self.beta < 1, error, np.inf)
@@ -225,7 +227,7 @@ class _Batch:
         spring, preload = self.contacts.spring[:, 1:], self.contacts.preload
         normal = found.loaded * preload + found.motion @ spring.T
         doubt = _MARGIN * np.outer(found.reach, np.abs(spring).sum(axis=1))
-        return normal, doubt + found.loaded * (_MARGIN * _PRODUCT * preload)
+        return normal, doubt + found.loaded * (_MARGIN * _FORCE_ERROR * preload)
 
     def _slips_and_friction(self, found: _Solutions, rows: Integers) -> Floats:
         """Return upper bounds of the other conditions of some rows; infinite where none is."""
@@ -255,7 +257,7 @@ class _Batch:
             unsure = (share * (doubt + error_bound(2 * (m + 3)) * np.abs(normal))).sum(axis=1)
             first = sticking.argmax(axis=1)
             force = found.forces[:, j] * screen.orientation[first]
-            unsure = _MARGIN * (unsure + found.error + _ROUNDED * np.abs(force))
+            unsure = _MARGIN * (unsure + found.error + _ROUNDED_ERROR * np.abs(force))
             lower[rows, first] = limit - force + unsure
             upper[rows, first] = limit + force + unsure
         return [lower, upper]
