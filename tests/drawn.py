@@ -10,8 +10,8 @@ import shapely
 from arrangement import read_arrangement
 from arrangement.drawing.output import own_settings
 from arrangement.drawing.registry import Drawings
+from arrangement.drawing.scene.curves import flattened
 from arrangement.drawing.scene.items import Item, Label, Path
-from arrangement.drawing.scene.labels import flattened
 from arrangement.drawing.scene.scene import Scene, measure
 from arrangement.library.families import generic
 from arrangement.pictures import DRAWINGS as OF_PLANES

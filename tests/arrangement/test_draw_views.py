@@ -19,8 +19,9 @@ from arrangement.drawing.colours import PALETTE, DrawnRegion, colouring, plane_c
 from arrangement.drawing.output import own_settings, picture_bytes
 from arrangement.drawing.path_artist import figure
 from arrangement.drawing.scene.items import Label, Path as Drawn
-from arrangement.drawing.scene.labels import HAIR, spread
+from arrangement.drawing.scene.labels import HAIR
 from arrangement.drawing.scene.layout import laid_out
+from arrangement.drawing.scene.places import spread
 from arrangement.drawing.scene.scene import Scene, area
 from arrangement.duals.inscribed.hull import representative_hull
 from arrangement.duals.zonohedron import dual_polyhedron

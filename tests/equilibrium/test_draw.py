@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from hypothesis import example, given, settings
 
+from arrangement.drawing.scene.curves import flattened
 from arrangement.drawing.scene.items import Label
-from arrangement.drawing.scene.labels import flattened
 from arrangement.drawing.scene.layout import laid_out
 from arrangement.drawing.scene.scene import Scene, measure
 from equilibrium import Circle, Contact, Grasp, Polygon, read_grasp, solve

@@ -23,17 +23,11 @@ from arrangement.drawing.colours import (
 )
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Corner, Labels
+from arrangement.drawing.scene.curves import along
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import (
-    SIZES,
-    along,
-    keep_off,
-    place,
-    reach,
-    sign_text,
-    write_beside,
-)
-from arrangement.drawing.scene.scene import FONT, POINTS, Scene, arrow
+from arrangement.drawing.scene.labels import SIZES, keep_off, sign_text, write_if_free
+from arrangement.drawing.scene.places import beside, beyond, fixed
+from arrangement.drawing.scene.scene import POINTS, Scene, arrow
 from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import rational_vector, shown
 from arrangement.pictures.parts.coordinates import in_coordinates
@@ -188,9 +182,10 @@ class _Sheet:
         for v, spot in self.vertices.items():
             style = {"fc": VERMILION, "ec": "none", "zorder": 4, "gid": f"vertex-{v + 1}"}
             self.scene.circle(spot, 1.7, **style)
-            look: dict[str, Any] = {"off": off, "distance": 3.0, "color": VERMILION}
-            self.missing["vertices"] += not write_beside(
-                self.scene, spot, [sign_text(self.chart.vertices[v])], SIZES, **look
+            texts = [sign_text(self.chart.vertices[v])]
+            look = {"off": off, "color": VERMILION}
+            self.missing["vertices"] += not write_if_free(
+                self.scene, texts, SIZES, beside(spot), **look
             )
 
     def _label_edge(self, edge: int) -> bool:
@@ -200,14 +195,15 @@ class _Sheet:
         others = [*(other for e, other in self.edges.items() if e != edge), *self.arms]
         off = keep_off(others)
         centres = np.array([_along(line, t) for t in (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)])
-        for size in SIZES:
-            if (k := place(self.scene, text, size, centres, off=off, color=BLUE)) >= 0:
-                left, low, right, high = self.scene.box(centres[k], text, size)
-                plate = [(left, low), (right, low), (right, high), (left, high)]
-                self.scene.polygon(plate, fc="white", ec="none", zorder=3.5, role="line")
-                return True
-        look: dict[str, Any] = {"distance": 1.5, "off": keep_off([*others, line]), "color": BLUE}
-        return write_beside(self.scene, centres[0], [text], SIZES, **look)
+        look: dict[str, Any] = {"off": off, "color": BLUE}
+        if write_if_free(self.scene, [text], SIZES, fixed(centres), **look):
+            left, low, right, high = self.scene.boxes[-1]
+            plate = [(left, low), (right, low), (right, high), (left, high)]
+            self.scene.polygon(plate, fc="white", ec="none", zorder=3.5, role="line")
+            return True
+        look["off"] = keep_off([*others, line])
+        places = beside(centres[0], distance=1.5)
+        return write_if_free(self.scene, [text], SIZES, places, **look)
 
     def mark_sides(self) -> None:
         """Draw an arrow across each line, near an end, to its positive side."""
@@ -283,11 +279,12 @@ class _WindowSheet(_Sheet):
 
     def _name(self, ends: Floats, text: str) -> None:
         """Write the name of a line beyond one of its ends, where there is more room."""
-        half, ways = np.array(self.scene.measure(text)) / 2, ends - ends[::-1]
+        ways = ends - ends[::-1]
         ways = ways / np.linalg.norm(ways, axis=1, keepdims=True)
-        out = [2.5 + extra + reach(half, ways) for extra in (0.0, 3.0, 6.0)]
-        centres = np.concatenate([ends + length * ways for length in out])
-        self.missing["lines"] += place(self.scene, text, FONT, centres, style="italic") < 0
+        places = beyond(ends, ways, (2.5, 5.5, 8.5))
+        self.missing["lines"] += not write_if_free(
+            self.scene, [text], SIZES[:1], places, style="italic"
+        )
 
 
 class _DiscSheet(_Sheet):

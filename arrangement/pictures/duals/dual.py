@@ -21,8 +21,10 @@ from arrangement.drawing.colours import (
 from arrangement.drawing.figure import picture
 from arrangement.drawing.output import millimetres
 from arrangement.drawing.registry import Labels, Vector
+from arrangement.drawing.scene.curves import ring
 from arrangement.drawing.scene.items import Box, Floats
-from arrangement.drawing.scene.labels import SIZES, keep_off, ring, tried, write_along, write_beside
+from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
+from arrangement.drawing.scene.places import across, beside, tried
 from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import lit, unit, unit_vectors
 from arrangement.duals.zonohedron import dual_polyhedron
@@ -255,8 +257,8 @@ class _SolidPanel:
             text = plane_names(classes[c])
             for _, e in sorted(edges):
                 ends = self.places[list(solid.edges[e][:2])]
-                ink = {"color": letter_colour(c), "style": "italic"}
-                if write_along(self.scene, ends, text, 6.0, off, **ink):
+                look = {"off": off, "color": letter_colour(c), "style": "italic"}
+                if write_if_free(self.scene, [text], SIZES[1:2], across(ends), **look):
                     break
 
     def _off(self, small: float) -> Any:
@@ -276,14 +278,15 @@ class _SolidPanel:
             if self.inside and not hidden:
                 self.scene.write(self.places[v], self._text(v), SIZES[1], zorder=7)
                 continue
-            away = self.places[v] - centre if far[v] else (0.0, 1.0)
-            room = {"within": within, "others": np.delete(self.places, v, axis=0)}
-            texts, distance = self.names.forms(solid.signs[v]), small * (0.7 if hidden else 1) + 1.0
-            look: dict[str, Any] = {"color": "0.45" if hidden else "black", "away": away, **room}
-            place = self.places[v]
-            if not write_beside(
-                self.scene, place, texts, SIZES, off=off, distance=distance, **look
-            ):
+            places = beside(
+                self.places[v],
+                away=self.places[v] - centre if far[v] else (0.0, 1.0),
+                distance=small * (0.7 if hidden else 1) + 1.0,
+                within=within,
+                others=np.delete(self.places, v, axis=0),
+            )
+            texts, colour = self.names.forms(solid.signs[v]), "0.45" if hidden else "black"
+            if not write_if_free(self.scene, texts, SIZES, places, off=off, color=colour):
                 missing += texts[:1] * (not hidden)
         if missing and self.names.requested:
             some = ", ".join(sorted(missing, key=lambda text: (len(text), text)))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
 
 import numpy as np
 
@@ -22,7 +21,8 @@ from arrangement.drawing.colours import (
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Labels
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import SIZES, keep_off, tried, write_along, write_beside
+from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
+from arrangement.drawing.scene.places import across, beside, tried
 from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import unit, unit_vectors
 from arrangement.duals.zonohedron import dual_polyhedron
@@ -304,8 +304,9 @@ class GraphPicture:
             if self.lengths[e] < 2 * self.size + 10:
                 break
             text = plane_names(self.arrangement.distinct[c])
-            ink = {"color": letter_colour(c), "style": "italic"}
-            if write_along(self.scene, self.segments[e], text, 6.0, off, **ink):
+            look = {"off": off, "color": letter_colour(c), "style": "italic"}
+            places = across(self.segments[e])
+            if write_if_free(self.scene, [text], SIZES[1:2], places, **look):
                 named.add(c)
         unnamed = set() if self.graph.outer else {*range(len(self.arrangement.distinct))} - named
         for c in sorted(unnamed):
@@ -317,13 +318,16 @@ class GraphPicture:
         off = keep_off(self.segments, discs=self.places, radius=self.size)
         far = np.round(np.linalg.norm(self.places - self.centre, axis=1), 3)
         order = np.argsort(-far, kind="stable").tolist()
-        scene = self.scene
-        within = (0.0, 0.0, scene.width, scene.height)
         for v in order[: tried(len(far))] if self.names.kind != "none" else ():
-            others = np.delete(self.places, v, axis=0)
-            look: dict[str, Any] = {"away": self._gap(v), "others": others, "within": within}
-            texts, place = self.names.forms(self.graph.signs[v]), self.places[v]
-            write_beside(scene, place, texts, SIZES, off=off, distance=self.size + 1.0, **look)
+            places = beside(
+                self.places[v],
+                away=self._gap(v),
+                distance=self.size + 1.0,
+                within=(0.0, 0.0, self.scene.width, self.scene.height),
+                others=np.delete(self.places, v, axis=0),
+            )
+            texts = self.names.forms(self.graph.signs[v])
+            write_if_free(self.scene, texts, SIZES, places, off=off)
 
     def _gap(self, v: int) -> tuple[float, float]:
         """Return the direction in the middle of the widest gap between the edges of a vertex."""

@@ -96,7 +96,7 @@ def draw_cells(
     signs = [cell.signs for cell in cells.cells]
     axes = StagedAxes(stage, ())
     sheet = PlanesSheet(stage, lifted, lambda x: plane_colour(x.label), width, axes, apart=True)
-    left = 0 if names.kind == "none" else sheet.name_cells(names, beside=False)
+    left = 0 if names.kind == "none" else sheet.name_cells(names, outside=False)
     legend = sheet.scene.legend
     names.explain(legend, signs)
     if left and names.requested:

@@ -14,7 +14,8 @@ import numpy as np
 from arrangement.console.number_form import sign_text
 from arrangement.drawing.colours import SKIN, pale
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import keep_off, spread, turn, write_beside, write_inside
+from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
+from arrangement.drawing.scene.places import beside, inside, spread, turn
 from arrangement.drawing.scene.scene import area, arrow, measure
 from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import lit, unit
@@ -302,11 +303,11 @@ class PlanesSheet(SolidSheet):
         for name, tip in zip(self.half_axes.names, self.half_axes.tips, strict=True):
             tip, origin = self.place(tip), self.place(self.half_axes.origin)
             off = keep_off([*closed, np.array([origin, tip])])
-            look: dict[str, Any] = {"away": tip - origin, "distance": 2.0, "style": "italic"}
-            write_beside(self.scene, tip, [name], (7.0, 6.0), off=off, **look)
+            places = beside(tip, away=tip - origin, distance=2.0)
+            write_if_free(self.scene, [name], SIZES[:2], places, off=off, style="italic")
 
-    def name_cells(self, names: RegionLabels, *, beside: bool = True) -> int:
-        """Write the name of each lifted cell on its largest free face, or `beside` it.
+    def name_cells(self, names: RegionLabels, *, outside: bool = True) -> int:
+        """Write the name of each lifted cell on its largest free face, or else `outside` of it.
 
         Return how many found no room on their faces.
         """
@@ -321,19 +322,16 @@ class PlanesSheet(SolidSheet):
             outlines.sort(key=lambda outline: round(area(outline), 3), reverse=True)
             forms = names.forms(item.cell.signs)
             if not any(
-                write_inside(self.scene, outline, text, (7, 6), off=off)
+                write_if_free(self.scene, forms, SIZES[:2], inside(self.scene, outline, off))
                 for outline in outlines
-                for text in forms
             ):
                 left += 1
-                if not beside:
+                if not outside:
                     continue
                 way = item.shift[:2] + 1e-12
                 corners = self.place(item.corners)
-                look: dict[str, Any] = {"away": way, "off": around}
-                write_beside(
-                    self.scene, corners[int(np.argmax(corners @ way))], forms, (7.0, 6.0), **look
-                )
+                places = beside(corners[int(np.argmax(corners @ way))], away=way)
+                write_if_free(self.scene, forms, SIZES[:2], places, off=around)
         return left
 
 

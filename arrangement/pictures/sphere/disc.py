@@ -10,18 +10,11 @@ from typing import Any
 import numpy as np
 
 from arrangement.drawing.colours import DrawnRegion, Painter, letter_colour
+from arrangement.drawing.scene.curves import along, flattened
 from arrangement.drawing.scene.items import Box, Floats
-from arrangement.drawing.scene.labels import (
-    SIZES,
-    Leaders,
-    along,
-    flattened,
-    keep_off,
-    place,
-    spread,
-    turn,
-    write_inside,
-)
+from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
+from arrangement.drawing.scene.leaders import Leaders
+from arrangement.drawing.scene.places import inside, spread, turn
 from arrangement.drawing.scene.scene import Scene
 from arrangement.numbers.exact import dot
 from arrangement.pictures.parts.names import RegionLabels, plane_names, thinner
@@ -173,12 +166,12 @@ class Disc:
         return -z / across if circle != self.globe.limb else 0.0
 
     def _name(self, outward: Floats, text: str, colour: str) -> None:
-        for size in (7.0, 6.0, 5.0):
-            beyond = 3.4 + float(np.abs(outward) @ self.scene.measure(text, size)) / 2
-            out = self.radius + beyond + np.array([[0.0], [2.0], [4.0]])
-            centres = np.array(self.centre) + out * outward
-            if place(self.scene, text, size, centres, color=colour, style="italic") >= 0:
-                return
+        def places(half: Floats) -> Floats:
+            out = self.radius + 3.4 + float(np.abs(outward) @ half) + np.array([[0], [2], [4]])
+            centres: Floats = np.array(self.centre) + out * outward
+            return centres
+
+        write_if_free(self.scene, [text], SIZES, places, color=colour, style="italic")
 
 
 def label_regions(
@@ -204,15 +197,13 @@ def label_regions(
         (region, outline)
         for region, outline in outlines
         if names.forms(region.signs)
-        and not any(
-            write_inside(scene, outline, text, off=off) for text in names.forms(region.signs)
-        )
+        and not write_if_free(scene, names.forms(region.signs), SIZES, inside(scene, outline, off))
     ]
     leaders = Leaders(scene, lines, within, [outline for _, outline in outlines])
     for region, outline in small:
-        text = names.forms(region.signs)[0]
-        names.left_out += len(outlines) > _MOST_LEADERS or not any(
-            leaders.write(outline, text, size) for size in SIZES[1:]
+        texts = names.forms(region.signs)[:1]
+        names.left_out += len(outlines) > _MOST_LEADERS or not leaders.write(
+            outline, texts, SIZES[1:]
         )
 
 

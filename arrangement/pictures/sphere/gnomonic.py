@@ -13,8 +13,8 @@ from arrangement.console.number_form import counted
 from arrangement.drawing.colours import Choice
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Labels, Vector
+from arrangement.drawing.scene.curves import ring
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import ring
 from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import best_view, picture_axes, unit_vectors, views
 from arrangement.numbers.exact import IntegerVector, dot, reduced, unoriented

@@ -15,8 +15,8 @@ from typing import TypeAlias
 
 import numpy as np
 
+from arrangement.drawing.scene.curves import ring
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import ring
 from arrangement.drawing.scene.scene import joined
 from arrangement.drawing.solids.sight import across
 from arrangement.enumeration.great_circles import SphereArrangement

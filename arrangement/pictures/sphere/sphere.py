@@ -13,7 +13,8 @@ from arrangement.drawing.colours import Choice
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import AxisNames, Labels, Vector
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import keep_off, write_beside
+from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
+from arrangement.drawing.scene.places import beside
 from arrangement.drawing.scene.scene import Scene, arrow
 from arrangement.drawing.solids.sight import unit, unit_vectors
 from arrangement.pictures.parts.coordinates import (
@@ -96,8 +97,8 @@ def draw_sphere(
     lines = disc.draw(colours.paint, avoid=[*arms, *arrows])
     off = keep_off(lines)
     for name, (_, tip) in zip(shown, arms, strict=True):
-        look: dict[str, Any] = {"off": off, "away": tip - np.array(disc.centre), "distance": 2.0}
-        write_beside(disc.scene, tip, [name], (7.0, 6.0), style="italic", **look)
+        places = beside(tip, away=tip - np.array(disc.centre), distance=2.0)
+        write_if_free(disc.scene, [name], SIZES[:2], places, off=off, style="italic")
     explain_regions(disc.scene, colours, names, globe.front.values())
     return disc.scene
 

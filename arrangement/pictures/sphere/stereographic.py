@@ -16,15 +16,10 @@ from arrangement.drawing.colours import (
 )
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Labels, Vector
+from arrangement.drawing.scene.curves import along, flattened, ring
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import (
-    along,
-    flattened,
-    keep_off,
-    ring,
-    write_beside,
-    write_inside,
-)
+from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
+from arrangement.drawing.scene.places import beside, inside
 from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.errors import InputError
@@ -153,10 +148,10 @@ class _Whole:
         a, b, c = self.normals.T
         centres = self.on_paper(np.stack([a / c, b / c], axis=1))
         discs = map(ring, centres, self.scale / np.abs(c))
-        for text in self.outer:
-            write_inside(self.scene, corners, text, off=keep_off([], discs))
-        inside = (*(corners[0] + 2), *(corners[2] - 2))
-        label_regions(self.scene, self.names, outlines, [*lines, dashes], [dashes], inside)
+        free = inside(self.scene, corners, keep_off([], discs))
+        write_if_free(self.scene, self.outer, SIZES, free)
+        within = (*(corners[0] + 2), *(corners[2] - 2))
+        label_regions(self.scene, self.names, outlines, [*lines, dashes], [dashes], within)
 
     def _fill(self) -> list[tuple[DrawnRegion, Floats]]:
         """Fill the outer region first, then all others; return all but it with outlines."""
@@ -196,9 +191,10 @@ class _Whole:
         angle = math.atan2(b * c, a * c) + (step + 1) // 2 * 0.075 * (1 if step % 2 else -1)
         outward = np.array([math.cos(angle), math.sin(angle)])
         rim = self.on_paper((centre + radius * outward)[None])[0]
-        inside = (*(self._corners()[0] + 4), *(self._corners()[2] - 4))
-        look: dict[str, Any] = {"away": outward, "distance": 1.2, "turns": 2, "style": "italic"}
-        return write_beside(self.scene, rim, [text], (7.0, 6.0), off=off, within=inside, **look)
+        within = (*(self._corners()[0] + 4), *(self._corners()[2] - 4))
+        places = beside(rim, away=outward, distance=1.2, within=within, turns=2)
+        look: dict[str, Any] = {"off": off, "style": "italic"}
+        return write_if_free(self.scene, [text], SIZES[:2], places, **look)
 
 
 def _farthest(globe: Globe) -> float:

@@ -11,8 +11,10 @@ from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Corner, Exact, Vector, Wrench
+from arrangement.drawing.scene.curves import flattened, ring
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import Labels, flattened, ring
+from arrangement.drawing.scene.labels import Labels
+from arrangement.drawing.scene.places import near
 from arrangement.drawing.scene.scene import AROUND, Legend, Scene, arrow, fitted, turning_arrow
 from equilibrium.decide.solver import Solver
 from equilibrium.model.displacement import NOT_SMALL, displacement_words
@@ -25,6 +27,7 @@ from equilibrium.pictures.parts.style import (
     bar,
     explain_grasp,
     mark,
+    name_wrench,
     nice_near,
     symbol,
 )
@@ -227,12 +230,12 @@ class GraspPicture:
         """Write w beside the wrench, never inside the arc of its torque."""
         if self.ends and self.layout.applied is not None:
             clear = ARC * self.scale + 7 if self.layout.applied[2] else 0.0
-            self.labels.name_wrench(self.ends, (self.at(self.layout.origin), clear))
+            name_wrench(self.labels, self.ends, (self.at(self.layout.origin), clear))
 
     def numbers(self) -> None:
         """Write the number of every contact outside the object, near its preload."""
         for i, (p, n) in enumerate(zip(self.places, self.layout.normals, strict=True), 1):
-            self.labels.beside(str(i), p, -n, gid=f"number-{i}")
+            self.labels.write(str(i), near(p, -n), gid=f"number-{i}")
 
 
 def _describe(layout: Layout, legend: Legend, scale: float) -> None:

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from arrangement.drawing.scene.curves import flattened
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import flattened
 from arrangement.numbers.exact import RationalVector
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.errors import GraspError

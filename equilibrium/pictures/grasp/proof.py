@@ -14,8 +14,10 @@ from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLUE, GREY, VERMILION, pale, plane_colour
 from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact, Wrench
+from arrangement.drawing.scene.curves import flattened
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import Labels, flattened
+from arrangement.drawing.scene.labels import Labels
+from arrangement.drawing.scene.places import fixed, near
 from arrangement.drawing.scene.scene import (
     POINTS,
     Scene,
@@ -130,8 +132,8 @@ def _map(
             place, room = roomiest(shape.corners, half, 1, panel.zero)
             if room > 1:
                 others = (place + shape.corners) / 2 if room > 2 else []
-                at = labels.place(text, [panel.at(other) for other in (place, *others)])
-                panel.scene.text(at, text, weight="bold", halo=(1.5, "white"), zorder=8)
+                centres = panel.at(np.array([place, *others]))
+                labels.write(text, fixed(centres), weight="bold", zorder=8)
         elif len(corners) == 2 and "stick" in shape.part.states.values():
             panel.scene.line(corners, ec=fill, lw=2, gid=gid, zorder=0.5)
 
@@ -194,5 +196,5 @@ def _example(
         drawn.numbers()
         for k, (factor, colour) in enumerate(zip(done.factors, colours, strict=True)):
             text = "no force" if factor is None else f"{LABEL.number(factor)} c"
-            out = -layout.normals[k]
-            drawn.labels.beside(text, drawn.places[k], out, color=colour, gid=f"{name}work-{k + 1}")
+            places = near(drawn.places[k], -layout.normals[k])
+            drawn.labels.write(text, places, color=colour, gid=f"{name}work-{k + 1}")

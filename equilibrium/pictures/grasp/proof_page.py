@@ -15,7 +15,7 @@ from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import pale, plane_colour
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
 from arrangement.drawing.registry import Exact, Wrench
-from arrangement.drawing.scene.labels import flattened
+from arrangement.drawing.scene.curves import flattened
 from arrangement.drawing.scene.scene import area
 from arrangement.numbers.exact import RationalVector, sign, to_text
 from equilibrium.certificate.leaves import ClosedPart, works

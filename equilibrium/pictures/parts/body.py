@@ -16,8 +16,8 @@ from itertools import pairwise
 
 import numpy as np
 
+from arrangement.drawing.scene.curves import flattened
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import flattened
 from arrangement.drawing.scene.scene import arc
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.linear.rank import cycle_edges, difference

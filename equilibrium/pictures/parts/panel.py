@@ -13,7 +13,8 @@ import numpy as np
 from arrangement.drawing.colours import BLACK, GREY
 from arrangement.drawing.registry import Exact, Wrench
 from arrangement.drawing.scene.items import Box, Floats, Place
-from arrangement.drawing.scene.labels import Labels, covering, keep_off
+from arrangement.drawing.scene.labels import Labels, covering, keep_off, write_if_free
+from arrangement.drawing.scene.places import inside, near
 from arrangement.drawing.scene.scene import FONT, POINTS, Legend, Scene, area
 from arrangement.numbers.exact import RationalVector, rational, shown
 from equilibrium.model.errors import GraspError
@@ -23,7 +24,7 @@ from equilibrium.plane.states.state_system import States
 from equilibrium.wrench_sets import Region
 
 from .style import FILLS, MARKS, SHADE, SYMBOLS, rounded, symbol, ticks
-from .window import ZERO, Window, roomiest
+from .window import ZERO, Window
 
 #: Space in points beside and below a panel, for numbers and names of the axes.
 LEFT, BELOW, ABOVE = 12.0 * POINTS, 9.0 * POINTS, 5.0 * POINTS
@@ -154,7 +155,8 @@ class Panel:
                 if i in alone:
                     middle, along = self.at(shape.mean(axis=0)), shape[1] - shape[0]
                     side = np.array([-along[1], along[0]]) * (1 if along[0] > 0 else -1)
-                    labels.beside(code(states), middle, side, zorder=1.6, gid=self.gid("code", i))
+                    look = {"zorder": 1.6, "gid": self.gid("code", i)}
+                    labels.write(code(states), near(middle, side), **look)
         return [states for _, _, states in filled]
 
     def _piece(
@@ -176,26 +178,16 @@ class Panel:
 
     def _codes(self, parts: Sequence[tuple[Floats, States]]) -> None:
         """Write the states into the polygons where they fit and nothing later covers them."""
-        from matplotlib.path import Path
-
-        paths, unit = [Path(shape) for shape, _ in parts], 2 / self.side
+        within = (*self.at((_FADE - 1, _FADE - 1)), *self.at((1 - _FADE, 1 - _FADE)))
         for i, (shape, states) in enumerate(parts):
-            text = code(states)
-            wide = self.scene.measure(text)[0]
-            half = ((wide / 2 + 1.5) * unit, (FONT / 2 + 0.5) * unit)
-            if not text or (np.ptp(shape, axis=0) < 2 * np.array(half)).any():
-                continue
-            place, room = roomiest(shape, half, 1 - _FADE, self.zero)
-            if room <= 1:
-                continue
-            box = [
-                place + np.array([a * half[0], b * half[1]]) for a in (-1, 0, 1) for b in (-1, 0, 1)
-            ]
-            covered = any(path.contains_points(box).any() for path in paths[i + 1 :])
-            if not covered:
-                plate = {"boxstyle": "square,pad=0.12", "fc": fill_of(states), "ec": "none"}
-                look: dict[str, Any] = {"zorder": 1.6, "plate": plate, "gid": self.gid("code", i)}
-                self.scene.text(self.at(place), text, va="center_baseline", **look)
+            later = [self.at(other) for other, _ in parts[i + 1 :]]
+            plate = {"boxstyle": "square,pad=0.12", "fc": fill_of(states), "ec": "none"}
+            style = {"zorder": 1.6, "plate": plate, "va": "center_baseline"}
+            for lines in (self.axes(), []):
+                free = inside(self.scene, self.at(shape), keep_off(lines, later), within)
+                look = {**style, "gid": self.gid("code", i)}
+                if write_if_free(self.scene, [code(states)], [FONT], free, **look):
+                    break
 
     def _outline(self, region: Region) -> None:
         outline = region.outline

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -12,6 +12,8 @@ import numpy as np
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALETTE, VERMILION
 from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.labels import Labels
+from arrangement.drawing.scene.places import fixed
 from arrangement.drawing.scene.scene import POINTS, Legend, Scene, Symbol, arc, arrow
 from arrangement.numbers.exact import RationalVector
 from arrangement.pictures.parts.names import HALF, WIDTH, canvas, stroke, swatch
@@ -52,6 +54,18 @@ def wrench_text(wrench: RationalVector, units: Units | None) -> str:
     k = (len(wrench) + 1) // 2
     torque = LABEL.number(wrench[2]) if k == 2 else LABEL.vector(wrench[k:])
     return f"w = {LABEL.vector(wrench[:k])} {units.force}, {torque} {units.torque}"
+
+
+def name_wrench(
+    labels: Labels, ends: Sequence[Floats], away: tuple[Floats, float] | None = None
+) -> None:
+    """Write w beside one of some points, farther from a place than a distance."""
+    turns = math.pi / 4 * np.arange(8) + 0.4
+    ways = np.stack([np.cos(turns), np.sin(turns)], axis=1)
+    centres = np.concatenate([end + out * ways for out in (9, 13, 18) for end in ends])
+    if away is not None:
+        centres = centres[np.linalg.norm(centres - away[0], axis=1) > away[1]]
+    labels.write("w", fixed(centres), color=VERMILION, style="italic", weight="bold")
 
 
 def ticks(middle: Fraction, half: Fraction, factor: Fraction = _ONE) -> Iterator[tuple[float, str]]:

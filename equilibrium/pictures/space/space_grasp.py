@@ -13,6 +13,7 @@ from arrangement.drawing.colours import BLACK, GREY, PALE
 from arrangement.drawing.registry import Vector, Wrench
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import Labels
+from arrangement.drawing.scene.places import near
 from arrangement.drawing.scene.scene import AROUND, Key, Legend, Scene
 from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import (
@@ -32,7 +33,13 @@ from equilibrium.decide.solver import solve
 from equilibrium.model.displacement import NOT_SMALL, displacement_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.pictures.parts.style import CONE_EDGE, CONE_FILL, explain_grasp, symbol
+from equilibrium.pictures.parts.style import (
+    CONE_EDGE,
+    CONE_FILL,
+    explain_grasp,
+    name_wrench,
+    symbol,
+)
 
 from .solid_grasp import INKS, SolidGrasp
 
@@ -148,14 +155,14 @@ class _SpatialGraspPicture(SolidSheet):
         labels = self.labels
         for k, members, text in self.solid.groups:
             out = -(self.axes @ self.solid.normals[members].sum(axis=0))[:2]
-            labels.beside(text, self.at(self.solid.places[k]), out, gid=f"number-{k + 1}")
+            labels.write(text, near(self.at(self.solid.places[k]), out), gid=f"number-{k + 1}")
         for arrow in self.solid.arrows():
             if arrow.name == "wrench-force" or (
                 arrow.name == "wrench-torque"
                 and not arrow.headless
                 and not any(self.solid.wrench[:3])
             ):
-                labels.name_wrench([self.at(arrow.end)])
+                name_wrench(labels, [self.at(arrow.end)])
 
     def _describe(self, note: str) -> None:
         solid, legend = self.solid, self.scene.legend
