@@ -244,6 +244,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_displacement.py",
     ): (
         "equilibrium.decide.solver",
+        "equilibrium.decide.state_choices",
         "equilibrium.decide.verdict",
     ),
     (

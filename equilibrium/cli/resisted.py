@@ -266,7 +266,7 @@ def _margin(arguments: argparse.Namespace, grasp: Grasp) -> int:
     if grasp.dimension == 3:
         return _along_in_space(arguments, grasp, wrench)
     solver = _solver(arguments, grasp)
-    solver.check_cost(_MARGIN)
+    solver.choices.check_cost(_MARGIN)
     factors = margin(solver, wrench)
     preloads = factors.preloads
     tolerance = Fraction(1, 2**20) if arguments.tolerance is None else arguments.tolerance

@@ -10,11 +10,11 @@ neither proof may close: then the answer is "undecided".
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from arrangement.console.number_form import counted
 from arrangement.console.plugins import named
@@ -34,12 +34,15 @@ from equilibrium.model.displacement import (
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import UndecidedError
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.solution import Solution
+from equilibrium.model.solution import Open, Outcome, Solution, Tree
 from equilibrium.plane.states.contact_states import states_at
 from equilibrium.plane.states.equilibrium import Equilibrium
 
 from . import NOT_RESISTED, RESISTED, UNDECIDED, robustness
 from .robustness import DEPENDS, Robustness, WithinError
+
+if TYPE_CHECKING:
+    from .solver import Solver
 
 #: With more contacts all equilibria are listed only when asked for: their search takes long.
 MOST_LISTED = 20
@@ -64,9 +67,8 @@ class Verdict(HintsMixin):
     wrench: RationalVector
     verdict: str
     solution: Solution | None
-    _tree: Any = field(repr=False, compare=False)
-    _all: Callable[[RationalVector], tuple[Equilibrium, ...]] = field(repr=False, compare=False)
-    _solve: Callable[..., Verdict] = field(repr=False, compare=False)
+    _tree: Tree | None = field(repr=False, compare=False)
+    _solver: Solver = field(repr=False, compare=False)
     max_displacement: Fraction | None = None
     pyramid: int | None = None
     reason: str = ""
@@ -124,7 +126,7 @@ class Verdict(HintsMixin):
             UndecidedError: whether there are any is not known.
             GraspError: there are some, and the grasp is in space.
         """
-        return self._all(self.wrench) if self.stable else ()
+        return self._solver.choices.equilibria(self.wrench) if self.stable else ()
 
     @cached_property
     def states(self) -> tuple[str, ...]:
@@ -147,9 +149,21 @@ class Verdict(HintsMixin):
         )
 
     @cached_property
-    def tree(self) -> Any:
-        """The tree of virtual motions that the certificate shows; None where there is none."""
-        return self._tree() if callable(self._tree) else self._tree
+    def tree(self) -> Tree | None:
+        """The tree of virtual motions that the certificate shows; None where there is none.
+
+        Where the choices of contact states have refuted the wrench, it is searched for when asked.
+        """
+        if self._tree is None and self.verdict == NOT_RESISTED:
+            return self._solver.find_refutation(self.wrench)
+        return self._tree
+
+    @property
+    def outcome(self) -> Outcome | None:
+        """What the search ended with; None where the tree that refutes the wrench is not known."""
+        if not self.decided:
+            return Open(self.reason, self.residual)
+        return self.solution or self._tree
 
     @cached_property
     def certificate(self) -> Certificate | None:
@@ -244,28 +258,32 @@ class Verdict(HintsMixin):
             }
         )
 
-    def again(self, grasp: Grasp, wrench: Iterable[Any], effort: Effort, **more: Any) -> Verdict:
+    def again(self, grasp: Grasp, wrench: Iterable[Any], effort: Effort) -> Verdict:
         """Decide another question in the same way, with the effort that is left."""
-        asked = {"pyramid": self.pyramid, "max_displacement": self.max_displacement, **more}
-        return self._solve(grasp, wrench, effort, **asked)
+        return self._solver.for_grasp(grasp).decide(wrench, effort)
 
     @cached_property
     def warnings(self) -> tuple[str, ...]:
-        """Where displacements are not bounded: a line if no equilibrium is one of small motions.
-
-        Looking for a smaller one than `solution` takes at most `robustness.STEPS_PER_GRASP` steps.
-        """
+        """Where displacements are not bounded: a line if no equilibrium is one of small motions."""
         if self.solution is None or self.max_displacement is not None:
             return ()
         most = small_displacement(self.grasp)
         if most is None or displacement(self.grasp, self.solution.motion) <= most:
             return ()
+        answer = self.decide_within(most)
+        return () if answer == RESISTED else (warning(every=answer == NOT_RESISTED),)
+
+    def decide_within(self, max_displacement: Fraction) -> str:
+        """Search for an equilibrium of smaller displacements, with the steps of one other grasp.
+
+        Returns:
+            the verdict; "undecided" where the steps do not do.
+        """
+        solver, effort = self._solver.within(max_displacement), Effort(robustness.STEPS_PER_GRASP)
         try:
-            effort = Effort(robustness.STEPS_PER_GRASP)
-            found = self.again(self.grasp, self.wrench, effort, max_displacement=most).verdict
+            return solver.decide(self.wrench, effort).verdict
         except OutOfReachError:
-            found = UNDECIDED
-        return () if found == RESISTED else (warning(every=found == NOT_RESISTED),)
+            return UNDECIDED
 
     @cached_property
     def rounding(self) -> WithinError | None:

@@ -1,9 +1,9 @@
-"""One equilibrium: a motion and the forces of all contacts, exact or enclosed in a box."""
+"""What a search ends with: an equilibrium, exact or enclosed in a box; a proof; or neither."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.console.number_form import JsonMixin, counted
 from arrangement.numbers.exact import RationalVector, vector_text
@@ -52,3 +52,22 @@ class Solution(JsonMixin):
         return (
             f"<Solution: motion {vector_text(self.motion)}, {counted(len(self.forces), 'force')}>"
         )
+
+
+@dataclass(frozen=True)
+class Open:
+    """Neither was proved.
+
+    Attributes:
+        reason: in words.
+        residual: of the motion that is closest to an equilibrium, as a share of the forces.
+    """
+
+    reason: str
+    residual: float
+
+
+#: The tree of virtual motions that refutes all, in the form of certificates.
+Tree: TypeAlias = dict[str, Any] | list[Any]
+#: An equilibrium, the proof that there is none, or neither.
+Outcome: TypeAlias = Solution | Tree | Open

@@ -34,8 +34,6 @@ class Slip(NamedTuple):
 State: TypeAlias = str | Sector | Slip
 #: The states of all contacts.
 Node: TypeAlias = tuple[State, ...]
-#: A node of a certificate's tree, with all below it.
-Proof: TypeAlias = dict[str, Any]
 #: Of a cone, "zero", "plus" or "round": coefficients (k, 2) of the slip, (k, 3) of the force.
 Condition: TypeAlias = tuple[str, Floats, Floats]
 

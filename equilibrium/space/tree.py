@@ -11,17 +11,17 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 from itertools import chain
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from equilibrium.model.effort import Effort
-from equilibrium.model.solution import Solution
+from equilibrium.model.solution import Open, Outcome, Solution, Tree
 from equilibrium.plane.contacts import FloatContacts, nearest
 
-from .cones import NARROW_SINE, Cones, Node, OpenSplit, Proof, RoundCones, finished, split_of
+from .cones import NARROW_SINE, Cones, Node, OpenSplit, RoundCones, finished, split_of
 from .equilibria import EquilibriumSearch
 from .leaves import Leaves
 from .memory import Memory, OpenTree
@@ -66,23 +66,6 @@ class TreeSettings:
 
 
 SETTINGS = TreeSettings()
-
-
-@dataclass(frozen=True)
-class Open:
-    """Neither was proved.
-
-    Attributes:
-        reason: in words.
-        residual: of the motion that is closest to an equilibrium, as a share of the forces.
-    """
-
-    reason: str
-    residual: float
-
-
-#: An accepted equilibrium, a tree that refutes all, or neither.
-Outcome: TypeAlias = Solution | Proof | Open
 
 
 class SpatialSearch:
@@ -151,7 +134,7 @@ class SpatialSearch:
 
     def _decide(self) -> Outcome:
         """Take the steps from the cheapest to the dearest, until one decides."""
-        early: Solution | Proof | None = self._root_leaf() or self._near_another_load()
+        early: Solution | Tree | None = self._root_leaf() or self._near_another_load()
         if early is not None:
             return early
         tree = OpenTree(self.root)
@@ -173,7 +156,7 @@ class SpatialSearch:
         self.exactly = True
         return self._near_starts(starts) or self._all_nodes(tree)
 
-    def _root_leaf(self) -> Proof | None:
+    def _root_leaf(self) -> Tree | None:
         """Return a proof without any split, first of what holds whatever the contacts do."""
         ray = self.relaxation.inner_ray(["loose"] * len(self.root), 0.0)
         leaf = ray and self.leaves.leaf(self.root, ray)
@@ -241,7 +224,7 @@ class SpatialSearch:
         if tree.holes or tree.waiting:
             return self._open("a relaxation neither closes nor splits further")
         self.memory.keep(tree.splits, self.leaves.found)
-        proof: Proof = finished(tree.top[0])
+        proof: Tree = finished(tree.top[0])
         return proof
 
     def _open(self, reason: str) -> Open:
@@ -257,7 +240,7 @@ class SpatialSearch:
         """Whether too many nodes have led to no leaf."""
         return self.idle >= self.patience
 
-    def _new_node(self, tree: OpenTree, states: Node) -> Solution | Proof | OpenSplit | None:
+    def _new_node(self, tree: OpenTree, states: Node) -> Solution | Tree | OpenSplit | None:
         """Decide a node that no other load has shown; split it as another load did, if at all."""
         self.count_program()
         self.idle += 1
@@ -266,7 +249,7 @@ class SpatialSearch:
         part = self._node(states)
         return (self.memory.split(states) or part) if isinstance(part, OpenSplit) else part
 
-    def _node(self, states: Node) -> Solution | Proof | OpenSplit | None:
+    def _node(self, states: Node) -> Solution | Tree | OpenSplit | None:
         """Return an equilibrium, a leaf, a cut, or None where there is none of them."""
         relaxed = self.relaxation.solve(states)
         leaf = self._leaf(states, relaxed)
@@ -286,7 +269,7 @@ class SpatialSearch:
 
     def _exact_node(
         self, states: Node, relaxed: Ray | Point | None
-    ) -> Solution | Proof | OpenSplit | None:
+    ) -> Solution | Tree | OpenSplit | None:
         """Decide a node by exact programs, or split it where their point fails the law."""
         exact = self.equilibria.exact.part(states, self.splits.towards(relaxed))
         if not isinstance(exact, Solution):
@@ -303,7 +286,7 @@ class SpatialSearch:
         forces = numbers[n:].reshape(len(solution.forces), -1) / self.relaxation.force
         return Point(numbers[:n] / self.relaxation.scale, forces)
 
-    def _leaf(self, states: Node, relaxed: Ray | Point | None) -> Proof | None:
+    def _leaf(self, states: Node, relaxed: Ray | Point | None) -> Tree | None:
         """Return a leaf where a relaxation has no solution, or where its program failed."""
         if isinstance(relaxed, Point):
             return None

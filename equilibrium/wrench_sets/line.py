@@ -87,8 +87,8 @@ def resisted_magnitudes(
     if not any(along):
         raise GraspError("direction is (0, 0, 0); give a wrench other than zero")
     solver = prepare(grasp)
-    solver.check_cost()
-    screen = solver.screen
+    solver.choices.check_cost()
+    screen = solver.choices.screen
     possible = screen.codes[screen.possible(start, along)].tolist()
     systems = (
         state_system(

@@ -19,6 +19,7 @@ from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.intervals import Interval, holds, union
 from equilibrium.decide.solver import Solver, prepare
+from equilibrium.decide.state_choices import StateChoices
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.states.contact_states import states_of_code
 from equilibrium.plane.states.state_system import state_system
@@ -133,7 +134,7 @@ def sufficient_preloads(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Preload
     held = Solver(unloaded, bound).solve(w).stable
     parts: list[Interval] = [(Fraction(0), Fraction(0))] if held else []
     # Without a range a preload of p resists w where one of 1 resists w / p.
-    screen = Solver(loaded).screen
+    screen = StateChoices(loaded).screen
     rest = (Fraction(0),) * 3
     possible = screen.possible(rest, w) if any(w) else screen.possible(w)
     tried = watched(screen.codes[possible].tolist(), "contact states")

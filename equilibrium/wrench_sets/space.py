@@ -270,7 +270,7 @@ def images_of(
     solver: Solver, plane: IntegerVector | None = None
 ) -> Iterator[tuple[States, Polyhedron | None]]:
     """Yield all contact states with `StateImages.resisted_with`."""
-    images, listed = StateImages(solver.grasp, solver.max_displacement), solver.states
+    images, listed = StateImages(solver.grasp, solver.max_displacement), solver.choices.states
     contacts = len(solver.grasp)
     budget.check_cost(
         f"all resisted wrenches of {contacts} contacts, {len(listed):,} choices of states",
@@ -283,7 +283,7 @@ def images_of(
         states: images.resisted_with(states, plane)
         for states in watched(sorted(listed), "contact states")
     }
-    yield from ((states, found.get(states)) for states in solver.states)
+    yield from ((states, found.get(states)) for states in solver.choices.states)
 
 
 def states_with(pieces: Sequence[Piece], point: RationalVector) -> tuple[States, ...]:

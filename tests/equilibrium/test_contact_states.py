@@ -9,7 +9,7 @@ from hypothesis import given, settings, strategies as st
 
 from arrangement.numbers.linear.programs import Infeasible, Optimal, feasible_point, minimize
 from equilibrium import Contact, Grasp, read_grasp, solve
-from equilibrium.decide.solver import Solver
+from equilibrium.decide.state_choices import StateChoices
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.plane.states.contact_states import contact_states, states_at, states_of_code
 from equilibrium.plane.states.equilibrium import equilibrium_of
@@ -69,7 +69,7 @@ def test_states_are_few_and_distinct():
 
 def test_no_contact_has_the_one_empty_choice():
     assert contact_states(Grasp()) == ((),)
-    assert Solver(Grasp()).screen.codes.shape == (1, 0)
+    assert StateChoices(Grasp()).screen.codes.shape == (1, 0)
 
 
 def test_all_stick_is_among_the_states_of_a_preloaded_grasp():
@@ -83,7 +83,7 @@ W = (Fraction(1), Fraction(-1, 2), Fraction(1, 3))
 
 def assert_true(grasp: Grasp, wrench: tuple, direction: tuple = ()) -> float:
     """Check each choice ruled out by elimination in rationals; return the share of these."""
-    screen = Solver(grasp).screen
+    screen = StateChoices(grasp).screen
     possible = screen.possible(wrench, *[direction] * bool(direction))
     for row in screen.codes[~possible].tolist():
         system = state_system(grasp, states_of_code(row), wrench)
@@ -135,14 +135,14 @@ def test_numbers_that_floats_should_not_see_are_left_to_rationals(power):
     (c,) = random_grasp(1, seed=1)
     scale = Fraction(10) ** power
     grasp = Grasp([replace(c, stiffness=c.stiffness * scale, preload=0)] * 2)
-    assert Solver(grasp).screen.possible(W).all()
-    assert Solver(grasp).screen.possible(ZERO, W).all()
+    assert StateChoices(grasp).screen.possible(W).all()
+    assert StateChoices(grasp).screen.possible(ZERO, W).all()
     for wrench in (W, tuple(-2 * x for x in (*c.normal, c.normal_wrench[2]))):
         assert solve(grasp, wrench).stable == oracle.is_stable(grasp, wrench)
-    other = Solver(random_grasp(3, seed=1)).screen
+    other = StateChoices(random_grasp(3, seed=1)).screen
     assert other.possible((scale, *W[1:])).all()
     assert other.possible(ZERO, (scale, *W[1:])).all()
-    assert Solver(Grasp()).screen.possible(ZERO, W).all()
+    assert StateChoices(Grasp()).screen.possible(ZERO, W).all()
 
 
 @pytest.mark.parametrize("seed", [1, 3])

@@ -148,7 +148,7 @@ def test_a_bounded_verdict_is_that_of_all_equilibria(contacts, seed):
         assert wanted <= verdict.stable
         if all(piece.unique for piece in found):
             assert verdict.stable == wanted
-        assert bool(solver._equilibria(verdict.wrench)) == verdict.stable
+        assert bool(solver.choices.equilibria(verdict.wrench)) == verdict.stable
         assert verdict.verify()
         assert verdict.verify().max_displacement == bound
 

@@ -94,7 +94,7 @@ def test_construction_computes_nothing(monkeypatch):
     def refuse(*_: object) -> None:
         raise AssertionError
 
-    for name in ("_codes", "screen", "solve", "decide"):
+    for name in ("choices", "solve", "decide"):
         monkeypatch.setattr(Solver, name, property(refuse))
     resisted = ResistedSet(read_grasp("paper-four-contacts"))
     assert set(vars(resisted)) == {"_solver"}

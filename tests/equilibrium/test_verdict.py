@@ -56,7 +56,7 @@ def test_processes_answer_in_order_in_the_plane_and_in_space():
 
 
 def test_processes_change_no_answer(monkeypatch):
-    monkeypatch.setattr(solver, "_PART", 4)
+    monkeypatch.setattr(solver, "WRENCHES_PER_TASK", 4)
     loads = [random_wrench(k, dimension=3) for k in range(8)]
     asked = Solver(read_grasp("three-fingers-on-a-ball"))
     asked.solve(loads[-1])
