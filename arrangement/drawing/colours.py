@@ -132,7 +132,7 @@ def colouring(
 
     Args:
         colour: "sides", "signs", "parity", "orbits", "none", or a function; own colours after a
-            name, or alone. If omitted: the number of sides where it distinguishes neighbours, else
+            name, or alone; or colours of some regions, as in "+-+=gold,++-=#0af". If omitted: the number of sides where it distinguishes neighbours, else
             the parity of minus signs, which always does. So two colours are enough for distinct
             planes.
         antipodes: "same" or "opposite" colours for opposite regions of central planes. With
@@ -148,6 +148,8 @@ def colouring(
     Raises:
         InputError: an unknown name or colour, or antipodes with another colouring than parity.
     """
+    if isinstance(colour, str) and "=" in colour:
+        colour = _some_regions(colour, regions)
     name, own = _read_choice(colour)
     found = _colouring(name, antipodes, regions, pairs, firsts, orbits)
     return found.with_own(own, regions) if own else found
@@ -164,14 +166,31 @@ def _read_choice(colour: Choice | None) -> tuple[str | Painter | None, list[str]
             return colour, []
         name, listed = (name, listed) if colon else ("", colour)
         found = listed.split(",")
+    return name or None, [_hex(text) for text in found]
+
+
+def _hex(text: str) -> str:
     from matplotlib.colors import is_color_like, to_hex
 
-    for text in found:
-        if not is_color_like(text):
+    if not is_color_like(text):
+        raise InputError(f"{shown(text)} is not a colour; give names or #rrggbb, such as gold,#0af")
+    return to_hex(text)
+
+
+def _some_regions(text: str, regions: Sequence[DrawnRegion]) -> Painter:
+    """Return the painter of ``+-+=gold,++-=#0af``: regions by sign vector, the others white."""
+    fills: dict[tuple[int, ...], str] = {}
+    known = {region.signs for region in regions}
+    for part in text.split(","):
+        name, _, fill = part.partition("=")
+        signs = tuple({"+": 1, "-": -1}.get(sign, 0) for sign in name.strip())
+        if signs not in known:
             raise InputError(
-                f"{shown(text)} is not a colour; give names or #rrggbb, such as gold,#0af"
+                f"the colour of {shown(name)} is given; expected the sign vector of a region that "
+                "is drawn, as in +-+=gold"
             )
-    return name or None, [to_hex(text) for text in found]
+        fills[signs] = _hex(fill)
+    return lambda region: fills.get(region.signs, "#ffffff")
 
 
 def _colouring(

@@ -108,7 +108,9 @@ def _parser() -> terminal.Parser:
         heading="common",
     )
     report.add_argument(
-        "source", metavar="SOURCE", help="FILE.py, a store of a sweep, or FILE.json of run"
+        "source",
+        metavar="FILE",
+        help="FILE.py, a store of a sweep, or FILE.json of run (the paper's claims: run -o FILE)",
     )
     _add_output(report, remark="(default: Markdown on stdout)")
     report.add_argument(

@@ -77,7 +77,7 @@ def _described(claim: Claim, width: int) -> str:
         ("statement", claim.statement),
         *(("hypothesis", entry) for entry in claim.hypotheses),
         ("quantity", claim.quantity),
-        *((f"route {i}", route.name) for i, route in enumerate(claim.routes, 1)),
+        *((f"computed {i}", route.name) for i, route in enumerate(claim.routes, 1)),
         *(("evidence", f"{source.kind.value}: {source.over}") for source in claim.sources),
         ("expected", claim.expected.value),
         ("holds when", claim.hypothesis.text if claim.hypothesis else ""),

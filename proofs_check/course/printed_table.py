@@ -86,7 +86,7 @@ def check_table(source: str) -> Iterator[Row]:
         missing = [column for column in _COLUMNS if column not in columns]
         if missing:
             raise InputError(
-                f"{name} has no column {missing[0]}; its first line names {', '.join(_COLUMNS)}"
+                f"{name} has no column {missing[0]}; expected a first line with {', '.join(_COLUMNS)}"
             )
         for cells in lines:
             if cells and not cells[0].startswith("#"):
@@ -99,10 +99,11 @@ def _row(cells: Mapping[str, str], line: int) -> Row:
     if any(not cells.get(column) for column in _COLUMNS):
         raise InputError(f"a row needs {', '.join(_COLUMNS)}")
     subject, quantity, text = (cells[column] for column in _COLUMNS)
+    quantity = re.sub("[ _]", "-", quantity)
     kind, _, rest = subject.partition(" ")
     known: Mapping[str, Callable[[Any], Value]] = _OF_ALL.get(kind, _OF_ONE)
     if quantity not in known:
-        raise InputError(f"the quantity is {shown(quantity)}; of it there are {', '.join(known)}")
+        raise InputError(f"the quantity is {shown(quantity)}; expected one of {', '.join(known)}")
     printed, reason = _printed(text, quantity), ""
     try:
         over = _number(rest) if kind in _OF_ALL else _arrangement(kind, rest, subject)

@@ -68,7 +68,7 @@ def _facts(result: Record) -> list[tuple[str, str]]:
         ("verdict", verdict(result)),
         ("evidence", result["evidence"]),
         *(("proved", badge_text(badge)) for badge in result.get("badges", [])),
-        *((f"route {i}", name) for i, name in enumerate(result["routes"], 1)),
+        *((f"computed {i}", name) for i, name in enumerate(result["routes"], 1)),
         ("holds when", result.get("saving_hypothesis") or ""),
         ("meaning", result["meaning"]),
     ]

@@ -184,7 +184,7 @@ def _disagreement_text(record: Record) -> str:
         return f"the function fails on {instance_text(record.document)}: {record.note}"
     values = " and ".join(value_text(plain(value), 160) for value in record.values)
     case = ", ".join(filter(None, (record.label, instance_text(record.document))))
-    return f"the routes disagree on {case}: {values}"
+    return f"the implementations disagree on {case}: {values}"
 
 
 def _counterexample_text(claim: Claim, evidence: Evidence, record: Record) -> str:
@@ -206,10 +206,11 @@ def instance_text(document: Mapping[str, Any] | None) -> str:
     """Return an instance in one line."""
     if document is None:
         return ""
-    if "planes" in document:
+    if document.get("planes"):
         rows = " ".join(_row(row) for row in document["planes"])
         offsets = document.get("offsets")
-        return f"planes {rows}" + (f" offsets {_row(offsets)}" if offsets else "")
+        kind = "lines" if len(document["planes"][0]) == 2 else "planes"
+        return f"{kind} {rows}" + (f" offsets {_row(offsets)}" if offsets else "")
     if "pseudolines" in document:
         return f"{document['pseudolines']} pseudolines {value_text(document['chirotope'])}"
     if "contacts" in document:

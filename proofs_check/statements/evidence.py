@@ -142,8 +142,8 @@ def verdict_of(evidence: Evidence) -> ClaimVerdict | None:
 def verdict_from(outcomes: Mapping[str, int], assumed: bool = False) -> ClaimVerdict | None:
     """Work out the verdict from how often each of `OUTCOMES` came out.
 
-    None: nothing was checked that the statement speaks of, or the routes disagree somewhere; then
-    nothing follows. Refuted: some case fails although the saving hypothesis (if any) covers it.
+    None: nothing was checked that the statement is about, or the implementations disagree
+    somewhere; then nothing follows. Refuted: some case fails although the saving hypothesis (if any) covers it.
     Holds under a hypothesis: the failures are all outside the hypothesis and some case is inside
     it, or a case could be read only by an assumption. Holds: no case fails.
     """
@@ -164,7 +164,7 @@ def check(claim: Claim, case: Case) -> Record:
     if broken := [value for value in values if isinstance(value, Failure)]:
         note = str(broken[0])
     elif not _agree(values):
-        note = "the routes disagree"
+        note = "the implementations disagree"
     elif claim.explain:
         note = claim.explain(case.subject, values[0])
     return Record(case.label, values, holds, covered, note, case.assumption, case.document)

@@ -105,8 +105,9 @@ def plan_sweep(
     if samples is None:
         if domain.unit != "planes" or low < 3 or high > MOST_PLANES:
             raise SweepError(
-                f"types is {low}..{high} for {domain.text}; "
-                f"there are isomorphism classes of 3 to {MOST_PLANES} planes, and of nothing else"
+                f"--classes is {low}..{high} for {domain.text}; expected 3..{MOST_PLANES}, for a "
+                "claim on planes through the origin of R^3. Others: run with --classes, or sweep "
+                "with --elements and --samples"
             )
         samples, types = sum(PUBLISHED[m] for m in range(low, high + 1)), True
     else:

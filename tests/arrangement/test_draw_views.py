@@ -659,6 +659,16 @@ def test_own_colours_come_in_the_order_of_the_legend():
             fills(colour)
 
 
+def test_some_regions_have_colours_by_sign_vector():
+    planes = read_arrangement("coordinate-planes")
+    made = DRAWINGS.draw(planes, colour="+++=gold,+-+=#0af").scene
+    fills = Counter(x.style["fc"] for x in made.items if x.name.startswith("region"))
+    assert fills.keys() == {"#ffd700", "#00aaff", "#ffffff"}
+    for colour, text in (("++=gold", "'\\+\\+' is given"), ("+++=gelb", "is not a colour")):
+        with pytest.raises(InputError, match=text):
+            DRAWINGS.draw(planes, colour=colour)
+
+
 @pytest.mark.parametrize(
     ("labels", "texts"),
     [

@@ -150,7 +150,7 @@ def test_a_check_notes_what_went_wrong_first():
     assert (record.note, record.holds) == ("25 of 5", True)
     differing = Route("other", lambda n: n + 1)
     record = check(replace(explained, routes=(product_, differing)), case)
-    assert (record.note, record.holds) == ("the routes disagree", False)
+    assert (record.note, record.holds) == ("the implementations disagree", False)
     record = check(replace(explained, routes=(product_, failing, other)), case)
     assert (record.note, record.holds) == ("ValueError: bad (here)", False)
     later = Route("fails, too", lambda n: 1 // 0)

@@ -118,7 +118,7 @@ def test_the_values_of_a_claim_are_fitted_where_its_routes_agree(tmp_path, monke
         assert words in capsys.readouterr().err
     Path("mine.py").write_text(FILE.replace("{fault}", "1"), encoding="utf-8")
     assert main(["fit", "mine.py:regions"]) == 2
-    assert "the routes disagree" in capsys.readouterr().err
+    assert "the implementations disagree" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

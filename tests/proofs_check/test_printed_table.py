@@ -146,3 +146,11 @@ def test_the_table_of_the_lesson_counts_the_verdicts_by_section():
         [section, *(str(counts[section, verdict.value]) for verdict in ClaimVerdict)]
         for section in sections
     ]
+
+
+def test_quantities_may_have_underscores_or_blanks(tmp_path):
+    table = tmp_path / "t.csv"
+    table.write_text("arrangement,quantity,printed\nbraid-a3,f_vector,1 14 36 24\n")
+    assert [row.agrees for row in check_table(str(table))] == [True]
+    table.write_text("arrangement,quantity,printed\nbraid-a3,bounded regions,0\n")
+    assert [row.quantity for row in check_table(str(table))] == ["bounded-regions"]

@@ -268,7 +268,7 @@ def test_routes_that_disagree_or_raise_give_no_verdict_and_show_the_case(write, 
     assert main(["run", path]) == 1
     out = " ".join(capsys.readouterr().out.split())
     assert out.count("no verdict (expected: holds)") == 2
-    assert "the routes disagree on four, planes (1,1,1)" in out
+    assert "the implementations disagree on four, planes (1,1,1)" in out
     assert ": 4 and 5" in out
     assert "the 2 given instances" in out
     assert "ZeroDivisionError: integer division or modulo by zero (mine.py, line 9: return" in out

@@ -62,8 +62,9 @@ def draw_sphere(
         colour: "sides" (by number of sides), "parity" (two colours, by number of minus signs),
             "signs" (shades, by number of minus signs), "orbits" (of the symmetry), "none", or a
             function from a `DrawnRegion` to a colour; if omitted, sides if they distinguish
-            neighbours, else parity. Own colours stand after the name,
-            ``"sides:white,gold,#0072b2"``, or alone.
+            neighbours, else parity. Your own colours follow the name,
+            ``"sides:white,gold,#0072b2"``, or stand alone; or some regions have one,
+            ``"+-+=gold,++-=#0af"``, and the others are white.
         antipodes: "same" or "opposite" colours for opposite regions (see `colours.colouring`); if
             omitted, whatever two colours give.
         labels: of regions: "signs"; "numbers" in the order of `Arrangement.regions`, with a table

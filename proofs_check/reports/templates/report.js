@@ -37,5 +37,7 @@ theme.addEventListener("click", () => {
   document.documentElement.dataset.theme = next;
   theme.textContent = `colours: ${next}`;
 });
-if (matchMedia("(max-width: 62rem)").matches) document.querySelector("nav details").open = false;
+const contents = document.querySelector("nav details");
+if (matchMedia("(max-width: 62rem)").matches) contents.open = false;
+window.addEventListener("beforeprint", () => { contents.open = true; });
 document.querySelector(".controls").hidden = false;
