@@ -132,9 +132,9 @@ def colouring(
 
     Args:
         colour: "sides", "signs", "parity", "orbits", "none", or a function; own colours after a
-            name, or alone; or colours of some regions, as in "+-+=gold,++-=#0af". If omitted: the number of sides where it distinguishes neighbours, else
-            the parity of minus signs, which always does. So two colours are enough for distinct
-            planes.
+            name, or alone; or colours of some regions, as in "+-+=gold,++-=#0af". If omitted: the
+            number of sides where it distinguishes neighbours, else the parity of minus signs, which
+            always does. So two colours are enough for distinct planes.
         antipodes: "same" or "opposite" colours for opposite regions of central planes. With
             c distinct planes parity gives the same ones if c is even, else the two opposite ones.
             Otherwise more colours are needed. Same and c odd: at least four if the planes are in

@@ -35,7 +35,7 @@ def add_commands(commands: Any) -> None:
     make = terminal.add_command(commands, "make", text, heading="more")
     kinds = make.add_subparsers(required=True, metavar="KIND")
 
-    text = "read one contact a line; columns x, y, normal_x, ..."
+    text = "read one contact a line: x, y, normal_x, normal_y (or angle), friction, ..."
     lines = _add(kinds, "csv", text, "read_csv")
     lines.add_argument("file", metavar="FILE.csv")
 

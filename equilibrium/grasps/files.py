@@ -72,6 +72,12 @@ def read_contacts(source: Source, *kinds: str, floats: bool = False) -> dict[str
         isinstance(entry, dict) and "normal" in entry for entry in document
     ):
         document = {"schema_version": 1, "contacts": document}
+    keys = {"normals", "points", *kinds} & set(document if isinstance(document, dict) else ())
+    if keys == {"normals"}:
+        raise GraspError(
+            f"{name} gives normals of bodies; expected a grasp with contacts. Of bodies there are "
+            "contact modes: equilibrium info FILE --modes"
+        )
     return check_document(document, expected, name)
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from arrangement.console.number_form import ReprMixin, counted
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import IntegerVector, from_floats, shown
 from arrangement.numbers.float_filter import EXACT, SMALLEST, Booleans, Floats, error_bound, scaled
@@ -30,8 +31,8 @@ _ERROR = error_bound(1 + 1 + 3)
 _NUMBERS = 500_000
 
 
-@dataclass(frozen=True, eq=False)
-class CheckedLoads:
+@dataclass(frozen=True, eq=False, repr=False)
+class CheckedLoads(ReprMixin):
     """The answers to n loads, for one exact grasp.
 
     Attributes:
@@ -45,6 +46,13 @@ class CheckedLoads:
     resisted: Booleans
     proved: Booleans
     near_border: Booleans
+
+    def __repr__(self) -> str:
+        resisted, near = (np.count_nonzero(x) for x in (self.resisted, self.near_border))
+        return (
+            f"<CheckedLoads: {counted(len(self.resisted), 'load')}, {resisted} resisted, "
+            f"{near} decided in fractions>"
+        )
 
 
 def check_loads(whole: ResistedSet, wrenches: Any) -> CheckedLoads:

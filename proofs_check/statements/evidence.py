@@ -143,9 +143,9 @@ def verdict_from(outcomes: Mapping[str, int], assumed: bool = False) -> ClaimVer
     """Work out the verdict from how often each of `OUTCOMES` came out.
 
     None: nothing was checked that the statement is about, or the implementations disagree
-    somewhere; then nothing follows. Refuted: some case fails although the saving hypothesis (if any) covers it.
-    Holds under a hypothesis: the failures are all outside the hypothesis and some case is inside
-    it, or a case could be read only by an assumption. Holds: no case fails.
+    somewhere; then nothing follows. Refuted: some case fails although the saving hypothesis (if
+    any) covers it. Holds under a hypothesis: the failures are all outside the hypothesis and some
+    case is inside it, or a case could be read only by an assumption. Holds: no case fails.
     """
     holds, fails, excused, broken = (outcomes.get(name, 0) for name in OUTCOMES[:4])
     if broken or not holds + fails + excused:

@@ -396,3 +396,15 @@ def test_contacts_in_floats_are_snapped(tmp_path):
     assert found.contacts == read_grasp("paper-three-contacts-preload-1").contacts
     path.write_text(json.dumps({"schema_version": 1, "contacts": floats}))
     assert read_float_data(path).grasp == found
+
+
+def test_csv_takes_angles_in_degrees():
+    text = "x,y,angle,friction\n-1,0,0,0.5\n1,0,180,0.5\n0,-1,90,0.5\n0,1,-60,0.5\n"
+    found = parse_csv(text)
+    assert [contact.normal for contact in found.grasp][:3] == [(1, 0), (-1, 0), (0, 1)]
+    x, y = map(float, found.grasp.contacts[3].normal)
+    assert (x, y) == pytest.approx((0.5, -(0.75**0.5)), abs=1e-6)
+    with pytest.raises(GraspError, match="angle and normal_x"):
+        parse_csv("x,y,angle,normal_x,normal_y,friction\n0,0,0,1,0,1\n")
+    with pytest.raises(GraspError, match="line 2: angle"):
+        parse_csv("x,y,angle,friction\n0,0,east,1\n")

@@ -156,3 +156,8 @@ def test_the_command_counts_and_lists(capsys):
     }
     assert main(["info", "box-1-wall", "--modes"]) == 0
     assert len(capsys.readouterr().out.splitlines()) == 2 + 10 + 196
+
+
+def test_bodies_given_by_normals_have_modes_only(capsys):
+    assert main(["info", "box-on-a-box-1-wall"]) == 2
+    assert "expected a grasp with contacts" in capsys.readouterr().err

@@ -184,3 +184,10 @@ def test_missing_names_are_answered(owner, name, hint):
     with pytest.raises(AttributeError, match=f"has no attribute '{name}'; use ") as error:
         getattr(owner, name)
     assert hint in str(error.value)
+
+
+def test_answers_to_many_loads_are_summed_up():
+    grasp = read_grasp("paper-three-contacts-preload-1")
+    assert repr(ResistedSet(grasp).check([[0, 1, 0], [0, 2, 0], [0, -1, 0]])) == (
+        "<CheckedLoads: 3 loads, 2 resisted, 1 decided in fractions>"
+    )

@@ -3,15 +3,17 @@
 The first line names the columns: ``x``, ``y``, ``normal_x``, ``normal_y``, ``friction``, in space
 also ``z`` and ``normal_z``, and, if wanted, ``stiffness`` and ``preload``, in any order. They are
 separated by commas, semicolons or tabs; short names are ``nx``, ``ny``, ``nz``, ``mu``, ``k`` and
-``q``. Empty lines and lines that begin with ``#`` say nothing. Numbers are decimals or ratios,
-as ``-0.25``, ``7/3``. A normal may have any length; one of irrational length is replaced by a
-near unit vector and the error reported.
+``q``. In the plane ``angle`` may replace the normal: its direction in degrees, from the x axis
+towards the y axis. Empty lines and lines that begin with ``#`` are skipped. Numbers are decimals or
+ratios, as ``-0.25``, ``7/3``. A normal may have any length; one of irrational length is replaced by
+a near unit vector and the error reported.
 """
 
 from __future__ import annotations
 
 import csv
 import io
+import math
 import os
 import re
 from collections.abc import Callable, Iterator
@@ -34,7 +36,8 @@ if TYPE_CHECKING:
 
 _REQUIRED = ("x", "y", "normal_x", "normal_y", VALUES[0])
 _IN_SPACE = ("z", "normal_z")
-_KNOWN = (*_REQUIRED, *_IN_SPACE, *VALUES[1:])
+_ANGLE = "angle"
+_KNOWN = (*_REQUIRED, *_IN_SPACE, _ANGLE, *VALUES[1:])
 _SHORT = {"nx": "normal_x", "ny": "normal_y", "nz": "normal_z"} | {
     "mu": "friction",
     "k": "stiffness",
@@ -127,7 +130,10 @@ def each_line(
     parts: list[tuple[Any, Any, dict[str, Any]]] = []
     for line, row in _rows(text):
         try:
-            parts.append(read(row))
+            if _ANGLE in row:
+                normal = _direction(rational(row[_ANGLE], _ANGLE))
+                row |= zip(("normal_x", "normal_y"), map(str, normal), strict=True)
+            parts.append(read({name: entry for name, entry in row.items() if name != _ANGLE}))
             _together(parts[-1:], convert)
         except ValueError as error:
             raise GraspError(f"line {line}: {str(error).removeprefix('normals[0]: ')}") from None
@@ -160,21 +166,31 @@ def _rows(text: str) -> Iterator[tuple[int, dict[str, str]]]:
         raise GraspError(f"line {reader.line_num}: {error}") from None
 
 
+def _direction(degrees: Fraction) -> tuple[Fraction, Fraction]:
+    """Return cosine and sine, exact for multiples of 90 and to 16 digits else."""
+    quarters, rest = divmod(degrees, 90)
+    x, y = (Fraction(f(math.radians(rest))) for f in (math.cos, math.sin))
+    return ((x, y), (-y, x), (-x, -y), (y, -x))[int(quarters) % 4]
+
+
 def _check_header(header: list[str]) -> None:
     """Refuse missing, unknown and repeated columns."""
     in_space = any(name in header for name in _IN_SPACE)
     required = (*_REQUIRED, *_IN_SPACE) if in_space else _REQUIRED
+    if _ANGLE in header:
+        if both := [name for name in header if name.startswith("normal_")]:
+            raise GraspError(f"the columns are {_ANGLE} and {both[0]}; keep one")
+        required = ("x", "y", _ANGLE, VALUES[0])
     missing = [name for name in required if name not in header]
     if missing:
-        where = ", for contacts in space" if in_space else ""
+        where = ", for contacts in space" if in_space else f" (or {_ANGLE}, in degrees)"
         raise GraspError(
             f"the first line must name the columns {', '.join(required)}{where}; {missing[0]} is "
             "missing"
         )
     for name in header:
         if name not in _KNOWN:
-            raise GraspError(
-                f"the column {shown(name)} is unknown; expected one of {', '.join(_KNOWN)}"
-            )
+            known = ", ".join(_KNOWN)
+            raise GraspError(f"the column {shown(name)} is unknown; expected one of {known}")
         if header.count(name) > 1:
             raise GraspError(f"the column {name} appears twice; keep one")
