@@ -176,7 +176,7 @@ def _direction(degrees: Fraction) -> tuple[Fraction, Fraction]:
 def _check_header(header: list[str]) -> None:
     """Refuse missing, unknown and repeated columns."""
     in_space = any(name in header for name in _IN_SPACE)
-    required = (*_REQUIRED, *_IN_SPACE) if in_space else _REQUIRED
+    required: tuple[str, ...] = (*_REQUIRED, *_IN_SPACE) if in_space else _REQUIRED
     if _ANGLE in header:
         if both := [name for name in header if name.startswith("normal_")]:
             raise GraspError(f"the columns are {_ANGLE} and {both[0]}; keep one")
