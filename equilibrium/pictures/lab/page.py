@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, get_args
 
 from arrangement.console.number_form import counted
-from arrangement.drawing.pages.html_page import Template
+from arrangement.drawing.pages.html_page import Template, own
 from arrangement.drawing.registry import Wrench
 from arrangement.errors import InputError
 from arrangement.numbers import budget
@@ -85,7 +85,7 @@ _VIEWS = ("grasp_view", "motion_view", "map_view", "answer", "steps")
 _SHOWS = ("state", *_VIEWS, "fields", "controls", "judge", "lab")
 SCRIPTS: tuple[Template, ...] = (
     SKETCH_SCRIPT,
-    ("arrangement.drawing.pages", "dual.js"),
+    *map(own, ("dual.js", "ball.js")),
     ("arrangement.pictures.lab", "circles.js"),
     *((_OWN, f"{name}.js") for name in ("plane", *_SHOWS)),
 )

@@ -1,7 +1,6 @@
 // A ball seen from far away: what of curves and areas on it lies on the half that is seen.
 const RADIUS = 100;
 const turned = (axes, p) => axes.map((axis) => dot(axis, p));
-const fixed = (x) => (Math.round(x * 10) / 10).toString();
 const spot = (p) => `${fixed(RADIUS * p[0])},${fixed(-RADIUS * p[1])}`;
 
 // The axes of a ball after a small turn. Round-off in thousands of turns must not bend them.
@@ -60,6 +59,9 @@ function onLimb(p, q) {
   const n = Math.hypot(x, y) || 1;
   return [x / n, y / n, 0];
 }
+
+// The boundary of a region, from the curves of its darts, as one closed curve; dart 2e + 1 is arc e backwards.
+const boundaryOf = (darts, curves) => darts.flatMap((dart) => (dart & 1 ? [...curves[dart >> 1]].reverse() : curves[dart >> 1]).slice(0, -1));
 
 // The part of a curve on the half with side * z >= 0, as path text.
 function visible(curve, side) {

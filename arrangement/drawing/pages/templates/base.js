@@ -65,5 +65,6 @@ function onKeys(view, keys) {
   });
 }
 
+/** @type {(x: number) => string} */ const fixed = (x) => (Math.round(x * 100) / 100).toString();
 const tuple = (values) => `(${values.join(", ")})`;
 const count = (number, one, many) => `${number} ${number === 1 ? one : many}`;

@@ -1,5 +1,5 @@
 // The dual of planes: a vertex for each region, an edge for each arc, a face for each crossing. The
-// place of a region is the sum of vectors along the normals with its signs. A page defines `spot`.
+// place of a region is the sum of vectors along the normals with its signs.
 const cross = (a, b) => [
   a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0],
 ];

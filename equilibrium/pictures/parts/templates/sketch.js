@@ -1,10 +1,10 @@
 // What every drawing of a grasp has: outline, contacts with cones, numbers, origin, arrows.
-const fixed = (x) => (Math.round(x * 100) / 100).toString();
 // How far the drawing reaches; names and preloads stand outside of the contacts.
 const REACH = Math.max(1, ...[...(data.outline ?? []), data.origin].flat().map((x) => Math.abs(x) + 0.15),
   ...data.contacts.flatMap(({ place: p, normal: n }) => [0, 1].map((k) => Math.abs(p[k] - 0.7 * n[k]))));
 const UNIT = Math.min(72, 114 / REACH);
-const spot = (p) => `${fixed(UNIT * p[0])},${fixed(-UNIT * p[1])}`;
+// The text of a place of the drawing.
+const sketched = (p) => `${fixed(UNIT * p[0])},${fixed(-UNIT * p[1])}`;
 const along = (p, v, s) => [p[0] + s * v[0], p[1] + s * v[1]];
 
 function arrow(view, from, to, style, width = 1) {
@@ -17,18 +17,18 @@ function arrow(view, from, to, style, width = 1) {
   const corner = (s, t) => [to[0] - s * ux - t * uy, to[1] - s * uy + t * ux];
   const corners = [corner(length, side), corner(head, side), corner(head, 0.42 * head), to,
     corner(head, -0.42 * head), corner(head, -side), corner(length, -side)];
-  draw("path", { class: style, d: `M${corners.map(spot).join("L")}Z` }, view);
+  draw("path", { class: style, d: `M${corners.map(sketched).join("L")}Z` }, view);
 }
 
 function paintBody(view) {
-  draw("path", { class: data.stated ? "body stated" : "body", d: `M${data.outline.map(spot).join("L")}Z` }, view);
+  draw("path", { class: data.stated ? "body stated" : "body", d: `M${data.outline.map(sketched).join("L")}Z` }, view);
 }
 
 function paintContact(view, { place, normal: n, cone }) {
   const t = [-n[1], n[0]];
-  draw("path", { class: "cone", d: `M${spot(place)}L${cone.map(spot).join("L")}Z` }, view);
-  draw("path", { class: "middle", d: `M${spot(place)}L${spot(cone[(cone.length - 1) / 2])}` }, view);
-  draw("path", { class: "pad", d: `M${spot(along(place, t, 0.08))}L${spot(along(place, t, -0.08))}` }, view);
+  draw("path", { class: "cone", d: `M${sketched(place)}L${cone.map(sketched).join("L")}Z` }, view);
+  draw("path", { class: "middle", d: `M${sketched(place)}L${sketched(cone[(cone.length - 1) / 2])}` }, view);
+  draw("path", { class: "pad", d: `M${sketched(along(place, t, 0.08))}L${sketched(along(place, t, -0.08))}` }, view);
 }
 
 function paintNames(view) {
@@ -41,12 +41,12 @@ function paintNames(view) {
 
 function paintOrigin(view) {
   const { origin } = data;
-  draw("path", { class: "axis", d: `M${spot(along(origin, [1, 0], -0.05))}L${spot(along(origin, [1, 0], 0.05))}M${spot(along(origin, [0, 1], -0.05))}L${spot(along(origin, [0, 1], 0.05))}` }, view);
+  draw("path", { class: "axis", d: `M${sketched(along(origin, [1, 0], -0.05))}L${sketched(along(origin, [1, 0], 0.05))}M${sketched(along(origin, [0, 1], -0.05))}L${sketched(along(origin, [0, 1], 0.05))}` }, view);
 }
 
 function paintTwist(view, origin, way) {
   const at30 = (k) => [origin[0] + 0.26 * Math.cos((way * k * Math.PI) / 12), origin[1] + 0.26 * Math.sin((way * k * Math.PI) / 12)];
-  draw("path", { class: "twist", d: `M${Array.from({ length: 17 }, (_, k) => spot(at30(k + 2))).join("L")}` }, view);
+  draw("path", { class: "twist", d: `M${Array.from({ length: 17 }, (_, k) => sketched(at30(k + 2))).join("L")}` }, view);
   const tip = at30(18);
   const direction = [-(tip[1] - origin[1]) * way, (tip[0] - origin[0]) * way];
   arrow(view, along(tip, direction, -0.02), along(tip, direction, 0.42), "load", 1.2);
@@ -62,5 +62,5 @@ function paintState(view, what, place, t) {
   const n = [t[1], -t[0]];
   const corners = [along(place, t, 0.11 * way), along(along(place, t, -0.06 * way), n, 0.075),
     along(along(place, t, -0.06 * way), n, -0.075)];
-  draw("path", { class: "state slip", d: `M${corners.map(spot).join("L")}Z` }, view);
+  draw("path", { class: "state slip", d: `M${corners.map(sketched).join("L")}Z` }, view);
 }

@@ -57,8 +57,7 @@ function hatching(view) {
 // Whether the ends and the middle of a thin piece lie in polygons, so that it adds nothing.
 function covered(corners, sheets) {
   const places = corners.map(onPaper);
-  const middle = [0, 1].map((k) => places.reduce((sum, p) => sum + p[k], 0) / places.length);
-  return [...places, middle].every((p) => sheets.some((sheet) => within(sheet, p)));
+  return [...places, middleOfAll(places)].every((p) => sheets.some((sheet) => within(sheet, p)));
 }
 
 function paintThin(view, corners) {
@@ -111,14 +110,18 @@ function paintCodes(view, solid) {
   solid.forEach(({ piece, corners }, i) => {
     const places = clippedToSight(corners).map(onPaper);
     if (places.length < 3) return;
-    const middle = [0, 1].map((k) => places.reduce((sum, p) => sum + p[k], 0) / places.length);
-    const [w, h] = [3.2 * piece.states.length + 1, 5];
-    const frame = [[-w, -h], [w, -h], [w, h], [-w, h], [0, 0]].map(([x, y]) => [middle[0] + x, middle[1] + y]);
-    const hidden = solid.slice(i + 1).some((other) => frame.some((p) => within(other.corners.map(onPaper), p)));
-    if (!hidden && frame.every((p) => within(places, p))) {
-      draw("text", { class: "code", x: fixed(middle[0]), y: fixed(middle[1]) }, view, codeOf(piece.states));
-    }
+    const later = solid.slice(i + 1).map((other) => other.corners.map(onPaper));
+    paintCode(view, middleOfAll(places), piece.states, 9, (p) => within(places, p) && !later.some((other) => within(other, p)));
   });
+}
+
+// The states at a place, if the middle and the corners of their box pass.
+/** @type {(view: Element, middle: number[], states: string[], size: number, passes: (p: number[]) => boolean) => void} */
+function paintCode(view, [x, y], states, size, passes) {
+  const [w, h] = [0.4 * size * states.length + 1, 0.6 * size];
+  if ([[0, 0], [-w, -h], [w, -h], [w, h], [-w, h]].every(([dx, dy]) => passes([x + dx, y + dy]))) {
+    draw("text", { class: "code", "font-size": size, x: fixed(x), y: fixed(y) }, view, codeOf(states));
+  }
 }
 
 function clippedToSight(corners) {
@@ -185,10 +188,8 @@ function onLine(corners, [a, b, c]) {
   return found.filter((p, i) => found.findIndex((q) => Math.hypot(p[0] - q[0], p[1] - q[1]) < 1e-9) === i).slice(0, 2);
 }
 
-const areaOf = (corners) => Math.abs(corners.reduce((sum, p, i) => {
-  const q = corners[(i + 1) % corners.length];
-  return sum + p[0] * q[1] - p[1] * q[0];
-}, 0)) / 2;
+const areaOf = (corners) => Math.abs(area(corners)) / 2;
+const middleOfAll = (places) => [0, 1].map((k) => places.reduce((sum, p) => sum + p[k], 0) / places.length);
 
 // The nearest round decimals: so the force under the pointer is exact.
 function forceStep() {

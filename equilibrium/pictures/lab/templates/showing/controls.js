@@ -81,7 +81,7 @@ function keyOnGrip(event) {
   edit(() => {
     if (kind === "turn" || (bracket && kind === "move")) {
       const sense = bracket ? way[1] : way[1] || -way[0];
-      state.grasp = state.grasp.with(i, { ...state.grasp[i], normal: turned(state.grasp[i].normal, sense) });
+      state.grasp = state.grasp.with(i, { ...state.grasp[i], normal: nextDirection(state.grasp[i].normal, sense) });
     } else if (kind === "move") {
       state.grasp = state.grasp.with(i, { ...state.grasp[i], point: stepped(state.grasp[i].point, way) });
     } else if (kind === "torque" || bracket) {

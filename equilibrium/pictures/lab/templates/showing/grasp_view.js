@@ -45,7 +45,7 @@ function statedOutline() {
 function crosses(points) {
   const next = (i) => points[(i + 1) % points.length];
   const side = (a, b, c) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-  if (points.reduce((sum, p, i) => sum + p[0] * next(i)[1] - p[1] * next(i)[0], 0) <= 0) return true;
+  if (area(points) <= 0) return true;
   return points.some((a, i) => points.slice(0, i).some((c, j) => {
     const [b, d] = [next(i), next(j)];
     return side(a, b, c) * side(a, b, d) < -1e-15 && side(c, d, a) * side(c, d, b) < -1e-15;
@@ -122,7 +122,7 @@ function paintOne(view, contact, i, shown, piece) {
   const t = [-n[1], n[0]];
   const loaded = contact.preload.n > 0n;
   const zigzag = Array.from({ length: 9 }, (_, k) => along(along(p, n, -0.25 - 0.022 * k), t, k % 2 ? 0.045 : -0.045));
-  draw("path", { class: `spring${loaded ? " loaded" : ""}`, d: `M${[along(p, n, -0.2), ...zigzag, along(p, n, -0.48)].map(spot).join("L")}` }, group);
+  draw("path", { class: `spring${loaded ? " loaded" : ""}`, d: `M${[along(p, n, -0.2), ...zigzag, along(p, n, -0.48)].map(sketched).join("L")}` }, group);
   paintContact(group, data.contacts[i]);
   const states = shown && !shown.virtual ? shown.states : piece?.states;
   if (states) paintState(group, states[i], along(p, n, -0.15), t);
@@ -147,7 +147,7 @@ function paintLoad(view, factor) {
   const turn = (near(state.wrench[2]) / torqueUnit()) * (Math.PI / 4);
   const round = (a) => [origin[0] + 0.3 * Math.cos(a), origin[1] + 0.3 * Math.sin(a)];
   draw("circle", { class: "dial", cx: fixed(UNIT * origin[0]), cy: fixed(-UNIT * origin[1]), r: 0.3 * UNIT }, view);
-  if (turn) draw("path", { class: "twist", d: `M${Array.from({ length: 33 }, (_, k) => spot(round((turn * k) / 32))).join("L")}` }, view);
+  if (turn) draw("path", { class: "twist", d: `M${Array.from({ length: 33 }, (_, k) => sketched(round((turn * k) / 32))).join("L")}` }, view);
   const words = tuple(state.wrench.map(textOf));
   grip(view, "load", tip, `load ${words}; arrows change the force`, "load-grip", 3.2);
   grip(view, "torque", round(turn), `torque ${textOf(state.wrench[2])}; arrows change it`, "load-grip", 2.4);
@@ -162,7 +162,7 @@ function paintGhost(view, [x, y, r], virtual) {
   const places = [...(data.outline ?? []), ...data.contacts.map((c) => c.place)];
   const most = Math.max(1e-12, ...places.map((p) => Math.hypot(...shift(p))));
   const factor = 0.26 / most;
-  if (data.outline) draw("path", { class: "moved", d: `M${data.outline.map((p) => spot(along(p, shift(p), factor))).join("L")}Z` }, view);
+  if (data.outline) draw("path", { class: "moved", d: `M${data.outline.map((p) => sketched(along(p, shift(p), factor))).join("L")}Z` }, view);
   for (const { place: p } of data.contacts) arrow(view, p, along(p, shift(p), factor * (virtual ? 1.4 : 1)), "load", 0.9);
   if (!r) return;
   const centre = world(-y / r, x / r);

@@ -186,6 +186,6 @@ function blamedLeaf(grasp, wrench, states, guide) {
   const pairs = parts.map(({ kappa, pressed, alpha, h }) => [alpha >= 0 ? line[alpha] : pressed ? dotted(motion, kappa) : ZERO, h >= 0 ? line[h] : ZERO]);
   const leaf = shortened(grasp, motion, pairs, wrench);
   if (leaf.room.n > 0n) return { states, ...leaf };
-  const turned = (row) => row.map(minus);
-  return { states, ...shortened(grasp, turned(motion), pairs.map(turned), wrench) };
+  const negated = (row) => row.map(minus);
+  return { states, ...shortened(grasp, negated(motion), pairs.map(negated), wrench) };
 }

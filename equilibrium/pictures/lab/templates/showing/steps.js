@@ -45,14 +45,13 @@ function paintDual(box, { count: number, planes }) {
   const circles = circlesOf(normals);
   const rayOf = (corner, p) => unit(floats(corner === p ? circles.crossings[p].ray : opposite(circles.crossings[p].ray)));
   const { places, faces } = zonotopeOf(circles, normals.map((n) => unit(floats(n))), circles.regions, rayOf);
-  const view = draw("svg", { id: "dual", class: "view", viewBox: "-80 -80 160 160", role: "img", "aria-label": "The dual polyhedron of these planes." }, box);
+  const view = draw("svg", { id: "dual", class: "view", viewBox: "-110 -110 220 220", role: "img", "aria-label": "The dual polyhedron of these planes." }, box);
   const edges = circles.arcs.length ? circles.arcs : [{ circle: 0, left: 0, right: 1 }];
-  const axes = DUAL_AXES.map((axis) => (x) => dot(axis, x));
-  paintDualOf(view, (id) => axes.map((along) => along(places.get(id))), {
+  paintDualOf(view, (id) => turned(DUAL_AXES, places.get(id)), {
     faces: faces.map(({ ids }) => ({ ids })),
     edges: edges.map(({ circle, left, right }) => ({ left, right, tint: circle === number - 1 ? "var(--accent)" : "var(--ink)" })),
     vertices: circles.regions.map(({ id, key }) => ({ id, fill: colourOf([...key].map((s) => (s === "+" ? "slip+" : "slip-"))) })),
-  }, false, 4.5);
+  }, false, 6);
 }
 
 // One choice of states: its system, its solution, and why it is refused.

@@ -135,7 +135,7 @@ function nearestDirection(x, y) {
 }
 
 // The next unit vector counter-clockwise (1) or clockwise (-1).
-function turned(normal, way) {
+function nextDirection(normal, way) {
   const here = DIRECTIONS.findIndex((v) => same(v[0], normal[0]) && same(v[1], normal[1]));
   if (here >= 0) return DIRECTIONS.at((here + way) % DIRECTIONS.length);
   return nearestDirection(...[Math.cos, Math.sin].map((f) => f(Math.atan2(near(normal[1]), near(normal[0])) + way * 0.05)));

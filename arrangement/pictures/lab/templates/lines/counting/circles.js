@@ -109,6 +109,41 @@ function orderDarts({ arcs }, region) {
   region.corners = region.darts.map((d) => tail(arcs, d));
 }
 
+/** @typedef {{ normals: bigint[][], infinity: number | null, circles: Circles, members: number[][] }} Gathered */
+// The circles of planes, those that coincide together; lines of the plane are half of what they and the line at
+// infinity, which comes last, make on the sphere.
+/** @type {(normals: bigint[][], atInfinity?: bigint[] | null) => Gathered} */
+function gathered(normals, atInfinity = null) {
+  const members = [...Map.groupBy(normals.keys(), (i) => unoriented(normals[i]).join()).values()];
+  const distinct = members.map(([i]) => normals[i]);
+  if (!atInfinity) return { normals, infinity: null, circles: circlesOf(distinct), members };
+  return { normals, infinity: distinct.length, circles: circlesOf([...distinct, atInfinity]), members: [...members, []] };
+}
+
+// What lies in the plane, of what lies on the sphere: all, or what is positive at infinity.
+/** @type {(all: Gathered) => { points: Crossing[], arcs: Arc[], regions: Region[] }} */
+function facesOf({ circles, infinity }) {
+  const { crossings, arcs, regions } = circles;
+  if (infinity === null) {
+    return { points: crossings.flatMap((point) => [point, point]), arcs, regions };
+  }
+  const finite = (region) => region.key[infinity] === "+";
+  return {
+    points: crossings.filter(({ signs }) => signs[infinity]),
+    arcs: arcs.filter(({ circle, left, right }) => circle !== infinity && finite(regions[left]) && finite(regions[right])),
+    regions: regions.filter(finite),
+  };
+}
+
+// Signs of the planes as given, from those of the circles.
+/** @type {(all: Gathered, signs: number[]) => number[]} */
+function planeSigns({ normals, members, circles }, signs) {
+  return normals.map((normal, k) => {
+    const i = members.findIndex((list) => list.includes(k));
+    return dotOf(normal, circles.normals[i]) < 0n ? -signs[i] || 0 : signs[i];
+  });
+}
+
 // A text that is equal exactly for circles of one isomorphism class, up to the order of planes,
 // their sides and a mirror: of all ways to number the darts by walking over the map, the least.
 /** @type {(circles: Circles) => string} */

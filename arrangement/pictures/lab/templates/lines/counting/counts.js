@@ -1,44 +1,16 @@
 // The numbers of an arrangement: { dimension, rows } with dimension 3, rows (a, b, c) of central
 // planes a x + b y + c z = 0, or dimension 2, rows (a, b, c) of lines a x + b y = c.
 
-// Planes through the origin of R^3, those that coincide together. Lines of the plane are half of
-// what they and the line at infinity, which comes last, make on the sphere.
 /** @typedef {{ dimension: number, rows: Row[] }} Rows */
-/** @typedef {{ dimension: number, normals: bigint[][], infinity: number | null, circles: Circles, members: number[][] }} Lines */
+/** @typedef {Gathered & { dimension: number }} Lines */
 
 /** @type {(rows: Rows) => Lines} */
 function arrangementOf({ dimension, rows }) {
-  const classes = new Map();
-  const put = (normal, i) => {
-    const key = unoriented(normal).join();
-    if (!classes.has(key)) classes.set(key, { normal, members: [] });
-    if (i !== null) classes.get(key).members.push(i);
-  };
   const normals = rows.map((row) => {
     const { row: [a, b, c] } = integers(row);
     return primitive(dimension === 2 ? [a, b, -c] : [a, b, c]);
   });
-  normals.forEach(put);
-  if (dimension === 2) put([0n, 0n, 1n], null);
-  const distinct = [...classes.values()];
-  const infinity = dimension === 2 ? distinct.length - 1 : null;
-  const circles = circlesOf(distinct.map(({ normal }) => normal));
-  return { dimension, normals, infinity, circles, members: distinct.map(({ members }) => members) };
-}
-
-// What lies in the plane, of what lies on the sphere: all, or what is positive at infinity.
-/** @type {(lines: Lines) => { points: Crossing[], arcs: Arc[], regions: Region[] }} */
-function facesOf({ circles, infinity }) {
-  const { crossings, arcs, regions } = circles;
-  if (infinity === null) {
-    return { points: crossings.flatMap((point) => [point, point]), arcs, regions };
-  }
-  const finite = (region) => region.key[infinity] === "+";
-  return {
-    points: crossings.filter(({ signs }) => signs[infinity]),
-    arcs: arcs.filter(({ circle, left, right }) => circle !== infinity && finite(regions[left]) && finite(regions[right])),
-    regions: regions.filter(finite),
-  };
+  return { dimension, ...gathered(normals, dimension === 2 ? [0n, 0n, 1n] : null) };
 }
 
 function rankOfArrangement({ circles, infinity }) {

@@ -33,8 +33,7 @@ function paintBall() {
 }
 
 function ballRegion(arrangement, region, curves) {
-  const boundary = region.darts.flatMap((dart) => (dart & 1 ? [...curves[dart >> 1]].reverse() : curves[dart >> 1]).slice(0, -1));
-  const d = region.darts.length ? clipped(boundary, 1) : "";
+  const d = region.darts.length ? clipped(boundaryOf(region.darts, curves), 1) : "";
   if (!d) return [];
   if (arrangement.infinity !== null && region.key[arrangement.infinity] === "-") return [{ class: "region beyond", d }];
   return [{ class: "region", d, "data-mark": regionName(arrangement, region), fill: colourOf(arrangement, region) }];

@@ -44,14 +44,6 @@ const tallyText = (counts, letter) => Object.entries(counts).map(([k, number]) =
 
 const signsText = (signs) => signs.map((s) => (s > 0 ? "+" : s < 0 ? "\u2212" : "0")).join("");
 
-// Signs of the planes as given, from those of the circles.
-function planeSigns({ normals, members, circles }, signs) {
-  return normals.map((normal, k) => {
-    const i = members.findIndex((list) => list.includes(k));
-    return dotOf(normal, circles.normals[i]) < 0n ? -signs[i] || 0 : signs[i];
-  });
-}
-
 // What is said of the thing that is marked.
 function litText() {
   const { arrangement } = shown();
