@@ -10,6 +10,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import sign_text, vector
+from arrangement.console.options import values
+from arrangement.console.options.parser import Parser
 
 from .console import terminal
 from .errors import InputError, OutOfReachError
@@ -48,7 +50,7 @@ _RENAMED = {
 }
 
 
-def _parser() -> terminal.Parser:
+def _parser() -> Parser:
     parser = terminal.command_parser(
         "arrangement",
         "Count, enumerate, identify and draw hyperplane arrangements, exactly.",
@@ -63,11 +65,9 @@ def _parser() -> terminal.Parser:
         *answers: str,
         file: str | None = "",
         heading: str = "common",
-    ) -> terminal.Parser:
+    ) -> Parser:
         """Add a command; it takes a FILE, and need not where `file` is "?"."""
-        added: terminal.Parser = terminal.add_command(
-            commands, name, help, *answers, heading=heading
-        )
+        added: Parser = terminal.add_command(commands, name, help, *answers, heading=heading)
         if file is not None:
             added.add_argument("file", metavar="FILE", nargs=file or None, help=_FILE)
         terminal.add_common_options(added)
@@ -78,7 +78,7 @@ def _parser() -> terminal.Parser:
     _add_count(add("count", _count, text))
     faces = add("faces", _faces, "enumerate faces: sign vector, dimension, witness")
     faces.add_argument(
-        "--dimension", type=terminal.integer_argument, metavar="K", help="only faces of dimension K"
+        "--dimension", type=values.integer_argument, metavar="K", help="only faces of dimension K"
     )
     faces.add_argument("--bounded", action="store_true", help="only the bounded regions")
     terminal.add_number_options(faces)
@@ -109,7 +109,7 @@ def _parser() -> terminal.Parser:
 def _add_count(count: argparse.ArgumentParser) -> None:
     count.add_argument(
         "--time-limit",
-        type=terminal.length_argument,
+        type=values.length_argument,
         metavar="SECONDS",
         help="stop then and print the coefficients found so far",
     )
@@ -242,7 +242,7 @@ def _print_rows(rows: Mapping[str, object]) -> int:
 
 def _primes(text: str) -> list[int]:
     try:
-        return [terminal.count_argument(word) for word in text.split(",")]
+        return [values.count_argument(word) for word in text.split(",")]
     except argparse.ArgumentTypeError:
         raise argparse.ArgumentTypeError(f"{shown(text)}; expected primes such as 5,7,11") from None
 

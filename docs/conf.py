@@ -42,6 +42,14 @@ suppress_warnings = ["ref.citation", "ref.python"]
 autodoc_default_options = {"ignore-module-all": True, "exclude-members": "set"}
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
+# Types that say how a value is written on a command line, in words of Python.
+autodoc_type_aliases = {
+    "Graph": "networkx.Graph | str",
+    "Kind": "str | None",
+    "Length": "float | str | None",
+    "Place": "str | None",
+    "Type": "int | str | networkx.Graph",
+}
 maximum_signature_line_length = 72
 toc_object_entries_show_parents = "hide"
 napoleon_use_ivar = True

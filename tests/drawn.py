@@ -1,6 +1,5 @@
 """Scenes of views, the paths of a figure, and what is wrong with the labels of a scene."""
 
-import importlib
 from collections import Counter
 from typing import Any
 
@@ -42,8 +41,7 @@ def scene(drawings: Drawings, view: str, name: str = "", **options: Any) -> Scen
     """Return the scene of a view of a built-in instance, in our own fonts."""
     usual = "braid-a3" if drawings is OF_PLANES else "paper-four-contacts"
     name = name or {"lines": "shi-a2-affine"}.get(view, usual)
-    module, _, function = drawings.views[view].partition(":")
-    draw = getattr(importlib.import_module(f"{drawings.package}.{module}"), function)
+    draw = drawings.function("view", view)
     read: Any = read_arrangement if drawings is OF_PLANES else read_grasp
     with own_settings():
         subject = generic(5, 4) if view == "section" else read(name)

@@ -7,8 +7,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from itertools import cycle
-from typing import TypeAlias, TypeVar
+from typing import Annotated, TypeAlias, TypeVar
 
+from arrangement.console.options.signature import Syntax
 from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import shown
 
@@ -52,7 +53,7 @@ class DrawnRegion:
 Paint = TypeVar("Paint", bound=Callable[..., str])
 Painter: TypeAlias = Callable[[DrawnRegion], str]
 #: A name, with own colours after it as in ``sides:white,gold``; own colours; or a function.
-Choice: TypeAlias = str | Sequence[str] | Painter
+Choice: TypeAlias = Annotated[str | Sequence[str] | Painter, Syntax(metavar="NAME")]
 #: More orbits than this are counted, not listed.
 _LISTED = 12
 

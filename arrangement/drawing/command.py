@@ -1,4 +1,8 @@
-"""The subcommand ``draw`` of both programs: its options are those of the registered views."""
+"""The subcommand ``draw`` of both programs: its options are those of the registered views.
+
+Several views may have one option; it is added once, and the help explains it for the view that is
+named.
+"""
 
 from __future__ import annotations
 
@@ -6,49 +10,44 @@ import argparse
 import re
 import textwrap
 from collections.abc import Collection, Iterator, Mapping
+from dataclasses import replace
 from shutil import get_terminal_size
-from typing import Any
+from typing import Any, NamedTuple
 
 from arrangement.console import terminal
+from arrangement.console.options.parser import Parser
+from arrangement.console.options.signature import Option, options_of
 from arrangement.errors import InputError
 
-from .output import LEGENDS, RENAMED_OPTIONS, THEMES
-from .registry import LENGTHS, LETTERS, Drawings, Option
+from .output import RENAMED_OPTIONS
+from .registry import KINDS, Drawings
 
-_KINDS: dict[str, dict[str, Any]] = {
-    "str": {"metavar": "NAME"},
-    "Labels": {"metavar": "NAME"},
-    "Choice": {"metavar": "NAME"},
-    "AxisNames": {"nargs": "?", "const": True, "metavar": "NAMES"},
-    "int": {"type": terminal.integer_argument, "metavar": "K"},
-    "float": {"type": terminal.length_argument, "metavar": "N"},
-    "length": {"metavar": "LENGTH"},
-    "Exact": {"type": terminal.rational_argument, "metavar": "Q"},
-    "Vector": {"type": terminal.rational_argument, "nargs": 3, "metavar": ("X", "Y", "Z")},
-    "Wrench": {"type": terminal.rational_argument, "nargs": 3, "metavar": ("FX", "FY", "TAU")},
-    "Corner": {"type": lambda text: text.split(","), "metavar": "X,Y"},
-    "Equation": {"type": lambda text: text.split(","), "metavar": "A,B,..,E"},
-    "bool": {"action": argparse.BooleanOptionalAction, "default": None},
-}
-#: Options of all pictures.
-_PRINTING = ("font_size", "font", "text", "fragment", "theme", "legend", "columns", "frames")
 #: The options that ``--help`` shows without a view.
 _COMMON = {"output", "view", "model", "width", "font", "font_size", "theme", "legend", "camera"}
-#: Options of several values that are written one by one.
-_FLAGS = {"wrenches": "wrench"}
+
+
+class _Use(NamedTuple):
+    """An option of a view, model or page."""
+
+    kind: str
+    name: str
+    option: Option
 
 
 def add_options(
-    parser: argparse.ArgumentParser, drawings: Drawings, own: Collection[str] = ()
+    parser: Parser, drawings: Drawings, own: Collection[str] = (), common: Collection[str] = ()
 ) -> None:
-    """Add the options of all that can be drawn, but for those that the command has itself.
+    """Add the options of all that can be drawn.
 
     The help explains those of the view, model or page that is named; without one it lists the
     views, and the options that most of them have.
+
+    Args:
+        own: flags of options that the command has itself.
+        common: flags of options that the help lists without a view, besides those of all pictures.
     """
-    words = parser.arguments if isinstance(parser, terminal.Parser) else ()
+    asked = _asked(parser.arguments) if {"-h", "--help"} & {*parser.arguments} else None
     before = {*parser._actions}
-    asked = _asked(words) if {"-h", "--help"} & {*words} else None
     subject = next(a.metavar for a in parser._actions if not a.option_strings)
     parser.usage = f"%(prog)s {subject} -o PATH [--view VIEW] [options]"
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
@@ -60,108 +59,53 @@ def add_options(
         help=".svg, .pdf, .png, .tex (TikZ): a picture; .gif, .mp4: one that turns; .html: a page"
         + "; .stl, .glb, .obj: a model" * bool(drawings.models),
     )
-    _add_printing(parser, drawings)
-    found: dict[str, list[tuple[str, Option]]] = {}
-    for name, option in _every(drawings):
-        found.setdefault(_flag(option), []).append((name, option))
-    for flag, uses in found.items():
+    _add_target(parser, drawings)
+    for option in options_of(Drawings.write, keywords=True).values():
+        option.add_to(parser)
+    uses = _uses(drawings)
+    for flag in uses:
         if flag not in own:
-            style = dict(_KINDS["length" if flag in LENGTHS else uses[0][1].kind])
-            if any(option.many for _, option in uses):
-                extend = {"action": "extend", "nargs": "+"}
-                style |= {"action": "append"} if "nargs" in style else extend
-            text = _help(uses, asked)
-            added = parser.add_argument(f"--{flag.replace('_', '-')}", **style, help=text)
-            if uses[0][1].kind == "Wrench" and isinstance(parser, terminal.Parser):
-                parser.variadic.append(added)
-    if isinstance(parser, terminal.Parser):
-        names = {f"--{old}": f"--{new}" for old, new in RENAMED_OPTIONS.items() if new in found}
-        parser.renamed = {**parser.renamed, **names}
-    if asked is not None:
-        _explain(parser, drawings, asked, {*parser._actions} - before)
-
-
-def _add_printing(parser: argparse.ArgumentParser, drawings: Drawings) -> None:
-    """Add what to draw, and the options of all pictures."""
-    for kind, suffix in (("view", "picture"), ("model", "model")):
-        if known := getattr(drawings, f"{kind}s"):
-            first, second = [*known][:2]
-            text = f"the {suffix}, such as {first} (default: the first that suits)"
-            if kind == "view":
-                text += f"; several, as in {first},{second}, are panels of one figure"
-            parser.add_argument(f"--{kind}", metavar=kind.upper(), help=text)
-    for name, metavar, text in (
-        ("font", "NAME", "of .svg, .pdf, .png: an installed font (default: DejaVu Sans)"),
-        (
-            "font-size",
-            "LENGTH",
-            "size of the larger text, such as 8pt; lines follow (default: 7pt)",
-        ),
-        ("theme", "NAME", f"{', '.join(THEMES)} (default: the first)"),
-        ("legend", "PLACE", f"{', '.join(LEGENDS)} (default: the first)"),
-        ("text", "KIND", f"in .svg: {' or '.join(LETTERS)} (default: the first)"),
-    ):
-        parser.add_argument(f"--{name}", metavar=metavar, help=text)
-    parser.add_argument(
-        "--fragment", action="store_true", default=None, help="in .tex: no document, for \\input"
-    )
-    for name, metavar, text in (
-        ("columns", "K", "of panels (default: 2)"),
-        ("frames", "K", "of a full turn in .gif, .mp4 (default: 36)"),
-    ):
-        parser.add_argument(f"--{name}", type=terminal.integer_argument, metavar=metavar, help=text)
-
-
-def _explain(
-    parser: argparse.ArgumentParser,
-    drawings: Drawings,
-    asked: set[str],
-    added: Collection[argparse.Action],
-) -> None:
-    """Describe what can be drawn, or what is asked for; hide the options that it does not need."""
+            _add(parser, uses[flag], asked)
+    names = {f"--{old}": f"--{new}" for old, new in RENAMED_OPTIONS.items() if new in uses}
+    parser.renamed = {**parser.renamed, **names}
+    added = {*parser._actions} - before
     if asked:
-        width = get_terminal_size().columns - 2
-        texts = [
-            textwrap.fill(f"{name}: {text}", width)
-            for name, text in _summaries(drawings)
-            if {*name.split()} & asked
-        ]
-        parser.description = "\n".join(texts) or parser.description
-        return
-    parser.description = (
-        f"{parser.prog} --view VIEW --help describes a view and its options.\n\n"
-        f"{parser.description}"
-    )
-    for action in added:
-        if action.dest not in _COMMON and action.dest not in _FLAGS.values():
-            action.help = argparse.SUPPRESS
-    rows = [*_summaries(drawings)]
-    edge = max(len(name) for name, _ in rows) + 4
-    room, hung = max(get_terminal_size().columns - 2, edge + 20), " " * edge
-    listed = "\n".join(
-        textwrap.fill(text, room, initial_indent=f"  {name}".ljust(edge), subsequent_indent=hung)
-        for name, text in rows
-    )
-    parser.epilog = f"views, models and pages:\n{listed}\n\n{parser.epilog}"
+        _describe(parser, drawings, asked)
+    elif asked is not None:
+        _list(parser, drawings, {x for x in added if x.dest not in {*_COMMON, *common}})
 
 
-def _summaries(drawings: Drawings) -> Iterator[tuple[str, str]]:
-    """Yield each view, model and page with the first line of its docstring."""
-    for kind in ("view", "model", "page"):
-        for name in getattr(drawings, f"{kind}s"):
-            shown = name if kind == "view" else f"{kind} {name}"
-            yield shown, drawings.summary(kind, name).rstrip(".")
+def _add_target(parser: Parser, drawings: Drawings) -> None:
+    """Add which view or model to draw."""
+    for kind, thing in (("view", "picture"), ("model", "model")):
+        if known := [*drawings.named(kind)]:
+            text = f"the {thing}, such as {known[0]} (default: the first that suits)"
+            if kind == "view":
+                text += f"; several, as in {known[0]},{known[1]}, are panels of one figure"
+            parser.add_argument(f"--{kind}", metavar=kind.upper(), help=text)
 
 
-def _every(drawings: Drawings) -> Iterator[tuple[str, Option]]:
-    for kind in ("view", "model", "page"):
-        for name in getattr(drawings, f"{kind}s"):
-            shown = name if kind == "view" else f"{kind} {name}"
-            yield from ((shown, option) for option in drawings.options(kind, name).values())
+def _uses(drawings: Drawings) -> dict[str, list[_Use]]:
+    """Return the options by their flags, each with all that have it."""
+    found: dict[str, list[_Use]] = {}
+    for kind in KINDS:
+        for name in drawings.named(kind):
+            for option in drawings.options(kind, name).values():
+                found.setdefault(option.flag, []).append(_Use(kind, name, option))
+    return found
 
 
-def _flag(option: Option) -> str:
-    return _FLAGS.get(option.name, option.name)
+def _add(parser: Parser, uses: list[_Use], asked: set[str] | None) -> None:
+    """Add an option as the first view has it, or for several values if one of them takes several.
+
+    A view that is not named decides later whether it needs the option, and by what default.
+    """
+    first = uses[0].option
+    several = any(use.option.several for use in uses)
+    changes: dict[str, Any] = {"help": _help(uses, asked), "default": None, "required": False}
+    if first.syntax.words == 0:
+        changes["action"] = argparse.BooleanOptionalAction
+    replace(first, several=several).add_to(parser, **changes)
 
 
 def _asked(words: Collection[str]) -> set[str]:
@@ -170,16 +114,58 @@ def _asked(words: Collection[str]) -> set[str]:
     return {name for names in found for name in names.split(",")}
 
 
-def _help(uses: list[tuple[str, Option]], asked: set[str] | None) -> str:
-    """Say what an option means for the views that are asked for, or the first one that has it."""
+def _help(uses: list[_Use], asked: set[str] | None) -> str:
+    """Return what an option means for the views that are asked for, or the first one that has it.
+
+    A view may refer to another one, "as for `draw_sphere`", and that to a third.
+    """
     if not asked:
-        return uses[0][1].text.replace("%", "%%").rstrip(".")
-    known = {name: option.text for name, option in uses}
-    own = [text for name, text in known.items() if name.rpartition(" ")[2] in asked]
-    for _ in range(2):  # a view may refer to another one, and that to a third
-        own = [re.sub(r"as for `draw_(\w+)`", lambda x: known[x[1]].rstrip("."), t) for t in own]
-    texts = dict.fromkeys(text.replace("`", "").replace("%", "%%").rstrip(".") for text in own)
-    return "; or: ".join(texts) or argparse.SUPPRESS
+        return uses[0].option.help
+    known = {use.name: use.option.text for use in uses if use.kind == "view"}
+    texts = [use.option.text for use in uses if use.name in asked]
+    for _ in range(2):
+        texts = [
+            re.sub(r"as for `draw_(\w+)`", lambda x: known[x[1]].rstrip("."), text)
+            for text in texts
+        ]
+    helps = dict.fromkeys(replace(uses[0].option, text=text).help for text in texts)
+    return "; or: ".join(helps) or argparse.SUPPRESS
+
+
+def _describe(parser: Parser, drawings: Drawings, asked: set[str]) -> None:
+    """Describe what is asked for."""
+    width = get_terminal_size().columns - 2
+    texts = [
+        textwrap.fill(f"{title}: {text}", width)
+        for title, text in _summaries(drawings)
+        if {*title.split()} & asked
+    ]
+    parser.description = "\n".join(texts) or parser.description
+
+
+def _list(parser: Parser, drawings: Drawings, hidden: Collection[argparse.Action]) -> None:
+    """List what can be drawn, and hide the options that few views have."""
+    parser.description = (
+        f"{parser.prog} --view VIEW --help describes a view and its options.\n\n"
+        f"{parser.description}"
+    )
+    for action in hidden:
+        action.help = argparse.SUPPRESS
+    rows = [*_summaries(drawings)]
+    edge = max(len(title) for title, _ in rows) + 4
+    width = max(get_terminal_size().columns - 2, edge + 20)
+    listed = [
+        textwrap.fill(f"  {title:<{edge - 2}}{text}", width, subsequent_indent=" " * edge)
+        for title, text in rows
+    ]
+    parser.epilog = "\n".join(["views, models and pages:", *listed, "", parser.epilog or ""])
+
+
+def _summaries(drawings: Drawings) -> Iterator[tuple[str, str]]:
+    """Yield each view, model and page with the first paragraph of its docstring."""
+    for kind in KINDS:
+        for name in drawings.named(kind):
+            yield name if kind == "view" else f"{kind} {name}", drawings.summary(kind, name)
 
 
 def given_options(
@@ -191,24 +177,22 @@ def given_options(
         drawings: of the subject.
         known: all those whose options the parser has, if they are more.
     """
-    known = known or drawings
-    kind, name = drawings.target(
-        arguments.output, arguments.view, getattr(arguments, "model", None)
-    )
-    takes = {_flag(option): option for option in drawings.options(kind, name).values()}
-    printing = {key: getattr(arguments, key) for key in _PRINTING}
-    options: dict[str, Any] = {key: x for key, x in printing.items() if x is not None}
-    for flag in dict.fromkeys(_flag(option) for _, option in _every(known)):
-        value = getattr(arguments, flag)
+    model = getattr(arguments, "model", None)
+    kind, name = drawings.target(arguments.output, arguments.view, model)
+    taken = {option.flag: option for option in drawings.options(kind, name).values()}
+    names = options_of(Drawings.write, keywords=True)
+    printing = {name: getattr(arguments, name) for name in names}
+    options = {name: value for name, value in printing.items() if value is not None}
+    for flag, uses in _uses(known or drawings).items():
+        value = getattr(arguments, flag.replace("-", "_"))
         if value is None:
             continue
-        option = takes.get(flag)
-        repeated = any(_flag(o) == flag and o.many for _, o in _every(known))
-        if option is not None and repeated and not option.many:
+        option = taken.get(flag)
+        if option and not option.several and any(use.option.several for use in uses):
             if len(value) > 1:
                 raise InputError(f"--{flag} is given {len(value)} times; {name} takes one")
             (value,) = value
-        options[flag if option is None else option.name] = value
+        options[option.name if option else uses[0].option.name] = value
     return options
 
 
@@ -216,9 +200,8 @@ def write(
     arguments: argparse.Namespace, drawings: Drawings, subject: Any, options: Mapping[str, Any]
 ) -> int:
     """Write the file, and with ``--json`` say what it is."""
-    written = drawings.write(
-        subject, arguments.output, arguments.view, getattr(arguments, "model", None), **options
-    )
+    model = getattr(arguments, "model", None)
+    written = drawings.write(subject, arguments.output, arguments.view, model, **options)
     if arguments.json:
         terminal.print_json({"output": arguments.output, **written})
     return terminal.YES

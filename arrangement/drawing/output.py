@@ -27,6 +27,7 @@ PAGES = (".html",)
 LEGENDS = ("below", "right", "none")
 THEMES = ("light", "dark", "mono")
 
+
 #: What makes files repeat: fixed identifiers, no dates, letters as outlines.
 _STYLE = {"svg.hashsalt": "arrangement", "svg.fonttype": "path", "font.size": 7.0}
 _METADATA: dict[str, dict[str, Any]] = {

@@ -35,7 +35,7 @@ from .output import (
 from .scene.items import LIGHT, SHADES, Ball, Box, Item, Label, Mark, Path, Place
 from .scene.layout import laid_out
 from .scene.scene import DPI, NarrowError, Scene
-from .themes import themed
+from .scene.themes import themed
 
 try:
     from matplotlib.artist import Artist

@@ -7,13 +7,13 @@ import is imported when a command runs, so that ``--help`` of the others answers
 from __future__ import annotations
 
 import argparse
-import inspect
 from collections.abc import Callable, Mapping
 from dataclasses import asdict
-from inspect import Parameter
 from typing import TYPE_CHECKING
 
 from arrangement.console import terminal
+from arrangement.console.options import values
+from arrangement.console.options.signature import USUAL_SYNTAX, Option, options_of, summary
 from arrangement.console.progress import note, watched
 from arrangement.console.writing import document_text, write_or_print
 from arrangement.errors import InputError
@@ -27,45 +27,37 @@ if TYPE_CHECKING:
 def described() -> dict[str, str]:
     """Return a line on each family: its options, and what it is."""
     return {
-        name: f"{' '.join(_usage(p) for p in _parameters(name))}: {_summary(name)}"
-        for name in _families()
+        name: f"{' '.join(map(_usage, options_of(made).values()))}: {_summary(made)}"
+        for name, made in _families().items()
     }
 
 
 def add_families(parser: argparse.ArgumentParser) -> None:
     """Add a subcommand for each family, with its parameters as options."""
     families = parser.add_subparsers(required=True, metavar="FAMILY", dest="family")
-    for name in _families():
-        made = families.add_parser(name, help=_summary(name), description=_summary(name))
-        for parameter in _parameters(name):
-            if parameter.annotation == "bool":
-                made.add_argument(f"--{parameter.name}", action="store_true")
-                continue
-            needed = parameter.default is parameter.empty
-            kinds = parameter.annotation.split(" | ")
-            made.add_argument(
-                f"--{parameter.name}",
-                type=(_value if "int" in kinds else str) if "str" in kinds else int,
-                required=needed,
-                default=None if needed else parameter.default,
-                metavar=_metavar(parameter),
-                help=_help(parameter),
-            )
-        made.add_argument(
+    for name, made in _families().items():
+        family = families.add_parser(name, help=_summary(made), description=_summary(made))
+        for option in options_of(made).values():
+            changes = {} if option.syntax.words == 0 else {"metavar": _metavar(option)}
+            if not option.required and option.default is not False:
+                changes["help"] = f"{option.help} (default {option.default})".strip()
+            option.add_to(family, **changes)
+        family.add_argument(
             "--limit",
-            type=terminal.times_argument,
+            type=values.times_argument,
             default=argparse.SUPPRESS,
             metavar="N",
             help="scale the default limits by N",
         )
-        made.add_argument("-o", "--output", metavar="PATH", help="a file (default: print it)")
+        family.add_argument("-o", "--output", metavar="PATH", help="a file (default: print it)")
 
 
 def document(arguments: argparse.Namespace) -> str:
     """Return the member that the options ask for, in file form with one plane a line."""
-    values = {p.name: getattr(arguments, p.name) for p in _parameters(arguments.family)}
-    given = ", ".join(f"{key} = {value}" for key, value in values.items())
-    made = _families()[arguments.family](**values).to_dict()
+    family = _families()[arguments.family]
+    members = {name: getattr(arguments, name) for name in options_of(family)}
+    given = ", ".join(f"{key} = {value}" for key, value in members.items())
+    made = family(**members).to_dict()
     made["description"] = f"{arguments.family}, {given}" if given else arguments.family
     return document_text(made)
 
@@ -76,40 +68,20 @@ def _families() -> Mapping[str, Callable[..., Arrangement]]:
     return FAMILIES
 
 
-def _parameters(name: str) -> list[Parameter]:
-    return list(inspect.signature(_families()[name]).parameters.values())
+def _usage(option: Option) -> str:
+    text = f"--{option.flag}" if option.syntax.words == 0 else f"--{option.flag} {_metavar(option)}"
+    return text if option.required else f"[{text}]"
 
 
-def _usage(parameter: Parameter) -> str:
-    text = f"--{parameter.name}"
-    if parameter.annotation != "bool":
-        text += f" {_metavar(parameter)}"
-    return text if parameter.default is parameter.empty else f"[{text}]"
+def _metavar(option: Option) -> str:
+    """Return what stands for a value: N for the usual types, in a family with the option --n."""
+    usual = option.syntax in USUAL_SYNTAX.values()
+    return option.name.upper() if usual else str(option.syntax.metavar)
 
 
-def _metavar(parameter: Parameter) -> str:
-    if "Graph" in parameter.annotation:
-        return "N|TYPE|EDGES" if "int" in parameter.annotation else "EDGES"
-    return parameter.name.upper()
-
-
-def _help(parameter: Parameter) -> str:
-    if "Graph" in parameter.annotation:
-        if "int" in parameter.annotation:
-            return "a number, a type such as E6, or edges such as 1-2,2-3"
-        return "edges such as 1-2,2-3; in a signed graph also 1+2 and 1"
-    return "" if parameter.default is parameter.empty else f"(default {parameter.default})"
-
-
-def _summary(name: str) -> str:
-    """Return the first sentence of the docstring, without its verb."""
-    first = (inspect.getdoc(_families()[name]) or "").split("\n\n")[0].replace("\n", " ")
-    return first.removeprefix("Return ").rstrip(".")
-
-
-def _value(text: str) -> int | str:
-    """Read a number n, or the name of a type, or a graph."""
-    return int(text) if text.isascii() and text.isdigit() else text
+def _summary(family: Callable[..., Arrangement]) -> str:
+    """Return the first paragraph of the docstring, without its verb."""
+    return summary(family).removeprefix("Return ")
 
 
 def add_list_options(parser: argparse.ArgumentParser) -> None:
@@ -117,7 +89,7 @@ def add_list_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--families", action="store_true", help="list what `make` can make")
     parser.add_argument(
         "--classes",
-        type=terminal.integer_argument,
+        type=values.integer_argument,
         metavar="M",
         help="count the isomorphism classes of M hyperplanes of rank 3, 3 to 9",
     )
@@ -171,7 +143,7 @@ def add_convert_options(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--number",
-        type=terminal.count_argument,
+        type=values.count_argument,
         metavar="K",
         help="take this one of a file of several, from 1 on",
     )

@@ -1,4 +1,4 @@
-"""The registry of what can be drawn of an arrangement, one line each, and what notebooks show."""
+"""What can be drawn of an arrangement, and what notebooks show."""
 
 from __future__ import annotations
 
@@ -10,42 +10,22 @@ from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import DrawnRegion as DrawnRegion
 from arrangement.drawing.figure import compose as compose
 from arrangement.drawing.output import require_matplotlib, save_figure as save_figure
-from arrangement.drawing.registry import Drawings
+from arrangement.drawing.registry import KINDS, Drawings
 from arrangement.errors import MissingExtraError
 from arrangement.numbers import budget
 from arrangement.planes.planes import Planes
 
+from .parts.essential import MODELS, PAGES, VIEWS, suited
+
 if TYPE_CHECKING:
     from arrangement.drawing.path_artist import Drawing
 
-DRAWINGS = Drawings(
-    "arrangement.pictures",
-    views={
-        "sphere": "sphere.sphere:draw_sphere",
-        "planes": "space.planes:draw_planes",
-        "cells": "space.cells:draw_cells",
-        "lines": "diagrams.lines:draw_lines",
-        "stereographic": "sphere.stereographic:draw_stereographic",
-        "gnomonic": "sphere.gnomonic:draw_gnomonic",
-        "dual": "duals.dual:draw_dual",
-        "section": "space.planes:draw_section",
-        "graph": "duals.graph:draw_graph",
-        "poset": "duals.poset:draw_poset",
-        "lattice": "diagrams.lattice:draw_lattice",
-    },
-    models={"dual": "duals.dual:dual_model", "cells": "space.cells:cells_model"},
-    pages={"arrangement": "page.page:arrangement_page", "cells": "space.cells:cells_page"},
-)
+DRAWINGS = Drawings("arrangement.pictures", VIEWS, MODELS, PAGES)
 
 
 def drawings_of(planes: Planes) -> Drawings:
     """Return what can be drawn of planes, what suits them best as the first."""
-    from .parts.essential import suited
-
-    kinds: dict[str, Any] = {}
-    for kind in ("views", "models", "pages"):
-        known = getattr(DRAWINGS, kind)
-        kinds[kind] = {name: known[name] for name in suited(known, planes)}
+    kinds: dict[str, Any] = {f"{kind}s": suited(DRAWINGS.named(kind), planes) for kind in KINDS}
     return replace(DRAWINGS, **kinds)
 
 

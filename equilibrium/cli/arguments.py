@@ -10,6 +10,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from arrangement.console import terminal
+from arrangement.console.options import values
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, shown, to_text
 from equilibrium.model.errors import GraspError
@@ -127,7 +128,7 @@ def _cone(text: str) -> int | None:
 
 def add_force(parser: argparse.ArgumentParser, ways: Any) -> None:
     """Add a force or a weight at a point, to the ways in which a wrench can be given."""
-    rational = terminal.rational_argument
+    rational = values.rational_argument
     text = "instead: a force (three numbers in space)"
     force = ways.add_argument("--force", nargs=2, metavar=_AXES[:2], type=rational, help=text)
     ways.add_argument(
@@ -165,7 +166,7 @@ def add_wrench(parser: Any, name: str, text: str, default: Any) -> None:
         nargs=3,
         default=default,
         metavar=_AXES,
-        type=terminal.rational_argument,
+        type=values.rational_argument,
         help=text,
     )
     _let_grow(parser, option)
@@ -181,7 +182,7 @@ def spanning_wrench(text: str) -> tuple[Fraction, ...]:
         raise argparse.ArgumentTypeError(
             f"{shown(text)}; expected one of {names}, or three numbers such as 1,0,0"
         )
-    return tuple(map(terminal.rational_argument, parts))
+    return tuple(map(values.rational_argument, parts))
 
 
 def _let_grow(parser: Any, *options: argparse.Action) -> None:
@@ -196,7 +197,7 @@ def add_number(
     text = text if default is None else f"{text} (default: {to_text(Fraction(default))})"
     value = None if default is None else Fraction(default)
     parser.add_argument(
-        name, metavar=metavar, type=terminal.rational_argument, default=value, help=text
+        name, metavar=metavar, type=values.rational_argument, default=value, help=text
     )
 
 
@@ -205,7 +206,7 @@ def add_count(
 ) -> None:
     """Add a number of things to do, or a seed."""
     text = f"{text} (default: {default})"
-    count = terminal.count_argument
+    count = values.count_argument
     parser.add_argument(name, type=count, default=default, metavar=metavar, help=text)
 
 
@@ -248,7 +249,7 @@ def grasp_of(arguments: argparse.Namespace) -> Grasp:
 
 def seconds(text: str) -> float:
     """Return a positive number of seconds."""
-    number = float(terminal.rational_argument(text))
+    number = float(values.rational_argument(text))
     if number <= 0:
         raise argparse.ArgumentTypeError(f"{text} is not above 0; give a number of seconds")
     return number

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.console import terminal
 from arrangement.console.number_form import counted
+from arrangement.console.options.parser import Parser
 from arrangement.console.writing import write_text_atomically
 from arrangement.numbers.exact import shown
 from equilibrium.cli.arguments import (
@@ -52,11 +53,11 @@ def add_lab(commands: Any) -> None:
     )
 
 
-def _add_options(draw: argparse.ArgumentParser) -> None:
+def _add_options(draw: Parser) -> None:
     from arrangement.drawing.command import add_options
     from equilibrium.pictures.views import DRAWINGS
 
-    add_options(draw, DRAWINGS, own=("preload",))
+    add_options(draw, DRAWINGS, own=("preload",), common=("wrench",))
     add_force(draw, draw.add_mutually_exclusive_group())
     add_wrench(draw, "--origin", "of the data of a slice: a wrench of the plane", None)
     for flag, text in (

@@ -13,6 +13,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console import terminal
+from arrangement.console.options import values
 from arrangement.console.writing import write_text_atomically
 
 from .arguments import (
@@ -58,14 +59,14 @@ def add_commands(commands: Any) -> None:
     circle = _add(kinds, "circle", text, "on_circle", ("angles", "friction"), options)
     circle.add_argument("--angles", nargs="+", type=float, metavar="DEGREES", required=True)
     add_number(circle, "--radius", 1, "of the circle")
-    circle.add_argument("--friction", metavar="Q", type=terminal.rational_argument, required=True)
+    circle.add_argument("--friction", metavar="Q", type=values.rational_argument, required=True)
     add_number(circle, "--preload", 0, "of every contact")
 
     text = "contacts on the surface of an STL, OBJ, PLY or GLB file"
     chosen = ("at", "random", "seed", "facing", "smooth", "max_distance", "preload")
     mesh = _add(kinds, "mesh", text, "on_mesh", ("file", "friction"), chosen)
     mesh.add_argument("file", metavar="FILE", help="a closed surface; lengths as they are in it")
-    number = terminal.rational_argument
+    number = values.rational_argument
     text = "points; each contact is at the nearest place of the surface"
     mesh.add_argument(
         "--at",
@@ -89,7 +90,7 @@ def add_commands(commands: Any) -> None:
 
     text = "put contacts around an object at random, the same for each seed"
     randoms = add_command(kinds, "random", _random, text, grasp=False, numbers=False, heading="")
-    randoms.add_argument("--contacts", type=terminal.count_argument, required=True, metavar="M")
+    randoms.add_argument("--contacts", type=values.count_argument, required=True, metavar="M")
     add_count(randoms, "--seed", 0, "of the random numbers", "SEED")
     randoms.add_argument("--space", action="store_true", help="in space instead of the plane")
     _add_output(randoms)

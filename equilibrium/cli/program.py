@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from arrangement.console import terminal
 from arrangement.console.number_form import counted
+from arrangement.console.options.parser import Parser
 from arrangement.console.safe_text import printable
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.displacement import displacement_words, read_displacement
@@ -74,7 +75,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     return terminal.run(_parser(), argv)
 
 
-def _parser() -> terminal.Parser:
+def _parser() -> Parser:
     parser = terminal.command_parser(
         "equilibrium",
         "Decide passive stability of frictional grasps exactly, with certificates.",

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from arrangement.console import terminal
 from arrangement.console.number_form import bracket, counted, number, vector
+from arrangement.console.options import values
 from arrangement.numbers.exact import number_text
 from equilibrium.model.errors import GraspError
 
@@ -78,7 +78,7 @@ def add_command_resisted(commands: Any) -> None:
     add_number(parser, "--torque-length", None, text)
     add_wrench(parser, "--origin", "with --slice: a wrench of the plane (default: none)", None)
     text = "with --search: number of directions (default: 72)"
-    parser.add_argument("--rays", type=terminal.count_argument, metavar="N", help=text)
+    parser.add_argument("--rays", type=values.count_argument, metavar="N", help=text)
     text = "with --search: largest magnitude tried (default: 1000)"
     add_number(parser, "--max-magnitude", None, text)
     text = "accepted error: of the friction of --margin (default: 1/1048576), of the magnitudes of "

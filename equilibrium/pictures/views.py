@@ -2,58 +2,53 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from arrangement.drawing.registry import Drawings
+from arrangement.drawing.registry import Drawings, ViewEntry
 from arrangement.numbers import budget
 from equilibrium.model.grasp import Grasp
 
 if TYPE_CHECKING:
     from arrangement.drawing.path_artist import Drawing
 
+
+def _in_plane(grasp: Grasp) -> bool:
+    return grasp.dimension == 2
+
+
+def _in_space(grasp: Grasp) -> bool:
+    return grasp.dimension == 3
+
+
 DRAWINGS = Drawings(
     "equilibrium.pictures",
     views={
-        "grasp": "grasp.grasp:draw_grasp",
-        "resist": "wrenches.forces:draw_resist",
-        "slice": "wrenches.forces:draw_slice",
-        "polar": "wrenches.polar:draw_polar",
-        "compare": "wrenches.forces:draw_compare",
-        "methods": "wrenches.forces:draw_methods",
-        "proof": "grasp.proof:draw_proof",
-        "wrench-set": "wrenches.wrench_set:draw_wrench_set",
+        "grasp": ViewEntry("grasp.grasp:draw_grasp"),
+        "resist": ViewEntry("wrenches.forces:draw_resist", _in_plane),
+        "slice": ViewEntry("wrenches.forces:draw_slice"),
+        "polar": ViewEntry("wrenches.polar:draw_polar", _in_plane),
+        "compare": ViewEntry("wrenches.forces:draw_compare", _in_plane),
+        "methods": ViewEntry("wrenches.forces:draw_methods"),
+        "proof": ViewEntry("grasp.proof:draw_proof"),
+        "wrench-set": ViewEntry("wrenches.wrench_set:draw_wrench_set", _in_plane),
     },
     models={
-        "wrench-set": "wrenches.wrench_page:wrench_set_model",
-        "grasp": "space.space_page:grasp_model",
+        "wrench-set": ViewEntry("wrenches.wrench_page:wrench_set_model", _in_plane),
+        "grasp": ViewEntry("space.space_page:grasp_model", _in_space),
     },
     pages={
-        "resist": "lab.page:resist_page",
-        "proof": "grasp.proof_page:proof_page",
-        "wrench-set": "wrenches.wrench_page:wrench_set_page",
-        "grasp": "space.space_page:grasp_page",
+        "resist": ViewEntry("lab.page:resist_page", _in_plane),
+        "proof": ViewEntry("grasp.proof_page:proof_page", _in_plane),
+        "wrench-set": ViewEntry("wrenches.wrench_page:wrench_set_page", _in_plane),
+        "grasp": ViewEntry("space.space_page:grasp_page", _in_space),
     },
 )
-#: What is not drawn of grasps in the plane, and in space.
-_NOT: dict[int, dict[str, tuple[str, ...]]] = {
-    2: {"models": ("grasp",), "pages": ("grasp",)},
-    3: {
-        "views": ("resist", "polar", "compare", "wrench-set"),
-        "models": ("wrench-set",),
-        "pages": ("resist", "proof", "wrench-set"),
-    },
-}
 
 
 def drawings_of(grasp: Grasp) -> Drawings:
     """Return what can be drawn of a grasp, in the plane or in space."""
     budget.keep(len(grasp), "contacts in a picture")
-    kinds: dict[str, Any] = {
-        kind: {name: f for name, f in getattr(DRAWINGS, kind).items() if name not in names}
-        for kind, names in _NOT[grasp.dimension].items()
-    }
-    return replace(DRAWINGS, **kinds)
+    return DRAWINGS.fitting(grasp)
 
 
 def draw(grasp: Grasp, view: str | None = None, **options: Any) -> Drawing:

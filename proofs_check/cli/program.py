@@ -8,6 +8,8 @@ from collections.abc import Callable, Sequence
 from importlib import import_module
 
 from arrangement.console import terminal
+from arrangement.console.options import values
+from arrangement.console.options.parser import Parser
 
 #: Names of earlier releases, and guesses, with what to write now.
 _RENAMED = {
@@ -44,7 +46,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     return terminal.run(_parser(), argv)
 
 
-def _parser() -> terminal.Parser:
+def _parser() -> Parser:
     parser = terminal.command_parser(
         "proofs-check",
         "Verify counting claims about arrangements and grasps by independent implementations.",
@@ -219,7 +221,7 @@ def _add_own(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
 def _add_numbers(parser: argparse._ActionsContainer) -> None:
     parser.add_argument(
         "--samples",
-        type=terminal.count_argument,
+        type=values.count_argument,
         metavar="N",
         help="random instances of each claim",
     )
@@ -268,13 +270,13 @@ def _add_sweep(parser: argparse.ArgumentParser) -> None:
         help="every isomorphism class of rank 3 with that many planes (3 to 9), none at random",
     )
     parser.add_argument(
-        "--samples", type=terminal.integer_argument, metavar="N", help="random instances in all"
+        "--samples", type=values.integer_argument, metavar="N", help="random instances in all"
     )
     _add_seed(parser)
     terminal.add_worker_options(parser)
     parser.add_argument(
         "--chunk",
-        type=terminal.integer_argument,
+        type=values.integer_argument,
         default=200,
         metavar="N",
         help="instances in a chunk (default: 200)",
@@ -284,7 +286,7 @@ def _add_sweep(parser: argparse.ArgumentParser) -> None:
 def _add_seed(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--seed",
-        type=terminal.integer_argument,
+        type=values.integer_argument,
         default=0,
         help="of the random instances (default: 0)",
     )

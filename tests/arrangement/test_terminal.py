@@ -16,15 +16,17 @@ from arrangement import InputError, MissingExtraError
 from arrangement.cli import main
 from arrangement.console import progress, terminal
 from arrangement.console.entry import entry
+from arrangement.console.options import values
+from arrangement.console.options.parser import Parser
 from arrangement.console.progress import Bar, shown, watched
 from arrangement.numbers import budget
 
 
-def parser_for(function: Any) -> terminal.Parser:
+def parser_for(function: Any) -> Parser:
     parser = terminal.command_parser("demo", "A demonstration.")
     commands = parser.add_subparsers(required=True)
     go = commands.add_parser("go")
-    go.add_argument("--wrench", nargs=3, type=terminal.rational_argument)
+    go.add_argument("--wrench", nargs=3, type=values.rational_argument)
     go.add_argument("where", nargs="?")
     terminal.add_common_options(go)
     go.set_defaults(command=function)
@@ -180,11 +182,11 @@ def test_options_that_add_up_may_be_repeated():
     assert repeating().parse_args(words) == found
 
 
-def repeating() -> terminal.Parser:
-    parser = terminal.Parser(prog="try")
+def repeating() -> Parser:
+    parser = Parser(prog="try")
     parser.add_argument("-o", "--output")
-    parser.add_argument("--jobs", type=terminal.integer_argument)
-    parser.add_argument("--wrench", nargs="+", type=terminal.rational_argument)
+    parser.add_argument("--jobs", type=values.integer_argument)
+    parser.add_argument("--wrench", nargs="+", type=values.rational_argument)
     parser.add_argument("--literal", nargs="+", action="extend")
     parser.add_argument("--json", action="store_true")
     return parser
@@ -219,7 +221,7 @@ def test_json_takes_nothing_that_json_cannot_say(value, error):
 )
 def test_several_numbers_may_be_written_in_any_usual_way(words):
     parser = terminal.command_parser("program", "Take two numbers.")
-    parser.add_argument("--x", nargs=2, type=terminal.rational_argument)
+    parser.add_argument("--x", nargs=2, type=values.rational_argument)
     parser.add_argument("--y", action="store_true")
     assert parser.parse_args([*words, "--y"]).x == [1, -2]
 

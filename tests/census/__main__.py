@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 
 from arrangement.console import terminal
+from arrangement.console.options import values
 from arrangement.console.writing import write_bytes_atomically, write_text_atomically
 from arrangement.errors import InputError
 from arrangement.library.census import MOST_PLANES, finschi_fukuda
@@ -27,7 +28,7 @@ from .generate import generate
 def main(argv: list[str] | None = None) -> int:
     """Make a list of types and write it to a file."""
     parser = terminal.command_parser("make census", "Make the census of types again.")
-    parser.add_argument("planes", type=terminal.integer_argument, metavar="M", help="4 to 9")
+    parser.add_argument("planes", type=values.integer_argument, metavar="M", help="4 to 9")
     parser.add_argument(
         "-o",
         "--output",
@@ -41,7 +42,7 @@ def main(argv: list[str] | None = None) -> int:
         help="keeps what is done; the same command goes on with it (default: OUTPUT.parts)",
     )
     parser.add_argument(
-        "--jobs", type=terminal.integer_argument, default=1, metavar="N", help="processes"
+        "--jobs", type=values.integer_argument, default=1, metavar="N", help="processes"
     )
     text = "in place of types their numbers in the catalogue of Finschi and Fukuda, 3 to M planes"
     parser.add_argument("--numbers", action="store_true", help=text)

@@ -25,15 +25,15 @@ Box: TypeAlias = tuple[float, float, float, float]
 
 #: What an item can be, and what it then is.
 ROLES: Mapping[str, str] = {
-    "region": "an area: a region, a facet, a face, a cell, a set of wrenches",
+    "region": "an area: a region, a face, a cell, a set",
     "ball": "a shaded ball",
-    "circle": "the visible part of a plane or line of the arrangement",
+    "circle": "the visible part of a plane or a line through the whole picture",
     "hidden": "what lies behind something",
     "edge": "an edge of a polyhedron, a graph or a diagram",
     "border": "where a set, a body or the picture ends",
     "point": "a vertex, a mark, the sign of a state",
     "axis": "axes, rulers, ticks, the origin",
-    "arrow": "a force, a wrench, a motion",
+    "arrow": "an arrow",
     "line": "any other line",
     "label": "a text",
 }
@@ -41,14 +41,13 @@ ROLES: Mapping[str, str] = {
 _ROLES = {
     word: role
     for role, words in {
-        "region": "body cell code cone differs face facet flat polygon region",
+        "region": "body cell face polygon region",
         "circle": "arc front",
         "hidden": "back",
         "edge": "cover edge link",
-        "border": "border limb outline rim whisker",
-        "point": "direction mark pad point vertex wrench",
+        "border": "border limb outline rim",
+        "point": "mark point vertex",
         "axis": "axis origin scale",
-        "arrow": "centre force motion preload shift",
     }.items()
     for word in words.split()
 }

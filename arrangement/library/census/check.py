@@ -8,6 +8,8 @@ from collections.abc import Sequence
 from dataclasses import asdict
 
 from arrangement.console import terminal
+from arrangement.console.options import values
+from arrangement.console.options.parser import Parser
 from arrangement.errors import InputError
 from arrangement.numbers.budget import limit
 
@@ -17,15 +19,15 @@ from .tables import check
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the check; exit code 0 when the list is right, 1 when it is wrong."""
-    parser = terminal.Parser(description=__doc__)
+    parser = Parser(description=__doc__)
     parser.add_argument(
         "--sample",
-        type=terminal.count_argument,
+        type=values.count_argument,
         default=20,
         metavar="N",
         help="classes of eight hyperplanes to extend (default: 20)",
     )
-    parser.add_argument("--seed", type=terminal.count_argument, default=0, help="of their choice")
+    parser.add_argument("--seed", type=values.count_argument, default=0, help="of their choice")
     parser.add_argument(
         "--verified",
         action="store_true",

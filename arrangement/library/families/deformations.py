@@ -10,9 +10,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import comb
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 from arrangement.arrangement import Arrangement
+from arrangement.console.options.signature import Syntax
 from arrangement.library.arguments import at_least
 
 from .checks import planned
@@ -22,9 +23,21 @@ from .graphs import edge_differences
 if TYPE_CHECKING:
     import networkx as nx
 
+    Type: TypeAlias = int | str | nx.Graph
+else:
 
-def shi(type: int | str | nx.Graph, m: int = 1) -> Arrangement:
+    def _value(text: str) -> int | str:
+        """Read a number n, or the name of a type, or a graph."""
+        return int(text) if text.isascii() and text.isdigit() else text
+
+    Type = Annotated[Any, Syntax(_value, "N|TYPE|EDGES")]
+
+
+def shi(type: Type, m: int = 1) -> Arrangement:
     """Return the Shi arrangement: a root = 1 - m, ..., m for every positive root; m = 1: 0 and 1.
+
+    Args:
+        type: a number, a type such as E6, or edges such as 1-2,2-3.
 
     Known counts: chi(t) = (t - mh)^r for a type of rank r with Coxeter number h, so (mh + 1)^r
     regions, (mh - 1)^r of them bounded; for a number n and m = 1 it is t (t - n)^(n-1). The graph
@@ -39,8 +52,11 @@ def shi(type: int | str | nx.Graph, m: int = 1) -> Arrangement:
     return _deformed(type, range(1 - at_least(m, 1, "m"), m + 1))
 
 
-def catalan(type: int | str | nx.Graph, m: int = 1) -> Arrangement:
+def catalan(type: Type, m: int = 1) -> Arrangement:
     """Return the Catalan arrangement: a root = -m, ..., m for every positive root.
+
+    Args:
+        type: a number, a type such as E6, or edges such as 1-2,2-3.
 
     Known counts: chi(t) is the product of t - mh - e over the exponents e of a type with Coxeter
     number h; for a number n and m = 1, n! C_n regions, C_n the Catalan number, and
@@ -54,8 +70,11 @@ def catalan(type: int | str | nx.Graph, m: int = 1) -> Arrangement:
     return _deformed(type, range(-at_least(m, 0, "m"), m + 1))
 
 
-def linial(type: int | str | nx.Graph) -> Arrangement:
+def linial(type: Type) -> Arrangement:
     """Return the Linial arrangement: a root = 1 for every positive root.
+
+    Args:
+        type: a number, a type such as E6, or edges such as 1-2,2-3.
 
     Known counts, for a number n: as many regions as labelled alternating trees on n + 1 vertices,
     1, 2, 7, 36, 246, ...; chi(t) = t 2^-n sum_k C(n, k) (t - k)^(n-1).
@@ -67,8 +86,11 @@ def linial(type: int | str | nx.Graph) -> Arrangement:
     return _deformed(type, (1,))
 
 
-def semiorder(type: int | str | nx.Graph) -> Arrangement:
+def semiorder(type: Type) -> Arrangement:
     """Return the semiorder arrangement: a root = -1, 1 for every positive root.
+
+    Args:
+        type: a number, a type such as E6, or edges such as 1-2,2-3.
 
     Known counts, for a number n: as many regions as labelled semiorders, 1, 3, 19, 183, 2371, ...;
     for a cycle of four edges 59.
@@ -116,7 +138,7 @@ def ish_b(n: int) -> Arrangement:
     return Arrangement([*mirrors, *units], [*(0 for _ in mirrors), *(k for _, k in axes)])
 
 
-def _deformed(type: int | str | nx.Graph, offsets: Sequence[int]) -> Arrangement:
+def _deformed(type: Type, offsets: Sequence[int]) -> Arrangement:
     """Return the planes of every root with every offset."""
     size = offsets[-1] - offsets[0] + 1  # a range too long for len()
     if isinstance(type, str) and not type[:1].isdigit():

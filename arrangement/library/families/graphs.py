@@ -8,20 +8,28 @@ is x_1 + x_2 = 0 and a vertex alone, ``1``, is x_1 = 0. Commas separate edges; t
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 from arrangement.arrangement import Arrangement
+from arrangement.console.options.signature import Syntax
 from arrangement.errors import InputError
 from arrangement.numbers.exact import shown
 
 if TYPE_CHECKING:
     import networkx as nx
 
+    Graph: TypeAlias = nx.Graph | str
+else:  # networkx takes time to import
+    Graph = Annotated[Any, Syntax(metavar="EDGES")]
+
 _EDGE = re.compile(r"([1-9][0-9]{0,2})(?:([-+])([1-9][0-9]{0,2}))?", re.ASCII)
 
 
-def graphical(graph: nx.Graph | str) -> Arrangement:
+def graphical(graph: Graph) -> Arrangement:
     """Return x_u = x_v for every edge uv of a graph, coordinates and planes in the graph's order.
+
+    Args:
+        graph: edges such as 1-2,2-3; in a signed graph also 1+2 and 1.
 
     Known counts: chi is the chromatic polynomial; as many regions as acyclic orientations.
     Parallel edges give coincident planes.
@@ -38,11 +46,14 @@ def graphical(graph: nx.Graph | str) -> Arrangement:
     return Arrangement(normals, dimension=dimension)
 
 
-def bigraphical(graph: nx.Graph | str) -> Arrangement:
+def bigraphical(graph: Graph) -> Arrangement:
     """Return x_u - x_v = a and x_v - x_u = b for every edge uv of a graph, all a and b generic.
 
     They are different powers of two, one for each plane, so that no signed sum of them vanishes.
     With a = b = 1 the planes are those of `semiorder`, with 1 and 0 those of `shi`.
+
+    Args:
+        graph: edges such as 1-2,2-3; in a signed graph also 1+2 and 1.
 
     Known counts: for a connected graph on n vertices with Tutte polynomial T, 2^(n-1) T(3/2, 1)
     regions and chi(t) = (-2)^(n-1) t T(1 - t/2, 1); any a and b give at most as many regions.
@@ -56,10 +67,13 @@ def bigraphical(graph: nx.Graph | str) -> Arrangement:
     return Arrangement(both, [2**k for k in range(len(both))], dimension=dimension)
 
 
-def signed_graphical(graph: nx.Graph | str) -> Arrangement:
+def signed_graphical(graph: Graph) -> Arrangement:
     """Return x_u = s x_v for every edge uv of sign s, and x_u = 0 for every loop or half-edge.
 
     In a graph of networkx the sign is the attribute ``sign`` of the edge, 1 if there is none.
+
+    Args:
+        graph: edges such as 1-2,2-3; in a signed graph also 1+2 and 1.
 
     Known counts: chi is the chromatic polynomial of the signed graph. All edges of both signs on n
     vertices and k half-edges, between D_n and B_n: 2^(n-1) (n-1)! (n + k) regions and
@@ -86,7 +100,7 @@ def signed_graphical(graph: nx.Graph | str) -> Arrangement:
     return Arrangement(normals, dimension=len(place))
 
 
-def edge_differences(graph: nx.Graph | str) -> tuple[list[list[int]], int]:
+def edge_differences(graph: Graph) -> tuple[list[list[int]], int]:
     """Return e_u - e_v for every edge uv, u the earlier vertex, and the number of vertices."""
     found = _checked(graph)
     place = {node: i for i, node in enumerate(found.nodes)}
@@ -103,7 +117,7 @@ def edge_differences(graph: nx.Graph | str) -> tuple[list[list[int]], int]:
     return normals, len(place)
 
 
-def _checked(graph: nx.Graph | str) -> nx.Graph:
+def _checked(graph: Graph) -> nx.Graph:
     found = _read(graph) if isinstance(graph, str) else graph
     if not (hasattr(found, "is_directed") and hasattr(found, "edges")) or isinstance(found, type):
         raise InputError(

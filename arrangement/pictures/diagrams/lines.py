@@ -22,7 +22,7 @@ from arrangement.drawing.colours import (
     colouring,
 )
 from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import Corner, Labels
+from arrangement.drawing.registry import Corner
 from arrangement.drawing.scene.curves import along
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, sign_text, write_if_free
@@ -32,7 +32,14 @@ from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import rational_vector, shown
 from arrangement.pictures.parts.coordinates import in_coordinates
 from arrangement.pictures.parts.essential import shown_as
-from arrangement.pictures.parts.names import RegionLabels, dot, explain_regions, plane_names, swatch
+from arrangement.pictures.parts.names import (
+    Labels,
+    RegionLabels,
+    dot,
+    explain_regions,
+    plane_names,
+    swatch,
+)
 from arrangement.pictures.sphere.disc import alone, label_regions
 
 from .line_charts import LinesChart

@@ -20,7 +20,7 @@ from arrangement.drawing.colours import (
 )
 from arrangement.drawing.figure import picture
 from arrangement.drawing.output import millimetres
-from arrangement.drawing.registry import Labels, Vector
+from arrangement.drawing.registry import Vector
 from arrangement.drawing.scene.curves import ring
 from arrangement.drawing.scene.items import Box, Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
@@ -32,7 +32,13 @@ from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector
 from arrangement.pictures.parts.coordinates import in_coordinates
 from arrangement.pictures.parts.essential import brought, shown_as
-from arrangement.pictures.parts.names import RegionLabels, explain_regions, plane_names, stroke
+from arrangement.pictures.parts.names import (
+    Labels,
+    RegionLabels,
+    explain_regions,
+    plane_names,
+    stroke,
+)
 from arrangement.pictures.sphere.disc import HIDDEN, Disc, front, rim_width
 from arrangement.pictures.sphere.globe import Globe, clear_direction
 from arrangement.pictures.sphere.projections import orthographic

@@ -19,7 +19,6 @@ from arrangement.drawing.colours import (
     pale,
 )
 from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import Labels
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
 from arrangement.drawing.scene.places import across, beside, tried
@@ -33,6 +32,7 @@ from arrangement.pictures.parts.coordinates import in_coordinates, orbits, symme
 from arrangement.pictures.parts.essential import shown_as
 from arrangement.pictures.parts.names import (
     MOST,
+    Labels,
     RegionLabels,
     dot,
     explain_regions,

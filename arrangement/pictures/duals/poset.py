@@ -9,13 +9,12 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import Choice
 from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import Labels
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import sign_text
 from arrangement.drawing.scene.scene import Scene
 from arrangement.enumeration.regions import distances
 from arrangement.numbers.exact import dot
-from arrangement.pictures.parts.names import RegionLabels
+from arrangement.pictures.parts.names import Labels, RegionLabels
 from arrangement.planes.faces import Face
 
 from .graph import GraphPicture, PlacedGraph, region_edges

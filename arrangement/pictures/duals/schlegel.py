@@ -9,7 +9,7 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.counts import region_count
 from arrangement.drawing.colours import Choice, side_colour
-from arrangement.drawing.registry import Labels, Vector
+from arrangement.drawing.registry import Vector
 from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.drawing.solids.sight import (
@@ -25,7 +25,7 @@ from arrangement.duals.schlegel import SchlegelDiagram, schlegel_diagram
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, dot
 from arrangement.pictures.parts.coordinates import in_coordinates, symmetry
-from arrangement.pictures.parts.names import RegionLabels, plane_names
+from arrangement.pictures.parts.names import Labels, RegionLabels, plane_names
 from arrangement.pictures.space.cells import centroid
 
 from .graph import FEW, GraphPicture, PlacedGraph

@@ -20,14 +20,15 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
 from arrangement.arrangement import Arrangement
+from arrangement.console.options.signature import Syntax
 from arrangement.console.progress import note
-from arrangement.drawing.registry import AxisNames, Vector
+from arrangement.drawing.registry import Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.sight import unit, unit_vectors
 from arrangement.errors import InputError, refusal
@@ -39,6 +40,9 @@ from arrangement.numbers.linear.rank import cross, rank
 from arrangement.planes.planes import Planes
 
 from .essential import inverse_root, items_of, rounded_map
+
+#: Names of axes, or True for those that suit.
+AxisNames: TypeAlias = Annotated[str | bool, Syntax(metavar="NAMES", words="?", bare=True)]
 
 CHOICES = ("given", "symmetric", "even")
 #: More than the roundings of a determinant of three unit vectors.

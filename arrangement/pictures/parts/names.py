@@ -5,20 +5,23 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cached_property
-from typing import Any
+from typing import Annotated, Any, TypeAlias
 
 from arrangement.arrangement import Arrangement
 from arrangement.console import number_form
 from arrangement.console.number_form import counted
+from arrangement.console.options.signature import Syntax
 from arrangement.console.progress import note
 from arrangement.drawing.colours import GREY, Colouring, DrawnRegion
-from arrangement.drawing.registry import Labels
 from arrangement.drawing.scene.labels import sign_text
 from arrangement.drawing.scene.scene import POINTS, Legend, Scene, Symbol
 from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import IntegerVector, shown, to_text
 
 from .essential import items_of
+
+#: Of regions: a word, or some regions, by sign vector or number, with or without texts.
+Labels: TypeAlias = Annotated[str | Mapping[Any, str] | Iterable[Any], Syntax(metavar="NAME")]
 
 LABELS = ("signs", "numbers", "none")
 #: Planes up to which sign vectors are written of themselves.

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Iterable
+from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 
 from arrangement.arrangement import Arrangement
+from arrangement.console.options.signature import Syntax
 from arrangement.counts.configuration import pivot_columns
-from arrangement.drawing.registry import Equation
 from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.errors import InputError
 from arrangement.numbers.entries import real_vector
@@ -18,6 +20,8 @@ from arrangement.numbers.linear.rank import cut, rank, unit_vectors as standard_
 
 from .coordinates import coordinate_map, mapped
 from .essential import brought, in_space, inverse_root, rounded_map
+
+Equation: TypeAlias = Annotated[Iterable[Any], Syntax(lambda text: text.split(","), "A,B,..,E")]
 
 #: Cosines below this are zero; what zeros cost.
 _NEVER, _COST = 1e-9, 1.0

@@ -17,7 +17,7 @@ from arrangement.drawing.colours import SKIN, DrawnRegion, Painter, painter, pal
 from arrangement.drawing.figure import picture
 from arrangement.drawing.output import millimetres
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage
-from arrangement.drawing.registry import Exact, Labels, Vector
+from arrangement.drawing.registry import Exact, Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.depth_tree import plane_tree
@@ -31,6 +31,7 @@ from arrangement.numbers.linear.rank import cycle_edges
 from arrangement.pictures.parts.coordinates import in_coordinates
 from arrangement.pictures.parts.essential import brought, caption, shown_as
 from arrangement.pictures.parts.names import (
+    Labels,
     RegionLabels,
     equation,
     generator_text,

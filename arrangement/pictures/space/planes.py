@@ -9,15 +9,15 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import chosen, plane_colour
 from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import AxisNames, Equation, Exact, Labels, Vector
+from arrangement.drawing.registry import Exact, Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import light, lit, turned, view_direction
 from arrangement.duals.cells import cut_cells, read_signs
-from arrangement.pictures.parts.coordinates import drawn_axes, in_coordinates
+from arrangement.pictures.parts.coordinates import AxisNames, drawn_axes, in_coordinates
 from arrangement.pictures.parts.essential import caption, shown_as
-from arrangement.pictures.parts.names import RegionLabels, equation
-from arrangement.pictures.parts.sections import cut_out
+from arrangement.pictures.parts.names import Labels, RegionLabels, equation
+from arrangement.pictures.parts.sections import Equation, cut_out
 
 from .lifted_cells import lifted_cells
 from .planes_sheet import DrawnFacet, FacetPainter, PlanesSheet

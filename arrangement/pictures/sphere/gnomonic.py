@@ -12,7 +12,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.drawing.colours import Choice
 from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import Labels, Vector
+from arrangement.drawing.registry import Vector
 from arrangement.drawing.scene.curves import ring
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import Scene
@@ -21,7 +21,7 @@ from arrangement.numbers.exact import IntegerVector, dot, reduced, unoriented
 from arrangement.numbers.linear.rank import cross
 from arrangement.pictures.parts.coordinates import in_coordinates, symmetry
 from arrangement.pictures.parts.essential import shown_as
-from arrangement.pictures.parts.names import RegionLabels, explain_regions, plane_names
+from arrangement.pictures.parts.names import Labels, RegionLabels, explain_regions, plane_names
 
 from .disc import alone, front
 from .globe import Globe, far_direction

@@ -11,7 +11,7 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import Choice
 from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import AxisNames, Labels, Vector
+from arrangement.drawing.registry import Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
 from arrangement.drawing.scene.places import beside
@@ -20,12 +20,13 @@ from arrangement.drawing.solids.sight import unit, unit_vectors
 from arrangement.pictures.parts.coordinates import (
     INK,
     REACH,
+    AxisNames,
     drawn_axes,
     in_coordinates,
     within_reach,
 )
 from arrangement.pictures.parts.essential import shown_as
-from arrangement.pictures.parts.names import RegionLabels, explain_regions
+from arrangement.pictures.parts.names import Labels, RegionLabels, explain_regions
 
 from .disc import HIDDEN, Disc, alone, front
 from .globe import Globe

@@ -15,7 +15,7 @@ from arrangement.drawing.colours import (
     Painter,
 )
 from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import Labels, Vector
+from arrangement.drawing.registry import Vector
 from arrangement.drawing.scene.curves import along, flattened, ring
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
@@ -25,7 +25,7 @@ from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.errors import InputError
 from arrangement.pictures.parts.coordinates import in_coordinates
 from arrangement.pictures.parts.essential import shown_as
-from arrangement.pictures.parts.names import RegionLabels, explain_regions, plane_names
+from arrangement.pictures.parts.names import Labels, RegionLabels, explain_regions, plane_names
 
 from .disc import HIDDEN, alone, front, label_regions, rim_width
 from .globe import Globe, far_direction

@@ -10,7 +10,7 @@ import numpy as np
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
 from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import Corner, Exact, Vector, Wrench
+from arrangement.drawing.registry import Corner, Exact, Vector
 from arrangement.drawing.scene.curves import flattened, ring
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import Labels
@@ -24,6 +24,7 @@ from equilibrium.model.solution import Solution
 from equilibrium.pictures.parts.style import (
     CONE_EDGE,
     CONE_FILL,
+    Wrench,
     bar,
     explain_grasp,
     mark,
@@ -150,8 +151,8 @@ class GraspPicture:
             self.labels.avoid(flattened(curve))
             if layout.step is not None:
                 moved = self.at(displaced(layout, layout.curve))
-                style = {"lw": 0.9, "ls": (0, (1, 1.5)), "gid": "motion", "zorder": 2.5}
-                scene.curve(moved, fill=False, ec=BLUE, **style)
+                style = {"lw": 0.9, "ls": (0, (1, 1.5)), "gid": "motion", "role": "arrow"}
+                scene.curve(moved, fill=False, ec=BLUE, zorder=2.5, **style)
                 self.labels.avoid(flattened(moved))
             return
         middle = self.at(np.mean(layout.places, axis=0) if layout.places else layout.origin)
@@ -184,9 +185,8 @@ class GraspPicture:
             look: dict[str, Any] = {"ec": CONE_EDGE, "lw": 0.5, "ls": (0, (6, 2, 1, 2))}
             scene.line([p, rim[len(rim) // 2]], gid=f"normal-{i + 1}", zorder=1.1, **look)
             pad = 0.07 * self.scale * t
-            scene.line(
-                [p - pad, p + pad], ec=BLACK, lw=1.6, gid=f"pad-{i + 1}", zorder=3, capstyle="butt"
-            )
+            look = {"ec": BLACK, "lw": 1.6, "capstyle": "butt", "role": "point"}
+            scene.line([p - pad, p + pad], gid=f"pad-{i + 1}", zorder=3, **look)
             labels.avoid([*rim, p], [p, rim[len(rim) // 2]], [p - pad, p + pad])
             preload, arm = layout.preloads[i] * self.scale, layout.arms[i]
             if preload > 0:

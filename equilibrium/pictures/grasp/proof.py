@@ -13,7 +13,7 @@ import numpy as np
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLUE, GREY, VERMILION, pale, plane_colour
 from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import Exact, Wrench
+from arrangement.drawing.registry import Exact
 from arrangement.drawing.scene.curves import flattened
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import Labels
@@ -33,7 +33,7 @@ from equilibrium.decide.verdict import Verdict
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.panel import ABOVE, BELOW, GAP, LEFT, RIGHT, Panel
-from equilibrium.pictures.parts.style import symbol
+from equilibrium.pictures.parts.style import Wrench, symbol
 from equilibrium.pictures.parts.window import roomiest
 from equilibrium.pictures.space.space_grasp import proof_in_space
 

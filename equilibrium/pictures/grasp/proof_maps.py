@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from arrangement.console.number_form import LABEL
-from arrangement.drawing.registry import Exact, Wrench
+from arrangement.drawing.registry import Exact
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import area
 from arrangement.numbers.exact import IntegerVector, RationalVector, primitive, rational
@@ -20,7 +20,7 @@ from equilibrium.decide.verdict import Verdict
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.body import Frame, frame_of
-from equilibrium.pictures.parts.style import nice_near
+from equilibrium.pictures.parts.style import Wrench, nice_near
 from equilibrium.pictures.parts.window import Window
 from equilibrium.plane.contact_rows import negated, normal_force_row, slip_row
 

@@ -14,13 +14,13 @@ import numpy as np
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import pale, plane_colour
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
-from arrangement.drawing.registry import Exact, Wrench
+from arrangement.drawing.registry import Exact
 from arrangement.drawing.scene.curves import flattened
 from arrangement.drawing.scene.scene import area
 from arrangement.numbers.exact import RationalVector, sign, to_text
 from equilibrium.certificate.leaves import ClosedPart, works
 from equilibrium.model.grasp import Grasp
-from equilibrium.pictures.parts.style import SKETCH_SCRIPT, SKETCH_STYLE
+from equilibrium.pictures.parts.style import SKETCH_SCRIPT, SKETCH_STYLE, Wrench
 from equilibrium.pictures.parts.window import roomiest
 
 from .layout import Layout, shift_at

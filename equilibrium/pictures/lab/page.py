@@ -14,7 +14,6 @@ from typing import Any, get_args
 
 from arrangement.console.number_form import counted
 from arrangement.drawing.pages.html_page import Template, own
-from arrangement.drawing.registry import Wrench
 from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
@@ -24,7 +23,7 @@ from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs.documents import question_document
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.pictures.parts.style import SKETCH_SCRIPT, SKETCH_STYLE
+from equilibrium.pictures.parts.style import SKETCH_SCRIPT, SKETCH_STYLE, Wrench
 from equilibrium.plane.states.state_system import State
 
 

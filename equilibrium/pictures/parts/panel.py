@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from arrangement.drawing.colours import BLACK, GREY
-from arrangement.drawing.registry import Exact, Wrench
+from arrangement.drawing.registry import Exact
 from arrangement.drawing.scene.items import Box, Floats, Place
 from arrangement.drawing.scene.labels import Labels, covering, keep_off, write_if_free
 from arrangement.drawing.scene.places import inside, near
@@ -20,6 +20,7 @@ from arrangement.numbers.exact import RationalVector, rational, shown
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.labels import AS_ROUNDED
+from equilibrium.pictures.parts.style import Wrench
 from equilibrium.plane.states.state_system import States
 from equilibrium.wrench_sets import Region
 
@@ -195,8 +196,9 @@ class Panel:
             for i, segment in enumerate(segments):
                 found = self.window.stretch(segment)
                 if found is not None:
-                    look: dict[str, Any] = {"ec": BLACK, "lw": 1.3, "gid": self.gid(kind, i)}
-                    self.scene.line(self.at(found), zorder=2, capstyle="round", **look)
+                    look: dict[str, Any] = {"ec": BLACK, "lw": 1.3, "capstyle": "round"}
+                    look |= {"gid": self.gid(kind, i), "role": "border"}
+                    self.scene.line(self.at(found), zorder=2, **look)
         for i, point in enumerate(outline.points):
             place = self.at(self.window.paper(point))
             self.scene.mark(place, "o", 3.5, color=BLACK, gid=self.gid("point", i), zorder=3)

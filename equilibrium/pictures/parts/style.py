@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 
 from arrangement.console.number_form import LABEL
+from arrangement.console.options.signature import Syntax
+from arrangement.console.options.values import rational_argument
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALETTE, VERMILION
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import Labels
@@ -19,6 +21,11 @@ from arrangement.numbers.exact import RationalVector
 from arrangement.pictures.parts.names import HALF, WIDTH, canvas, stroke, swatch
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.labels import Units
+
+#: Three numbers, or six for a grasp in space.
+Wrench: TypeAlias = Annotated[
+    Iterable[Any], Syntax(rational_argument, ("FX", "FY", "TAU"), 3, flag="wrench", variadic=True)
+]
 
 #: What pages draw grasps with.
 SKETCH_SCRIPT, SKETCH_STYLE = (

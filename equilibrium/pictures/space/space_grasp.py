@@ -10,7 +10,7 @@ import numpy as np
 
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLACK, GREY, PALE
-from arrangement.drawing.registry import Vector, Wrench
+from arrangement.drawing.registry import Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import Labels
 from arrangement.drawing.scene.places import near
@@ -36,6 +36,7 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.style import (
     CONE_EDGE,
     CONE_FILL,
+    Wrench,
     explain_grasp,
     name_wrench,
     symbol,
@@ -148,7 +149,8 @@ class _SpatialGraspPicture(SolidSheet):
             first, second = (np.array([float(x) for x in t]) for t in c.tangents)
             turns = np.linspace(0, 2 * math.pi, 20, endpoint=False)[:, None]
             disc = self.at(p + 0.035 * (np.cos(turns) * first + np.sin(turns) * second))
-            self.scene.polygon(disc, fc=BLACK, ec=BLACK, lw=0.8, zorder=3, gid=f"pad-{i}")
+            look: dict[str, Any] = {"fc": BLACK, "ec": BLACK, "lw": 0.8, "role": "point"}
+            self.scene.polygon(disc, zorder=3, gid=f"pad-{i}", **look)
 
     def _numbers(self) -> None:
         """Write the numbers of the contacts, those at one point together, and name the wrench."""

@@ -11,7 +11,7 @@ from arrangement.console.number_form import LABEL, counted
 from arrangement.drawing.colours import BLACK
 from arrangement.drawing.output import millimetres
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage, page_face
-from arrangement.drawing.registry import Vector, Wrench
+from arrangement.drawing.registry import Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.drawing.solids.pieces import Arrow, head_of, open_edges
@@ -20,7 +20,7 @@ from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.errors import InputError
 from equilibrium.model.contact import VALUES
 from equilibrium.model.grasp import Grasp
-from equilibrium.pictures.parts.style import CONE_EDGE, CONE_FILL, wrench_text
+from equilibrium.pictures.parts.style import CONE_EDGE, CONE_FILL, Wrench, wrench_text
 
 from .solid_grasp import INKS, SolidGrasp
 from .space_grasp import clear_side, motion_text, solved_in_space

@@ -10,7 +10,7 @@ from arrangement.console.number_form import LABEL
 from arrangement.console.progress import watched
 from arrangement.drawing.colours import GREY
 from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import Exact, Wrench
+from arrangement.drawing.registry import Exact
 from arrangement.drawing.scene.scene import POINTS, Legend, Scene, measure
 from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
@@ -26,7 +26,15 @@ from equilibrium.pictures.parts.panel import (
     fill_of,
     row_of_panels,
 )
-from equilibrium.pictures.parts.style import FILLS, MARKS, SHADE, SYMBOLS, symbol, wrench_text
+from equilibrium.pictures.parts.style import (
+    FILLS,
+    MARKS,
+    SHADE,
+    SYMBOLS,
+    Wrench,
+    symbol,
+    wrench_text,
+)
 from equilibrium.pictures.parts.window import joint_window
 from equilibrium.pictures.space.space_slice import slice_in_space
 from equilibrium.plane.states.state_system import States

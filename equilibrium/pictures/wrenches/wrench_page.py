@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from arrangement.console.number_form import counted
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage, page_face
-from arrangement.drawing.registry import Exact, Wrench
+from arrangement.drawing.registry import Exact
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.drawing.solids.sight import picture_axes
 from arrangement.drawing.solids.surface import Patch, rounded
@@ -16,6 +16,7 @@ from arrangement.numbers.exact import IntegerVector, number_text, primitive
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.labels import AS_ROUNDED
 from equilibrium.pictures.parts.panel import read_extent
+from equilibrium.pictures.parts.style import Wrench
 
 from .wrench_box import CUT, NAMES, SOLID, WALLS, WrenchBox, box_edges, box_text, wrench_box
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from arrangement.drawing.colours import BLACK, GREY, VERMILION, pale
 from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import Exact, Vector, Wrench
+from arrangement.drawing.registry import Exact, Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import Legend, Scene
 from arrangement.drawing.solids.depth_tree import SolidSheet
@@ -29,7 +29,7 @@ from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.pictures.grasp.grasp import drawn
 from equilibrium.pictures.grasp.layout import Layout
 from equilibrium.pictures.parts.panel import explain_error, read_extent
-from equilibrium.pictures.parts.style import MARKS, symbol, ticks, wrench_text
+from equilibrium.pictures.parts.style import MARKS, Wrench, symbol, ticks, wrench_text
 from equilibrium.pictures.parts.window import clipped
 
 from .wrench_box import CUT, NAMES, SOLID, WALLS, WrenchBox, box_edges, box_text, wrench_box

@@ -13,8 +13,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from .scene.items import Ball, Floats, Item, Label, Path
-from .scene.scene import Scene
+from .items import Ball, Floats, Item, Label, Path
+from .scene import Scene
 
 #: The lightness of the darkest and of the lightest colour of the dark theme.
 _NIGHT, _DAY = 0.19, 0.95

@@ -1,0 +1,177 @@
+"""The parser of the programs: exact numbers, errors of one line, commands under headings."""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from difflib import get_close_matches
+from itertools import takewhile
+from typing import Any, NoReturn
+
+from arrangement.console.safe_text import error_text
+from arrangement.numbers.exact import shown
+
+from .values import MAX_COUNT, rational_argument
+
+_BAD_INPUT = 2
+_NEGATIVE_NUMBER = re.compile(r"-\.?[0-9]")
+
+
+class Parser(argparse.ArgumentParser):
+    """An argument parser that takes ``-1/2`` and ``-0.25`` as values, not as options.
+
+    A subcommand's parser names its function with ``set_defaults(command=function)``; the function
+    takes the parsed arguments and returns an exit code (see `run`).
+    """
+
+    def __init__(self, **options: Any) -> None:
+        options.setdefault("allow_abbrev", False)
+        super().__init__(**options)
+        # argparse asks this pattern which words that start with "-" are values.
+        self._negative_number_matcher = _NEGATIVE_NUMBER
+
+        #: Adds the options that take time to find out, when they are asked for.
+        self.lazy_options: Callable[[], None] | None = None
+        #: Options that take at least this many numbers.
+        self.variadic: list[argparse.Action] = []
+        #: What is parsed, and the options with a value seen so far.
+        self.arguments: Sequence[str] = ()
+        self._seen: list[argparse.Action] = []
+        #: Commands and options of earlier releases and of other programs, with what to write now.
+        self.renamed: Mapping[str, str] = {}
+        #: Subcommands under the headings of ``--help``: names with what they do.
+        self.headings: dict[str, list[tuple[str, str]]] = {}
+
+    def add_subparsers(self, **options: Any) -> Any:
+        """Return the commands, to which `add_command` adds one."""
+        commands: Any = super().add_subparsers(**options)
+        commands.program = self
+        return commands
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """Parse, with all options; ``--help`` comes through here too."""
+        self.arguments = words = sys.argv[1:] if args is None else args
+        self._seen = []
+        lazy_options, self.lazy_options = self.lazy_options, None
+        if lazy_options is not None:
+            lazy_options()
+        found, rest = super().parse_known_args(list(self._split_numbers(words)), namespace)
+        for word in rest:
+            self.error(self._unknown(word))
+        for action in self._actions:
+            if getattr(found, action.dest, None) == "" and action.dest != "title":
+                name = "/".join(action.option_strings) or action.metavar
+                self.error(f"argument {name}: it is empty; give a name")
+        return found, rest
+
+    def _split_numbers(self, words: Sequence[str]) -> Iterator[str]:
+        """Split ``0,1,0`` and ``0, 1, 0``, in one word or several, where several are taken."""
+        due = 0
+        for i, word in enumerate(words):
+            name, equals, value = word.partition("=")
+            option = self._option_string_actions.get(name)
+            if option is not None:
+                if option in self.variadic:
+                    given = [value, *words[i + 1 :]] if equals else words[i + 1 :]
+                    option.nargs = max(option.nargs, _numbers(given))  # type: ignore[type-var]
+                due = _numbers_after(option)
+            if option is not None and due and equals:
+                yield name
+                word = value
+            elif option is not None or not due:
+                yield word
+                continue
+            parts = re.split(r"[\s,]+", word.strip(", "))
+            due = max(due - len(parts), 0)
+            yield from parts
+
+    def _get_values(self, action: argparse.Action, arg_strings: list[str]) -> Any:
+        """Refuse an option that is given again, whose last value would be taken, and ``-o=--``.
+
+        argparse drops the ``--``, and goes on with no value.
+        """
+        if action.option_strings and action.nargs != 0:
+            if "--" in arg_strings:
+                raise argparse.ArgumentError(action, "it is '--'; expected a value")
+            if action in self._seen and not isinstance(action, argparse._AppendAction):
+                raise argparse.ArgumentError(action, "it is given twice; give it once")
+            self._seen.append(action)
+        return super()._get_values(action, arg_strings)
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        """Name the nearest choices of a misspelt one."""
+        if action.choices is not None and value not in action.choices:
+            if isinstance(action, argparse._SubParsersAction) and value in self.renamed:
+                raise argparse.ArgumentError(None, self._renamed(value))
+            known = list(action.choices)
+            text = f"there is no {shown(value)}; expected one of {', '.join(known)}"
+            raise argparse.ArgumentError(action, text + _suggestion(value, known))
+
+    def _renamed(self, word: str) -> str:
+        return f"{word!r} is now {self.renamed[word]!r}"
+
+    def _unknown(self, word: str) -> str:
+        if (name := word.partition("=")[0]) in self.renamed:
+            return self._renamed(name)
+        kind = "unknown option" if word.startswith("-") else "unexpected argument"
+        return f"{kind} {shown(word)}{_suggestion(word, self._option_string_actions)}"
+
+    def format_help(self) -> str:
+        """Return the help; a program with headings lists its commands under them."""
+        if not self.headings:
+            return super().format_help()
+        parts = [f"usage: {self.prog} [--version] COMMAND ...", self.description or ""]
+        width = max(len(name) for rows in self.headings.values() for name, _ in rows) + 2
+        for heading, rows in self.headings.items():
+            parts.append("\n".join([f"{heading}:", *(f"  {n:<{width}}{text}" for n, text in rows)]))
+        parts += [f"{self.prog} COMMAND --help describes a command.", self.epilog or ""]
+        return "\n\n".join(parts) + "\n"
+
+    def error(self, message: str) -> NoReturn:
+        """Print one line with the error to stderr; exit with 2.
+
+        Where something is missing, an option that is misspelt may be it.
+        """
+        options = (word.partition("=")[0] for word in self.arguments if word[:2] == "--" != word)
+        misspelt = (word for word in options if word not in self._option_string_actions)
+        if "required" in message and (word := next(misspelt, None)):
+            message = self._unknown(word)
+        for action in self._actions:
+            if action.choices and message.endswith(f"required: {action.metavar}"):
+                message += f"; expected one of {', '.join(map(str, action.choices))}"
+        self.exit(_BAD_INPUT, f"error: {error_text(message)} (see {self.prog} --help)\n")
+
+
+def _numbers_after(option: argparse.Action) -> int:
+    """Return how many numbers an option takes at most."""
+    if option.nargs == "+" and option.type is rational_argument:
+        return MAX_COUNT
+    numbers = isinstance(option.nargs, int) and option.type in (None, rational_argument)
+    return option.nargs if numbers else 0  # type: ignore[return-value]
+
+
+def _numbers(words: Sequence[str]) -> int:
+    """Return how many numbers come first, in one word or several."""
+    parts = (part for word in words for part in re.split(r"[\s,]+", word.strip(", ")))
+    return sum(1 for _ in takewhile(re.compile(r"[-+]?[.]?[0-9]").match, parts))
+
+
+def _suggestion(word: str, known: Iterable[str]) -> str:
+    near = get_close_matches(word, known, 3)
+    return f"; did you mean {' or '.join(near)}?" if near else ""
+
+
+class Version(argparse.Action):
+    """Print the version of the distribution, read only when it is asked for."""
+
+    def __init__(self, option_strings: Sequence[str], dest: str, **options: Any) -> None:
+        super().__init__(option_strings, argparse.SUPPRESS, nargs=0, help="print the version")
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: Any) -> NoReturn:
+        """Print it, and end the program."""
+        from arrangement import __version__
+
+        print(f"{parser.prog} {__version__}")
+        parser.exit(0)

@@ -1,0 +1,163 @@
+"""Options from functions: one for each parameter, as the signature and the docstring have it.
+
+* The name of the parameter is that of the option, with dashes.
+* Its type says how a value is written. `bool`, `int`, `float` and `str` have their usual syntax;
+  other types bring theirs, as in ``Vector = Annotated[Sequence[object], Syntax(...)]``.
+  ``Iterable[X]`` takes several values of type X; ``X | Y`` is written as X.
+* Its default is that of the option; without one, the option is required.
+* Its text stands in the section ``Args`` of the docstring.
+"""
+
+from __future__ import annotations
+
+import argparse
+import inspect
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from types import SimpleNamespace, UnionType
+from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
+
+from .parser import Parser
+from .values import integer_argument, length_argument
+
+
+@dataclass(frozen=True)
+class Syntax:
+    """How a value of a type is written on a command line.
+
+    Attributes:
+        read: from a word to a value.
+        metavar: what stands for the value in the help; if omitted, the name in capitals.
+        words: how many words make one value, if not one: a number, or "?", "*", "+".
+        bare: the value of an option without words, where "?" allows that.
+        flag: the name of the option, if another than that of the parameter.
+        variadic: whether it takes more words where more numbers follow.
+    """
+
+    read: Callable[[str], Any] = str
+    metavar: str | tuple[str, ...] | None = None
+    words: int | str | None = None
+    bare: object = None
+    flag: str = ""
+    variadic: bool = False
+
+
+#: Of types that bring none; a `bool` takes no word.
+USUAL_SYNTAX: Mapping[object, Syntax] = {
+    str: Syntax(metavar="NAME"),
+    int: Syntax(integer_argument, "K"),
+    float: Syntax(length_argument, "N"),
+    bool: Syntax(words=0),
+}
+
+
+@dataclass(frozen=True)
+class Option:
+    """A parameter of a function, as an option.
+
+    Attributes:
+        several: whether it takes several values.
+        default: if it is required, `inspect.Parameter.empty`.
+        text: what the docstring says of it.
+    """
+
+    name: str
+    syntax: Syntax
+    several: bool
+    default: Any
+    text: str
+
+    @property
+    def required(self) -> bool:
+        """Whether it has no default."""
+        return self.default is inspect.Parameter.empty
+
+    @property
+    def flag(self) -> str:
+        """The option without its dashes in front."""
+        return (self.syntax.flag or self.name).replace("_", "-")
+
+    @property
+    def help(self) -> str:
+        """The text as argparse takes it."""
+        return self.text.replace("`", "").replace("%", "%%").rstrip(".")
+
+    def add_to(self, parser: Any, **changes: Any) -> argparse.Action:
+        """Add the option to a parser, or to a group of one.
+
+        Args:
+            changes: of what is handed to `argparse.ArgumentParser.add_argument`.
+        """
+        syntax = self.syntax
+        style: dict[str, Any] = {"help": self.help}
+        style |= {"required": True} if self.required else {"default": self.default}
+        if syntax.words == 0:
+            style["action"] = "store_true"
+        else:
+            style |= {"type": syntax.read, "metavar": syntax.metavar or self.name.upper()}
+        if syntax.words:
+            style |= {"nargs": syntax.words, "const": syntax.bare}
+        if self.several:
+            style |= {"action": "append"} if syntax.words else {"action": "extend", "nargs": "+"}
+        added: argparse.Action = parser.add_argument(f"--{self.flag}", **style | changes)
+        if syntax.variadic:
+            # A group knows its parser.
+            whole: Parser = getattr(parser, "_container", parser)
+            whole.variadic.append(added)
+        return added
+
+
+@cache
+def options_of(function: Callable[..., Any], keywords: bool = False) -> dict[str, Option]:
+    """Return the options of a function by the names of its parameters.
+
+    Args:
+        keywords: only those of keyword-only parameters, without ``**options``.
+    """
+    texts = argument_texts(inspect.getdoc(function) or "")
+    names = inspect.unwrap(function).__globals__
+    found = {}
+    for name, parameter in inspect.signature(function).parameters.items():
+        if keywords and parameter.kind is not parameter.KEYWORD_ONLY:
+            continue
+        hint = SimpleNamespace(__annotations__={name: parameter.annotation})
+        kind, several = _kind(get_type_hints(hint, names, include_extras=True)[name])
+        found[name] = Option(name, _syntax(kind), several, parameter.default, texts.get(name, ""))
+    return found
+
+
+def _kind(hint: Any) -> tuple[Any, bool]:
+    """Return the type of one value, and whether there may be several."""
+    if get_origin(hint) in (Union, UnionType):
+        return _kind(get_args(hint)[0])
+    return (get_args(hint)[0], True) if get_origin(hint) is Iterable else (hint, False)
+
+
+def _syntax(kind: Any) -> Syntax:
+    if get_origin(kind) is Annotated:
+        return next(x for x in kind.__metadata__ if isinstance(x, Syntax))
+    return USUAL_SYNTAX[kind]
+
+
+def argument_texts(docstring: str) -> dict[str, str]:
+    """Return what the section ``Args`` of a docstring in Google style says of each argument.
+
+    >>> argument_texts("Turn.\\n\\nArgs:\\n    x, y: a point\\n        of the plane.\\n\\nRaises:")
+    {'x': 'a point of the plane.', 'y': 'a point of the plane.'}
+    """
+    texts: dict[str, str] = {}
+    names: list[str] = []
+    for line in docstring.partition("Args:\n")[2].partition("\n\n")[0].splitlines():
+        if line.startswith("    ") and not line.startswith("     "):
+            head, _, line = line.partition(":")
+            names = head.strip().split(", ")
+        for name in names:
+            texts[name] = f"{texts.get(name, '')} {line.strip()}".strip()
+    return texts
+
+
+def summary(function: Callable[..., Any]) -> str:
+    """Return the first paragraph of the docstring on one line, without the full stop."""
+    first = (inspect.getdoc(function) or "").partition("\n\n")[0]
+    return " ".join(first.split()).rstrip(".")
