@@ -16,9 +16,9 @@ from . import counts
 from .console.plugins import InlinePage, named
 from .console.writing import write_text_atomically
 from .counts import completeness
-from .counts.whitney import f_vector
+from .counts.whitney import f_vector, region_count
 from .enumeration import regions
-from .enumeration.choose import enumerate_faces
+from .enumeration.choose import enumerate_faces, enumerate_regions
 from .enumeration.great_circles import SphereArrangement, sphere_arrangement
 from .enumeration.sequence import FaceSequence
 from .errors import HintsMixin, InputError
@@ -90,6 +90,8 @@ class Arrangement(HintsMixin, Planes):
             InputError: no such dimension or engine, or an engine that cannot do these planes.
             OutOfReachError: the list takes more than the budget (`arrangement.numbers.budget`).
         """
+        if engine is None and type(dimension) is int and dimension == self.dimension:
+            return self.regions()
         found = self._faces if engine is None else enumerate_faces(self, engine, f_vector)
         return found if dimension is None else found.of_dimension(dimension)
 
@@ -98,8 +100,19 @@ class Arrangement(HintsMixin, Planes):
         return enumerate_faces(self, count=f_vector)
 
     def regions(self) -> FaceSequence:
-        """Return the faces of full dimension: the cells that no plane meets."""
-        return self.faces(self.dimension)
+        """Return the faces of full dimension: the cells that no plane meets.
+
+        Many of them, from rank 5 on (4 for affine planes), are listed without the other faces.
+
+        Raises:
+            OutOfReachError: the list takes more than the budget (`arrangement.numbers.budget`).
+        """
+        return self._regions
+
+    @cached_property
+    def _regions(self) -> FaceSequence:
+        alone = enumerate_regions(self, region_count)
+        return self._faces.of_dimension(self.dimension) if alone is None else alone
 
     def bounded_regions(self, *, relative: bool = False) -> FaceSequence:
         """Return the regions that are bounded in every direction.
@@ -332,7 +345,8 @@ class Arrangement(HintsMixin, Planes):
         return self._numbers_of_facets({region.signs for region in self.bounded_regions()})
 
     def _numbers_of_facets(self, among: Container[tuple[int, ...]] | None = None) -> dict[int, int]:
-        walls = zip(self.regions(), regions.walls(self, self.faces()), strict=True)
+        listed = self.faces().of_dimension(self.dimension)
+        walls = zip(listed, regions.walls(self, self.faces()), strict=True)
         sizes = Counter(len(x) for region, x in walls if among is None or region.signs in among)
         return dict(sorted(sizes.items()))
 

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from copy import copy
 from dataclasses import dataclass
 from math import comb
 
 from arrangement.errors import InputError, OutOfReachError
 from arrangement.numbers import budget
-from arrangement.numbers.exact import shown, work_factor
+from arrangement.numbers.exact import largest, shown, work_factor
 from arrangement.planes.planes import Planes
 
-from . import affine_space, any_dimension, great_circles
+from . import affine_space, any_dimension, deletion_restriction, great_circles
 from .sequence import FaceSequence, Level
+
+#: Up to so many faces, a list of all of them is as quick as one of the regions alone.
+_FEW = 200_000
 
 
 @dataclass(frozen=True)
@@ -90,6 +95,55 @@ def enumerate_faces(
     _check_cost(planes, chosen, count)
     planes = copy(planes)  # planes may keep their faces, so the faces do not keep those planes
     return FaceSequence(planes, chosen.list_faces(planes), engine)
+
+
+def enumerate_regions(planes: Planes, count: Callable[[Planes], int]) -> FaceSequence | None:
+    """Return every region without the faces of lower dimension, None where these come first.
+
+    That is so where a list of all faces is as quick, and where regions are too narrow for floats.
+
+    Args:
+        count: gives their number without listing any; asked where a bound is out of reach.
+
+    Raises:
+        OutOfReachError: the list takes more than the budget.
+    """
+    m, central = len(planes.distinct), planes.is_central
+    rational = largest(planes.integer_planes) < math.inf
+    if cone_rank(planes) < 5 or most_faces(m, planes.rank, central) < _FEW or not rational:
+        return None
+    restrictions = budget.choose(m + (not central), cone_rank(planes) - 2)
+    words = cone_rank(planes) + m / 64 + 1
+
+    def takes() -> dict[str, float]:
+        steps = restrictions * 1300 * work_factor(planes.integer_planes) + regions * m
+        return {"faces": regions, "long_steps": steps, "bytes": 32 * words * regions}
+
+    regions, many = most_regions(m, planes.rank, central), "up to "
+    if budget.excess(**takes()) > 1:
+        with suppress(OutOfReachError):  # then the bound has to do
+            regions, many = min(count(planes), 10**300), ""
+    what = f"a list of the {many}{budget.about(regions)} regions of {planes!r}"
+    budget.check_cost(what, "count them (arrangement count, region_count())", **takes())
+    planes = copy(planes)
+    try:
+        level = deletion_restriction.list_regions(planes)
+    except deletion_restriction.TooCloseError:
+        return None
+    return FaceSequence(planes, [level], "deletion-restriction", planes.dimension)
+
+
+def most_regions(m: int, rank: int, central: bool) -> float:
+    """Return how many regions m planes of a rank have at most: as many as in general position.
+
+    >>> most_regions(4, 3, True), most_regions(3, 3, False)
+    (14, 8)
+    """
+    if rank > 40:
+        return budget.power(2, min(m, rank))
+    if not central:
+        return sum(comb(m, i) for i in range(rank + 1))
+    return 2 * sum(comb(m - 1, i) for i in range(rank)) if m else 1
 
 
 def most_faces(m: int, rank: int, central: bool) -> float:

@@ -16,11 +16,11 @@ _MULTIPLIER = np.uint64(0x9E3779B97F4A7C15)
 _HALF = np.uint64(32)
 
 
-def pack(bits: Bits) -> Words:
-    """Pack the last axis into words."""
-    classes = bits.shape[-1]
-    padded = np.zeros((*bits.shape[:-1], 64 * max(1, -(-classes // 64))), bool)
-    padded[..., :classes] = bits
+def pack(bits: Bits, classes: int = 1) -> Words:
+    """Pack the last axis into words, which have room for a number of classes at least."""
+    given = bits.shape[-1]
+    padded = np.zeros((*bits.shape[:-1], 64 * -(-max(given, classes) // 64)), bool)
+    padded[..., :given] = bits
     packed = np.packbits(padded, axis=-1, bitorder="little")
     return packed.view("<u8").astype(np.uint64, copy=False)
 
