@@ -1,7 +1,7 @@
-"""Arrangements of planes: exact, immutable, in input order, in any dimension and rank.
+"""Hyperplane arrangements: exact, immutable, in input order, in any dimension and rank.
 
-A plane is ``{x : n . x = b}``. Its positive side is ``n . x > b``. The word "plane" is used in
-every dimension (a line in R^2, a hyperplane in R^5).
+A hyperplane is ``{x : n . x = b}``. Its positive side is ``n . x > b``. Names say "plane" in every
+dimension (a line in R^2, a hyperplane in R^5).
 """
 
 from __future__ import annotations
@@ -43,9 +43,9 @@ if TYPE_CHECKING:
 
 
 class Planes:
-    """Finitely many planes ``n_i . x = b_i`` in R^d: a value that knows no algorithm.
+    """Finitely many hyperplanes ``n_i . x = b_i`` in R^d, as a value without algorithms.
 
-    `arrangement.Arrangement` is the same with its faces; its page says how planes are stored.
+    `arrangement.Arrangement` adds faces to it, and describes how planes are stored.
 
     Args:
         normals: m vectors of length d, exact numbers (integers, fractions, texts such as "7/3");

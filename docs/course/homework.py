@@ -1,4 +1,4 @@
-"""Homework that marks itself, for lessons 1 to 9."""
+"""Self-grading exercises for lessons 1 to 9."""
 
 from itertools import product
 

@@ -2,7 +2,7 @@
 
 Check them with ``proofs-check run FILE.py``; make a page of them with
 ``proofs-check report FILE.py -o report.html``. Change what is here, or begin with one of the
-examples in the documentation ("Check a claim of your own").
+examples in the documentation ("Check your own claim").
 """
 
 from arrangement import Arrangement, counts

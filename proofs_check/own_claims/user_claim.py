@@ -1,4 +1,4 @@
-"""Claims of your own: a decorated function that gets an instance and returns True or a reason.
+"""User-defined claims: a decorated function that gets an instance and returns True or a reason.
 
 Write a Python file and run it with ``proofs-check run FILE.py``::
 
