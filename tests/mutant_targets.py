@@ -37,7 +37,7 @@ SPACE_SEARCH = (
         f"tests/equilibrium/test_space.py::Test{name}"
         for name in ("KnownLeaves", "Borders", "Planes")
     ),
-    "tests/equilibrium/test_space.py::test_without_friction_a_load_is_resisted_if_normals_alone_balance_it",
+    "tests/equilibrium/test_space.py::test_frictionless_load_resisted_by_normals_alone",
     PYRAMIDS,
 )
 CIRCLES = ("tests/arrangement/test_great_circles_exactness.py", FIELD)

@@ -164,9 +164,7 @@ SLOW = pytest.mark.slow
         (None, True, "tests/check_site.py none", 1, ["there are no pages"]),
     ],
 )
-def test_what_is_left_out_is_said_and_what_is_demanded_must_be_there(
-    choice, present, command, code, said, tmp_path
-):
+def test_omissions_reported_and_demands_checked(choice, present, command, code, said, tmp_path):
     """The path of programs has one folder, with or without a browser in it."""
     for name in ("chromium", "chromedriver") if present else ():
         (tmp_path / name).write_text("#!/bin/sh\nexit 1\n")

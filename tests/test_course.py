@@ -43,7 +43,7 @@ def test_each_lecture_takes_ninety_minutes(name):
 
 
 @pytest.mark.parametrize("name", SYLLABI)
-def test_a_syllabus_names_lessons_exercises_and_claims_that_are_there(name):
+def test_syllabus_names_existing_items(name):
     text = " ".join((COURSE / f"{name}.rst").read_text(encoding="utf-8").split())
     lessons = {path.stem for path in (ROOT / "docs" / "lessons").glob("*.rst")}
     linked = set(re.findall(r"<\.\./lessons/([\w-]+)-(?:slides|exercises)\.html>", text))
@@ -58,7 +58,7 @@ def test_a_syllabus_names_lessons_exercises_and_claims_that_are_there(name):
     assert set(claims) <= {claim.id for claim in registry()}
 
 
-def test_right_answers_to_the_homework_get_all_points_and_wrong_ones_none():
+def test_homework_points_for_right_answers_only():
     exercises = load_exercises(str(COURSE / "homework.py"))
     assert list(exercises) == list(ANSWERS)
     for which, share in ((0, 1), (1, 0)):

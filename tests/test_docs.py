@@ -269,7 +269,7 @@ def test_every_command_has_an_example():
             assert f"\n   $ {parser.prog} {command}" in page
 
 
-def test_every_command_says_what_it_does_and_what_its_exit_codes_mean():
+def test_every_command_explains_its_exit_codes():
     for parser in (arrangement_cli._parser(), equilibrium_cli._parser(), claims_cli._parser()):
         assert "3 undecided, 70 internal error" in " ".join(parser.format_help().split())
         (commands,) = (a for a in parser._actions if isinstance(a.choices, dict))

@@ -117,7 +117,7 @@ def words(page: Path) -> str:
     return " ".join(re.sub(r"<[^>]*>", "", body).split())
 
 
-def test_a_sheet_has_no_answers_and_solutions_have_each_below_its_question(build):
+def test_sheet_has_no_answers_and_solutions_have_all(build):
     made = build(LESSON)
     asked, solved = words(made / "one-exercises.html"), words(made / "one-solutions.html")
     for question in ("And twice that?", "1+1"):
@@ -128,7 +128,7 @@ def test_a_sheet_has_no_answers_and_solutions_have_each_below_its_question(build
     assert sorted(order, key=solved.index) == order
 
 
-def test_handouts_need_no_other_file_and_keep_formulas_and_pictures(build):
+def test_handouts_are_self_contained(build):
     made = build(LESSON)
     for kind in ("slides", "exercises", "solutions"):
         text = (made / f"one-{kind}.html").read_text(encoding="utf-8")
@@ -141,7 +141,7 @@ def test_handouts_need_no_other_file_and_keep_formulas_and_pictures(build):
     assert base64.b64decode(picture).startswith(b"<svg")
 
 
-def test_slides_have_first_sentences_whole_proofs_the_lab_and_no_answers(build):
+def test_slides_have_proofs_and_lab_but_no_answers(build):
     text = (build(LESSON) / "one-slides.html").read_text(encoding="utf-8")
     shown = re.sub(r"(?s)<template>.*?</template>", "", text)
     assert "The first sentence stands" in shown
@@ -182,7 +182,7 @@ def test_the_page_of_the_lesson_links_them_and_folds_the_answers(build):
         (r":math:`1 + 1`", r":math:`\nosuch`"),
     ],
 )
-def test_a_lesson_with_a_missing_answer_or_an_unknown_formula_ends_the_build(build, old, new):
+def test_lesson_without_answer_ends_the_build(build, old, new):
     assert old in LESSON
     with pytest.raises(Exception, match=r"answers|latex2mathml"):
         build(LESSON.replace(old, new))

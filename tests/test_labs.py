@@ -37,9 +37,7 @@ PAGES: dict[str, Callable[..., str]] = {
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_a_page_fits_repeats_keeps_its_title_and_needs_nothing_from_outside(
-    name, browser, tmp_path
-):
+def test_page_fits_repeats_and_is_self_contained(name, browser, tmp_path):
     title = "</script><script>document.title = 'gone'</script><b>&amp;"
     page = PAGES[name](title=title)
     assert page == PAGES[name](title=title)
@@ -330,9 +328,7 @@ def shows(browser: Browser, link: str) -> None:
 
 
 @pytest.mark.parametrize("one", WRITTEN, ids=lambda one: "-".join(one.asked))
-def test_the_editor_writes_what_the_package_reads_and_only_the_solution_solves(
-    one, browser, tmp_path
-):
+def test_editor_output_is_read_and_solved_by_its_solution(one, browser, tmp_path):
     browser.show(LABS_OF[one.lab](), tmp_path)
     shows(browser, one.start)
     browser.run("document.getElementById('own-start').click()")

@@ -580,7 +580,7 @@ def digests(names: Sequence[str], tried: Sequence[str], seed: str, kept: str = "
 
 @pytest.mark.slow
 @pytest.mark.parametrize("part", range(4))
-def test_all_pictures_of_all_instances_repeat_keep_labels_apart_and_compile(part, tmp_path):
+def test_all_pictures_repeat_and_compile(part, tmp_path):
     """The pictures of each instance on pages of one document; what a view refuses has none."""
     names, kept = PLANAR[part::4], tmp_path / "kept.json"
     one = digests(names, ARRANGEMENTS, "3", str(kept))
@@ -598,7 +598,7 @@ def test_all_pictures_of_all_instances_repeat_keep_labels_apart_and_compile(part
     ("drawings", "view", "room"),
     [(*one, ((120, 90), (60, 25))[k % 2]) for k, one in enumerate(VIEWS)],
 )
-def test_axes_of_others_hold_every_element_as_an_artist_of_its_own(drawings, view, room):
+def test_user_axes_hold_one_artist_per_element(drawings, view, room):
     figure = Figure(figsize=[length / 25.4 for length in room])
     axes = figure.add_axes((0.1, 0.1, 0.8, 0.8))
     axes.set_title("kept")
@@ -634,7 +634,7 @@ def test_planes_and_grasps_draw_themselves():
 
 
 @pytest.mark.parametrize("view", ["sphere", "dual", "stereographic", "gnomonic", "graph"])
-def test_a_region_is_styled_by_its_signs_and_its_number_and_a_circle_as_a_whole(view):
+def test_style_by_signs_by_number_and_by_circle(view):
     planes = generic(4)
     drawn, regions = planes.draw(view), planes.regions()
     front = [k for k in (1, 3, 5) if any(f"-{k}" in x.name for x in drawn.scene.items)]
@@ -665,7 +665,7 @@ def test_a_region_is_styled_by_its_signs_and_its_number_and_a_circle_as_a_whole(
             drawn.region(signs).set(**style)
 
 
-def test_panels_keep_their_elements_and_share_what_their_legends_say_alike(tmp_path):
+def test_panels_share_common_legend_entries(tmp_path):
     planes, grasp = read_arrangement("braid-a3"), read_grasp("paper-four-contacts")
     parts = [planes.draw("sphere"), planes.draw("graph"), grasp.draw()]
     whole = compose(parts, titles=["one", "two", "three"])
@@ -695,7 +695,7 @@ def test_panels_of_unlike_counts_keep_their_keys():
     assert {"4 bounded regions", "12 bounded regions", "(a)", "(b)"} < texts
 
 
-def test_several_views_on_the_command_line_are_panels_of_one_width(tmp_path, capsys):
+def test_several_views_are_panels_of_one_width(tmp_path, capsys):
     path = tmp_path / "two.svg"
     words = ["draw", "braid-a3", "-o", str(path), "--view", "sphere,dual", "--labels", "none"]
     assert draw_planes([*words, "--width", "150", "--columns", "1"]) == 0

@@ -168,7 +168,7 @@ def test_integers_decide_what_floats_cannot(exact_work, monkeypatch):
     assert sorted_again
 
 
-def test_no_integers_are_needed_for_planes_through_the_origin_and_generic_ones(exact_work):
+def test_central_and_generic_planes_need_no_integers(exact_work):
     """The crossings of all lines of central planes coincide; no determinant of them is in doubt."""
     planes = random_planes(Random(5), 16, 8, 2**40)
     made = space_faces(planes)
@@ -255,7 +255,7 @@ def wrong_signs(size: int, cases: int = 300) -> int:
 
 
 @pytest.mark.parametrize("size", [LARGEST, LARGEST + 1, 10**4, 10**5, 10**20])
-def test_dependent_planes_and_their_neighbours_have_the_exact_signs(size):
+def test_dependent_planes_have_exact_signs(size):
     assert wrong_signs(size) == 0
 
 

@@ -209,7 +209,7 @@ def test_the_bound_is_attained_in_general_position(m, d, affine):
     assert most_faces(m, planes.rank, planes.is_central) == len(planes.faces())
 
 
-def test_a_list_is_refused_by_its_exact_size_and_the_limit_allows_it():
+def test_list_refused_by_size_unless_limit_allows():
     planes = families.coordinate(5)
     with budget.limit(1e-6), pytest.raises(OutOfReachError, match="243 faces") as refused:
         planes.faces()
@@ -265,7 +265,7 @@ def test_a_larger_limit_allows_larger_pictures():
         budget.keep(61, "great circles in a picture")
 
 
-def test_planes_in_general_position_are_counted_without_their_flats(monkeypatch):
+def test_generic_planes_counted_without_flats(monkeypatch):
     """By binomials, where the largest minors say so; the lattice of smaller ones agrees."""
     for affine in (False, True):
         planes = families.generic(8, 5, affine=affine)
@@ -329,7 +329,7 @@ def test_what_cannot_be_counted_is_not_to_be_counted_instead():
     assert refused.value.f_vector is None
 
 
-def test_very_long_entries_are_divided_and_counted_as_short_ones_are():
+def test_very_long_entries_counted_as_short_ones():
     """From 8,000 bits on FLINT finds their divisors."""
     short = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0], [1, 1, 1], [2, 1, 3]]
     long = 10**2500
@@ -351,7 +351,7 @@ def test_many_states_are_refused_from_some_of_the_planes(monkeypatch):
     assert counted == [27, 80]
 
 
-def test_all_resisted_wrenches_are_refused_from_their_number_of_states(tmp_path, capsys):
+def test_resisted_set_refused_by_number_of_states(tmp_path, capsys):
     path = tmp_path / "grasp.json"
     for contacts, code in ((4, 0), (20, 2)):
         path.write_text(json.dumps(random_grasp(contacts, 3).with_preload(1).to_dict()))
@@ -376,7 +376,7 @@ def test_a_text_of_sage_is_refused_from_its_commas_and_brackets(tmp_path, capsys
     assert "a text of Sage with 1,400,014 comm" in capsys.readouterr().err
 
 
-def test_states_that_floats_cannot_rule_out_are_refused_from_their_number(tmp_path, capsys):
+def test_states_undecided_by_floats_refused_by_number(tmp_path, capsys):
     path = tmp_path / "grasp.json"
     words = ["resisted", str(path), "--wrench", "1", "2", "3", "--margin"]
     for contacts, codes in ((2, (0, 1)), (12, (2,))):

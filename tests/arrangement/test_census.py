@@ -83,7 +83,7 @@ def test_types_of_nine_planes_are_made_when_asked_for():
         types[PUBLISHED[9]]
 
 
-def test_numbers_with_and_without_coordinates_make_up_all_pseudolines():
+def test_realizable_and_other_types_add_up():
     proofs = catalogue.without_coordinates()
     assert len(census(9)) + len(proofs) == PSEUDOLINES
     signs = np.array([signs for signs, _ in proofs])
@@ -94,7 +94,7 @@ def test_numbers_with_and_without_coordinates_make_up_all_pseudolines():
         assert proves_no_coordinates(dict(zip(names, row.tolist(), strict=True)), proof)
 
 
-def test_the_one_type_without_normals_is_that_of_perles_and_has_no_rational_ones():
+def test_perles_type_has_no_rational_normals():
     (place,) = np.flatnonzero(~catalogue.normals(9).any((1, 2)))
     planes = families.perles()
     assert census(9)[place] == planes

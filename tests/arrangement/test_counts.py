@@ -107,7 +107,7 @@ def test_bounded_regions_of_a_triangle_and_of_its_prism():
     assert counts.bounded_region_count(prism, relative=True) == 1
 
 
-def test_faces_and_flats_of_many_symmetric_planes_are_those_of_set_partitions(monkeypatch):
+def test_symmetric_planes_count_as_set_partitions(monkeypatch):
     """Flats are partitions of six things, faces ordered ones: Stirling numbers. No lattice."""
     monkeypatch.setattr(whitney, "intersection_lattice", None)
     planes = families.braid(6)
@@ -118,7 +118,7 @@ def test_faces_and_flats_of_many_symmetric_planes_are_those_of_set_partitions(mo
     assert counts.f_vector(planes) == (0, *reversed(faces))
 
 
-def test_whitney_numbers_of_few_planes_and_of_planes_in_general_position():
+def test_whitney_numbers_of_few_and_of_generic_planes():
     assert counts.whitney_numbers(families.braid(4)) == ((1, -6, 11, -6), (1, 6, 7, 1))
     found = counts.whitney_numbers(families.generic(8, 5, affine=True))
     assert found.second == tuple(math.comb(8, k) for k in range(6))
@@ -136,7 +136,7 @@ def test_work_is_split_without_changing_the_sums(monkeypatch):
         assert counts.doubly_indexed_whitney_numbers(planes) == whole
 
 
-def test_planes_of_rank_4_stretched_by_a_root_have_the_same_counts():
+def test_stretched_rank_4_planes_have_the_same_counts():
     rows = families.type_b(4).normals
     stretched = Arrangement([(x * sqrt(2), *rest) for x, *rest in rows])
     found = lowrank.whitney_matrix(configuration(stretched))
@@ -177,7 +177,7 @@ def test_comparisons_of_flats_with_planes_are_foreseen(root, monkeypatch):
 
 
 @pytest.mark.parametrize("affine", [False, True])
-def test_flats_of_rank_2_are_known_from_those_through_all_planes_of_a_small_sample(affine):
+def test_rank_2_flats_known_from_a_small_sample(affine):
     rows = [(1, *row) for row in np.ndindex(3, 2, 3)][:14]
     rows = [(1, -1, 0, 0), *rows, (0, 1, 1, 1)]
     planes = Arrangement([row[:3] for row in rows], [row[3] for row in rows])

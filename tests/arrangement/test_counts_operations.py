@@ -139,7 +139,7 @@ def test_vectors_are_generic_when_no_largest_minor_is_0():
     assert len(found) > 8
 
 
-def test_minors_that_a_prime_divides_are_not_seen_and_irrational_ones_not_looked_at():
+def test_minors_divisible_by_a_prime_are_missed():
     assert not is_generic(configuration(Arrangement([[1, 0], [1, PRIME], [2, PRIME]])))
     assert not is_generic(configuration(Arrangement([[1, 0], [0, 1], [PRIME, 1]])))
     root = sympy.sqrt(2)

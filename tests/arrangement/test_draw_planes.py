@@ -162,9 +162,7 @@ def painted(figure: Any, start: str) -> dict[str, float]:
     ids=["A3", "affine", "irrational"],
 )
 @pytest.mark.parametrize("direction", [(5, 3, 4), (-2, 5, 1), (1, -6, -3)])
-def test_lifted_cells_are_painted_between_what_hides_them_and_what_they_hide(
-    planes, numbers, direction
-):
+def test_lifted_cells_painted_in_depth_order(planes, numbers, direction):
     """Lines of sight through the middles of facets and of lifted cells meet the rest in order."""
     chosen = [planes.regions()[number].signs for number in numbers]
     stage = Stage(cut_cells(planes, "cube"), direction)
@@ -216,7 +214,7 @@ def sight_through(solid: Any, point: Any) -> tuple[float, float] | None:
     return (float(low), float(high)) if high - low > 1e-9 else None
 
 
-def test_numbers_name_the_planes_and_coincident_ones_share_a_place():
+def test_coincident_planes_share_a_number_place():
     axes = draw_planes(read_arrangement("paper-four-contacts"), body="cube", axes="none").axes[0]
     assert sorted(text.get_text() for text in axes.texts) == ["1,2", "3,4"]
 
@@ -238,7 +236,7 @@ def test_the_command_takes_signs_that_begin_with_a_minus(tmp_path, capsys):
     st.fractions("1/3", 3, max_denominator=5),
     st.randoms(use_true_random=False),
 )
-def test_a_chosen_cube_shows_the_cells_that_meet_it_and_is_filled(planes, centre, radius, samples):
+def test_chosen_cube_shows_the_cells_that_meet_it(planes, centre, radius, samples):
     cells = cut_cells(planes, "cube", centre, radius)
     stage = Stage(cells, DIRECTION)
     assert wrong_pairs(stage, stage.facets, samples) == []
@@ -375,7 +373,7 @@ def test_planes_in_their_own_space_have_no_caption():
     st.tuples(*[st.tuples(*[st.integers(-2, 2)] * 4)] * 2),
     st.lists(st.integers(-2, 2), min_size=5, max_size=5),
 )
-def test_signs_faces_and_nearly_angles_are_those_in_the_other_space(coefficients, basis, offsets):
+def test_signs_and_faces_preserved_in_other_space(coefficients, basis, offsets):
     normals = [[a * x + b * y for x, y in zip(*basis, strict=True)] for a, b in coefficients]
     normals = [normal for normal in normals if any(normal)]
     planes = Arrangement(normals, offsets[: len(normals)], dimension=4)
@@ -468,7 +466,7 @@ def side(points: Any, face: tuple[int, ...], i: int) -> int:
     return -sign(determinant([points[k] for k in (*face[:3], i)]))
 
 
-def test_the_ball_is_convex_and_its_corners_lie_on_the_sphere_exactly():
+def test_ball_is_convex_with_corners_on_the_sphere():
     body = body_around(Arrangement([], dimension=3), "ball")
     assert all(x * x + y * y + z * z == w * w for x, y, z, w in body.corners)
     across: dict[tuple[int, int], int] = {}
@@ -505,7 +503,7 @@ def shells(path: FilePath) -> list[Any]:
 @pytest.mark.slow
 @pytest.mark.parametrize("body", ["ball", "cube"])
 @pytest.mark.parametrize("name", CASES)
-def test_the_shells_of_an_stl_are_closed_and_together_as_large_as_the_body(name, body, tmp_path):
+def test_stl_shells_are_closed_and_fill_the_body(name, body, tmp_path):
     path = tmp_path / "cells.stl"
     write_drawing(CASES[name], path, model="cells", body=body, size=40, explode=1.5)
     parts = shells(path)
@@ -551,7 +549,7 @@ def test_glb_has_a_named_node_for_each_region_in_metres(tmp_path):
     assert len(used) == len(planes.distinct) + 1
 
 
-def test_glb_and_stl_hold_the_same_solids_the_first_with_y_upward(tmp_path):
+def test_glb_and_stl_hold_the_same_solids(tmp_path):
     for suffix in ("glb", "stl", "obj"):
         write_drawing(CASES["A3"], tmp_path / f"cells.{suffix}", model="cells", body="cube")
     stl, open_parts = loaded(tmp_path / "cells.stl"), loaded(tmp_path / "cells.glb")
@@ -590,7 +588,7 @@ def test_stl_and_obj_say_that_they_are_in_millimetres(model, tmp_path):
     assert not header.startswith(b"solid")
 
 
-def test_faces_of_the_dual_have_the_colour_of_their_number_of_corners(tmp_path):
+def test_dual_faces_coloured_by_number_of_corners(tmp_path):
     """The dual of A3 has 6 squares and 8 hexagons: 12 and 32 triangles."""
     path = tmp_path / "dual.glb"
     write_drawing(CASES["A3"], path, size=25.5)
@@ -603,7 +601,7 @@ def test_faces_of_the_dual_have_the_colour_of_their_number_of_corners(tmp_path):
     assert max(loaded(path).extents) == pytest.approx(0.0255)
 
 
-def test_points_that_rounding_joins_leave_a_closed_surface_or_are_refused():
+def test_merged_points_leave_a_closed_surface():
     corner = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
     split = np.concatenate([corner, [[1e-12, 0, 0]]])
     faces = ((0, 2, 1), (4, 1, 3), (1, 2, 3), (2, 0, 3), (0, 1, 4), (0, 4, 3))

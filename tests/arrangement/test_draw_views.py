@@ -125,7 +125,7 @@ def test_one_plane_and_none_have_pictures():
         assert elements(draw.scene(Arrangement([], dimension=3)))["region"] == 1
 
 
-def test_marks_of_the_counts_are_zaslavskys_numbers_and_lie_on_the_printed_curves():
+def test_count_marks_lie_on_the_printed_curves():
     with own_settings():
         made = draw_counts.scene(largest=8)
     items = {item.name: item for item in made.items if isinstance(item, Drawn) and item.name}
@@ -212,7 +212,7 @@ def test_a_plane_at_infinity_is_named():
 
 
 @pytest.mark.parametrize("rim", [False, True])
-def test_gnomonic_lines_are_straight_between_two_ends_named_alike(rim):
+def test_gnomonic_lines_straight_with_named_ends(rim):
     figure = draw_gnomonic(read_arrangement("five-generic-planes"), rim=rim)
     for path in paths(figure):
         if path.name.startswith("front"):
@@ -224,7 +224,7 @@ def test_gnomonic_lines_are_straight_between_two_ends_named_alike(rim):
 
 
 @pytest.mark.parametrize("name", RANK_THREE)
-def test_each_zone_has_two_edges_on_the_outline_and_hides_half_of_the_others(name):
+def test_each_zone_has_two_edges_on_the_outline(name):
     """A circle meets the limb in two points, if no vertex lies on it."""
     planes = read_arrangement(name)
     solid = dual_solid(planes, (101, 37, 53), np.eye(3))
@@ -261,7 +261,7 @@ def test_evening_out_makes_room_for_labels():
 
 
 @pytest.mark.parametrize("name", RANK_THREE)
-def test_faces_of_a_planar_drawing_are_convex_and_fill_the_outer_one(name):
+def test_planar_drawing_has_convex_faces(name):
     """Then no edges cross: regions of one orientation that fill a region once do not overlap."""
     dual = dual_polyhedron(read_arrangement(name))
     graph = planar_graph(dual.arrangement)
@@ -302,7 +302,7 @@ def test_spread_angles_keep_their_cyclic_order_and_distance(angles):
     assert placed[order[-1]] - placed[order[0]] < 2 * math.pi
 
 
-def test_layers_are_ordered_without_crossings_where_that_is_possible():
+def test_layers_ordered_without_crossings():
     covers = [[[3], [2], [1], [0]], [[], [], [], []]]
     for fixed in (0, 1):
         low, high = layered_orders([4, 4], covers, fixed)
@@ -377,7 +377,7 @@ def test_sides_colour_only_where_they_tell_neighbours_apart():
 
 
 @pytest.mark.parametrize("name", ["braid-a3", "pencil", "four-generic-planes"])
-def test_numbers_are_those_of_the_regions_and_the_table_explains_them(name):
+def test_region_numbers_explained_by_the_table(name):
     planes = read_arrangement(name)
     texts = [t.get_text() for t in draw_sphere(planes, labels="numbers").axes[0].texts]
     rows = [re.fullmatch(r"[\s\u2007]*(\d+) ([+\u2212\u200a]+)", text) for text in texts]
@@ -516,7 +516,7 @@ def bounded(planes: Arrangement) -> int:
 
 
 @given(arrangements(dimensions=(2, 2), planes=(0, 6)))
-def test_regions_fill_the_window_and_have_the_signs_of_their_middles(planes):
+def test_regions_fill_the_window_with_right_signs(planes):
     chart = LinesChart(planes)
     assert len(chart.bounded) == bounded(planes)
     assert (len(chart.vertices), len(chart.edges), len(chart.regions)) == f_vector(planes)
@@ -543,7 +543,7 @@ def test_all_nineteen_faces_of_three_lines_have_their_labels():
 
 @pytest.mark.parametrize("normal", [(0, 1), (1, 0), (1, 1), (-1, 2), (-3, -1), (5, -7)])
 @pytest.mark.parametrize("view", [draw_lines, draw_gnomonic])
-def test_numbers_at_a_common_point_of_the_rim_have_the_order_of_their_lines(normal, view):
+def test_rim_numbers_have_the_order_of_their_lines(normal, view):
     a, b = normal
     rows, offsets = [normal, normal, normal, (-b, a)], [-1, 0, 1, 0]
     if view is draw_lines:
@@ -604,7 +604,7 @@ def test_labels_without_room_are_counted_on_stderr(capsys):
     assert not any("no room" in text for text in found)
 
 
-def test_the_key_of_the_projective_plane_has_the_colours_of_its_regions():
+def test_projective_legend_has_the_region_colours():
     """Parts that meet across the rim are one region, with the sides of both."""
     planes = read_arrangement("shi-a2-affine")
     made = draw_lines.scene(planes, projective=True, colour="sides")
@@ -688,7 +688,7 @@ def test_some_regions_only_have_labels(labels, texts):
             DRAWINGS.draw(planes, labels=wrong)
 
 
-def test_the_dual_names_the_vertices_in_front_or_says_which_it_leaves_out(capsys):
+def test_dual_names_front_vertices_or_reports_omissions(capsys):
     with progress.shown():
         made = DRAWINGS.draw(
             read_arrangement("nine-generic-planes"), "dual", labels="numbers"

@@ -48,7 +48,7 @@ def test_known_zonohedra(name):
 
 
 @given(rank_three)
-def test_vertices_and_faces_agree_with_the_enumeration_in_any_dimension(planes):
+def test_vertices_and_faces_agree_in_any_dimension(planes):
     dual = dual_polyhedron(rank_three_only(planes))
     dual.validate()
     assert (1, *reversed(dual.f_vector)) == counts.f_vector(planes)

@@ -261,7 +261,7 @@ def test_twenty_problems_are_named():
     assert all("has dimension 2" in problem for problem in problems)
 
 
-def test_the_proved_program_is_asked_where_it_is_wanted_and_nothing_else_is_wrong(monkeypatch):
+def test_verified_program_used_only_on_request(monkeypatch):
     asked = []
     monkeypatch.setattr(completeness, "proved_f_vector", counts.f_vector)
     monkeypatch.setattr(completeness, "proved_complete", lambda _, faces: asked.append(len(faces)))

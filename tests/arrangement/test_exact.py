@@ -114,7 +114,7 @@ def test_integers_of_any_length_have_a_text(digits):
 
 
 @given(st.fractions() | st.integers(), st.integers(1, 30), st.integers(-5000, 5000))
-def test_a_number_for_people_is_exact_or_the_nearest_one_of_so_many_digits(number, digits, power):
+def test_displayed_number_is_exact_or_nearest(number, digits, power):
     number *= Fraction(10) ** power
     text = number_text(number, digits)
     near = Fraction(Decimal(text.removeprefix("≈"))) if "/" not in text else rational(text)

@@ -33,7 +33,7 @@ def faces(fan: Fan) -> list[tuple[Row, int]]:
 
 
 @pytest.mark.parametrize("seed", range(60))
-def test_the_faces_inside_are_those_of_all_faces_on_the_right_sides(seed):
+def test_inner_faces_are_those_on_the_right_sides(seed):
     rng = Random(seed)
     n = rng.randint(1, 4)
     bounds, planes = rows(rng, rng.randint(0, 4), n), rows(rng, rng.randint(0, 5), n)
@@ -47,7 +47,7 @@ def test_the_faces_inside_are_those_of_all_faces_on_the_right_sides(seed):
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_the_point_of_each_face_has_its_signs_and_a_face_with_its_boundary_is_a_fan(seed):
+def test_witnesses_have_signs_and_closed_faces_are_fans(seed):
     rng = Random(seed)
     n = rng.randint(1, 4)
     bounds, planes = rows(rng, 3, n), rows(rng, 3, n)

@@ -133,7 +133,7 @@ def test_angular_cut_at_zero_and_pi_is_decided_exactly():
     assert far.region_count == region_count(Arrangement(scaled))
 
 
-def test_degenerate_vertices_do_not_overflow_at_the_largest_int64_entries():
+def test_degenerate_vertices_do_not_overflow_int64():
     """Products of four entries near 10^6 would pass 2^63; only products of three are formed."""
     u, w = (1000, 999, -998), (-997, 1001, 995)
     axis = np.cross(u, w).tolist()
@@ -161,7 +161,7 @@ def test_int64_is_used_up_to_its_proven_bound_and_not_beyond():
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_int64_and_python_integers_give_the_same_crossings_at_the_bound(seed):
+def test_crossings_equal_in_int64_and_python_integers(seed):
     generator = random.Random(seed)
     largest = 1_154_000
     normals = [

@@ -48,7 +48,7 @@ def pseudoline_types(planes: int) -> int:
 
 
 @pytest.mark.parametrize("planes", [3, 4, 5, 6])
-def test_extensions_without_coordinates_give_the_published_numbers(planes):
+def test_extensions_give_the_published_numbers(planes):
     assert pseudoline_types(planes) == PUBLISHED[planes + 1]
 
 
@@ -67,7 +67,7 @@ normals = st.tuples(entries, entries, entries).filter(any)
 
 
 @given(st.lists(normals, min_size=3, max_size=7))
-def test_the_type_found_has_the_same_tope_graph_and_the_map_is_exact(rows):
+def test_identified_type_has_the_same_tope_graph(rows):
     arrangement = Arrangement(rows)
     found = identify(arrangement)
     assert found.planes == len(arrangement.distinct)
@@ -116,7 +116,7 @@ def automorphisms_by_force(arrangement: Arrangement) -> int:
 
 
 @pytest.mark.parametrize("planes", [3, 4, 5])
-def test_orders_of_automorphism_groups_agree_with_all_relabellings(planes):
+def test_automorphism_orders_agree_with_relabellings(planes):
     for arrangement in census(planes):
         assert identify(arrangement).automorphisms == automorphisms_by_force(arrangement)
 
@@ -160,7 +160,7 @@ def pappus(ninth: int) -> dict[tuple[int, int, int], int]:
     return found | {(6, 7, 8): ninth}
 
 
-def test_pappus_has_coordinates_and_non_pappus_a_proof_that_it_has_none():
+def test_pappus_realizable_and_non_pappus_not():
     assert final_polynomial(pappus(0), 9) is None
     for sign in (1, -1):
         proof = final_polynomial(pappus(sign), 9)
@@ -224,7 +224,7 @@ def test_forged_proofs_are_refused_though_their_products_cancel():
         assert not proves_no_coordinates(signs, proof)
 
 
-def test_the_proved_program_is_asked_of_these_signs_and_this_proof(monkeypatch):
+def test_verified_program_gets_signs_and_proof(monkeypatch):
     proof = [OrderedProducts((0, 1, 2, 3, 4), 2, 1, 7)]
     document = {"schema_version": 1, "certificate": "no coordinates"}
     document |= {"proof": [[0, 1, 2, 3, 4, 2, 1, 7]]}
@@ -242,7 +242,7 @@ def test_the_proved_program_is_asked_of_these_signs_and_this_proof(monkeypatch):
             assert proved_no_coordinates(signs, proof) == (said[1] == "no coordinates")
 
 
-def test_three_comparisons_of_signs_that_are_none_of_vectors_prove_it():
+def test_three_sign_comparisons_prove_nonrealizable():
     signs = {x: -1 if x == (1, 3, 4) else 1 for x in itertools.combinations(range(5), 3)}
     proof = [
         OrderedProducts((a, *(x for x in range(5) if x != a)), smaller, 3 - smaller, times)
@@ -296,7 +296,7 @@ CATALOGUE = {
 
 
 @pytest.mark.parametrize("planes", [3, 4, 5, 6, 7, pytest.param(8, marks=pytest.mark.slow)])
-def test_representatives_and_numbers_are_those_of_finschi_and_fukuda(planes):
+def test_representatives_match_finschi_and_fukuda(planes):
     found = finschi_fukuda.texts(finschi_fukuda.representatives(chirotopes(planes), planes))
     numbers = [finschi_fukuda.number(planes, place) for place in range(PUBLISHED[planes])]
     listed = [text for _, text in sorted(zip(numbers, found, strict=True))]
@@ -314,7 +314,7 @@ def test_numbers_of_nine_planes_rise_with_their_representatives():
     assert listed == sorted(range(300), key=lambda k: numbers[chosen[k]])
 
 
-def test_the_representative_of_four_triple_points_is_the_printed_one():
+def test_four_triple_points_have_printed_representative():
     found = identify(families.braid(4))
     assert (found.finschi_fukuda, found.chirotope) == (13, "0++++++0+++++++0+0--")
 

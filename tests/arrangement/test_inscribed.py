@@ -239,7 +239,7 @@ def test_equal_weights_with_a_light_cutset_are_refused():
         certificate.verify()
 
 
-def test_light_uprights_of_a_prism_are_refused_though_its_other_edges_are_heavy():
+def test_light_uprights_of_a_prism_refused():
     graph = polyhedral(nx.circular_ladder_graph(6))
     weights = [Fraction(1, 6) if v - u == 6 else Fraction(5, 12) for u, v in graph.edges]
     with pytest.raises(ArrangementError, match="cutset"):
@@ -265,7 +265,7 @@ def test_any_changed_weight_is_refused():
         replace(certificate, weights=certificate.weights[1:]).verify()
 
 
-def test_weights_of_exactly_0_or_a_half_are_refused_where_all_else_holds():
+def test_weights_of_exactly_0_or_a_half_refused():
     """A diagonal of the cube that weighs nothing; halves on two edges of the tetrahedron."""
     cube = nx.convert_node_labels_to_integers(nx.hypercube_graph(3))
     for graph, changed, weight, others in (
@@ -321,7 +321,7 @@ def test_any_changed_multiplier_is_refused():
     certificate.verify()
 
 
-def test_a_negative_multiplier_is_refused_even_if_the_sum_is_right():
+def test_negative_multiplier_refused():
     """-1 at both ends of an edge, +1 for the edge, would prove anything.
 
     So would edges that weigh more than 1/2, or the cutset around an edge that weighs less than 1.
@@ -424,7 +424,7 @@ def test_rational_directions_are_on_the_sphere_near_and_odd(vector, bits):
 
 
 @given(rank_three)
-def test_each_region_has_its_point_and_opposite_regions_opposite_ones(planes):
+def test_opposite_regions_have_opposite_points(planes):
     dual = dual_polyhedron(rank_three_only(planes))
     points = sphere_points(dual)
     by_signs = {}
@@ -515,7 +515,7 @@ def test_orbits_of_reflection_groups_are_inscribed_duals():
     assert (len(report.hull.true_edges), len(report.hull.flat_edges)) == (12, 6)
 
 
-def test_representatives_must_be_on_the_sphere_and_inside_their_regions():
+def test_representatives_on_sphere_inside_regions():
     cube = dual_polyhedron(Arrangement(SQUARE_AXES))
     points = list(sphere_points(cube))
     with pytest.raises(InputError, match="not inside the region"):
@@ -536,7 +536,7 @@ def test_hulls_without_the_origin_inside_are_refused():
 
 
 @given(st.integers(4, 8), st.floats(0, 1), st.integers(0, 10**6))
-def test_polyhedral_graphs_are_the_planar_ones_of_connectivity_three(vertices, share, seed):
+def test_polyhedral_graphs_are_planar_and_3_connected(vertices, share, seed):
     edges = round(vertices + share * (2 * vertices - 6))
     random_graph = nx.gnm_random_graph(vertices, edges, seed=seed)
     graph = PolyhedralGraph.of(vertices, random_graph.edges)

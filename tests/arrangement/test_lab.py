@@ -309,7 +309,7 @@ def solutions() -> dict[str, str]:
     return found
 
 
-def test_every_exercise_is_solved_by_its_solution_and_by_no_other(opened):
+def test_exercise_solved_by_its_own_solution_only(opened):
     names = opened.texts("#exercise option")[1:]
     solved = solutions()
     assert [name.partition(". ")[2] for name in names] == list(solved)
@@ -384,7 +384,7 @@ def exchanged(text: str) -> str:
     return f"{head}|{';'.join([second, first, *others])}"
 
 
-def test_planes_of_other_spaces_are_shown_by_their_essentialisation():
+def test_other_spaces_shown_by_essentialisation():
     assert '"planes":[["1","0","0"]' in lab_page(read_arrangement("braid-a3-in-r4"))
 
 

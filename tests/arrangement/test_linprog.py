@@ -210,7 +210,7 @@ def test_a_hair_decides():
 
 
 @given(st.data(), st.integers(1, 4))
-def test_a_guess_in_floats_is_near_the_exact_answer_and_takes_in_further_rows(data, n):
+def test_float_guess_is_near_the_exact_answer(data, n):
     """The greatest last coordinate in a cone cut off by a cube, with some rows added later."""
     row = st.lists(st.integers(-3, 3), min_size=n, max_size=n)
     cone = [(*entries, 0) for entries in data.draw(st.lists(row, max_size=8))]
@@ -230,7 +230,7 @@ def test_a_guess_in_floats_is_near_the_exact_answer_and_takes_in_further_rows(da
 
 
 @pytest.mark.parametrize("bits", [3, 2000])
-def test_elimination_leaves_one_pivot_in_a_column_whatever_the_size_of_the_numbers(bits):
+def test_elimination_leaves_one_pivot_per_column(bits):
     source = Random(bits)
     one, other = ([source.getrandbits(bits) + 1 for _ in range(5)] for _ in range(2))
     rows = [one, other, [a - b for a, b in zip(one, other, strict=True)], [0] * 5]

@@ -40,14 +40,14 @@ def test_one_plane_has_an_edge_and_no_cycle():
     assert (found.regions, found.facets, found.lines) == (((1,), (-1,)), ((0,),), ())
 
 
-def test_coincident_planes_leave_no_edges_on_the_four_contact_grasp():
+def test_coincident_planes_leave_no_edges():
     found = published_enumeration(FOUR_CONTACTS)
     assert len(found.regions) == 4
     assert found.facets == found.lines == found.cycles == ()
     assert len(true_states(FOUR_CONTACTS)) == 9
 
 
-def test_a_doubled_plane_among_generic_ones_cuts_the_graph_in_two():
+def test_doubled_generic_plane_disconnects_the_graph():
     """The cube loses the four edges of one direction: two squares, and their sum is both."""
     planes = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [-2, 0, 0]])
     found = published_enumeration(planes)
@@ -59,7 +59,7 @@ def test_a_doubled_plane_among_generic_ones_cuts_the_graph_in_two():
 
 
 @given(arrangements(dimensions=(3, 3), planes=(0, 6), central=True))
-def test_merged_the_published_steps_are_complete_except_for_the_origin(planes):
+def test_merged_published_steps_miss_only_the_origin(planes):
     found = published_enumeration(planes, merge=True)
     truth = true_states(planes)
     if planes.rank == 3:
@@ -74,7 +74,7 @@ def test_merged_the_published_steps_are_complete_except_for_the_origin(planes):
 
 
 @given(arrangements(dimensions=(3, 3), planes=(0, 6), central=True))
-def test_unmerged_regions_are_true_and_edges_never_cross_coincident_planes(planes):
+def test_edges_never_cross_coincident_planes(planes):
     found = published_enumeration(planes)
     assert set(found.regions) == {face.signs for face in planes.regions()}
     for _, _, crossed in found.graph.edges(data="planes"):

@@ -307,7 +307,7 @@ def test_forecasts_follow_the_planes(planes, count, faces, error):
     assert abs(told / faces - 1) <= error + 0.005
 
 
-def test_what_is_out_of_reach_or_irrational_is_refused_before_work():
+def test_irrational_or_large_input_refused_early():
     with pytest.raises(OutOfReachError, match="by the verified program"):
         proved_f_vector(Arrangement([[1, k, k * k, k**3, k**4, k**5] for k in range(200)]))
     with pytest.raises(InputError, match="rational ones"):

@@ -231,7 +231,7 @@ def with_other_weights(certificate: WeightCertificate, source: Random) -> Weight
 
 
 @built
-def test_weights_with_a_light_cutset_are_refused_and_both_checkers_agree(tmp_path):
+def test_light_cutset_refused_by_both_checkers(tmp_path):
     source = Random("weights")
     known = [polyhedral(graph) for graph, inscribable in KNOWN.values() if inscribable]
     found = [decide(graph) for graph in known]

@@ -204,7 +204,7 @@ def test_orbits_and_models_of_rank_four():
     assert len(document["nodes"]) == 1 + 30 - 1
 
 
-def test_what_is_too_large_to_draw_is_refused_before_it_is_listed():
+def test_too_large_to_draw_refused_before_listing():
     for view in ("dual", "graph", "poset"):
         with pytest.raises(OutOfReachError, match="regions in a picture"):
             scene(generic(25, 4), view)

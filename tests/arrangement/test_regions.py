@@ -174,7 +174,7 @@ def test_triangles_of_the_best_kobon_arrangement_are_32():
 
 
 @given(arrangements(dimensions=(1, 3), planes=(0, 6)))
-def test_relatively_bounded_regions_are_as_many_as_zaslavsky_says(planes):
+def test_relatively_bounded_regions_match_zaslavsky(planes):
     relatively = planes.bounded_regions(relative=True)
     assert len(relatively) == counts.bounded_region_count(planes, relative=True)
     assert {region for region in planes.regions() if not region.rays} == set(relatively)

@@ -27,7 +27,7 @@ def test_equations_keep_their_order_and_their_sides():
     assert Planes.from_equations([Eq(y / 3, x / 2)]).integer_planes == ((-3, 2, 0),)
 
 
-def test_without_symbols_the_coordinates_are_those_that_occur_by_name():
+def test_coordinates_default_to_symbols_by_name():
     assert Arrangement.from_equations([z - a]) == Arrangement([[-1, 1]])
     assert Arrangement.from_equations([z - a], (z, a)) == Arrangement([[1, -1]])
 
@@ -70,7 +70,7 @@ def test_default_symbols_sort_as_they_are_counted():
         (None, "not an equation"),
     ],
 )
-def test_equations_of_no_rational_plane_are_refused_with_the_term(equation, message):
+def test_irrational_equations_refused_with_the_term(equation, message):
     with pytest.raises(InputError, match=rf"equations\[1\] .*{message}"):
         Arrangement.from_equations([x, equation], SPACE)
 

@@ -92,7 +92,7 @@ def test_other_numbers_are_refused_with_the_reason(word, capsys):
         (BrokenPipeError(), 141, 0),
     ],
 )
-def test_errors_on_purpose_are_one_line_and_interruptions_are_quiet(error, code, lines, capsys):
+def test_expected_errors_are_one_line(error, code, lines, capsys):
     def fails(_):
         raise error
 
@@ -257,7 +257,7 @@ sys.exit(main({words.split()!r}))
     )
 
 
-def test_the_bar_gives_the_rate_of_this_run_and_the_remaining_time():
+def test_bar_shows_rate_and_remaining_time():
     now = [100.0]
     bar = Bar(None, "samples", clock=lambda: now[0])
     bar.begin(200, 1000)
@@ -281,9 +281,7 @@ def test_the_bar_is_on_a_terminal_only(monkeypatch, capsys):
     assert "5/10 samples" in captured.err
 
 
-def test_in_a_pipe_a_finished_item_gets_a_line_after_two_seconds_and_then_ever_fewer(
-    monkeypatch, capsys
-):
+def test_progress_in_a_pipe_gets_ever_fewer_lines(monkeypatch, capsys):
     monkeypatch.setattr(progress, "_FIRST", 2.0)
     now = [0.0]
     bar = Bar(100, "samples", clock=lambda: now[0])
@@ -320,7 +318,7 @@ def test_a_bar_waits_and_says_what_is_at_work(capsys):
 
 
 @pytest.mark.usefixtures("on_a_terminal")
-def test_the_outermost_loop_tells_and_leaves_the_next_one_its_line(capsys):
+def test_outermost_loop_reports_progress(capsys):
     with shown():
         assert list(watched([3, 1, 2], "things")) == [3, 1, 2]
         assert list(watched(iter("ab"), "letters", 2)) == ["a", "b"]
@@ -346,7 +344,7 @@ def test_a_program_that_does_not_ask_sees_no_line(capsys):
 
 
 @pytest.mark.parametrize("nested", [False, True])
-def test_loop_over_budget_is_refused_from_the_steps_of_its_first_items(nested, capsys):
+def test_loop_over_budget_refused_early(nested, capsys):
     done = []
 
     def command(arguments):

@@ -141,7 +141,7 @@ def test_random_grasps_agree_with_the_surface(contacts, seed):
 
 
 @pytest.mark.parametrize("base", list(product((-9, 1, 7), (-8, 2, 9), (-9, 0, 8))))
-def test_the_nearest_point_of_a_facet_is_on_whichever_edge_is_nearest(base):
+def test_nearest_point_of_facet_on_nearest_edge(base):
     """Where the foot of the plane is outside, no segment between two corners comes nearer."""
     rows = [(1, 2, 0), (-1, -1, 1), (1, -1, 0), (-1, 0, -2), (0, -1, 1), (-1, 1, 1), (2, 1, -1)]
     solid = from_conditions([(*row, 3) for row in rows], [], 3)
@@ -155,7 +155,7 @@ def test_the_nearest_point_of_a_facet_is_on_whichever_edge_is_nearest(base):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("contacts", "seeds"), [(2, 50), (3, 50), (4, 15), (5, 4)])
-def test_hundreds_of_random_grasps_agree_with_rays_and_with_the_surface(contacts, seeds):
+def test_random_grasps_agree_with_rays_and_surface(contacts, seeds):
     for seed in range(seeds):
         grasp = random_grasp(contacts, seed, preload=True)
         length = Fraction(1 + seed % 3, 2)
@@ -192,14 +192,14 @@ def test_two_fingers_that_squeeze_hold_until_one_of_them_slips(length):
     assert found.size_squared == 1 / (Fraction(5, 4) + Fraction(length) ** 2)
 
 
-def test_a_table_without_friction_holds_a_weight_until_it_is_pushed_sideways():
+def test_frictionless_table_fails_when_pushed_sideways():
     """Two frictionless legs under a weight hold no push along the table, however small."""
     legs = Grasp(Contact((x, 0), (0, 1), 0) for x in (-1, 1))
     found = agrees_with_rays_and_verdicts(legs, base=(0, -2, 0))
     assert found.size_squared == 0
 
 
-def test_a_table_with_friction_holds_a_weight_until_a_leg_slips_or_lifts():
+def test_table_holds_until_a_leg_slips_or_lifts():
     """The legs at (+-1, 0) with friction 1 hold f and t under a weight 2 if both push down enough.
 
     They slip when |f_x| >= |f_y|, and one lifts when |tau| >= |f_y|; with f = (a, -2 + b, t) the
@@ -269,7 +269,7 @@ def test_it_grows_with_all_preloads(grasp, factor):
 
 @settings(max_examples=10)
 @given(grasps)
-def test_it_is_the_same_in_a_turned_frame_and_in_other_units_of_length(grasp):
+def test_invariant_under_rotation_and_length_units(grasp):
     found = ResistedSet(grasp).smallest_outside().size_squared
     contact, *_ = turned(Fraction(3, 5), Fraction(4, 5))
     assert ResistedSet(Grasp(map(contact, grasp))).smallest_outside().size_squared == found

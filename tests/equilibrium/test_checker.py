@@ -281,7 +281,7 @@ def test_the_bounds_of_a_leaf_are_exact(cases, kinds):
     assert len(found) >= kinds
 
 
-def test_a_region_on_one_side_of_slip_has_one_friction_and_multipliers_their_signs():
+def test_one_sided_slip_region_has_one_friction():
     """Under a load that does much work, one contact whose slips are given, at unit springs."""
     grasp, found = Grasp([Contact((0, 0), (0, 1), 1, 1, 1)]), Counter()
     slips = [tuple(side * x for x in row) for row in ((1, 2), (0, 1), (-1, 1)) for side in (1, -1)]
@@ -401,7 +401,7 @@ def test_the_inequality_that_fails_is_named_with_its_numbers(leaf, words):
         ({"virtual_motion": ["0", "1/2", "0"], "multipliers": {"0": ["2/3"]}}, "kappa = 1/2:"),
     ],
 )
-def test_the_numbers_that_are_named_have_the_units_of_the_question(leaf, words):
+def test_named_numbers_have_the_right_units(leaf, words):
     """Stiffness and friction with denominators: the checker counts in thirtieths here."""
     grasp = Grasp([Contact((0, 0), (0, 1), "1/5", "1/3", 1)])
     document = refuted_certificate(grasp, (Fraction(0), Fraction(1), Fraction(0)), leaf).to_dict()

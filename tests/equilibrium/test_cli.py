@@ -30,7 +30,7 @@ def test_verdicts_in_json(capsys):
     assert (code, err, document["stable"], document["equilibria"]) == (1, "", False, [])
 
 
-def test_of_many_contacts_all_equilibria_are_listed_only_when_asked_for(capsys, tmp_path):
+def test_all_equilibria_of_many_contacts_on_request(capsys, tmp_path):
     path = tmp_path / "grasp.json"
     for contacts, complete in ((20, True), (21, False)):
         grasp = random_grasp(contacts, seed=0)
@@ -96,7 +96,7 @@ def test_a_wrench_is_three_words_or_one_or_a_force_at_a_point(capsys):
     assert wrench("--weight", "2", "--at", "1/2", "7") == ["0", "-2", "-1"]
 
 
-def test_contacts_at_the_edge_of_their_cones_are_not_called_slipping(capsys):
+def test_contacts_on_cone_boundary_not_slipping(capsys):
     edge, slipping = "paper-four-contacts-preload-1", (THREE, "--preload", "1")
     _, out, _ = call(capsys, "solve", edge, "--wrench", "0,2,0")
     still = [line for line in out.splitlines() if "slip" in line]
@@ -119,7 +119,7 @@ def test_long_numbers_are_rounded_unless_they_are_wanted_exactly(capsys):
     assert call(capsys, *asked)[1] == call(capsys, *asked, "--digits", "6")[1]
 
 
-def test_the_least_friction_is_told_by_its_certain_digits_and_its_bounds(capsys):
+def test_least_friction_printed_with_certain_digits(capsys):
     asked = (
         "resisted",
         "paper-three-contacts-preload-1",

@@ -103,7 +103,7 @@ def test_wedge_is_not_resisted_with_a_bound(tmp_path, capsys):
     assert main([*arguments, "--max-displacement", "325/2"]) == 0
 
 
-def test_without_stiffness_and_preload_displacements_have_no_unit(capsys, tmp_path):
+def test_displacements_without_stiffness_have_no_unit(capsys, tmp_path):
     text = WEDGE.replace(",preload", "").replace(",100\n", "\n")
     for given, said in ((text, True), (text.replace("mu", "mu,k").replace("0.5", "0.5,1"), False)):
         path = tmp_path / "wedge.csv"
@@ -283,7 +283,7 @@ def test_pyramids_have_a_bound_too(seed):
     assert not check({**none.certificate.to_dict(), "max_displacement": str(10 * size)})
 
 
-def test_planes_at_an_angle_to_the_tangents_prove_nothing_with_a_bound():
+def test_oblique_planes_prove_nothing_with_a_bound():
     flat = parse_csv(WEDGE).grasp
     planar = solve(flat, (0,) * 3, max_displacement="1/1000").certificate.to_dict()
     tree = {"plane": [["1", "0", "0"], ["0", "1", "0"]], "tree": planar["tree"]}
@@ -298,7 +298,7 @@ def test_planes_at_an_angle_to_the_tangents_prove_nothing_with_a_bound():
     assert "at an angle" not in check(document).problem
 
 
-def test_in_space_every_equilibrium_is_named_only_if_that_is_proved():
+def test_spatial_equilibria_complete_only_if_proved():
     soft = random_grasp(4, 2, dimension=3)
     wrench = random_wrench(2, dimension=3, bound=1)
     hard = Grasp(replace(c, stiffness=1000 * c.stiffness) for c in soft)
@@ -386,7 +386,7 @@ def test_units_change_no_verdict_and_no_size_of_the_proof(length, dimension):
         assert other.verify()
 
 
-def test_a_unit_is_the_largest_number_or_a_power_of_two_near_a_long_one():
+def test_unit_is_largest_number_or_power_of_two():
     for number in (Fraction(1), Fraction(3, 100), Fraction(-7, 5), Fraction(10**9, 7)):
         assert unit_of([number, number / 3]) == abs(number)
         number += Fraction(1, 3**50)

@@ -164,7 +164,7 @@ def test_cones_stay_inside_the_outline(seed):
 
 
 @pytest.mark.parametrize(("grasp", "wrench"), QUESTIONS)
-def test_the_name_of_a_wrench_is_never_inside_the_arc_of_its_torque(grasp, wrench):
+def test_wrench_label_outside_the_torque_arc(grasp, wrench):
     scene = draw_grasp.scene(grasp, wrench=wrench)
     if arc := named(scene).get("wrench-torque"):
         ends = flattened(arc.points)
@@ -199,7 +199,7 @@ def test_a_slice_keeps_the_preloads_of_the_grasp():
     assert region.polygons == resisted_region(own).polygons
 
 
-def test_of_many_contacts_the_one_equilibrium_found_is_shown_and_said():
+def test_one_equilibrium_of_many_contacts_reported():
     grasp = random_grasp(24, 4)
     verdict = solve(grasp, (0, "-1/2", 0))
     assert verdict.solution is not None
@@ -211,7 +211,7 @@ def test_of_many_contacts_the_one_equilibrium_found_is_shown_and_said():
 
 
 @pytest.mark.parametrize("grasp", [THREE, FOUR, COINCIDENT, HUGE, random_grasp(5, 2)])
-def test_indicative_outlines_touch_every_contact_along_its_tangent(grasp):
+def test_indicative_outlines_touch_every_contact(grasp):
     frame = frame_of(grasp)
     curve = body(grasp, frame)
     assert curve is not None
@@ -361,7 +361,7 @@ def test_round_steps_are_one_two_or_five(value):
     assert str(step.numerator * 1000 // step.denominator).rstrip("0") in ("1", "2", "5")
 
 
-def test_a_wrench_about_a_far_origin_is_carried_to_the_contacts_exactly():
+def test_far_origin_transferred_exactly():
     """A force at the origin has the torque -p x f about p: 10^30 / 2 is taken away exactly."""
     figure = draw_grasp.scene(HUGE, wrench=(0, "1/2", FAR // 2))
     assert "about the middle of the contacts, torque 0" in " ".join(texts(figure))

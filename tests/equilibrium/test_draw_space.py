@@ -47,7 +47,7 @@ def length(items: list[Line]) -> float:
 
 
 @pytest.mark.parametrize("name", GRASPS)
-def test_every_contact_has_its_number_and_nothing_leaves_the_paper(name):
+def test_every_contact_numbered_within_the_page(name):
     grasp = read_grasp(name)
     scene = scene_of(grasp)
     labels = [x.text for x in scene.items if isinstance(x, Label)]
@@ -69,7 +69,7 @@ def test_three_edges_of_a_cube_are_hidden_and_nine_are_seen():
     assert not any("ls" in line.style for line in seen)
 
 
-def test_a_body_that_is_not_stated_is_the_hull_of_the_contacts_in_dashes():
+def test_missing_body_drawn_as_dashed_hull():
     scene = scene_of(read_grasp("peg-in-a-hole"))
     assert all("ls" in line.style for line in lines(scene, "edge"))
     flat = scene_of(read_grasp("three-fingers-on-a-ball"))
@@ -169,7 +169,7 @@ def test_a_slice_ends_at_the_proved_borders():
             draw_slice.scene(fingers, slice=axes)
 
 
-def test_what_is_for_the_plane_is_refused_in_space_and_the_other_way():
+def test_planar_options_refused_in_space_and_vice_versa():
     space, plane = read_grasp("wedge"), read_grasp("paper-three-contacts")
     for options in ({"outline": [(0, 0)]}, {"equilibrium": 2}, {"wrench": (0, 1, 0)}):
         with pytest.raises(GraspError):

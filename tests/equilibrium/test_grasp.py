@@ -23,7 +23,7 @@ from equilibrium.wrench_sets.line import resisted_magnitudes
 from .strategies import contacts, grasps, wrenches
 
 
-def test_tangent_is_the_normal_turned_left_and_torque_is_counter_clockwise():
+def test_tangent_left_of_normal_torque_counterclockwise():
     contact = Contact((-1, 1), (1, 0), "1/2")
     assert contact.tangent == (0, 1)
     assert contact.normal_wrench == (1, 0, -1)
@@ -31,7 +31,7 @@ def test_tangent_is_the_normal_turned_left_and_torque_is_counter_clockwise():
 
 
 @given(contacts, st.tuples(*[st.integers(-3, 3)] * 3))
-def test_wrench_times_motion_is_the_displacement_of_the_contact_point(contact, motion):
+def test_wrench_times_motion_is_contact_displacement(contact, motion):
     x, y, r = motion
     moved = (x - r * contact.point[1], y + r * contact.point[0])
     for wrench, along in (
@@ -97,12 +97,12 @@ class TestValues:
         with pytest.raises(GraspError, match="units is 'mm'; give"):
             Grasp([FLAT], "mm")
 
-    def test_planes_of_motions_are_those_without_slip_and_those_of_zero_spring_force(self):
+    def test_motion_planes_are_no_slip_and_zero_spring(self):
         (tangential, normal) = Grasp([FLAT]).motion_arrangement().integer_planes
         assert tangential == (-1, 0, 2, 0)
         assert normal == (0, 2, 2, 3)
 
-    def test_the_force_of_a_wrench_acts_at_the_origin_unless_a_point_is_given(self):
+    def test_force_acts_at_the_origin_by_default(self):
         assert wrench_of((1, 2)) == (1, 2, 0)
         assert wrench_of((1, 2), (3, 5)) == (1, 2, 1)
         assert wrench_of((1, 2, 3), dimension=3) == (1, 2, 3, 0, 0, 0)
@@ -126,7 +126,7 @@ class TestValues:
         assert lines[1] == ' "schema_version": 1,\n'
         assert lines[-1] == "}\n"
 
-    def test_a_notebook_shows_a_picture_of_a_grasp_in_the_plane_alone(self, monkeypatch):
+    def test_notebook_shows_planar_grasps_only(self, monkeypatch):
         monkeypatch.setattr(model, "named", lambda _: len)
         assert [Grasp([contact])._repr_svg_() for contact in (FLAT, DEEP)] == [1, None]
 
@@ -173,7 +173,7 @@ def test_unit_normal_refuses(direction, tolerance):
         unit_normal(direction, tolerance)
 
 
-def test_public_objects_are_one_line_of_at_most_a_hundred_characters():
+def test_repr_of_public_objects_is_one_short_line():
     grasp = read_grasp("paper-three-contacts-preload-1")
     held, lost = (solve(grasp, [0, pull, 0]) for pull in (1, 5))
     shown = (grasp, grasp.contacts[0], held, lost, held.solution, *held.equilibria)
@@ -214,7 +214,7 @@ def test_resistance_is_interrupted_and_goes_on():
     assert found.intervals == ((0, Fraction(5, 2)), (4, None))
 
 
-def test_friction_along_the_slip_is_found_by_the_printed_algorithm_alone():
+def test_friction_along_slip_in_printed_algorithm_only():
     question = read_grasp("friction-along-slip"), (0, 0, 1)
     assert not solve(*question).stable
     (found,) = solve(*question, as_printed=["cell-check", "detachment"]).equilibria
@@ -307,7 +307,7 @@ def test_stopping_at_the_first_solution_misses_the_second():
 
 
 @given(grasps(), wrenches)
-def test_options_that_drop_states_accept_no_more_and_conditions_no_less(grasp, wrench):
+def test_as_printed_options_are_monotone(grasp, wrench):
     stable = solve(grasp, wrench).stable
     for option in ("detachment", "all-stick", "coincident-planes"):
         assert solve(grasp, wrench, as_printed=[option]).stable <= stable

@@ -277,7 +277,7 @@ class TestOutlines:
         assert on_circle(3, 1, radius=2, centre=(1, 0)).grasp.outline == Circle((1, 0), 2)
 
     @given(st.integers(1, 12), st.integers(0, 10**6))
-    def test_a_star_outline_has_every_contact_on_an_edge_with_its_normal(self, number, seed):
+    def test_star_outline_touches_every_contact(self, number, seed):
         grasp = random_grasp(number, seed)
         outline = star_outline(grasp)
         if outline is None:

@@ -88,7 +88,7 @@ def grip(browser: Browser, name: str) -> tuple[float, float]:
 
 
 @pytest.mark.slow
-def test_its_answers_are_those_of_the_solver_and_its_proofs_are_accepted(opened):
+def test_lab_answers_equal_the_solver(opened):
     """A third route to the verdict: it shares nothing with the solver but the form of files."""
     seen = set()
     named = [

@@ -101,7 +101,7 @@ def assert_agreement(asked: list[Question], ask: Ask) -> None:
         assert report["leaves"] == check(verdict.certificate.to_dict()).leaves
 
 
-def test_verdicts_agree_and_each_side_accepts_the_proofs_of_the_other(ask):
+def test_verdicts_and_proofs_agree_on_both_sides(ask):
     assert_agreement([*questions(60, seed=21), *exotic(30, seed=22)], ask)
 
 

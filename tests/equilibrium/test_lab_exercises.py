@@ -146,7 +146,7 @@ def test_a_refuting_motion_is_one_that_the_checker_takes(page, browser):
     assert any("takes work away" in text for text in said.values())
 
 
-def test_the_page_is_free_while_it_checks_and_a_change_ends_the_check(page, browser):
+def test_page_stays_responsive_while_checking(page, browser):
     begin(browser, page, "A gap along a ray")
     waits = (
         "const said = document.getElementById('exercise-said');"

@@ -54,7 +54,7 @@ def test_a_point_beside_the_surface_is_moved_and_the_change_told(cube):
     assert found.point_errors == (Fraction(3, 100),)
 
 
-def test_a_normal_of_rational_length_is_exact_and_others_are_rounded(tmp_path):
+def test_only_irrational_normals_are_rounded(tmp_path):
     # a roof whose sides have the slope 3:4, and gables that lean by 1:1
     points = np.array(
         [[-4, -6, 0], [4, -6, 0], [4, 6, 0], [-4, 6, 0], [0, -3, 3], [0, 3, 3]], float
@@ -117,7 +117,7 @@ def test_smooth_normals_of_a_ball_point_to_its_centre(tmp_path):
     assert sum(errors(smooth)) < sum(errors(plain)) / 4
 
 
-def test_random_places_are_the_same_for_a_seed_and_face_the_direction(tmp_path):
+def test_random_places_repeat_and_face_the_direction(tmp_path):
     path = written(trimesh.creation.icosphere(subdivisions=2), tmp_path / "ball.stl")
     first, again, other = (
         on_mesh(path, 1, random=6, seed=s, facing=(0, 0, 1)).grasp for s in (1, 1, 2)

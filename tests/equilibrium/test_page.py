@@ -194,7 +194,7 @@ def test_a_tap_keeps_a_region(opened_proof):
     assert_shown(opened_proof, part)
 
 
-def test_keys_lead_through_the_regions_and_all_parts_can_be_chosen(opened_proof):
+def test_keyboard_reaches_all_regions_and_parts(opened_proof):
     assert opened_proof.count('.part[tabindex="0"]') == 2
     opened_proof.run("document.querySelector('#map-0 .part[tabindex=\"0\"]').focus()")
     for _ in range(2):
@@ -206,7 +206,7 @@ def test_keys_lead_through_the_regions_and_all_parts_can_be_chosen(opened_proof)
         assert_shown(opened_proof, index)
 
 
-def test_the_question_stands_on_the_page_and_answers_are_read_aloud(opened_proof):
+def test_page_shows_question_and_reads_answers_aloud(opened_proof):
     assert opened_proof.run("return document.getElementById('said').getAttribute('aria-live')")
     question = opened_proof.run("return document.getElementById('question').innerText").splitlines()
     assert question[0] == "wrench (8, 320, 24)"

@@ -54,7 +54,7 @@ def meets(part: ClosedPart, touches: Sequence[Touch], motion: Sequence[Fraction]
 
 @settings(max_examples=20)
 @given(st.integers(0, 10**6), st.booleans())
-def test_whatever_friction_does_the_contacts_work_at_least_as_said(seed, slow):
+def test_contact_work_bounded_for_any_friction(seed, slow):
     verdict, source = refuted(seed), Random(seed)
     grasp, wrench = verdict.grasp, verdict.wrench
     document = verdict.certificate.to_dict()
@@ -117,7 +117,7 @@ def test_a_proof_by_states_is_drawn_and_said_by_their_planes():
         assert {len(regions(verdict, sense)) for sense in (1, 2)} == {2}
 
 
-def test_without_preload_the_maps_are_those_of_all_sizes_of_motions():
+def test_maps_without_preload_hold_for_all_sizes():
     figure = draw_proof(THREE, wrench=(0, 1, 0))
     assert "motions of every size" in "".join(t.get_text() for t in figure.axes[0].texts)
 

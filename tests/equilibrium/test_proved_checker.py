@@ -76,7 +76,7 @@ def test_a_certificate_of_planes_is_none_of_a_grasp(folder):
         ({"tree": {"contact": 0, "directions": []}}, "children"),
     ],
 )
-def test_what_is_outside_the_theorems_in_space_is_refused_by_name(tmp_path, change, words):
+def test_outside_the_spatial_theorems_refused_by_name(tmp_path, change, words):
     path = tmp_path / "certificate.json"
     document = solve(read_grasp("two-opposed-fingers"), (0, 0, -3, 0, 0, 0)).certificate.to_dict()
     path.write_text(json.dumps({**document, **change}))

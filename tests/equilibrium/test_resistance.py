@@ -86,7 +86,7 @@ def test_proofs_for_contacts_on_one_side_are_small(contacts):
     assert sorted(counts)[len(counts) // 2] < 120
 
 
-def test_continuation_finds_nearly_all_equilibria_of_random_grasps():
+def test_continuation_finds_nearly_all_equilibria():
     found = 0
     for seed in range(30):
         grasp, wrench = random_grasp(12, seed), random_wrench(seed)
@@ -107,7 +107,7 @@ def test_more_contacts_stick_than_the_balance_needs():
 
 @pytest.mark.parametrize("power", [3, 6, 30, 300])
 @pytest.mark.parametrize("direction", [(0, 1, 0), (0, -1, 0), (1, 0, 0)])
-def test_beyond_the_border_of_the_paper_a_handful_of_leaves_is_enough(power, direction):
+def test_few_leaves_beyond_the_paper_boundary(power, direction):
     end = resisted_magnitudes(PAPER, direction).intervals[-1][1]
     if end is None:
         assert solve(PAPER, [10**power * x for x in direction]).stable
@@ -123,7 +123,7 @@ def test_beyond_the_border_of_the_paper_a_handful_of_leaves_is_enough(power, dir
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", [3, 7])
-def test_beyond_the_border_of_ten_contacts_no_distance_is_too_small(seed):
+def test_any_distance_beyond_the_boundary_decided(seed):
     near = [c for c in random_grasp(80, seed) if c.point[0] > 0]
     grasp = Grasp([c for c in near if 3 * c.point[0] ** 2 > c.point[1] ** 2][:10])
     end = resisted_magnitudes(grasp, random_wrench(seed + 100)).intervals[-1][1]
@@ -282,5 +282,5 @@ def test_contacts_that_press_bear_what_floats_leave_open():
     assert find_equilibrium(*in_one_point((1, 2, 0))).motion == (0, 0, 0)
 
 
-def test_a_load_that_is_tiny_beside_the_preloads_is_refuted_at_once():
+def test_tiny_load_refuted_without_search():
     assert MotionRegions(*in_one_point((1, 2, 3))).half_space() == ["0", "0", "1"]

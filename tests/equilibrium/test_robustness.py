@@ -52,7 +52,7 @@ class TestKept:
             assert contact.point == tuple(-circle.radius * x for x in contact.normal)
         assert max(found.point_errors) <= Fraction(1, 10**6)
 
-    def test_a_frictionless_disc_turns_unless_its_data_are_taken_as_given(self):
+    def test_frictionless_disc_rotates_unless_as_given(self):
         assert not solve(on_round().grasp, (0, 0, 1))
         loose = solve(on_round(as_given=True).grasp, (0, 0, 1))
         assert loose
@@ -105,7 +105,7 @@ class TestKept:
         path.write_text("x,y,nx,ny,mu\n3.0000001,4,-3,-4,0\n")
         assert read_csv(path).exact
 
-    def test_other_roundings_keep_incidences_and_stay_within_the_error(self):
+    def test_other_roundings_stay_within_the_error(self):
         found = on_round(preload=[1.0] * 4)
         others = [other_rounding(found.grasp, seed) for seed in range(3)]
         assert len({*others, found.grasp}) == 4
@@ -192,7 +192,7 @@ class TestRobust:
 
     @pytest.mark.parametrize("name", EVERY_DAY)
     @pytest.mark.parametrize("share", ["1/20", "1/2", "4/5"])
-    def test_everyday_grasps_hold_within_half_a_degree_and_ten_per_cent(self, name, share):
+    def test_everyday_grasps_hold_within_tolerance(self, name, share):
         grasp, most = EVERY_DAY[name]
         wrench = tuple(Fraction(share) * Fraction(x) for x in most)
         found = solve(grasp, wrench).robust(degrees="1/2", friction="10%")
@@ -206,7 +206,7 @@ class TestRobust:
         assert solve(read_grasp(JAWS), (0, "1/10", 0)).robust(degrees=degrees)
 
     @pytest.mark.parametrize("push", ["1/4", "5/2"])
-    def test_boxes_on_a_floor_hold_within_half_a_degree_and_ten_per_cent(self, push):
+    def test_boxes_on_a_floor_hold_within_tolerance(self, push):
         assert solve(floor(), (push, -10, 0)).robust(degrees="1/2", friction="10%")
         assert solve(floor(wall=True), ("1/4", -10, 0)).robust(degrees="1/2", friction="10%")
 
@@ -290,7 +290,7 @@ class TestRobust:
             other = Grasp(moved(c, row, found.bounds) for c, row in pairs)
             assert solve(other, wrench, nodes=NODES).verdict != "not resisted"
 
-    def test_in_space_a_yes_at_rest_is_proved_within_two_degrees_and_five_per_cent(self):
+    def test_spatial_rest_proved_within_two_degrees(self):
         verdict = solve(read_grasp("three-fingers-on-a-ball"), (0, 0, "-1/2", 0, 0, 0))
         assert verdict.robust(degrees=2, friction="5%")
 
@@ -307,7 +307,7 @@ class TestRobust:
         for wrench, kind in (((0, 1, 0), "not resisted"), ((0, 0, 0), "resisted")):
             assert solve(Grasp(), wrench).robust(degrees=1).certificate.verify().kind == kind
 
-    def test_a_verdict_in_a_range_or_with_pyramids_is_not_asked_for_all(self):
+    def test_bounded_or_pyramid_verdict_not_robust(self):
         pyramids = solve(Grasp(SPATIAL), (0, 0, 1, 0, 0, 0), pyramid=4)
         for verdict in (pyramids, solve(self.grasp, (0, 1, 0), max_displacement=1)):
             with pytest.raises(GraspError, match="leave these out"):

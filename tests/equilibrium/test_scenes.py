@@ -37,7 +37,7 @@ def test_each_verdict_has_its_proof(grasp):
     assert set(answers) == {"resisted", "not resisted"}
 
 
-def test_ends_in_the_plane_are_exact_and_in_space_between_two_proofs():
+def test_ends_exact_in_plane_and_bracketed_in_space():
     (flat,) = EngineScene(PAPER, [[0, 1, 0]]).document()["loads"]
     assert flat["resisted"] == [["0", "1"]]
     assert [x["magnitude"] for x in flat["verdicts"]] == ["63/64", "1", "65/64"]
@@ -60,7 +60,7 @@ def test_stiffer_springs_leave_every_verdict():
 
 
 @pytest.mark.parametrize("name", ["all-contacts-stick", "peg-in-a-hole", "unchecked-cell"])
-def test_fingers_touch_pads_at_the_contacts_and_push_with_the_preload(name):
+def test_fingers_touch_pads_with_the_preload(name):
     grasp = read_grasp(name)
     root = ET.fromstring(EngineScene(grasp).mjcf())
     numbers = lambda element, key: np.array([float(x) for x in element.get(key).split()])  # noqa: E731
@@ -83,7 +83,7 @@ def test_fingers_touch_pads_at_the_contacts_and_push_with_the_preload(name):
     assert len(gears) == (3 if grasp.dimension == 2 else 6)
 
 
-def test_a_contact_without_friction_has_no_tangent_and_an_outline_is_seen_alone():
+def test_frictionless_contact_has_no_tangent():
     corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]]
     grasp = Grasp([Contact([-1, 0], [1, 0], 0)], outline=Polygon(corners))
     root = ET.fromstring(EngineScene(grasp).mjcf())

@@ -199,7 +199,7 @@ class TestOutline:
         for copy in (grasp.with_preload(1), grasp.with_friction(1), grasp.with_units("cm", "N")):
             assert copy.outline == outline
 
-    def test_outlines_change_no_verdict_no_comparison_and_no_certificate(self):
+    def test_outlines_change_no_verdict(self):
         bare = self.grasp.with_outline(None)
         assert (bare, hash(bare)) == (self.grasp, hash(self.grasp))
         assert "outline" not in bare.to_dict()

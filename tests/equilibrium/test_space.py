@@ -101,7 +101,7 @@ class TestKnownLeaves:
         search.decide()
         return search
 
-    def test_a_leaf_closes_the_states_it_was_found_in_and_parts_of_them(self):
+    def test_leaf_closes_its_states_and_their_parts(self):
         search = self.searched()
         assert len(search.leaves.found) > 20
         for states, leaf in search.leaves.found.copy().items():
@@ -112,7 +112,7 @@ class TestKnownLeaves:
             part = tuple("detached" if x == "undecided" else x for x in states)
             assert search.leaves.holds(part, leaf)
 
-    def test_where_a_contact_does_not_slip_a_leaf_may_use_no_slip_of_it(self):
+    def test_leaf_uses_no_slip_of_sticking_contact(self):
         search, tried = self.searched(), 0
         for states, leaf in search.leaves.found.copy().items():
             for i, row in leaf.numbers.given.items():
@@ -134,7 +134,7 @@ class TestKnownLoads:
     def known(self, grasp, along):
         return KnownMagnitudes(KnownLoads(grasp, 100), tuple(map(Fraction, along)), (0,) * 6)
 
-    def test_a_tree_refutes_the_magnitudes_between_its_edges_and_no_other(self):
+    def test_tree_refutes_magnitudes_between_its_edges(self):
         known = self.known(FINGERS, across("3/5", "4/5"))
         assert known.verdict(Fraction(2)) == "not resisted"
         low, high = known.refuting(Fraction(2))
@@ -239,7 +239,7 @@ class TestKnownLoads:
         assert [known.verdict(Fraction(t)) for t in (1, 2)] == ["resisted"] * 2
         assert known.held == ([(1, 2)] if box is None else [])
 
-    def test_contacts_do_the_same_on_one_side_of_the_spring_in_one_direction(self):
+    def test_contacts_same_on_one_side_of_the_spring(self):
         contact = Contact((0, 0, 0), (0, 0, 1), 1, 1, 1, (1, 0, 0))
         for one, other, same in [
             ((1, 0, 0), (2, 0, 0), True),
@@ -405,7 +405,7 @@ class TestBrackets:
         assert high[0] - low[0] <= Fraction(left)
         assert len(tried) <= asked
 
-    def test_magnitudes_are_sampled_from_both_ends_and_borders_lie_between_them(self, monkeypatch):
+    def test_boundaries_lie_between_sampled_magnitudes(self, monkeypatch):
         """Resisted up to 1/2 and from 3 to 5; of 64 and beyond nothing is found."""
         tried = []
         monkeypatch.setattr(spatial, "_closer", lambda known, low, high, width: (low, high, []))
@@ -512,11 +512,11 @@ OPEN = {"box": 1}
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", exotic.KINDS)
-def test_most_questions_that_are_not_in_general_position_are_decided(kind):
+def test_most_degenerate_problems_decided(kind):
     assert decided(kind, range(50)) >= 50 - OPEN.get(kind, 0)
 
 
-def test_without_friction_a_load_is_resisted_if_normals_alone_balance_it():
+def test_frictionless_load_resisted_by_normals_alone():
     for seed in range(40, 60):
         grasp, wrench = exotic.question("no friction", seed)
         rows = [(*(c.normal_wrench[j] for c in grasp), w) for j, w in enumerate(wrench)]
@@ -545,7 +545,7 @@ class TestPlanes:
         tree = decide_in_plane(grasp, wrench, Effort())
         return refuted_certificate(grasp, wrench, tree).to_dict()
 
-    def test_a_planar_proof_is_accepted_with_the_planes_that_it_names(self):
+    def test_planar_proof_accepted_with_its_planes(self):
         proof = self.proof()
         assert check(proof)
         assert jsonschema.Draft202012Validator(certificate_schema()).is_valid(proof)
@@ -637,7 +637,7 @@ def floats_of_directions(node):
 
 
 @pytest.mark.parametrize(("contacts", "seed"), [(3, 16), (3, 20), (4, 18), (4, 0)])
-def test_whatever_the_motion_its_leaf_shows_that_forces_do_not_balance(contacts, seed):
+def test_leaf_of_any_motion_refutes_balance(contacts, seed):
     grasp = random_grasp(contacts, seed, dimension=3)
     wrench = random_wrench(seed, dimension=3, bound=1)
     found = solve(grasp, wrench)
@@ -710,7 +710,7 @@ class TestChecker:
         with pytest.raises(InputError, match=r"a pyramid .* needs no enclosure"):
             check({**self.box, "pyramid": 4})
 
-    def test_two_contacts_have_an_enclosure_but_for_a_turn_about_their_line(self):
+    def test_two_contacts_enclosed_up_to_rotation(self):
         grasp = random_grasp(2, 1, dimension=3)
         found = solve(grasp, balanced(Random(1), grasp))
         document = found.certificate.to_dict()
@@ -967,7 +967,7 @@ class TestPyramids:
                 assert found.stable
                 assert found.verify()
 
-    def test_a_force_along_an_edge_is_held_as_by_the_round_cone_and_between_edges_it_is_not(self):
+    def test_pyramid_equals_round_cone_along_edges_only(self):
         for size, held in ((1, True), (HAIR, False)):
             along = solve(FINGERS, [size * x for x in across(1, 0)], pyramid=4)
             between = [size * x / Fraction(7, 5) for x in across("3/5", "4/5")]

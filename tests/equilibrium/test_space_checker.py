@@ -287,7 +287,7 @@ def test_an_equilibrium_holds_exactly_where_the_law_does(pyramid):
     assert min(found[due] for due in ("", *words)) > 10, found
 
 
-def test_parts_of_a_split_are_the_sectors_between_its_directions_and_no_split_is_wrong():
+def test_split_parts_are_sectors_between_directions():
     ends, leaf = ((1, 0), (-3, 4), (0, -1)), ("", None)
 
     def states(kind, directions, children, state, edges=()):
@@ -326,7 +326,7 @@ def test_parts_of_a_split_are_the_sectors_between_its_directions_and_no_split_is
 
 
 @pytest.mark.parametrize(("directions", "children"), [(0, 2), (1, 2), (2, 3), (4, 5)])
-def test_a_split_by_directions_has_stick_and_a_sector_each_or_two_halves(directions, children):
+def test_split_by_directions_has_stick_and_sectors(directions, children):
     def node(children):
         return {"contact": 0, "directions": [[1, 0]] * directions, "children": [[]] * children}
 
@@ -582,7 +582,7 @@ def test_a_spring_that_may_be_wrong_by_one_unit_is_refused(state, up, words):
         _balance(felt, row, given, box, None)
 
 
-def test_intervals_contain_all_exact_results_and_are_no_wider_than_needed():
+def test_intervals_contain_exact_results_tightly():
     source, one = Random(1), 1 << 192
     ends = [0, 1, -1, one, -one, one + 1, *(source.randint(-5 * one, 5 * one) for _ in range(6))]
     intervals = [Interval(low, high) for low in ends for high in ends if low <= high]

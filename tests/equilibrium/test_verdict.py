@@ -35,7 +35,7 @@ def test_what_is_reported_is_true_and_proved(grasp, wrench):
 
 
 @given(grasps(4), st.lists(wrenches, min_size=1, max_size=4), st.sampled_from([None, 0, 1]))
-def test_each_of_many_loads_has_the_verdict_of_its_own_and_a_proof(grasp, loads, most):
+def test_many_loads_have_single_verdicts_and_proofs(grasp, loads, most):
     found = list(Solver(grasp, max_displacement=most).solve_many(loads))
     for wrench, verdict in zip(loads, found, strict=True):
         assert verdict.wrench == tuple(wrench)
@@ -232,7 +232,7 @@ def test_solver_agrees_on_a_coarse_grid(grasp, wrench):
     assert disagreements(Question(0, grasp, wrench, "grid", "free")) == []
 
 
-def test_bound_on_the_motion_is_the_largest_component_of_the_motion():
+def test_motion_bound_is_the_largest_component():
     """One spring of stiffness 1 without friction under the load 12 gives way by 12."""
     grasp, wrench = Grasp([Contact((0, 0), (0, 1), 0)]), (Fraction(0), Fraction(-12), Fraction(0))
     assert oracle.is_stable(grasp, wrench)
@@ -240,7 +240,7 @@ def test_bound_on_the_motion_is_the_largest_component_of_the_motion():
     assert not oracle.is_stable(grasp, wrench, bound=Fraction(119, 10))
 
 
-def test_forces_that_cancel_in_one_balance_are_refuted_by_the_others():
+def test_cancelling_forces_refuted_by_other_balances():
     """With slip- the friction torques of the two contacts cancel, whatever the motion."""
     normal, half = (Fraction(1), Fraction(0)), Fraction(1, 2)
     grasp = Grasp([Contact((-1, 0), normal, 1), Contact((1, 0), normal, half, 2)])

@@ -173,7 +173,7 @@ frames = st.sampled_from(
 
 
 @given(grasps(most=4), frames, wrenches)
-def test_a_plane_cuts_every_state_as_if_all_its_wrenches_were_there(grasp, spans, origin):
+def test_plane_cuts_every_state_like_all_wrenches(grasp, spans, origin):
     spans = [tuple(map(Fraction, span)) for span in spans]
     origin = tuple(map(Fraction, origin))
     normal = cross(*spans)
@@ -186,7 +186,7 @@ def test_a_plane_cuts_every_state_as_if_all_its_wrenches_were_there(grasp, spans
         assert may_reach or expected is None
 
 
-def test_states_that_miss_a_plane_are_known_from_the_ends_of_their_motions():
+def test_states_that_miss_a_plane_known_from_ends():
     grasp, plane = random_grasp(6, 1).with_preload(1), (0, 0, 1, 0)
     images, listed = StateImages(grasp), contact_states(grasp)
     reaching = [images.resisted_with(states, plane) is not None for states in listed]

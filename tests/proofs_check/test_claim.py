@@ -51,7 +51,7 @@ def claim(**changes: object) -> Claim:
     return replace(base, **changes)
 
 
-def test_a_planted_false_claim_is_refuted_with_its_smallest_counterexample():
+def test_false_claim_refuted_by_smallest_counterexample():
     false = claim(judge=lambda n, square: square < 20, search=lambda: numbers(20))
     result = evaluate(false)
     assert result.verdict is ClaimVerdict.REFUTED
@@ -120,7 +120,7 @@ records = st.builds(
 
 @given(st.lists(records, max_size=5), st.none() | records)
 @settings(max_examples=200)
-def test_holds_needs_evidence_without_any_failure_or_disagreement(checked, extra):
+def test_holds_needs_evidence_without_failure(checked, extra):
     assert verdict_of(Evidence(0, (), ())) is None
     evidence = Evidence(0, (), tuple(checked), counterexample=extra)
     if verdict_of(evidence) is ClaimVerdict.HOLDS:

@@ -140,7 +140,7 @@ def test_pseudolines_of_a_type_are_counted_as_its_planes_are():
                 assert left is None or dict(left.chirotope) == dict(counts.chirotope(rest))
 
 
-def test_the_types_that_no_lines_have_are_oriented_matroids_with_the_right_counts():
+def test_nonstretchable_types_are_oriented_matroids():
     found = not_stretchable()
     assert len({lines.signs for lines in found}) == len(found) == 274
     assert sum(lines.is_simple for lines in found) == 1  # Ringel's
@@ -183,7 +183,7 @@ def test_a_failure_on_pseudolines_is_made_small():
     )
 
 
-def test_samples_of_pseudolines_are_types_and_more_than_nine_are_refused(capsys):
+def test_samples_of_pseudolines_are_types(capsys):
     drawn = [DOMAINS["pseudolines"].draw(Random(seed), 5) for seed in range(30)]
     assert {lines.signs for lines in drawn} == {case.subject.signs for case in types([5])}
     assert isinstance(DOMAINS["pseudolines"].draw(Random(0), 9), Pseudolines)
@@ -193,7 +193,7 @@ def test_samples_of_pseudolines_are_types_and_more_than_nine_are_refused(capsys)
     assert "expected numbers of pseudolines from 3 to 9" in capsys.readouterr().err
 
 
-def test_instances_outside_the_domain_are_told_from_those_outside_the_hypotheses():
+def test_out_of_domain_distinct_from_out_of_hypotheses():
     @claim("s", of="simple", when=lambda p: len(p) > 4, classes=5, families=False, samples=0)
     def simple(planes):
         return planes.is_simple

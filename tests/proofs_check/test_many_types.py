@@ -16,13 +16,13 @@ def test_faces_composed_from_cocircuits_are_those_enumerated(planes):
     assert [tuple(row) for row in found.tolist()] == [a.f_vector[1:] for a in census(planes)]
 
 
-def test_euler_and_the_points_on_the_lines_hold_for_a_sample_of_nine():
+def test_euler_holds_for_a_sample_of_nine():
     places = np.linspace(0, PUBLISHED[9] - 1, 200).astype(int)
     rays, facets, regions = many_types.f_vectors(catalogue.chirotopes(9, places), 9).T
     assert (rays - facets + regions == 2).all()
 
 
-def test_faces_are_a_minimum_cycle_basis_as_hortons_algorithm_finds():
+def test_faces_are_a_minimum_cycle_basis_as_by_horton():
     held = many_types.cycle_bases_are_faces(catalogue.chirotopes(5), 5)
     for planes, minimum in zip(census(5), held.tolist(), strict=True):
         graph = from_covectors(planes)
@@ -77,7 +77,7 @@ def test_a_type_that_both_routes_find_otherwise_breaks_the_sweep(monkeypatch):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("part", range(2))
-def test_a_sample_of_the_types_of_nine_planes_with_weights_is_decided(part):
+def test_sample_of_nine_planes_with_weights_decided(part):
     """Of types that have weights some cutset may still be too light; each answer is verified."""
     chosen = np.random.default_rng(9).permutation(PUBLISHED[9])[1250 * part :][:1250]
     weighty = chosen[many_types.have_weights(catalogue.chirotopes(9, chosen), 9)]

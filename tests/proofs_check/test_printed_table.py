@@ -19,14 +19,14 @@ from proofs_check.instances.grasps import grasp_of, paper_question
 EXAMPLES = files("proofs_check.examples")
 
 
-def test_the_simplicial_catalogue_agrees_with_its_vectors_in_print():
+def test_simplicial_catalogue_agrees_with_print():
     rows = list(check_table(str(EXAMPLES / "simplicial.csv")))
     assert len(rows) == 30
     assert all(row.agrees for row in rows)
 
 
 @pytest.mark.slow
-def test_numbers_of_types_agree_and_the_conflict_in_print_is_found(capsys):
+def test_conflict_in_printed_type_numbers_found(capsys):
     assert main(["run", str(EXAMPLES / "oeis.csv"), "--json"]) == 1
     rows = [json.loads(line) for line in capsys.readouterr()[0].splitlines()]
     verdicts = [row["verdict"] for row in rows]
@@ -84,7 +84,7 @@ def test_there_are_seven_and_ten_rows_and_eight_counts():
     assert sorted(printed.STATE_COUNTS) == list(range(2, 10))
 
 
-def test_stable_rows_have_a_force_for_each_contact_and_others_have_none():
+def test_only_stable_rows_have_contact_forces():
     for size, rows in ((3, printed.THREE_CONTACTS), (4, printed.FOUR_CONTACTS)):
         for row in rows:
             assert len(row.forces) == (size if row.stable == "Yes" else 0)

@@ -384,7 +384,7 @@ def test_planes_are_drawn_with_their_dual():
         assert len(edges) == planes.f_vector[2]
 
 
-def test_a_grasp_is_drawn_with_its_equilibrium_or_the_proof_that_there_is_none():
+def test_grasp_drawn_with_equilibrium_or_proof():
     document = dict(read_grasp("paper-three-contacts").to_dict())
     (alone,) = drawn(document)
     assert "cone-3" in alone
@@ -397,7 +397,7 @@ def test_a_grasp_is_drawn_with_its_equilibrium_or_the_proof_that_there_is_none()
 
 
 @pytest.mark.skipif(shutil.which("git") is None, reason="needs git")
-def test_the_commit_is_that_of_the_checkout_itself_and_of_no_other(tmp_path, monkeypatch):
+def test_commit_is_that_of_the_checkout(tmp_path, monkeypatch):
     monkeypatch.delenv("GIT_DIR", raising=False)
 
     def git(*arguments):

@@ -49,7 +49,7 @@ def test_an_independent_set_needs_more_than_half_of_the_vertices():
     assert not rivin.is_large_independent_set(CUBE, frozenset(list(CUBE.vertices)[:5]))
 
 
-def test_multipliers_of_the_unequal_classes_fit_and_changed_ones_do_not():
+def test_multipliers_of_unequal_classes_fit():
     """+1 at the eight vertices and -1 at the six cancel at every edge and leave -8 + 6."""
     parity = {v: list(v).count(-1) % 2 for v in DODECAHEDRON.vertices}
     large = max((0, 1), key=lambda k: list(parity.values()).count(k))

@@ -102,7 +102,7 @@ def test_progress_counts_instances_and_begins_with_what_is_there(tmp_path):
     assert len(seen) == 7
 
 
-def test_a_chunk_counts_once_and_another_result_for_it_is_refused(tmp_path):
+def test_chunk_counts_once(tmp_path):
     plan = small_plan()
     path = str(tmp_path / "s.sqlite")
     chunk = run_chunk(plan, 0)
@@ -129,7 +129,7 @@ def test_the_counts_are_those_of_the_instances_one_by_one(tmp_path):
 
 
 @pytest.mark.parametrize("id", [claim.id for claim in registry() if claim.domain])
-def test_every_claim_that_can_be_swept_gives_values_on_random_instances(id):
+def test_swept_claims_have_values_on_random_instances(id):
     chosen = target(id)
     low = max(chosen.domain.least, 2 if chosen.domain.unit == "contacts" else 3)
     plan = plan_sweep(id, (low, low + (chosen.domain.unit == "planes")), 6, 1, 6)
@@ -139,9 +139,7 @@ def test_every_claim_that_can_be_swept_gives_values_on_random_instances(id):
     assert sweepreport.consistent(found, registry()[id].expected)
 
 
-def test_a_claim_that_is_false_of_random_instances_is_refuted_with_its_smallest_instance(
-    tmp_path, capsys
-):
+def test_false_claim_on_random_instances_shrunk(tmp_path, capsys):
     path = own_file(tmp_path, 'return planes.rank == 3 or "low rank"')
     plan = ["--elements", "3..5", "--samples", "300", "--store", str(tmp_path / "s.sqlite")]
     assert main(["sweep", path, *plan]) == 1

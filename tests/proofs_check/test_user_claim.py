@@ -46,7 +46,7 @@ def triangles(planes: Arrangement) -> int:
     return sum(number == 3 for number in sides)
 
 
-def test_the_documented_example_finds_the_smallest_counterexample(tmp_path, capsys):
+def test_documented_example_finds_counterexample(tmp_path, capsys):
     example = files("proofs_check.examples") / "triangles.py"
     code = main(["run", str(example), "--save", str(tmp_path), "--json"])
     found = json.loads(capsys.readouterr().out)
@@ -61,9 +61,7 @@ def test_the_documented_example_finds_the_smallest_counterexample(tmp_path, caps
     assert not (tmp_path / "at-least-twice-as-many-triangles.json").exists()
 
 
-def test_a_planted_false_claim_is_refuted_by_the_smallest_instance_there_is(
-    write, tmp_path, capsys
-):
+def test_false_claim_refuted_by_smallest_instance(write, tmp_path, capsys):
     path = write(
         '@claim("No two planes coincide.", of="central")\n'
         "def different(planes):\n"
@@ -94,7 +92,7 @@ def test_a_wrong_claim_on_grasps_is_saved_as_a_grasp_file(write, tmp_path):
     assert (contact.friction, contact.stiffness, contact.preload) == (0, 1, 2)
 
 
-def test_a_failure_that_only_many_planes_show_does_not_shrink_below_them(write, tmp_path):
+def test_failure_of_many_planes_stays_large(write, tmp_path):
     path = write(
         '@claim("At most 20 regions.", of="distinct")\n'
         "def few(planes):\n"
@@ -115,7 +113,7 @@ def test_an_error_in_the_function_gives_no_verdict(write, capsys):
     assert "ZeroDivisionError" in result["counterexample"]["note"]
 
 
-def test_instances_outside_the_hypothesis_are_passed_over_and_counted():
+def test_instances_outside_hypothesis_skipped_and_counted():
     @claim("s", when=lambda p: p.is_simple, classes=5, families=False, samples=0)
     def all_simple(planes):
         return planes.is_simple
@@ -139,7 +137,7 @@ def test_a_claim_that_is_checked_on_nothing_has_no_verdict(write, capsys):
     assert (result["verdict"], result["evidence"]) == (None, "no case was checked")
 
 
-def test_the_same_seed_gives_the_same_result_and_another_seed_other_instances():
+def test_seed_determines_the_instances():
     @claim("s", of="central", classes=0, families=False, samples=20)
     def small(planes):
         return max(abs(x) for p in planes.integer_planes for x in p) < 9
@@ -156,7 +154,7 @@ def _many(planes: Arrangement) -> bool:
 
 @settings(max_examples=15)
 @given(st.integers(0, 10**9))
-def test_shrinking_keeps_the_failure_and_leaves_no_plane_to_spare(seed):
+def test_shrinking_is_minimal_and_keeps_the_failure(seed):
     planes = DOMAINS["rank-3"].draw(Random(seed), 5)
     found, _ = shrink(planes, _many)
     assert _many(found)
@@ -221,9 +219,7 @@ def test_a_new_file_runs_and_is_never_written_over(tmp_path, monkeypatch, capsys
         ("two_fingers", ["holds", "refuted"]),
     ],
 )
-def test_claims_of_other_papers_have_their_verdicts_by_two_routes(
-    name, verdicts, tmp_path, monkeypatch
-):
+def test_claims_of_other_papers_have_their_verdicts(name, verdicts, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     example = files("proofs_check.examples") / f"{name}.py"
     assert main(["report", str(example), "-o", "r.json"]) == 0
@@ -252,7 +248,7 @@ def test_every_example_can_be_written():
     assert {*EXAMPLES} == {x.name[:-3] for x in folder if x.name.endswith(".py")} - {"__init__"}
 
 
-def test_routes_that_disagree_or_raise_give_no_verdict_and_show_the_case(write, capsys):
+def test_disagreeing_implementations_give_no_verdict(write, capsys):
     path = write(
         "from arrangement.library.families import generic\n"
         "listed = {'three': generic(3), 'four': generic(4)}\n"
@@ -372,7 +368,7 @@ def test_lines_are_tried_on_every_type():
     assert (min(triangles), max(triangles)) == (3, 5)  # Roberts, and Kobon
 
 
-def test_one_claim_of_a_file_can_be_named_and_one_that_fails_keeps_the_others(write, capsys):
+def test_one_claim_named_and_failing_one_keeps_others(write, capsys):
     head = '@claim("?", of="simple", samples=2, classes=3'
     body = (
         f"{head})\ndef nothing(p): return None\n{head})\ndef good(p): return len(p) > 0\n"
