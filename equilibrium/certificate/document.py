@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -113,7 +113,9 @@ def certificate(
     """
     if pyramid is not None:
         proof = {"pyramid": pyramid, **proof}
-    question = {"grasp": Grasp(grasp.contacts, grasp.units).to_dict(), "wrench": _texts(wrench)}
+    # A proof is about these numbers, whether they were given or assumed.
+    complete = Grasp((replace(c, stiffness_given=True) for c in grasp), grasp.units)
+    question = {"grasp": complete.to_dict(), "wrench": _texts(wrench)}
     question |= displacement_entry(max_displacement)
     document = {"schema_version": SCHEMA_VERSION, "certificate": kind, **question, **proof}
     return Certificate(json.dumps(document, separators=(",", ":")))

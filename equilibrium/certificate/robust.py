@@ -31,6 +31,10 @@ w)`` has a solution with ``|y| <= Y`` ("reach") if ``|G R - 1| Y + |G f + w| < Y
 is the "energy". Where all contacts are on one line in space their wrenches do not span all; then
 the points stay, all contacts hold, and y is among the wrenches of forces at the points.
 
+If reach and energy are 0, motion and forces themselves are an equilibrium of all grasps within the
+bounds: they balance the load in each, no contact slips, each normal force is that of its spring,
+and no force leaves its friction cone. This needs no room.
+
 ``{"schema_version": 3, "certificate": "resisted", "grasp": ..., "wrench": ..., "bounds":
 {"degrees": "1/2", ...}, "motion": c, "forces": [[c_n, c_t], ...], "correction": [rows of R for each
 contact], "reach": Y, "energy": A}``, or "not resisted" with "virtual_motion" for the last five.
@@ -49,7 +53,7 @@ from equilibrium.model.contact import wrench_at
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
 
-from .uncertain import LARGEST, Along, Bounds, Uncertain, length, root
+from .uncertain import LARGEST, Along, Bounds, Uncertain, root
 
 #: Rows of a matrix.
 Rows = Sequence[Sequence[Fraction]]
@@ -186,14 +190,17 @@ class Holding:
             middle, radius = (spring + normal) / 2, (error + changes[0]) / 2
             radius += root(stiff * energy)
             needed += away * away / (4 * soft) + 2 * friction * (middle + radius) * along.slip
-            rubbing = length([abs(x) + y for x, y in zip(tangents, changes[1:], strict=True)])
+            rubbing = sum((abs(x) + y) ** 2 for x, y in zip(tangents, changes[1:], strict=True))
             least = middle - radius
-            if not (least_friction * least > rubbing if friction else least >= 0 == rubbing):
+            room = (least_friction * least) ** 2 - rubbing
+            if least < 0 or room < 0 or (friction and energy and not room):
                 problem = problem or f"forces[{i}]: no room in the friction cone for all grasps"
         return needed, problem
 
     def problem(self, reach: RationalVector, energy: Fraction) -> str:
         """Return why this is not a proof, or nothing."""
+        if not any((*reach, energy)):
+            return self._standing_problem(reach)
         if min(*reach, energy) <= 0:
             return "reach and energy are not above 0"
         if unfelt := self.unfelt():
@@ -206,6 +213,16 @@ class Holding:
                 return f"reach[{j}]: the correction may be larger within the bounds"
         needed, problem = self.energy(reach, energy)
         return problem or ("" if needed < energy else "energy: it may be larger within the bounds")
+
+    def _standing_problem(self, zeros: RationalVector) -> str:
+        """Return why motion and forces are no equilibrium of all grasps within bounds, or nothing.
+
+        Where ``B + sum a^2 / 4k`` is 0 no contact slips, and each force is that of its spring.
+        """
+        if any(self.balance()[0]):
+            return "forces: they do not balance the load for all grasps within the bounds"
+        needed, problem = self.energy(zeros, Fraction(0))
+        return problem or ("motion: it is no equilibrium for all grasps" if needed else "")
 
 
 def _entry(

@@ -35,11 +35,11 @@ def moved(contact: Contact, signs: Iterable[float], bounds: Bounds) -> Contact:
         wanted = [x + reach * y for x, y in zip(normal, across, strict=True)]
         normal = unit_normal(wanted, bounds.angle / 60).normal
     place = [x + s * bounds.length for x, s in zip(contact.point, shares[n - 1 :], strict=False)]
-    values = (
-        getattr(contact, name) * (1 + s * getattr(bounds, name))
+    values = {
+        name: getattr(contact, name) * (1 + s * getattr(bounds, name))
         for name, s in zip(VALUES, shares[2 * n - 1 :], strict=True)
-    )
-    return Contact(place, normal, *values)
+    }
+    return Contact(place, normal, **values, stiffness_given=contact.stiffness_given)
 
 
 def corners(found: Any, bounds: Bounds, decide: Any) -> Iterator[Grasp]:

@@ -22,12 +22,16 @@ from equilibrium.certificate.document import Certificate, certificate
 from equilibrium.certificate.robust import Holding, virtual_motion_problem
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.model.grasp import Grasp
+from equilibrium.plane.states.equilibrium import equilibrium_of
+from equilibrium.plane.states.state_system import state_system
 
 from . import RESISTED
 
 NO_DEADLINE = Deadline()
 #: Choices of holding contacts that are tried.
 MAX_HOLDING_CHOICES = 16
+#: Contacts of an equilibrium without slip that is looked for by an exact program.
+MAX_STANDING_CONTACTS = 40
 #: Directions of friction that are distinguished in space.
 _FRICTION_DIRECTIONS = 16
 #: How much more normal forces than friction change with the balance, for the same wrench.
@@ -47,9 +51,44 @@ def proof_for_all(
         parts = next(_held(grasp, wrench, bounds, deadline), None)
     else:
         parts = _pulled(grasp, wrench, bounds)
-    if parts is None:
+    return None if parts is None else _certificate(found, bounds, parts)
+
+
+def standing_proof(found: Any, bounds: Bounds, weakest: Any) -> Certificate | None:
+    """Return a proof that an equilibrium of a yes within bounds is one of all grasps there, if so.
+
+    In the plane it is looked for where no contact slips. It may have no room in friction cones.
+    """
+    grasp, wrench, at = found.grasp, found.wrench, weakest.solution
+    if at is None or at.box is not None or len(grasp) > MAX_STANDING_CONTACTS:
         return None
-    return certificate(found.verdict, grasp, wrench, bounds=bounds.to_dict(), **_texts(parts))
+    if grasp.dimension == 2:
+        states: Any = ("stick" if x.startswith("slip") else x for x in weakest.states)
+        at = equilibrium_of(state_system(weakest.grasp, tuple(states), wrench))
+        if at is None:
+            return None
+    zeros = (Fraction(0),) * len(wrench)
+    correction = [[zeros] * grasp.dimension] * len(grasp)
+    held = Holding(grasp, wrench, bounds, at.motion, at.forces, correction)
+    if held.problem(zeros, Fraction(0)):
+        return None
+    return _certificate(found, bounds, _parts(held, zeros, Fraction(0)))
+
+
+def _certificate(found: Any, bounds: Bounds, parts: dict[str, Any]) -> Certificate:
+    question = found.verdict, found.grasp, found.wrench
+    return certificate(*question, bounds=bounds.to_dict(), **_texts(parts))
+
+
+def _parts(held: Holding, reach: RationalVector, energy: Fraction) -> dict[str, Any]:
+    """Return the parts of a document."""
+    return {
+        "motion": held.motion,
+        "forces": held.forces,
+        "correction": held.correction,
+        "reach": reach,
+        "energy": energy,
+    }
 
 
 def _held(
@@ -219,13 +258,7 @@ def _corrected(
         energy = _short(float(needed) * _ENLARGED)
     if held.problem(limits, energy):
         return None
-    return {
-        "motion": held.motion,
-        "forces": held.forces,
-        "correction": held.correction,
-        "reach": limits,
-        "energy": energy,
-    }
+    return _parts(held, limits, energy)
 
 
 def _pulled(grasp: Grasp, wrench: RationalVector, bounds: Bounds) -> dict[str, Any] | None:

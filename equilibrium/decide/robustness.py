@@ -30,7 +30,7 @@ from equilibrium.model.unit_normal import unit_normal
 
 from . import RESISTED, UNDECIDED
 from .corners import corners
-from .proofs_for_all import NO_DEADLINE, proof_for_all
+from .proofs_for_all import NO_DEADLINE, proof_for_all, standing_proof
 
 HOLDS = "holds"
 FAILS = "does not hold"
@@ -58,9 +58,11 @@ class _OtherGrasps(ReprMixin):
             `change`, see `_nearest`.
         inner: where it is, a proof of the verdict for all grasps within smaller bounds, if found.
         certificate: of the verdict for all grasps asked about, if it holds.
+        reason: why the search ended early, if the time limit was over; else empty.
     """
 
     verdict: str
+    reason: str = ""
     turned: Any = field(default=None, repr=False)
     change: dict[str, Fraction] = field(default_factory=dict, repr=False)
     inner: Certificate | None = field(default=None, repr=False)
@@ -95,14 +97,12 @@ class Robustness(_OtherGrasps):
     Attributes:
         answer: "holds", "does not hold" or "undecided".
         bounds: of the grasps looked at.
-        reason: why it is undecided, if the time limit is over; else empty.
     """
 
     repr_fields = ("answer", "verdict", "bounds")
 
     answer: str
     bounds: Bounds
-    reason: str = ""
 
     def __bool__(self) -> bool:
         return self.answer == HOLDS
@@ -152,6 +152,8 @@ class WithinError(_OtherGrasps):
         """Return a JSON form."""
         document: dict[str, Any] = {"verdict": self.verdict, "proved": self.proved}
         document |= {"asked": self.asked, "undecided": self.open}
+        if self.reason:
+            document["reason"] = self.reason
         return document | self._turned_document("turned")
 
     def lines(self) -> Iterator[str]:
@@ -161,7 +163,8 @@ class WithinError(_OtherGrasps):
             return
         if self.turned is None:
             left = f", {self.open} of them undecided" if self.open else ""
-            yield f"{self.asked} others within the error of the data: no other verdict{left}"
+            late = f"; {self.reason}" if self.reason else ""
+            yield f"{self.asked} others within the error of the data: no other verdict{left}{late}"
             return
         yield f"{DEPENDS}: {self.turned.verdict} for, within the error of the data,"
         yield from self._turned_lines()
@@ -176,7 +179,7 @@ def _nearest(
     factors of 8 as long as all turn it, then by halves. With the verdict come the largest changes
     of a coordinate, an entry of a normal and the values, and a proof for smaller bounds, if found.
     """
-    ends, effort = (found.grasp, turned.grasp), _effort(deadline)
+    ends, effort = (found.grasp, turned.grasp), effort_within(deadline)
     low, high = Fraction(0), Fraction(1)
     for _ in range(_MAX_GRASPS_BETWEEN):
         if effort.passed or 4 * low > 3 * high:
@@ -193,13 +196,13 @@ def _nearest(
             one, two = (getattr(c, name) for c in (old, new))
             pairs = [(one, two)] if name in VALUES else zip(one, two, strict=True)
             change[name] = max(change[name], *(abs(x - y) for x, y in pairs))
-    return {"turned": turned, "change": change, "inner": _inner(found, bounds, high)}
+    return {"turned": turned, "change": change, "inner": _inner(found, bounds, high, deadline)}
 
 
-def _inner(found: Any, bounds: Bounds, share: Fraction) -> Certificate | None:
+def _inner(found: Any, bounds: Bounds, share: Fraction, deadline: Deadline) -> Certificate | None:
     """Return a proof for bounds below a share of the given ones, if one is found."""
     for k in range(_MAX_SMALLER_BOUNDS if _may_be_proved(found) and _fits_floats(found) else 0):
-        proof = proof_for_all(found, bounds.times(share / 2 / 4**k))
+        proof = proof_for_all(found, bounds.times(share / 2 / 4**k), deadline)
         if proof is not None:
             return proof
     return None
@@ -218,11 +221,12 @@ def _between(one: Grasp, two: Grasp, share: Fraction) -> Grasp:
             normal = unit_normal(mixed(old.normal, new.normal), share * far / 1000).normal
         pairs = ([getattr(c, name) for c in (old, new)] for name in VALUES)
         values = {k: x + share * (y - x) for k, (x, y) in zip(VALUES, pairs, strict=True)}
-        contacts.append(Contact(mixed(old.point, new.point), normal, **values))
+        place, given = mixed(old.point, new.point), old.stiffness_given
+        contacts.append(Contact(place, normal, **values, stiffness_given=given))
     return Grasp(contacts)
 
 
-def within_error(found: Any) -> WithinError:
+def within_error(found: Any, deadline: Deadline = NO_DEADLINE) -> WithinError:
     """Ask again about a converted grasp: prove the verdict for all, or ask about `others`.
 
     Raises:
@@ -230,22 +234,25 @@ def within_error(found: Any) -> WithinError:
     """
     bounds, every = _error_bounds(found.grasp)
     if every and found.verdict != OPEN and _may_be_proved(found) and _fits_floats(found):
-        proof = proof_for_all(found, bounds)
+        proof = proof_for_all(found, bounds, deadline)
         if proof is not None:
             return WithinError(verdict=found.verdict, certificate=proof)
-    asked = left = 0
-    for grasp in others(found):
+    asked, left, reason = 0, 0, ""
+    for grasp in others(found, deadline):
+        if deadline.passed:
+            reason = str(deadline)
+            break
         asked += 1
-        other = _soon(found, Effort(STEPS_PER_GRASP), grasp, found.wrench)
+        other = _soon(found, effort_within(deadline), grasp, found.wrench)
         if other is None:
             left += 1
         elif found.verdict not in (OPEN, other.verdict):
-            turned = _nearest(found, other, bounds)
+            turned = _nearest(found, other, bounds, deadline)
             return WithinError(verdict=DEPENDS, asked=asked, open=left, **turned)
-    return WithinError(verdict=found.verdict, asked=asked, open=left)
+    return WithinError(verdict=found.verdict, asked=asked, open=left, reason=reason)
 
 
-def others(found: Any) -> Iterator[Grasp]:
+def others(found: Any, deadline: Deadline = NO_DEADLINE) -> Iterator[Grasp]:
     """Yield grasps within the error of data: other roundings, and what is most against a yes.
 
     A no is about data whose incidences hold, so what breaks them does not speak against it, unless
@@ -259,9 +266,11 @@ def others(found: Any) -> Iterator[Grasp]:
     against = found.verdict == RESISTED or found.grasp.data_error.as_given
     if against and _fits_floats(found):
         bounds, _ = _error_bounds(found.grasp)
-        yield from corners(
-            found, bounds, lambda *asked: _soon(found, Effort(STEPS_PER_GRASP), *asked)
-        )
+
+        def decide(*asked: Any) -> Any:
+            return _soon(found, effort_within(deadline), *asked)
+
+        yield from corners(found, bounds, decide)
 
 
 def _error_bounds(grasp: Grasp) -> tuple[Bounds, bool]:
@@ -279,7 +288,7 @@ def _error_bounds(grasp: Grasp) -> tuple[Bounds, bool]:
     return Bounds(**given), given == wanted
 
 
-def _effort(deadline: Deadline) -> Effort:
+def effort_within(deadline: Deadline) -> Effort:
     """Return the effort for one grasp, within a time limit."""
     if deadline.seconds is None:
         return Effort(STEPS_PER_GRASP)
@@ -299,13 +308,13 @@ def robust(found: Any, bounds: Bounds, deadline: Deadline = NO_DEADLINE) -> Robu
     """Decide, if possible, whether a verdict holds for all grasps within bounds.
 
     Raises:
-        GraspError: the verdict is about a range of motions and forces, or about pyramids, or its
-            numbers are too large or small for the search in floats.
+        GraspError: the verdict is about bounded displacements, or about pyramids, or its numbers
+            are too large or small for the search in floats.
     """
     if not _may_be_proved(found):
         raise GraspError(
-            "whether a verdict holds for all grasps is decided without a largest turn or force, "
-            "and in space for round cones; leave these out"
+            "whether a verdict holds for all grasps is decided for displacements of any size, "
+            "and in space for round cones; leave max_displacement and pyramid out"
         )
     if not _fits_floats(found):
         raise GraspError(
@@ -320,12 +329,15 @@ def robust(found: Any, bounds: Bounds, deadline: Deadline = NO_DEADLINE) -> Robu
         return answer(answer=HOLDS, certificate=proof)
 
     def decide(grasp: Grasp, wrench: RationalVector) -> Any:
-        return _soon(found, _effort(deadline), grasp, wrench)
+        return _soon(found, effort_within(deadline), grasp, wrench)
 
     for other in corners(found, bounds, decide):
         turned = decide(other, found.wrench)
         if turned is not None and turned.verdict != name:
             return answer(answer=FAILS, **_nearest(found, turned, bounds, deadline))
+        # At the limit: what the weakest grasp balances without room, all of them may.
+        if turned and (proof := standing_proof(found, bounds, turned)):
+            return answer(answer=HOLDS, certificate=proof)
         if deadline.passed:
             return answer(answer=OPEN, reason=str(deadline))
     return answer(answer=OPEN)

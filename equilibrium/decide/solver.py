@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterable, Iterator
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from itertools import chain, repeat
@@ -86,7 +87,8 @@ def solve(
         as_printed: follow the printed text of the paper in these points, and the full model in all
             others; see `equilibrium.decide.as_printed.OPTIONS`. A `PrintedVerdict` is returned, in
             the plane alone, without a certificate; no other option goes with it.
-        time_limit: in seconds, by a clock on the wall. Without one the work is limited, to the same
+        time_limit: in seconds, by a clock on the wall; `Verdict.warnings` and
+            `Verdict.within_error` end then, too. Without one the work is limited, to the same
             steps on every machine (`STEPS`), times `arrangement.limit`. In space the verdict is
             undecided when a limit is reached.
         shorten: in the plane look longer for a smaller proof that nothing balances the wrench.
@@ -209,8 +211,11 @@ class Solver(ReprMixin):
         nodes: int | None = None,
     ) -> Verdict:
         """Decide one wrench; see the function `solve`."""
-        effort = self._usual_effort() if time_limit is None else Effort(seconds=time_limit)
-        return self.decide(wrench, effort, shorten=shorten, nodes=nodes)
+        if time_limit is None:
+            return self.decide(wrench, self._usual_effort(), shorten=shorten, nodes=nodes)
+        effort = Effort(seconds=time_limit)
+        verdict = self.decide(wrench, effort, shorten=shorten, nodes=nodes)
+        return replace(verdict, _deadline=effort)
 
     def decide(
         self,

@@ -11,7 +11,7 @@ neither proof may close: then the answer is "undecided".
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -32,13 +32,14 @@ from equilibrium.model.displacement import (
     warning,
 )
 from equilibrium.model.effort import Effort
-from equilibrium.model.errors import UndecidedError
+from equilibrium.model.errors import TimeLimitError, UndecidedError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Open, Outcome, Solution, Tree
 from equilibrium.plane.states.contact_states import states_at
 from equilibrium.plane.states.equilibrium import Equilibrium
 
 from . import NOT_RESISTED, RESISTED, UNDECIDED, robustness
+from .proofs_for_all import NO_DEADLINE
 from .robustness import DEPENDS, Robustness, WithinError
 
 if TYPE_CHECKING:
@@ -73,6 +74,7 @@ class Verdict(HintsMixin):
     pyramid: int | None = None
     reason: str = ""
     residual: float = 0.0
+    _deadline: Deadline = field(default=NO_DEADLINE, repr=False, compare=False)
 
     _synonyms: ClassVar[Mapping[str, str]] = {
         "check": "verify()",
@@ -260,7 +262,8 @@ class Verdict(HintsMixin):
 
     def again(self, grasp: Grasp, wrench: Iterable[Any], effort: Effort) -> Verdict:
         """Decide another question in the same way, with the effort that is left."""
-        return self._solver.for_grasp(grasp).decide(wrench, effort)
+        found = self._solver.for_grasp(grasp).decide(wrench, effort)
+        return replace(found, _deadline=self._deadline)
 
     @cached_property
     def warnings(self) -> tuple[str, ...]:
@@ -279,16 +282,21 @@ class Verdict(HintsMixin):
         Returns:
             the verdict; "undecided" where the steps do not do.
         """
-        solver, effort = self._solver.within(max_displacement), Effort(robustness.STEPS_PER_GRASP)
+        solver, effort = (
+            self._solver.within(max_displacement),
+            robustness.effort_within(self._deadline),
+        )
         try:
             return solver.decide(self.wrench, effort).verdict
-        except OutOfReachError:
+        except (OutOfReachError, TimeLimitError):
             return UNDECIDED
 
     @cached_property
     def rounding(self) -> WithinError | None:
         """What other grasps within the error of converted data say; None of exact data."""
-        return None if self.grasp.data_error is None else robustness.within_error(self)
+        if self.grasp.data_error is None:
+            return None
+        return robustness.within_error(self, self._deadline)
 
     @property
     def answer(self) -> str:
@@ -313,6 +321,8 @@ class Verdict(HintsMixin):
 
     def within_error(self) -> WithinError:
         """Ask about other grasps within the error of the data that this one was converted from.
+
+        A time limit of `solve` counts for this, too.
 
         Raises:
             GraspError: it was not converted.

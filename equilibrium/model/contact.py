@@ -94,20 +94,20 @@ class Contact(ReprMixin):
                 f"point has {len(place)} coordinates and normal has {len(inward)}; give two for "
                 "both, in the plane, or three, in space"
             )
+        spring = rational(1 if stiffness is None else stiffness, "stiffness")
         if stiffness_given is None:
             stiffness_given = stiffness is not None
         values = {
             "point": place,
             "normal": inward,
             "friction": rational(friction, "friction"),
-            "stiffness": rational(1 if stiffness is None else stiffness, "stiffness"),
+            "stiffness": spring,
             "preload": rational(preload, "preload"),
             "tangent": _tangent(inward)
             if tangent is None or len(inward) == 2
             else _checked_tangent(inward, tangent),
-            "stiffness_given": stiffness is not None
-            if stiffness_given is None
-            else stiffness_given,
+            # Copies with another stiffness repeat the mark of the contact that they come from.
+            "stiffness_given": stiffness_given or spring != 1,
         }
         for name, value in values.items():
             object.__setattr__(self, name, value)
@@ -165,12 +165,17 @@ class Contact(ReprMixin):
         return tuple(wrench_at(self.point, tangent) for tangent in self.tangents)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return the file form of the contact; every number is a string."""
+        """Return the file form of the contact; every number is a string.
+
+        A stiffness that was not given is left out, so that what reads it knows.
+        """
         names = ["point", "normal"]
         if self.tangent != _tangent(self.normal):
             names.append("tangent")
         vectors = {name: list(map(to_text, getattr(self, name))) for name in names}
-        return vectors | {name: to_text(getattr(self, name)) for name in VALUES}
+        left_out = () if self.stiffness_given else ("stiffness",)
+        values = {name: to_text(getattr(self, name)) for name in VALUES if name not in left_out}
+        return vectors | values
 
 
 def contact_of(entry: Any, index: int) -> Contact:

@@ -3,6 +3,7 @@
 import io
 import json
 import math
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -28,6 +29,8 @@ from equilibrium.grasps.inputs import (
 )
 from equilibrium.grasps.inputs.csv_file import parse_csv, tangential_arrangement
 from equilibrium.grasps.inputs.documents import read_any
+from equilibrium.grasps.inputs.incidences import other_rounding
+from equilibrium.model.labels import DataError
 from equilibrium.scenes import EngineScene, document_text
 
 TRIANGLE = [(0, 0), (4, 0), (0, 3)]
@@ -322,9 +325,40 @@ def test_tables_are_their_tangential_planes_for_arrangements(capsys, monkeypatch
     assert json.loads(capsys.readouterr().out)["planes"] == 3
 
 
+@pytest.mark.parametrize("known", [False, True])
+def test_conversions_know_whether_the_stiffness_was_given(known, tmp_path):
+    one = {"stiffness": 1} if known else {}
+    entry = {"point": [0.5, 0], "normal": [0, 1], "friction": 0.5, **one}
+    place = {"edge": 0, "at": "1/2", "friction": "1/2", **one}
+    corners = [["0", "0"], ["1", "0"], ["0", "1"]]
+    table = tmp_path / "grasp.csv"
+    table.write_text(f"x,y,nx,ny,mu{',k' * known}\n0.5,0,0.3,1,0.5{',1' * known}\n")
+    path = tmp_path / "grasp.json"
+    for made in (
+        from_float_data([[0.5, 0]], [[0.3, 1]], 0.5, **one),
+        read_float_data({"schema_version": 1, "contacts": [entry]}),
+        read_float_data(table),
+        read_csv(table),
+        from_polygon(corners, [OnEdge(0, "1/2")], "1/2", **one),
+        read_polygon({"schema_version": 1, "polygon": corners, "places": [place]}),
+        on_circle(1, "1/2", **one),
+    ):
+        made.grasp.save(path)
+        for grasp in (made.grasp, read_grasp(path), other_rounding_of(made.grasp)):
+            assert [c.stiffness_given for c in grasp] == [known]
+
+
+def other_rounding_of(grasp):
+    """Return a grasp within the error of data, with all values kept."""
+    exact = replace(
+        grasp, data_error=DataError(Fraction(1, 10**6), Fraction(1, 10**6), Fraction(0))
+    )
+    return other_rounding(exact, 0)
+
+
 def test_commands_take_tables_and_round_normals_on_demand(capsys, tmp_path):
     table, slanted = tmp_path / "grasp.csv", tmp_path / "grasp.json"
-    table.write_text("x;y;nx;ny;mu;q\n-1;0;2;0;1/2;1\n0;-1;0;1;1/2;1\n1;0;-1;0;1/2;1\n")
+    table.write_text("x;y;nx;ny;mu;k;q\n-1;0;2;0;.5;1;1\n0;-1;0;1;1/2;1;1\n1;0;-1;0;1/2;1;1\n")
     document = read_grasp("paper-three-contacts-preload-1").to_dict()
     document["contacts"][0]["normal"] = ["3", "1e-9"]
     slanted.write_text(json.dumps(document))

@@ -161,12 +161,59 @@ def test_a_virtual_motion_holds_just_up_to_the_friction_cone(friction, bounds, h
     assert virtual_motion_problem(grasp, load, Bounds(degrees=1, **bounds), virtual)
 
 
+def at_the_limit(force="0.45", friction="10%", *, motion=(0, 0, 0), **more):
+    """Two contacts of friction 1/2 and normal force 1 that hold twice a friction force at rest."""
+    grasp = Grasp([Contact([-1, 0], [1, 0], "1/2", 1, 1), Contact([1, 0], [-1, 0], "1/2", 1, 1)])
+    force, zeros = Fraction(force), (Fraction(0),) * 3
+    forces = [(Fraction(more.pop("normal", 1)), force), (Fraction(1), -force)]
+    wrench = (Fraction(0), Fraction(more.pop("load", -2 * force)), Fraction(0))
+    moved = tuple(map(Fraction, motion))
+    bounds = Bounds(friction=friction, **more)
+    held = Holding(grasp, wrench, bounds, moved, forces, [[zeros] * 2] * 2)
+    return held.problem(zeros, Fraction(0))
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({}, ""),
+        ({"stiffness": "50%"}, ""),
+        ({"force": "0.4500001"}, "no room in the friction cone"),
+        ({"friction": "10.00001%"}, "no room in the friction cone"),
+        ({"motion": (0, "1/1000", 0)}, "no equilibrium"),
+        ({"force": "0.3", "motion": ("1/1000", 0, 0)}, "no equilibrium"),
+        ({"force": "0.3", "preload": "1/1000"}, "no equilibrium"),
+        ({"degrees": "1/1000"}, "balance"),
+        ({"length": "1/1000"}, "balance"),
+        ({"load": "0.90001"}, "balance"),
+        ({"normal": "1.1"}, "balance"),
+    ],
+)
+def test_an_equilibrium_at_rest_needs_no_room(changes, words):
+    problem = at_the_limit(**changes)
+    assert words in problem
+    assert bool(words) == bool(problem)
+
+
+def test_contacts_that_press_less_than_nothing_are_at_no_rest():
+    """Without friction any force along the normal is in the cone, but one that pulls."""
+    zeros = (Fraction(0),) * 3
+    grasp = Grasp([Contact([0, 0], [0, 1], 0, 1, 1)])
+    for motion, force in ((0, 1), (2, -1), (1, 0)):
+        asked = (0, -force, 0), Bounds(friction="10%"), (0, motion, 0), [(force, 0)]
+        held = Holding(grasp, *asked, [[zeros] * 2])
+        assert bool(held.problem(zeros, Fraction(0))) == (force < 0)
+
+
 @cache
 def genuine_text(name):
     """Return a proof for all within half a degree and five per cent."""
     if name == "no":
         grasp = Grasp([Contact([0, -1], [0, 1], "1/2"), Contact([1, -1], [0, 1], "1/2")])
         wrench = (0, 1, 0)
+    elif name == "limit":
+        grasp, wrench = read_grasp("paper-four-contacts-preload-1"), (0, "9/5", 0)
+        return solve(grasp, wrench).robust(friction="10%").certificate.text
     elif name == "space":
         grasp, wrench = read_grasp("two-opposed-fingers"), (0, 0, "-1/2", 0, 0, 0)
     else:
@@ -212,6 +259,13 @@ def with_share(key, share):
                 lambda d: d | {"bounds": {"length": "3"}},
             )
         ),
+        ("limit", with_share("wrench", "1.0001")),
+        ("limit", with_share("forces", "0.9999")),
+        ("limit", lambda d: d | {"energy": "1/1000000"}),
+        ("limit", lambda d: d | {"reach": ["1/1000000"] * 3}),
+        ("limit", lambda d: d | {"motion": ["0", "0", "1/1000000"]}),
+        ("limit", lambda d: d | {"bounds": {"friction": "10.0001%"}}),
+        ("limit", lambda d: d | {"bounds": {"friction": "10%", "degrees": "1/1000000"}}),
         ("space", lambda d: d | {"wrench": ["0", "0", "-1/2", "1/10", "0", "0"]}),
         ("space", lambda d: d | {"bounds": {"length": "1/1000000"}}),
         ("no", with_share("wrench", -1)),

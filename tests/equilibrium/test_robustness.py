@@ -201,6 +201,19 @@ class TestRobust:
         assert report
         assert (report.kind, report.bounds) == ("resisted", found.bounds)
 
+    @pytest.mark.parametrize("name", ["jaws", "pads"])
+    def test_loads_at_the_limit_of_the_least_friction_hold(self, name):
+        grasp, most = EVERY_DAY[name]
+        for share, answer in ((Fraction(9, 10), "holds"), (Fraction(901, 1000), "does not hold")):
+            wrench = tuple(share * x for x in most)
+            found = solve(grasp, wrench).robust(friction="10%")
+            assert found.answer == answer
+        assert (
+            solve(grasp, [Fraction(9, 10) * x for x in most])
+            .robust(friction="10%")
+            .certificate.verify()
+        )
+
     @pytest.mark.parametrize("degrees", [1, "1/2", "1/4", "1/10"])
     def test_jaws_hold_a_twentieth_of_their_limit_within_degrees(self, degrees):
         assert solve(read_grasp(JAWS), (0, "1/10", 0)).robust(degrees=degrees)
@@ -310,7 +323,7 @@ class TestRobust:
     def test_bounded_or_pyramid_verdict_not_robust(self):
         pyramids = solve(Grasp(SPATIAL), (0, 0, 1, 0, 0, 0), pyramid=4)
         for verdict in (pyramids, solve(self.grasp, (0, 1, 0), max_displacement=1)):
-            with pytest.raises(GraspError, match="leave these out"):
+            with pytest.raises(GraspError, match="leave max_displacement and pyramid out"):
                 verdict.robust(friction="1%")
 
     @pytest.mark.parametrize(
@@ -359,6 +372,27 @@ class TestRobust:
         asked = ["solve", JAWS, "--wrench", "0", "39/20", "0", "--robust", "degrees=1"]
         assert main([*asked, "--time-limit", "2"]) == 3
         assert "undecided; time limit of 2 s" in capsys.readouterr().out
+
+    def test_the_time_limit_ends_questions_within_the_error_of_data(
+        self, capsys, monkeypatch, tmp_path
+    ):
+        path = tmp_path / "disc.json"
+        path.write_text(json.dumps(on_round(as_given=True).grasp.to_dict()))
+        asked = ["solve", str(path), "--wrench", "0", "0", "1", "--time-limit"]
+        assert main([*asked, "9", "--json"]) == 3
+        assert "reason" not in json.loads(capsys.readouterr().out)["within_error"]
+        found = solve(read_grasp(path), (0, 0, 1))
+        now = itertools.count()
+        monkeypatch.setattr(deadline, "clock", lambda: next(now))
+        late = solve(read_grasp(path), (0, 0, 1), time_limit=10**6)
+        next_look = next(now)
+        now = itertools.count(next_look + 10**6)
+        assert (late.verdict, late.answer) == (found.verdict, found.verdict)
+        assert late.within_error().asked == 0
+        assert late.within_error().reason == "time limit of 1e+06 s"
+        lines = list(late.within_error().lines())
+        assert lines[0].endswith("no other verdict; time limit of 1e+06 s")
+        assert late.to_dict()["within_error"]["reason"] == "time limit of 1e+06 s"
 
     @pytest.mark.parametrize("pace", [Fraction(1, 100), 100])
     def test_answers_do_not_depend_on_the_clock(self, pace, monkeypatch):

@@ -122,6 +122,22 @@ def test_bad_documents_fail_both(document):
     assert not VALIDATOR.is_valid(document)
 
 
+def test_stiffness_that_was_not_given_is_not_written():
+    bare = Grasp([Contact(("0", 0), (1, 0), "1/2"), Contact((1, 0), (-1, 0), "1/2", preload=1)])
+    known = Grasp(replace(c, stiffness_given=True) for c in bare)
+    for grasp, written in ((bare, False), (known, True)):
+        document = grasp.to_dict()
+        assert VALIDATOR.is_valid(document)
+        assert ["stiffness" in entry for entry in document["contacts"]] == [written] * 2
+        again = read_grasp(document)
+        assert again == bare
+        assert [c.stiffness_given for c in again] == [written] * 2
+        proof = solve(grasp, (0, 0, 0)).certificate
+        assert proof.text == solve(known, (0, 0, 0)).certificate.text
+    stiff = replace(bare.contacts[0], stiffness=Fraction(3))
+    assert stiff.to_dict()["stiffness"] == "3"
+
+
 def test_what_is_written_and_what_ships_passes():
     for seed in range(5):
         assert VALIDATOR.is_valid(random_grasp(4, seed).to_dict())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -158,10 +158,26 @@ def contact_values(
     preload: Any,
     read: Callable[[Any, str], Any] = rational,
 ) -> list[dict[str, Any]]:
-    """Return the values of each contact by name, from one for all or a sequence of each kind."""
-    given = zip(VALUES, (friction, stiffness, preload), strict=True)
+    """Return the values of each contact by name, from one for all or a sequence of each kind.
+
+    Args:
+        stiffness: None where it is not given.
+    """
+    known = stiffness is not None
+    given = zip(VALUES, (friction, stiffness if known else 1, preload), strict=True)
     columns = [[read(x, y) for x, y in _for_each(value, number, name)] for name, value in given]
-    return [dict(zip(VALUES, row, strict=True)) for row in zip(*columns, strict=True)]
+    rows = (dict(zip(VALUES, row, strict=True)) for row in zip(*columns, strict=True))
+    return [{**row, "stiffness_given": known} for row in rows]
+
+
+def value_columns(contacts: Sequence[Mapping[str, Any]]) -> dict[str, list[Any]]:
+    """Return the columns of values of entries of a document; friction, and what some entry has."""
+    defaults = {"stiffness": 1, "preload": 0}
+    return {
+        name: [entry.get(name, defaults.get(name)) for entry in contacts]
+        for name in VALUES
+        if name == "friction" or any(name in entry for entry in contacts)
+    }
 
 
 def _for_each(value: Any, number: int, name: str) -> list[tuple[Any, str]]:

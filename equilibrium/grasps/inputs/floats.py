@@ -35,7 +35,7 @@ from equilibrium.grasps.files import read_contacts
 from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
 
-from .conversion import DEFAULT_TOLERANCE, Conversion, contact_values
+from .conversion import DEFAULT_TOLERANCE, Conversion, contact_values, value_columns
 from .csv_file import each_line, parts_of
 from .incidences import check_number, converted
 from .rounding import equal_numbers, rounding
@@ -50,7 +50,7 @@ def from_float_data(
     normals: Iterable[Any],
     friction: Any,
     *,
-    stiffness: Any = 1,
+    stiffness: Any = None,
     preload: Any = 0,
     tolerance: Any = DEFAULT_TOLERANCE,
     angle_tolerance: Any = DEFAULT_TOLERANCE,
@@ -66,7 +66,8 @@ def from_float_data(
     Args:
         points: (m, 2) contact points, (m, 3) in space.
         normals: (m, 2) or (m, 3) directions into the object, of any length.
-        friction, stiffness, preload: one for all or one for each contact.
+        friction, stiffness, preload: one for all or one for each contact; a stiffness that is
+            not given is 1.
         tolerance: largest change of a coordinate, and of a friction, stiffness or preload; where
             all of one of these three are below 1, this share of the largest of them.
         angle_tolerance: largest tangent of the change of a normal's direction.
@@ -181,12 +182,11 @@ def _columns(document: Mapping[str, Any]) -> dict[str, Any]:
         check_keys(entry, ("point", "normal", VALUES[0]), VALUES[1:], f"contacts[{i}]")
         for i, entry in enumerate(check_list(document["contacts"], "contacts"))
     ]
-    defaults = {"stiffness": 1, "preload": 0}
     return {
         "schema_version": document["schema_version"],
         "points": [entry["point"] for entry in contacts],
         "normals": [entry["normal"] for entry in contacts],
-        **{key: [entry.get(key, defaults.get(key)) for entry in contacts] for key in VALUES},
+        **value_columns(contacts),
     }
 
 

@@ -140,8 +140,13 @@ def other_rounding(grasp: Grasp, seed: int) -> Grasp:
         near = equal_numbers(given, error.value, replace(how, key=name))
         columns[name] = [max(x, y / 2) if y else y for x, y in zip(near, given, strict=True)]
     return Grasp(
-        Contact(places[i], units[i].normal, *(columns[name][i] for name in VALUES))
-        for i in range(len(grasp))
+        Contact(
+            places[i],
+            units[i].normal,
+            **{name: column[i] for name, column in columns.items()},
+            stiffness_given=contact.stiffness_given,
+        )
+        for i, contact in enumerate(grasp)
     )
 
 

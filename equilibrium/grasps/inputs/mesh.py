@@ -133,7 +133,7 @@ def on_mesh(
     facing: Iterable[Any] | None = None,
     smooth: bool = False,
     max_distance: Any = Fraction(1, 20),
-    stiffness: Any = 1,
+    stiffness: Any = None,
     preload: Any = 0,
     angle_tolerance: Any = DEFAULT_TOLERANCE,
     as_given: bool = False,
@@ -146,7 +146,8 @@ def on_mesh(
 
     Args:
         path: an STL, OBJ, PLY or GLB file, of a closed surface; facets without area are left out.
-        friction, stiffness, preload: one for all or one for each contact.
+        friction, stiffness, preload: one for all or one for each contact; a stiffness that is
+            not given is 1.
         at: points, exact.
         random: how many more places are drawn, evenly over the surface; the same for each seed.
         facing: draw only where the outward normal is within 45 degrees of this direction.

@@ -23,7 +23,14 @@ from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Circle, Polygon, coordinates
 
-from .conversion import DEFAULT_TOLERANCE, Conversion, assembled, contact_values, unit_normals
+from .conversion import (
+    DEFAULT_TOLERANCE,
+    Conversion,
+    assembled,
+    contact_values,
+    unit_normals,
+    value_columns,
+)
 from .incidences import converted
 from .rounding import rounding
 
@@ -34,7 +41,7 @@ def on_circle(
     *,
     radius: Any = 1,
     centre: Iterable[Any] = (0, 0),
-    stiffness: Any = 1,
+    stiffness: Any = None,
     preload: Any = 0,
     angle_tolerance: Any = DEFAULT_TOLERANCE,
 ) -> Conversion:
@@ -47,7 +54,8 @@ def on_circle(
     Args:
         angles: degrees, counter-clockwise from the x axis; or a number m of contacts, evenly
             spread from angle 0.
-        friction, stiffness, preload: one for all or one for each contact.
+        friction, stiffness, preload: one for all or one for each contact; a stiffness that is
+            not given is 1.
         radius: above 0.
         centre: of the circle.
 
@@ -111,7 +119,7 @@ def from_polygon(
     places: Iterable[OnEdge | Iterable[Any]],
     friction: Any,
     *,
-    stiffness: Any = 1,
+    stiffness: Any = None,
     preload: Any = 0,
     angle_tolerance: Any = DEFAULT_TOLERANCE,
     tolerance: Any = DEFAULT_TOLERANCE,
@@ -123,7 +131,8 @@ def from_polygon(
         vertices: at least three corners in either orientation, exact (see `from_floats`).
         places: for each contact an `OnEdge`, or its coordinates, which must lie exactly on the
             boundary and not in a corner.
-        friction, stiffness, preload: one for all or one for each contact.
+        friction, stiffness, preload: one for all or one for each contact; a stiffness that is
+            not given is 1.
         angle_tolerance: an edge whose length is not rational has no exactly unit rational normal;
             the nearest simple one within this is taken and the error reported.
         tolerance, as_given: as in `read_csv`, where normals are rounded.
@@ -265,8 +274,8 @@ def read_polygon(source: Source, **options: Any) -> Conversion:
         for i, v in enumerate(check_list(document["polygon"], "polygon"))
     ]
     places: list[OnEdge | list[Any]] = []
-    columns: dict[str, Any] = {name: [] for name in VALUES}
-    for i, entry in enumerate(check_list(document["places"], "places")):
+    listed = check_list(document["places"], "places")
+    for i, entry in enumerate(listed):
         name = f"places[{i}]"
         on_edge = isinstance(entry, Mapping) and "edge" in entry
         required = ("edge", "at", "friction") if on_edge else ("point", "friction")
@@ -274,6 +283,5 @@ def read_polygon(source: Source, **options: Any) -> Conversion:
         places.append(
             OnEdge(entry["edge"], entry["at"]) if on_edge else check_list(entry["point"], name, 2)
         )
-        for column, default in (("friction", None), ("stiffness", 1), ("preload", 0)):
-            columns[column].append(entry.get(column, default))
-    return from_polygon(vertices, places, **columns, **options)
+    values: dict[str, Any] = value_columns(listed)
+    return from_polygon(vertices, places, **values, **options)
