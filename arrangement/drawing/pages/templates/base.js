@@ -57,12 +57,53 @@ function showHead() {
   at("print")?.addEventListener("click", () => window.print());
 }
 
-// What keys stand for, where neither Ctrl nor Alt nor Meta is held.
-function onKeys(view, keys) {
-  view.addEventListener("keydown", (event) => {
-    const action = event.ctrlKey || event.metaKey || event.altKey ? null : keys[event.key];
+// Steps to the right and up.
+const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+/** @type {(action: (x: number, y: number) => void) => Record<string, () => void>} */
+const arrowKeys = (action) => Object.fromEntries(Object.entries(ARROWS).map(([key, [x, y]]) => [key, () => action(x, y)]));
+
+// What keys stand for, where neither Ctrl nor Alt nor Meta is held; `first(event)` may return an action that goes first.
+/** @type {(view: Element, keys: Record<string, () => void>, first?: (event: KeyboardEvent) => (() => void) | null) => void} */
+function onKeys(view, keys, first = () => null) {
+  view.addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const action = first(event) ?? keys[event.key];
     if (action) { event.preventDefault(); action(); }
   });
+}
+
+// Drags and clicks on a view, by one pointer: a second finger is left alone. `hold(event)` returns what is held, an
+// object, or null; `drag(held, event)` gets it with dx and dy, the pixels since the last time; then come
+// `click(event)`, if it was none, and `end(held)`.
+/** @type {(view: Element, does: { hold?: (event: any) => object | null, drag: (held: any, event: any) => void, click?: (event: any) => void, end?: (held: any) => void }) => void} */
+function onDrag(view, { hold: begin = () => ({}), drag, click = () => {}, end = () => {} }) {
+  let held = null;
+  view.addEventListener("pointerdown", (/** @type {PointerEvent} */ event) => {
+    if (!event.isPrimary || event.button) return;
+    const what = begin(event);
+    if (!what) return;
+    held = { ...what, x: event.clientX, y: event.clientY, moved: false };
+    view.setPointerCapture(event.pointerId);
+    view.classList.add("held");
+  });
+  view.addEventListener("pointermove", (/** @type {PointerEvent} */ event) => {
+    if (!held || !event.isPrimary) return;
+    const [dx, dy] = [event.clientX - held.x, event.clientY - held.y];
+    held.moved ||= Math.hypot(dx, dy) > 3;
+    if (!held.moved) return;
+    Object.assign(held, { dx, dy, x: event.clientX, y: event.clientY });
+    drag(held, event);
+  });
+  const done = (event) => {
+    if (!held || !event.isPrimary) return;
+    const last = held;
+    held = null;
+    view.classList.remove("held");
+    if (!last.moved && event.type === "pointerup") click(event);
+    end(last);
+  };
+  view.addEventListener("pointerup", done);
+  view.addEventListener("pointercancel", done);
 }
 
 /** @type {(x: number) => string} */ const fixed = (x) => (Math.round(x * 100) / 100).toString();

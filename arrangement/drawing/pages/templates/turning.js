@@ -32,42 +32,20 @@ function underPointer(view, event) {
   return kind && view.contains(element) ? { kind, id: Number(id) } : null;
 }
 
-/** @type {(view: SVGSVGElement, keys: object, found?: (view: Element, event: PointerEvent) => any) => void} */
+/** @type {(view: SVGSVGElement, keys: Record<string, () => void>, found?: (view: Element, event: PointerEvent) => any) => void} */
 function listenToTurns(view, keys, found = underPointer) {
-  let held = null;
-  view.addEventListener("pointerdown", (event) => {
-    if (!event.isPrimary || event.button) return;
-    held = { x: event.clientX, y: event.clientY, moved: 0 };
-    view.setPointerCapture(event.pointerId);
-    view.classList.add("held");
+  onDrag(view, {
+    drag({ dx, dy }) {
+      const scale = 1 / (RADIUS * view.getScreenCTM().a);
+      state.under = null;
+      rotate(dx * scale, dy * scale);
+    },
+    click: (event) => keep(found(view, event)),
   });
-  view.addEventListener("pointermove", (event) => {
-    if (!held) {
-      const under = found(view, event);
-      if (!same(under, state.under)) { state.under = under; refresh(); }
-      return;
-    }
-    const [dx, dy] = [event.clientX - held.x, event.clientY - held.y];
-    held.moved += Math.hypot(dx, dy);
-    if (held.moved < 4) return;
-    const scale = 1 / (RADIUS * view.getScreenCTM().a);
-    state.under = null;
-    rotate(dx * scale, dy * scale);
-    Object.assign(held, { x: event.clientX, y: event.clientY });
-  });
-  const release = (event) => {
-    if (held && held.moved < 4 && event.type === "pointerup") keep(found(view, event));
-    held = null;
-    view.classList.remove("held");
-  };
-  view.addEventListener("pointerup", release);
-  view.addEventListener("pointercancel", release);
-  view.addEventListener("pointerleave", () => { state.under = null; refresh(); });
-  onKeys(view, {
-    ArrowLeft: () => rotate(-0.1, 0), ArrowRight: () => rotate(0.1, 0),
-    ArrowUp: () => rotate(0, -0.1), ArrowDown: () => rotate(0, 0.1),
-    Home: goHome, Escape: () => keep(null), ...keys,
-  });
+  const point = (under) => { if (!same(under, state.under)) { state.under = under; refresh(); } };
+  view.addEventListener("pointermove", (event) => { if (!view.classList.contains("held")) point(found(view, event)); });
+  view.addEventListener("pointerleave", () => point(null));
+  onKeys(view, { ...arrowKeys((x, y) => rotate(0.1 * x, -0.1 * y)), Home: goHome, Escape: () => keep(null), ...keys });
 }
 
 function listenToTurningHead() {

@@ -36,13 +36,7 @@ function paintMap(which) {
     return path;
   });
   view.addEventListener("pointerleave", () => { state.under = null; refresh(); });
-  view.addEventListener("keydown", (event) => {
-    const step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
-    const now = paths.indexOf(document.activeElement);
-    if (!step || now < 0) return;
-    event.preventDefault();
-    paths[(now + step + paths.length) % paths.length].focus();
-  });
+  onKeys(view, arrowKeys((x, y) => paths[(paths.indexOf(document.activeElement) + x - y + paths.length) % paths.length].focus()));
   const ghost = draw("g", { class: "ghost", transform: `scale(${SCALE / data.half / UNIT})` });
   below.after(ghost);
   if (data.outline) paintBody(ghost);

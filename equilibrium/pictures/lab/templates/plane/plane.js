@@ -1,17 +1,10 @@
 // The plane of forces at the torque of the load.
-// Half the sides of the drawing; the smaller one always has the same length.
-const SIDE = 118;
-let [WIDE, HIGH] = [150, SIDE];
 const CODES = { stick: "●", "slip+": "+", "slip-": "−", detached: "○" };
 
 const outline = (corners) => `M${corners.map((p) => onPaper(p).map(fixed).join(",")).join("L")}Z`;
 
 // A rectangle of the plane, somewhat larger than what is seen.
-function seen() {
-  const [w, h] = [(1.15 * WIDE) / scale(), (1.15 * HIGH) / scale()];
-  const [x, y] = state.middle;
-  return [[x - w, y - h], [x + w, y - h], [x + w, y + h], [x - w, y + h]];
-}
+const seen = () => cornersOf(frame(1.15));
 
 const stuck = (piece) => Math.min(3, piece.states.filter((s) => s === "stick").length);
 const codeOf = (states) => states.map((s) => CODES[s]).join("");
@@ -85,9 +78,8 @@ function paintGrid(view, layer) {
   const step = digit * 10 ** exponent;
   const label = (k) => (exponent < 0 ? (k * step).toFixed(-exponent) : String(k * step)).replace("-", "−");
   for (const axis of [0, 1]) {
-    const reach = (axis ? HIGH : WIDE) / scale();
-    const from = Math.ceil((state.middle[axis] - reach) / step);
-    const to = Math.floor((state.middle[axis] + reach) / step);
+    const { low, high } = frame();
+    const [from, to] = [Math.ceil(low[axis] / step), Math.floor(high[axis] / step)];
     for (let k = from; k <= to; k += 1) {
       const place = onPaper(axis ? [0, k * step] : [k * step, 0])[axis];
       const d = axis ? `M${-WIDE},${fixed(place)}H${WIDE}` : `M${fixed(place)},${-HIGH}V${HIGH}`;
@@ -125,11 +117,8 @@ function paintCode(view, [x, y], states, size, passes) {
 }
 
 function clippedToSight(corners) {
-  const [w, h] = [WIDE / scale(), HIGH / scale()];
-  const [x, y] = state.middle;
-  let left = corners;
-  for (const row of [[1, 0, w - x], [-1, 0, w + x], [0, 1, h - y], [0, -1, h + y]]) left = cut(left, row, 0);
-  return left;
+  const { low, high } = frame();
+  return [[1, 0, -low[0]], [-1, 0, high[0]], [0, 1, -low[1]], [0, -1, high[1]]].reduce((left, row) => cut(left, row, 0), corners);
 }
 
 // Whether a point of the paper is in a convex polygon, or nearly.
@@ -206,7 +195,8 @@ function rounded(value) {
 function fit() {
   const { width, height } = at("plane").getBoundingClientRect();
   const least = Math.min(width, height) || 1;
-  [WIDE, HIGH] = [(SIDE * (width || 1)) / least, (SIDE * (height || 1)) / least];
-  at("plane").setAttribute("viewBox", `${-WIDE} ${-HIGH} ${2 * WIDE} ${2 * HIGH}`);
+  const [wide, high] = [(SIDE * (width || 1)) / least, (SIDE * (height || 1)) / least];
+  at("plane").setAttribute("viewBox", `${-wide} ${-high} ${2 * wide} ${2 * high}`);
+  readSides();
   refresh();
 }

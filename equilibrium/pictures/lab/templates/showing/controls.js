@@ -5,33 +5,25 @@ const stepped = (row, way) => row.map((x, k) => plus(x, ratio(BigInt(way[k]), Bi
 
 function dragGrasp() {
   const view = at("grasp");
-  let held = null;
-  view.addEventListener("pointerdown", (event) => {
-    const element = event.target.closest("[data-grip]");
-    if (!element || event.button) return;
-    event.preventDefault();
-    held = { name: element.dataset.grip, matrix: matrixOf(view) };
-    hold();
-    view.setPointerCapture(event.pointerId);
-    const [kind, i] = held.name.split("-");
-    if (i !== undefined) state.chosen = Number(i);
-    element.focus();
-    held.kind = kind;
+  onDrag(view, {
+    hold(event) {
+      const element = event.target.closest("[data-grip]");
+      if (!element) return null;
+      event.preventDefault();
+      hold();
+      const name = element.dataset.grip;
+      const [kind, i] = name.split("-");
+      if (i !== undefined) state.chosen = Number(i);
+      element.focus();
+      return { name, kind, matrix: matrixOf(view) };
+    },
+    drag: (held, event) => edit(() => dragTo(held, place(view, event, held.matrix).map((c) => c / UNIT))),
+    end({ name }) {
+      state.focus = name;
+      release();
+      refresh();
+    },
   });
-  view.addEventListener("pointermove", (event) => {
-    if (!held) return;
-    const p = place(view, event, held.matrix).map((c) => c / UNIT);
-    edit(() => dragTo(held, p));
-  });
-  const end = () => {
-    if (!held) return;
-    state.focus = held.name;
-    held = null;
-    release();
-    refresh();
-  };
-  view.addEventListener("pointerup", end);
-  view.addEventListener("pointercancel", end);
   view.addEventListener("click", (event) => {
     if (event.target.closest("[data-grip]")) return;
     const p = place(view, event).map((c, k) => (c / UNIT) * data.size + data.centre[k]);
@@ -39,7 +31,7 @@ function dragGrasp() {
   });
   // A finger on a grip moves it; elsewhere it scrolls the page.
   view.addEventListener("touchstart", (event) => { if (event.target.closest("[data-grip]")) event.preventDefault(); }, { passive: false });
-  view.addEventListener("keydown", keyOnGrip);
+  onKeys(view, {}, gripKey);
 }
 
 // Moves what is held to a place on paper, snapped to exact numbers.
@@ -65,20 +57,19 @@ function dragTo({ kind, name }, p) {
   }
 }
 
-function keyOnGrip(event) {
-  const element = event.target.closest("[data-grip]");
-  if (!element || event.ctrlKey || event.metaKey || event.altKey) return;
+// What a key does to the grip that has the focus.
+function gripKey({ key, target }) {
+  const element = target.closest("[data-grip]");
+  if (!element) return null;
   const [kind, text] = element.dataset.grip.split("-");
   const i = Number(text);
-  const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1], "[": [0, 1], "]": [0, -1] };
-  const way = ways[event.key];
-  const remove = ["Delete", "Backspace"].includes(event.key) && text !== undefined;
-  if (!way && !remove) return;
-  event.preventDefault();
+  const way = { ...ARROWS, "[": [0, 1], "]": [0, -1] }[key];
+  const remove = ["Delete", "Backspace"].includes(key) && text !== undefined;
+  if (!way && !remove) return null;
   if (text !== undefined) state.chosen = i;
-  if (remove) { removeContact(i); return; }
-  const bracket = event.key === "[" || event.key === "]";
-  edit(() => {
+  if (remove) return () => removeContact(i);
+  const bracket = key === "[" || key === "]";
+  return () => edit(() => {
     if (kind === "turn" || (bracket && kind === "move")) {
       const sense = bracket ? way[1] : way[1] || -way[0];
       state.grasp = state.grasp.with(i, { ...state.grasp[i], normal: nextDirection(state.grasp[i].normal, sense) });
@@ -101,19 +92,18 @@ function chooseMotion(motion) {
 function dragPlane() {
   const view = at("plane");
   const move = (event) => edit(() => { state.wrench = [...worldAt(event).map(rounded), state.wrench[2]]; });
-  view.addEventListener("pointerdown", (event) => {
-    if (event.button) return;
-    view.setPointerCapture(event.pointerId);
-    hold();
-    move(event);
+  onDrag(view, {
+    hold(event) {
+      hold();
+      move(event);
+      return {};
+    },
+    drag: (_, event) => move(event),
+    end: release,
   });
-  view.addEventListener("pointermove", (event) => { if (dragging()) move(event); });
-  view.addEventListener("pointerup", release);
-  view.addEventListener("pointercancel", release);
   listenToWheel();
   const by = (x, y) => edit(() => { state.wrench = stepped(state.wrench, [x, y, 0]); });
-  onKeys(view, { ArrowLeft: () => by(-1, 0), ArrowRight: () => by(1, 0), ArrowUp: () => by(0, 1), ArrowDown: () => by(0, -1),
-    ...ZOOMS, Home: () => { fitPlane(); refresh(); } });
+  onKeys(view, { ...arrowKeys(by), ...ZOOMS, Home: () => { fitPlane(); refresh(); } });
 }
 
 // The step that is told is marked like what is under the pointer. The states of a cell or piece under

@@ -1,8 +1,6 @@
 // Pictures of the projective plane: a linear map takes (x, y, z) to (X, Y, W), drawn at X/W, Y/W.
 // Places of the picture are rounded to exact points; lines go through those.
 
-const SIDE = 110; // half the height of the drawing; half its width is 130
-
 // A chart: matrix and its inverse, what lies at infinity, and steps to the right and up.
 const CHARTS = {
   z: permuted("z = 1", 0),
@@ -49,12 +47,6 @@ function lineIn(normal) {
   return [0, 1, 2].map((k) => n[0] * inverse[0][k] + n[1] * inverse[1][k] + n[2] * inverse[2][k]);
 }
 
-// The sides of the picture in coordinates of the chart, a share of the whole.
-function frame(share = 1) {
-  const [w, h] = [(share * 130) / scale(), (share * SIDE) / scale()];
-  return { low: [state.middle[0] - w, state.middle[1] - h], high: [state.middle[0] + w, state.middle[1] + h] };
-}
-
 // Both ends of the part of a line that is seen; null if none is.
 /** @type {(line: number[], frame: { low: number[], high: number[] }) => number[][] | null} */
 function seenPart([a, b, c], { low, high }) {
@@ -90,7 +82,7 @@ function fitPlane() {
   const limit = 1.01 * (far[Math.ceil(0.85 * (far.length - 1))] ?? 1);
   const inside = points.filter(({ place: p, often }) => often || Math.hypot(p[0] - middle[0], p[1] - middle[1]) <= limit);
   const [low, high] = [Math.min, Math.max].map((end) => [0, 1].map((k) => end(...inside.map(({ place: p }) => p[k]))));
-  const reach = inside.length ? Math.max((high[1] - low[1]) / 2, ((high[0] - low[0]) / 2) * (SIDE / 130)) : 0;
+  const reach = inside.length ? Math.max((high[1] - low[1]) / 2, ((high[0] - low[0]) / 2) * (HIGH / WIDE)) : 0;
   Object.assign(state, { middle: inside.length ? [0, 1].map((k) => (low[k] + high[k]) / 2) : [0, 0], half: 1.25 * reach || 2 });
 }
 

@@ -15,48 +15,38 @@ function gripUnder(event) {
   return first?.dataset.grip ?? null;
 }
 
-// Drags a grip, or what is behind the grips. A second finger is left alone.
-function dragged(view, toPlace, behind) {
-  let held = null;
+// Drags a grip, or what is behind the grips.
+function listenToGrips(view, toPlace, behind) {
+  let latest = null;
   const follow = () => {
-    if (!held?.event) return;
-    const { event, grip } = held;
-    held.event = null;
+    if (!latest) return;
+    const { grip, event } = latest;
+    latest = null;
     const normal = movedTo(grip, toPlace(event));
     if (normal) setNormal(grip.k, normal);
   };
   const followSoon = oncePerFrame(follow);
-  view.addEventListener("pointerdown", (event) => {
-    if (!event.isPrimary || event.button) return;
-    const name = player.step ? null : gripUnder(event);
-    held = { grip: name ? gripOf(name) : null, x: event.clientX, y: event.clientY, moved: false };
-    if (held.grip) {
-      choose(held.grip.k);
-      hold();
-    }
-    view.setPointerCapture(event.pointerId);
-  });
-  view.addEventListener("pointermove", (event) => {
-    if (!held || !event.isPrimary) return;
-    const [dx, dy] = [event.clientX - held.x, event.clientY - held.y];
-    held.moved ||= Math.hypot(dx, dy) > 3;
-    if (!held.moved) return;
-    if (held.grip) {
-      held.event = event;
-      followSoon();
-    } else {
+  onDrag(view, {
+    hold(event) {
+      const name = player.step ? null : gripUnder(event);
+      const grip = name ? gripOf(name) : null;
+      if (grip) {
+        choose(grip.k);
+        hold();
+      }
+      return { grip };
+    },
+    drag({ grip, dx, dy }, event) {
       const { a } = view.getScreenCTM();
-      behind(dx / a, dy / a);
-      Object.assign(held, { x: event.clientX, y: event.clientY });
-    }
+      latest = grip && { grip, event };
+      if (grip) followSoon();
+      else behind(dx / a, dy / a);
+    },
+    end() {
+      follow();
+      release();
+    },
   });
-  const end = () => {
-    follow();
-    held = null;
-    release();
-  };
-  view.addEventListener("pointerup", end);
-  view.addEventListener("pointercancel", end);
 }
 
 function pan(dx, dy) {
@@ -69,24 +59,19 @@ function turnBall(dx, dy) {
   refresh();
 }
 
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 const TURNS = { "[": 1, "]": -1 };
 
-function keysOn(view, own) {
-  view.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const name = player.step ? null : event.target.dataset.grip;
-    const { key } = event;
-    if (name && (key in ARROWS || key in TURNS)) {
-      const grip = gripOf(name);
-      choose(grip.k);
-      const normal = stepped(grip, ARROWS[key] ?? [0, 0], TURNS[key] ?? 0);
-      if (normal) setNormal(grip.k, normal);
-    } else if (name && (key === "Delete" || key === "Backspace")) removePlane(gripOf(name).k);
-    else if (own[key]) own[key]();
-    else return;
-    event.preventDefault();
-  });
+// What a key does to the grip that has the focus.
+function gripKey({ key, target }) {
+  const name = player.step ? null : target.dataset.grip;
+  if (!name) return null;
+  if (key === "Delete" || key === "Backspace") return () => removePlane(gripOf(name).k);
+  if (!(key in ARROWS) && !(key in TURNS)) return null;
+  return () => {
+    const grip = gripOf(name);
+    choose(grip.k);
+    setNormal(grip.k, stepped(grip, ARROWS[key] ?? [0, 0], TURNS[key] ?? 0));
+  };
 }
 
 // From region to region, or from crossing to crossing.
@@ -106,14 +91,12 @@ function markAll() {
 }
 
 function listen() {
-  dragged(at("plane"), worldAt, pan);
-  dragged(at("ball"), ballPlace, turnBall);
-  dragged(at("dual"), ballPlace, turnBall);
-  listenToWheel();
   const marks = { n: () => markNext("region"), v: () => markNext("point") };
-  const turns = Object.fromEntries(Object.entries(ARROWS).map(([key, [x, y]]) => [key, () => turnBall(9 * x, -9 * y)]));
-  const pans = Object.fromEntries(Object.entries(ARROWS).map(([key, [x, y]]) => [key, () => pan(-12 * x, 12 * y)]));
-  keysOn(at("plane"), { ...marks, ...pans, ...ZOOMS, Home: () => { fitPlane(); chooseAxes(); refresh(); } });
-  keysOn(at("ball"), { ...marks, ...turns });
-  keysOn(at("dual"), { ...marks, ...turns });
+  listenToGrips(at("plane"), worldAt, pan);
+  onKeys(at("plane"), { ...marks, ...arrowKeys((x, y) => pan(-12 * x, 12 * y)), ...ZOOMS, Home: () => { fitPlane(); chooseAxes(); refresh(); } }, gripKey);
+  for (const view of [at("ball"), at("dual")]) {
+    listenToGrips(view, ballPlace, turnBall);
+    onKeys(view, { ...marks, ...arrowKeys((x, y) => turnBall(9 * x, -9 * y)) }, gripKey);
+  }
+  listenToWheel();
 }

@@ -11,9 +11,8 @@ function paintPlane() {
 }
 
 // The part of a region that the picture shows.
-function cornersOf({ circles, infinity }, region) {
-  const { low, high } = frame(1.02);
-  let corners = [low, [high[0], low[1]], high, [low[0], high[1]]];
+function partSeen({ circles, infinity }, region) {
+  let corners = cornersOf(frame(1.02));
   const walls = region.darts.length ? region.darts.map((dart) => circles.arcs[dart >> 1].circle) : [...circles.normals.keys()];
   for (const i of new Set(walls)) {
     const line = lineIn(circles.normals[i]);
@@ -24,7 +23,7 @@ function cornersOf({ circles, infinity }, region) {
 
 function paintRegion(view, arrangement, region) {
   if (arrangement.infinity !== null && region.key[arrangement.infinity] === "-") return;
-  const corners = cornersOf(arrangement, region);
+  const corners = partSeen(arrangement, region);
   if (corners.length < 3) return;
   const open = arrangement.infinity !== null && !isBounded(arrangement, region);
   const path = draw("path", { class: `region${open ? " open" : ""}`, "data-mark": regionName(arrangement, region), d: `${pathOf(corners.map(onPaper))}Z` }, view);
