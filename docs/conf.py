@@ -24,7 +24,6 @@ extensions = [
     "sphinx.ext.viewcode",
     "sphinx-mathjax-offline",
     "sphinx_copybutton",
-    "sphinxarg.ext",
     "handouts",
     "pagetools",
 ]
@@ -32,7 +31,7 @@ exclude_patterns = ["_build", "_generated"]
 default_role = "code"
 highlight_language = "python"
 nitpicky = False
-# What is made of the lessons, directives of these pages, and the parsers of the commands.
+# What is made of the lessons, directives of these pages, and what figures share.
 sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parent / "figures")]
 # The bibliography is a list to cite from; a docstring may use a word that several classes have as
 # the name of an attribute.

@@ -266,6 +266,7 @@ def test_every_command_has_an_example():
     for parser in (arrangement_cli._parser(), equilibrium_cli._parser(), claims_cli._parser()):
         (commands,) = (a.choices for a in parser._actions if isinstance(a.choices, dict))
         for command in commands:
+            assert f"\n.. command-help:: {parser.prog} {command}\n" in page
             assert f"\n   $ {parser.prog} {command}" in page
 
 
@@ -329,7 +330,10 @@ LIMITS = {
         "proofs_check.course.printed_table:MOST_PSEUDOLINES",
     ),
     "in ``import``; a record": ("bytes of a file of many arrangements", "bytes of a record"),
-    "after the other": ("proofs_check.sweep.sweep:MOST", "arrangement.console.terminal:MAX_COUNT"),
+    "after the other": (
+        "proofs_check.sweep.sweep:MOST",
+        "arrangement.console.options.values:MAX_COUNT",
+    ),
     "of a proof": ("equilibrium.certificate.checker:MAX_DEPTH",),
 }
 

@@ -1,8 +1,8 @@
-"""Directives and transforms of these pages: public names, thumbnails, pictures for dark pages."""
+"""Directives and transforms: help of commands, public names, thumbnails, dark pictures."""
 
-from . import dark_pictures, public_names, thumbnails
+from . import command_help, dark_pictures, public_names, thumbnails
 
 
 def setup(app):
-    for part in (dark_pictures, public_names, thumbnails):
+    for part in (command_help, dark_pictures, public_names, thumbnails):
         part.setup(app)

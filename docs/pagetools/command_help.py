@@ -1,0 +1,94 @@
+"""The directives command-help and old-names: what the parsers of the three programs say.
+
+The argument of command-help is a program and a command, ``arrangement count``: shown is what it
+does, its exit codes, and its arguments and options, but for those of all commands.
+"""
+
+import argparse
+import importlib
+
+from docutils import nodes
+from sphinx.util.docutils import SphinxDirective
+
+PROGRAMS = {
+    "arrangement": "arrangement.cli",
+    "equilibrium": "equilibrium.cli.program",
+    "proofs-check": "proofs_check.cli.program",
+}
+#: Options of all commands, which the page explains once.
+COMMON = ("help", "json", "limit", "traceback", "exact", "digits")
+
+
+def parser_of(program):
+    """Return the parser of a program."""
+    return importlib.import_module(PROGRAMS[program])._parser()
+
+
+def commands_of(parser):
+    """Return the subcommands of a parser by name; options that are found out late are added."""
+    add_options, parser.lazy_options = parser.lazy_options, None
+    if add_options is not None:
+        add_options()
+    listed = (x for x in parser._actions if isinstance(x, argparse._SubParsersAction))
+    return {name: command for action in listed for name, command in action.choices.items()}
+
+
+def old_names():
+    """Return rows of old names: program, name, what to write now."""
+    return [
+        (program, old, now)
+        for program in PROGRAMS
+        for old, now in parser_of(program).renamed.items()
+    ]
+
+
+def _entries(parser):
+    """Yield arguments and options in words, each with its help."""
+    formatter = parser._get_formatter()
+    for action in parser._actions:
+        shown = action.help != argparse.SUPPRESS and action.dest not in COMMON
+        if shown and not isinstance(action, argparse._SubParsersAction):
+            words = formatter._format_action_invocation(action)
+            yield words, formatter._expand_help(action) if action.help else ""
+
+
+def _definitions(parser):
+    found = nodes.definition_list(classes=["options"])
+    for words, text in _entries(parser):
+        term = nodes.term("", "", nodes.literal("", words))
+        body = nodes.definition("", nodes.paragraph("", text))
+        found += nodes.definition_list_item("", term, body)
+    return found
+
+
+class CommandHelp(SphinxDirective):
+    required_arguments = 2
+
+    def run(self):
+        program, name = self.arguments
+        command = commands_of(parser_of(program))[name]
+        kinds = commands_of(command)
+        text = command.description.partition("\n\n")[0]
+        codes = command.epilog.rpartition("\n\n")[2]
+        made = [nodes.paragraph("", f"{text} {codes}"), _definitions(command)]
+        for kind, parser in kinds.items():
+            words = nodes.literal("", f"{program} {name} {kind}")
+            about = nodes.inline("", f": {parser.description}")
+            made += [nodes.paragraph("", "", words, about), _definitions(parser)]
+        return made
+
+
+class OldNames(SphinxDirective):
+    def run(self):
+        rows = [("Program", "Old name", "Write")] + [
+            (program, f"``{old}``", f"``{now}``") for program, old, now in old_names()
+        ]
+        lines = [".. list-table::", "   :header-rows: 1", ""]
+        for row in rows:
+            lines += [f"   {'*' if k == 0 else ' '} - {cell}" for k, cell in enumerate(row)]
+        return self.parse_text_to_nodes("\n".join(lines))
+
+
+def setup(app):
+    app.add_directive("command-help", CommandHelp)
+    app.add_directive("old-names", OldNames)
