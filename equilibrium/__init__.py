@@ -17,10 +17,12 @@ Describe a grasp
     Circle, Polygon, Mesh, Units    outline of the object, and what its numbers are measured in
     read_grasp           read a file, or a built-in grasp by name
     inputs               grasps from tables of numbers, polygons, meshes, at random
+    Assembly, RigidBody, BodyContact    several bodies in the plane; read_assembly reads a file
 
 Decide one wrench
     solve, solve_many    decide one wrench, or many on one grasp
     Verdict              the answer, with its proof: a Solution, all Equilibrium families
+    AssemblyVerdict      the same for an assembly
 
 Set of resisted wrenches
     ResistedSet          along a direction, in a plane, as polyhedra; margins; arrays of wrenches

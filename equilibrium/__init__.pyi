@@ -1,16 +1,19 @@
 from . import pictures as pictures
 from .certificate.checker import Report as Report
 from .certificate.document import Certificate as Certificate
+from .decide.assemblies.verdict import AssemblyVerdict as AssemblyVerdict
 from .decide.solver import solve as solve, solve_many as solve_many
 from .decide.verdict import Verdict as Verdict
 from .grasps import inputs as inputs
 from .grasps.files import (
+    read_assembly as read_assembly,
     read_certificate as read_certificate,
     read_grasp as read_grasp,
     verify as verify,
 )
 from .methods.compare import compare as compare
 from .methods.grasp_wrench_space import GraspWrenchSpace as GraspWrenchSpace
+from .model.assembly import Assembly as Assembly, BodyContact as BodyContact, RigidBody as RigidBody
 from .model.contact import Contact as Contact
 from .model.errors import (
     CertificateError as CertificateError,

@@ -272,6 +272,13 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_space_checker.py",
     ): ("equilibrium.model.solution",),
     ("tests/equilibrium/test_rows.py",): ("equilibrium.model.rows",),
+    ("tests/equilibrium/test_assemblies.py",): (
+        "equilibrium.decide.assemblies.parts",
+        "equilibrium.decide.assemblies.solver",
+        "equilibrium.decide.assemblies.verdict",
+        "equilibrium.certificate.assemblies",
+        "equilibrium.model.assembly",
+    ),
     (
         "tests/equilibrium/test_space.py::TestModel",
         "tests/equilibrium/test_grasp.py",

@@ -220,6 +220,7 @@ OPTIONAL = {
         "equilibrium/pictures/space",
         "equilibrium/wrench_sets/spatial.py",
     ),
+    "several bodies": ("equilibrium/decide/assemblies",),
     "contact modes": ("equilibrium/modes.py",),
     "scenes of engines": ("equilibrium/scenes.py",),
     "census": ("arrangement/library/census",),

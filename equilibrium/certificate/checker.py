@@ -38,6 +38,7 @@ from itertools import product
 from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.console.number_form import ReprMixin
+from arrangement.console.plugins import named
 from arrangement.numbers.exact import IntegerVector, RationalVector, to_text, vector_text
 from equilibrium.model.contact import VALUES, pyramid_edges
 from equilibrium.model.displacement import along_tangents, displacement_entry
@@ -114,6 +115,11 @@ class Report(ReprMixin):
         return replace(self, problem=problem or self.problem, compared=True)
 
     @property
+    def to_compare(self) -> str:
+        """How the command compares what it is about with a question."""
+        return "not compared with a grasp and wrench: give --grasp FILE --wrench W"
+
+    @property
     def question(self) -> list[str]:
         """What it is about, in lines: the wrench and each contact."""
         contacts = [f"contact {i} {c.words}" for i, c in enumerate(self.grasp, 1)]
@@ -180,6 +186,11 @@ def check(
 
     Complexity: O(m) integer operations for each node of the tree.
     """
+    if isinstance(document, Mapping) and "assembly" in document:
+        report: Report = named("equilibrium.certificate.assemblies:check_assembly")(
+            document, question
+        )
+        return report
     kind, grasp, wrench = read_question(document)
     bound = read_bound(document)
     if "bounds" in document:

@@ -144,7 +144,10 @@ def add_force(parser: argparse.ArgumentParser, ways: Any) -> None:
 
 def applied(arguments: argparse.Namespace, grasp: Grasp) -> RationalVector:
     """Return the wrench that `add_applied` has read."""
-    return force_given(arguments, grasp.dimension) or tuple(arguments.wrench)
+    wrench = force_given(arguments, grasp.dimension) or arguments.wrench
+    if wrench is None:
+        raise GraspError("there is no wrench; give one of --wrench, --force and --weight")
+    return tuple(wrench)
 
 
 def force_given(arguments: argparse.Namespace, dimension: int = 2) -> RationalVector | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import Any
 
 from arrangement.console import terminal
 from arrangement.console.number_form import counted
@@ -25,10 +25,7 @@ from .arguments import (
     grasp_of,
     show,
 )
-
-if TYPE_CHECKING:
-    from arrangement.numbers.exact import RationalVector
-    from equilibrium.model.grasp import Grasp
+from .assemblies import asked_assembly, assembly_document
 
 #: Lines of the question of a proof.
 _MOST_LINES = 21
@@ -128,6 +125,11 @@ def _verify(arguments: argparse.Namespace) -> int:
     path, question, known = arguments.certificate, _asked(arguments), True
     max_displacement = read_displacement(arguments.max_displacement)
     if arguments.verified:
+        if path != "-" and "assembly" in read_certificate(path):
+            raise GraspError(
+                "--verified checks certificates of one body, and this is one of an assembly; "
+                "leave it out"
+            )
         valid, kind = verify_proved(path)
         # What came on stdin only that program has read.
         known, problem = path != "-", "" if valid else f"this does not prove {kind}"
@@ -153,21 +155,24 @@ def _verify(arguments: argparse.Namespace) -> int:
     said = f"valid: {proof}" if report else f"not valid: {printable(report.problem)}"
     checker = "verified" if arguments.verified else "Python"
     lines = [f"{said} (by the {checker} checker)", *report.question[: _MOST_LINES * known]]
-    more = len(report.grasp) + 1 - _MOST_LINES
+    more = len(report.question) - _MOST_LINES
     lines += [f"... and {counted(more, 'contact')} more; --json has all"] * (more > 0)
     if not report.compared:
-        lines.append("not compared with a grasp and wrench: give --grasp FILE --wrench W")
+        lines.append(report.to_compare)
     shown = {**document, "checker": name}
     return show(arguments, shown, lines, bool(report), report.grasp)
 
 
-def _asked(arguments: argparse.Namespace) -> tuple[Grasp, RationalVector] | None:
+def _asked(arguments: argparse.Namespace) -> Any:
     """Return what a certificate has to be about, if that was given."""
     from equilibrium.model.errors import GraspError
 
     loads = ("wrench", "force", "weight", "at")
     names = ("grasp", *loads, "preload", "cone", "max_displacement")
     grasp, *load = (getattr(arguments, name) is not None for name in names)
+    document = assembly_document(arguments) if grasp else None
+    if document is not None:
+        return asked_assembly(document)
     if grasp and any(load[:3]):
         wanted = grasp_of(arguments)
         return wanted, applied(arguments, wanted)

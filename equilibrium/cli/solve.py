@@ -18,6 +18,7 @@ from .arguments import (
     seconds,
     show,
 )
+from .assemblies import add_on_body, assembly_document, solve_assembly
 from .verdict_words import piece_lines, verdict_lines
 
 if TYPE_CHECKING:
@@ -40,10 +41,10 @@ _WORDS = {True: "yes", False: "no", None: "-"}
 
 def add_command_solve(commands: Any) -> None:
     """Add solve."""
-    text = "decide whether a grasp resists a wrench"
+    text = "decide whether a grasp, or an assembly of bodies, resists a wrench"
     answers = ("resisted", "not resisted", "undecided")
     parser = add_command(commands, "solve", _solve, text, *answers, heading="common")
-    add_applied(parser)
+    add_on_body(add_applied(parser, required=False))
     parser.add_argument(
         "--certificate",
         metavar="OUT.json",
@@ -98,6 +99,11 @@ def _bound(text: str) -> tuple[str, str]:
 
 
 def _solve(arguments: argparse.Namespace) -> int:
+    assembly = assembly_document(arguments)
+    if assembly is not None:
+        return solve_assembly(arguments, assembly)
+    if arguments.on is not None:
+        raise GraspError("--on is for an assembly; a grasp takes --wrench F_X F_Y TAU")
     if arguments.methods is not None:
         _refuse(arguments, "methods", _OF_THE_VERDICT)
         return _by_methods(arguments)

@@ -7,7 +7,7 @@ equilibria. In space the search may end without either.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property, lru_cache
@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, TypeAlias, overload
 import numpy as np
 
 from arrangement.console.number_form import ReprMixin
+from arrangement.console.plugins import named
 from arrangement.console.progress import watched
 from arrangement.console.workers import done, due
 from arrangement.errors import OutOfReachError
@@ -24,6 +25,7 @@ from arrangement.library.arguments import entries
 from arrangement.numbers import budget
 from arrangement.numbers.exact import Rational, RationalVector, vector_text
 from equilibrium.certificate.checker import equilibrium_problem
+from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.displacement import read_displacement
 from equilibrium.model.effort import Effort
@@ -41,6 +43,8 @@ from .state_choices import StateChoices
 from .verdict import Verdict
 
 if TYPE_CHECKING:
+    from equilibrium.decide.assemblies.verdict import AssemblyVerdict
+
     # Questions in the plane start without the search in space.
     from equilibrium.space.memory import Memory, OpenTree
     from equilibrium.space.reach import Reach
@@ -67,9 +71,19 @@ def solve(
 ) -> PrintedVerdict: ...
 
 
+@overload
 def solve(
-    grasp: Grasp,
-    wrench: Iterable[Rational],
+    grasp: Assembly,
+    wrench: Mapping[str, Iterable[Rational]],
+    *,
+    time_limit: float | None = None,
+    nodes: int | None = None,
+) -> AssemblyVerdict: ...
+
+
+def solve(
+    grasp: Grasp | Assembly,
+    wrench: Iterable[Rational] | Mapping[str, Iterable[Rational]],
     *,
     as_printed: Collection[str] | None = None,
     time_limit: float | None = None,
@@ -77,13 +91,14 @@ def solve(
     nodes: int | None = None,
     pyramid: int | None = None,
     max_displacement: Rational | None = None,
-) -> Verdict | PrintedVerdict:
+) -> Verdict | PrintedVerdict | AssemblyVerdict:
     """Decide exactly whether a grasp resists a wrench; the verdict finds all ways when asked.
 
     Args:
-        grasp: contacts in the object frame.
+        grasp: contacts in the object frame; or an assembly of several bodies, which takes
+            time_limit and nodes alone, see `equilibrium.decide.assemblies.solver`.
         wrench: applied, ``(f_x, f_y, tau)``, the torque about the origin; in space
-            ``(f_x, f_y, f_z, tau_x, tau_y, tau_z)``.
+            ``(f_x, f_y, f_z, tau_x, tau_y, tau_z)``; for an assembly one for each body, by name.
         as_printed: follow the printed text of the paper in these points, and the full model in all
             others; see `equilibrium.decide.as_printed.OPTIONS`. A `PrintedVerdict` is returned, in
             the plane alone, without a certificate; no other option goes with it.
@@ -116,15 +131,26 @@ def solve(
     >>> solve(read_grasp("single-contact"), [0, 0, 0], as_printed=["all-stick"]).options
     ('all-stick',)
     """
+    others: dict[str, object] = {"pyramid": pyramid, "shorten": shorten or None}
+    others["max_displacement"] = max_displacement
+    limits = {"time_limit": time_limit, "nodes": nodes}
+    if isinstance(grasp, Assembly):
+        _take_none("an assembly", others | {"as_printed": as_printed})
+        found: AssemblyVerdict = named("equilibrium.decide.assemblies.solver:solve_assembly")(
+            grasp, wrench, **limits
+        )
+        return found
     if as_printed is not None:
-        others: dict[str, object] = {"time_limit": time_limit, "nodes": nodes, "pyramid": pyramid}
-        others |= {"shorten": shorten or None, "max_displacement": max_displacement}
-        for name, value in others.items():
-            if value is not None:
-                raise GraspError(f"as_printed takes no {name}; omit one of the two")
+        _take_none("as_printed", limits | others)
         return solve_as_printed(grasp, wrench, as_printed)
     solver = Solver(grasp, max_displacement, pyramid)
     return solver.solve(wrench, time_limit=time_limit, shorten=shorten, nodes=nodes)
+
+
+def _take_none(form: str, options: Mapping[str, object]) -> None:
+    for name, value in options.items():
+        if value is not None:
+            raise GraspError(f"{form} takes no {name}; omit one of the two")
 
 
 def solve_many(

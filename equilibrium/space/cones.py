@@ -1,7 +1,8 @@
 """Cones of friction, round ones and pyramids: conditions on slips and forces, and how slips split.
 
 A contact that slips is in a sector of directions. Round cones have sectors between two integer
-directions, as narrow as it takes; a pyramid has a fixed number of them, see `Slip`.
+directions, as narrow as it takes; a pyramid has a fixed number of them, see `Slip`. Along one
+tangent there are two, the signs.
 """
 
 from __future__ import annotations
@@ -108,9 +109,7 @@ class RoundCones:
 
     def smooth(self, slip: Floats, eps: float) -> tuple[Floats, Floats]:
         """Return shares of friction limits (m, 2), made smooth, and minus how they change."""
-        root = np.sqrt((slip * slip).sum(axis=1) + eps * eps)[:, None]
-        ratio = -slip / root
-        return ratio, (np.eye(2) - ratio[:, :, None] * ratio[:, None, :]) / root[:, :, None]
+        return _smooth_slip(slip, eps)
 
     def below(self, room: int, mu: Fraction, b: Sequence[int], state: State) -> bool:
         """Return whether ``room >= mu x . b`` for all unit vectors x that the state allows."""
@@ -183,25 +182,26 @@ class Pyramids:
     def conditions(self, mu: float, state: State) -> list[Condition]:
         """Return what slip and force obey: minus the rows are in the cones."""
         sides = np.array(self.normals, dtype=float)
-        reach = (sides * self._corners).sum(axis=1)
+        reach, t = (sides * self._corners).sum(axis=1), sides.shape[1]
         found: list[Condition] = []
         if state == "stick":
-            found.append(("zero", np.eye(2), np.zeros((2, 3))))
+            found.append(("zero", np.eye(t), np.zeros((t, 1 + t))))
         elif isinstance(state, Slip):
             ends = np.array(state.ends, dtype=float)
             corner = np.array(state.edges[0], dtype=float)
             if len(ends) == 1:
-                (x, y), across = ends[0], [(-ends[0][1], ends[0][0])]
-                found.append(("zero", np.array(across), np.zeros((1, 3))))
-                found.append(("plus", -ends, np.zeros((1, 3))))
-                opposite = [(mu * (ends[0] @ corner), x, y)]
+                if t == 2:
+                    across = [(-ends[0][1], ends[0][0])]
+                    found.append(("zero", np.array(across), np.zeros((1, 3))))
+                found.append(("plus", -ends, np.zeros((1, 1 + t))))
+                opposite = [(mu * (ends[0] @ corner), *ends[0])]
             else:
                 (a, b), (c, d) = ends
                 found.append(("plus", np.array([(b, -a), (-d, c)]), np.zeros((2, 3))))
                 opposite = [(mu * corner[0], 1, 0), (mu * corner[1], 0, 1)]
-            found.append(("zero", np.zeros((len(opposite), 2)), np.array(opposite, dtype=float)))
-        inside = np.column_stack([-mu * reach, sides]) if mu else -np.eye(3)[:1]
-        return [*found, ("plus", np.zeros((len(inside), 2)), inside)]
+            found.append(("zero", np.zeros((len(opposite), t)), np.array(opposite, dtype=float)))
+        inside = np.column_stack([-mu * reach, sides]) if mu else -np.eye(1 + t)[:1]
+        return [*found, ("plus", np.zeros((len(inside), t)), inside)]
 
     def support(self, state: State, b: Floats) -> Any:
         """Return the largest products of b (..., 2) with an edge that the state allows."""
@@ -264,7 +264,40 @@ class Pyramids:
         return 1.0
 
 
+#: The two slips along one tangent.
+_SIGNS = [Slip(((Fraction(x),),), ((Fraction(x),),)) for x in (1, -1)]
+
+
+class LineCones(Pyramids):
+    """Friction along one tangent, ``|c_t| <= mu c_n``: a pyramid of two edges, the signs."""
+
+    def __init__(self) -> None:
+        self.all = list(_SIGNS)
+        self.edges = self.normals = [slip.edges[0] for slip in self.all]
+        self._corners = np.array(self.edges, dtype=float)
+
+    def directions(self, slip: Floats, eps: float) -> Floats:
+        """Return the slips (m, 1) that the smooth friction shows: a sign, or none."""
+        ratio, _ = self.smooth(slip, eps)
+        slips: Floats = np.where(np.abs(ratio) > _SLIP_SHARE, -np.sign(ratio), 0.0)
+        return slips
+
+    def smooth(self, slip: Floats, eps: float) -> tuple[Floats, Floats]:
+        """Return shares of friction limits (m, 1), made smooth, and minus how they change."""
+        return _smooth_slip(slip, eps)
+
+    def slips(self, states: Node, i: int, slip: Floats) -> OpenSplit | None:
+        """Return the split of a contact by its slip; None if that is decided."""
+        if states[i] != "attached":
+            return None
+        children: list[Any] = [None] * 3
+        node = {"contact": i, "slip": children}
+        return split_of(node, children, states, i, ["stick", *self.all])
+
+
 Cones: TypeAlias = RoundCones | Pyramids
+#: The children of splits, by their keys in certificates.
+_CHILDREN = {"attachment": ("detached", "attached"), "slip": ("stick", "slip+", "slip-")}
 
 
 def split_of(
@@ -276,9 +309,9 @@ def split_of(
 
 def finished(node: Any) -> Any:
     """Return a tree in the form of certificates."""
-    if isinstance(node, dict) and "attachment" in node:
-        detached, attached = map(finished, node["attachment"])
-        return {**node, "attachment": {"detached": detached, "attached": attached}}
+    for key, names in _CHILDREN.items():
+        if isinstance(node, dict) and key in node:
+            return {**node, key: dict(zip(names, map(finished, node[key]), strict=True))}
     for key in ("children", "faces"):
         if isinstance(node, dict) and key in node:
             return {**node, key: list(map(finished, node[key]))}
@@ -296,6 +329,14 @@ def _sine(sector: Sector) -> float:
     """Return the sine of the angle of a sector, 1 for wide ones."""
     u, v = _units(sector)
     return float(u[0] * v[1] - u[1] * v[0]) if u @ v > 0 else 1.0
+
+
+def _smooth_slip(slip: Floats, eps: float) -> tuple[Floats, Floats]:
+    """Return ``-s / sqrt(|s|^2 + eps^2)`` for slips s (m, t), and minus how it changes."""
+    root = np.sqrt((slip * slip).sum(axis=1) + eps * eps)[:, None]
+    ratio = -slip / root
+    change = np.eye(slip.shape[1]) - ratio[:, :, None] * ratio[:, None, :]
+    return ratio, change / root[:, :, None]
 
 
 def _turned(direction: Floats, degrees: float, size: int) -> Direction:

@@ -22,7 +22,7 @@ from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contacts import FloatContacts
 
-from .cones import Node, Pyramids
+from .cones import Node, Pyramids, lengths
 from .enclosures import enclosures
 from .exact_parts import ExactParts, PyramidParts
 from .relaxation import Point, Relaxation
@@ -116,7 +116,7 @@ class EquilibriumSearch:
         normal = np.where(normal * np.maximum(1.0, self.contacts.friction) > none, normal, 0.0)
         if isinstance(self.exact, PyramidParts):
             slips = self.relaxation.tangents @ point.motion
-            still = self.relaxation.stiffness * np.hypot(*slips.T) <= none
+            still = self.relaxation.stiffness * lengths(slips) <= none
             slips = np.where(still[:, None], 0.0, slips)
             return self._of_pyramids(self.exact, self.exact.near(normal, slips))
         limits = np.maximum(self.contacts.friction * normal, 1e-12)

@@ -258,7 +258,7 @@ class PyramidParts(ExactParts):
 
     def holds(self, states: Sequence[State]) -> Solution | None:
         """Return an equilibrium with all states decided, if there is one."""
-        found = self.part(states, np.zeros((0, 2)))
+        found = self.part(states, np.zeros((0, 0)))
         return found if isinstance(found, Solution) else None
 
     def near(self, normal: Floats, slips: Floats) -> Node:
@@ -278,6 +278,10 @@ class PyramidParts(ExactParts):
         """Return the slip in a direction: along the normal of a side, or between two."""
         for part in self.cones.all:
             ends = np.array(part.ends, dtype=float)
+            if len(slip) == 1:
+                if ends[0, 0] * slip[0] > 0:
+                    return part
+                continue
             sines = (ends[:, 0] * slip[1] - ends[:, 1] * slip[0]) / np.hypot(*slip)
             if (ends @ slip > 0).all() and (
                 abs(sines[0]) < _SAME_DIRECTION_SINE if len(ends) == 1 else sines[0] > 0 > sines[1]

@@ -343,7 +343,7 @@ class Splits:
         return self._first(
             states,
             sorted(order, key=decidedness),
-            lambda i: -towards[i] if towards[i].any() else np.array([1.0, 0.0]),
+            lambda i: -towards[i] if towards[i].any() else np.eye(self.contacts.rows.tangents)[0],
         )
 
     def towards(self, relaxed: Ray | Point | None) -> Floats:
@@ -351,7 +351,7 @@ class Splits:
         if isinstance(relaxed, Point):
             return relaxed.forces[:, 1:]
         if relaxed is None:
-            return np.zeros((len(self.contacts.rows), 2))
+            return np.zeros((len(self.contacts.rows), self.contacts.rows.tangents))
         towards: Floats = -(self.contacts.tangents @ relaxed.virtual)
         return towards
 

@@ -1,4 +1,4 @@
-"""The JSON Schemas of grasp files and certificates (draft 2020-12), published with the package."""
+"""The JSON Schemas of files and certificates (draft 2020-12), published with the package."""
 
 from __future__ import annotations
 
@@ -22,8 +22,32 @@ def certificate_schema() -> dict[str, Any]:
     >>> certificate_schema()["title"]
     'Certificate'
     """
-    schema = _schema("certificate")
-    schema["$defs"]["grasp"] = grasp_schema()
+    return _with("certificate", grasp=grasp_schema())
+
+
+def assembly_schema() -> dict[str, Any]:
+    """Return the schema of assembly files, with that of grasps among its definitions.
+
+    >>> assembly_schema()["title"]
+    'Assembly'
+    """
+    return _with("assembly", grasp=grasp_schema())
+
+
+def assembly_certificate_schema() -> dict[str, Any]:
+    """Return the schema of certificates about assemblies.
+
+    >>> assembly_certificate_schema()["title"]
+    'Certificate about an assembly'
+    """
+    known = {"assembly": assembly_schema(), "certificate": certificate_schema()}
+    return _with("assembly-certificate", **known)
+
+
+def _with(name: str, **definitions: dict[str, Any]) -> dict[str, Any]:
+    """Return a schema with others among its definitions."""
+    schema = _schema(name)
+    schema["$defs"] |= definitions
     return schema
 
 

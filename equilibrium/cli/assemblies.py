@@ -1,0 +1,102 @@
+"""Assemblies of several bodies on the command line: their files, wrenches and answers."""
+
+from __future__ import annotations
+
+import argparse
+import os
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from arrangement.console.options import values
+from equilibrium.model.errors import GraspError
+
+from .arguments import show
+
+if TYPE_CHECKING:
+    from equilibrium.model.assembly import Assembly
+
+_AXES = ("BODY", "F_X", "F_Y", "TAU")
+#: Options that are about one body, each with what it is when it is not given.
+_ONE_BODY = {
+    **dict.fromkeys(("wrench", "force", "weight", "at", "preload", "cone", "max_displacement")),
+    **dict.fromkeys(("robust", "methods")),
+    **dict.fromkeys(("shorten", "all", "round_normals", "as_given"), False),
+}
+
+
+class _OnBody(argparse.Action):
+    """Collects a wrench for each body."""
+
+    def __call__(self, parser: Any, namespace: Any, given: Any, option: Any = None) -> None:
+        name, *numbers = given
+        wrenches = dict(getattr(namespace, self.dest) or {})
+        if name in wrenches:
+            parser.error(f"{option} has the body {name} twice; give each body once")
+        try:
+            wrenches[name] = tuple(map(values.rational_argument, numbers))
+        except argparse.ArgumentTypeError as error:
+            parser.error(f"{option} {name}: {error}")
+        setattr(namespace, self.dest, wrenches)
+
+
+def add_on_body(ways: Any) -> None:
+    """Add wrenches on the bodies of an assembly, to the ways in which a wrench can be given."""
+    ways.add_argument(
+        "--on",
+        nargs=4,
+        action=_OnBody,
+        metavar=_AXES,
+        help="of an assembly: the wrench on one body, instead of that in its file; repeatable",
+    )
+
+
+def assembly_document(arguments: argparse.Namespace) -> Mapping[str, Any] | None:
+    """Return the document that the arguments name if it has bodies; else keep it as the source."""
+    from equilibrium.grasps.files import read_contacts
+
+    source = arguments.grasp
+    if isinstance(source, (str, os.PathLike)) and str(source).lower().endswith(".csv"):
+        return None
+    document = read_contacts(source)
+    if "bodies" in document:
+        return document
+    # What came on stdin can be read once.
+    arguments.grasp = document
+    return None
+
+
+def asked_assembly(document: Mapping[str, Any], given: Any = None) -> tuple[Assembly, Any]:
+    """Return the assembly of a document, and the wrenches given or those that stand in it.
+
+    Raises:
+        GraspError: there are none.
+    """
+    from equilibrium.model.assembly import Assembly, wrenches_of
+
+    assembly, stated = Assembly.from_dict(document), wrenches_of(document)
+    wrenches = {**(stated or {}), **(given or {})}
+    if stated is None and given is None:
+        raise GraspError(
+            "the assembly has no wrenches; give --on BODY F_X F_Y TAU for each body that has one, "
+            'or write the key "wrench" into its file'
+        )
+    return assembly, assembly.read_wrenches(wrenches)
+
+
+def solve_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> int:
+    """Print the verdict on an assembly."""
+    from equilibrium.decide.solver import solve
+
+    for name, usual in _ONE_BODY.items():
+        if getattr(arguments, name) != usual:
+            option = name.replace("_", "-")
+            raise GraspError(f"--{option} is for one body, not for an assembly; leave it out")
+    if arguments.as_printed:
+        raise GraspError("--as-printed is for one body, not for an assembly; leave it out")
+    assembly, wrenches = asked_assembly(document, arguments.on)
+    verdict = solve(assembly, wrenches, time_limit=arguments.time_limit)
+    if arguments.certificate is not None and verdict.certificate is not None:
+        verdict.certificate.save(arguments.certificate)
+    units = [] if assembly.units is None else [str(assembly.units)]
+    yes = verdict.stable if verdict.decided else None
+    return show(arguments, verdict.to_dict(), [*units, *verdict.lines()], yes)

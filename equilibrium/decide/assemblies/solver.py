@@ -1,0 +1,196 @@
+"""The decision for an assembly: each part apart, proofs and equilibria put together.
+
+A part of one body is a planar question. The others are searched like a grasp in space, with linear
+cones: with all states decided a node is an exact program, so the search ends unless a limit does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+from arrangement.numbers import budget
+from arrangement.numbers.exact import RationalVector, to_text, vector_text
+from equilibrium.certificate.assemblies import joints_of, law_problem
+from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
+from equilibrium.decide.solver import STEPS, Solver
+from equilibrium.model.assembly import SIZE, Assembly, BodyContact, Wrenches
+from equilibrium.model.effort import Effort
+from equilibrium.model.errors import EquilibriumError, TimeLimitError
+from equilibrium.model.grasp import Grasp
+from equilibrium.model.solution import Open, Solution
+
+from .parts import AssemblyPart, parts_of
+from .verdict import AssemblyVerdict
+
+_FLOATS = "the load does not balance as a whole"
+
+
+def solve_assembly(
+    assembly: Assembly,
+    wrenches: Mapping[str, Any],
+    *,
+    time_limit: float | None = None,
+    nodes: int | None = None,
+) -> AssemblyVerdict:
+    """Decide exactly whether an assembly resists a wrench on each body.
+
+    Args:
+        wrenches: by the names of bodies, ``(f_x, f_y, tau)``, the torque about the one origin; zero
+            for bodies that are left out.
+        time_limit: in seconds, by a clock on the wall; undecided when it is over.
+        nodes: of one tree, at most; see `equilibrium.space.tree`.
+
+    Raises:
+        GraspError: a wrench on what is no body, or of a wrong length.
+        OutOfReachError: that many steps have led to no answer for a part of one body.
+
+    >>> from equilibrium.model.contact import Contact
+    >>> feet = [BodyContact("block", None, Contact([x, 0], [0, 1], "1/2")) for x in (-1, 1)]
+    >>> solve_assembly(Assembly(["block"], feet), {"block": [0, -1, 0]}).verdict
+    'resisted'
+    """
+    read = assembly.read_wrenches(wrenches)
+    effort = Effort(seconds=time_limit) if time_limit else Effort(STEPS[3] * budget.times())
+    return _checked(_decided(assembly, read, effort, nodes))
+
+
+def _decided(
+    assembly: Assembly, wrenches: Wrenches, effort: Effort, nodes: int | None
+) -> AssemblyVerdict:
+    parts, floating = parts_of(assembly, wrenches)
+    for bodies, total in floating:
+        if any(total):
+            # No contact notices the common motion.
+            leaf = {"virtual_motion": {name: list(map(to_text, total)) for name in bodies}}
+            load = f"the wrenches on {_listed(bodies)} add up to {vector_text(total)}"
+            reason = f"{_FLOATS}: {load}, and no contact with the ground takes that"
+            return AssemblyVerdict(assembly, wrenches, NOT_RESISTED, None, reason, leaf)
+    motions: Wrenches = {name: (Fraction(0),) * SIZE for name in assembly.names}
+    forces: dict[int, RationalVector] = {}
+    open_: list[str] = []
+    found = {}
+    # Parts of one body are decided soonest.
+    for part in sorted(parts, key=lambda part: len(part.bodies)):
+        answer = _decide_part(assembly, part, effort, nodes)
+        if isinstance(answer, Solution):
+            found[part.bodies] = answer
+        elif isinstance(answer, str):
+            open_.append(f"{_named(part)}: {answer}")
+        else:
+            reason = f"{_named(part)} cannot balance the load"
+            return AssemblyVerdict(assembly, wrenches, NOT_RESISTED, None, reason, answer)
+    if open_:
+        return AssemblyVerdict(assembly, wrenches, UNDECIDED, None, "; ".join(open_))
+    for part in parts:
+        answer = found[part.bodies]
+        held = motions[part.root] if part.root is not None else (Fraction(0),) * SIZE
+        for k, name in enumerate(part.bodies):
+            moved = answer.motion[SIZE * k : SIZE * (k + 1)]
+            motions[name] = tuple(x + y for x, y in zip(held, moved, strict=True))
+        forces |= zip(part.contacts, answer.forces, strict=True)
+    motion = tuple(x for name in assembly.names for x in motions[name])
+    solution = Solution(motion, tuple(forces[i] for i in range(len(assembly.contacts))))
+    return AssemblyVerdict(assembly, wrenches, RESISTED, solution)
+
+
+def _decide_part(
+    assembly: Assembly, part: AssemblyPart, effort: Effort, nodes: int | None
+) -> Solution | dict[str, Any] | str:
+    """Return an equilibrium of a part, a tree that refutes the assembly, or why it is open."""
+    inside = _with_root_as_ground(assembly, part)
+    if len(part.bodies) > 1:
+        return _searched(inside, part, effort, nodes)
+    (name,) = part.bodies
+    grasp = Grasp(c.contact for c in inside.contacts)
+    try:
+        verdict = Solver(grasp).decide(part.wrenches[name], effort)
+    except TimeLimitError as late:
+        return str(late)
+    if verdict.solution is not None:
+        return verdict.solution
+    contacts = list(part.contacts)
+    return {"part": list(part.hanging[name]), "contacts": contacts, "tree": verdict.tree}
+
+
+def _with_root_as_ground(assembly: Assembly, part: AssemblyPart) -> Assembly:
+    """Return the bodies of a part, with its root in the place of the ground."""
+    contacts = []
+    for i in part.contacts:
+        c = assembly.contacts[i]
+        if c.body_a == part.root:
+            c = c.reversed
+        body_b = None if c.body_b == part.root else c.body_b
+        contacts.append(BodyContact(c.body_a, body_b, c.contact))
+    return Assembly(part.bodies, contacts)
+
+
+def _searched(
+    inside: Assembly, part: AssemblyPart, effort: Effort, nodes: int | None
+) -> Solution | dict[str, Any] | str:
+    """Return what the search in R^(3b) finds for a part of several bodies."""
+    from equilibrium.plane.contacts import FloatContacts
+    from equilibrium.space.cones import LineCones
+    from equilibrium.space.tree import SETTINGS, SpatialSearch
+
+    joints = joints_of(inside)
+
+    def accept(found: Solution) -> bool:
+        names = enumerate(part.bodies)
+        moved = {name: found.motion[SIZE * k : SIZE * (k + 1)] for k, name in names}
+        return not law_problem(joints, part.wrenches, moved, found.forces)
+
+    load = tuple(x for name in part.bodies for x in part.wrenches[name])
+    most = SETTINGS.max_nodes if nodes is None else nodes
+    contacts = FloatContacts(inside.rows)
+    search = SpatialSearch(contacts, load, accept, effort, most, cones=LineCones())
+    found = search.decide()
+    if isinstance(found, Open):
+        return found.reason
+    return found if isinstance(found, Solution) else _lifted(found, part)
+
+
+def _lifted(node: Any, part: AssemblyPart) -> dict[str, Any]:
+    """Return a tree about a part as one about the assembly: what hangs on a body moves with it."""
+    for kind in ("attachment", "slip"):
+        if isinstance(node, dict) and kind in node:
+            children = {name: _lifted(child, part) for name, child in node[kind].items()}
+            return {"contact": part.contacts[node["contact"]], kind: children}
+    virtual, multipliers = node, {}
+    if isinstance(node, dict):
+        virtual, multipliers = node["virtual_motion"], node["multipliers"]
+    moved: dict[str, Any] = {}
+    for k, name in enumerate(part.bodies):
+        own = virtual[SIZE * k : SIZE * (k + 1)]
+        if own != ["0"] * SIZE:
+            moved |= dict.fromkeys(part.hanging[name], own)
+    leaf: dict[str, Any] = {"virtual_motion": moved}
+    if multipliers:
+        rows = ((int(i), [*row, "0"][:2]) for i, row in multipliers.items())
+        leaf["multipliers"] = {str(part.contacts[i]): row for i, row in rows}
+    return leaf
+
+
+def _named(part: AssemblyPart) -> str:
+    """Return the contacts of a part in words."""
+    return f"the contacts of {_listed(part.bodies)} with {part.root or 'the ground'}"
+
+
+def _listed(names: tuple[str, ...]) -> str:
+    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
+
+
+def _checked(verdict: AssemblyVerdict) -> AssemblyVerdict:
+    """Return a verdict whose proof the checker accepts.
+
+    Raises:
+        EquilibriumError: it does not, which is an internal error.
+    """
+    problem = verdict.verify().problem if verdict.decided else ""
+    if problem:
+        raise EquilibriumError(
+            f"the checker refuses the proof of the verdict on {verdict.assembly!r}: {problem}. "
+            "This is an internal error; please report it"
+        )
+    return verdict

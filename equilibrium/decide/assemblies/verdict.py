@@ -1,0 +1,171 @@
+"""The answer for an assembly: resisted, not resisted or undecided, with its certificate."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, ClassVar
+
+from arrangement.console.number_form import counted, vector
+from arrangement.errors import HintsMixin
+from arrangement.numbers.exact import RationalVector, dot, to_text
+from equilibrium.certificate.assemblies import AssemblyReport, check_assembly
+from equilibrium.certificate.document import Certificate
+from equilibrium.certificate.reading import SCHEMA_VERSION
+from equilibrium.decide import RESISTED, UNDECIDED
+from equilibrium.model.assembly import SIZE, Assembly, Wrenches
+from equilibrium.model.errors import UndecidedError
+from equilibrium.model.solution import Solution
+
+
+@dataclass(frozen=True)
+class AssemblyVerdict(HintsMixin):
+    """The answer for one assembly and a wrench on each body, true when resisted.
+
+    Attributes:
+        assembly, wrenches: the question; zero where no wrench was given.
+        verdict: "resisted", "not resisted" or "undecided"; the first two are proved.
+        solution: an equilibrium, with three numbers a body in its motion; None when there is none.
+        reason: why it is not resisted, or undecided, in words; else empty.
+    """
+
+    assembly: Assembly
+    wrenches: Wrenches
+    verdict: str
+    solution: Solution | None
+    reason: str = ""
+    _tree: Any = field(default=None, repr=False, compare=False)
+
+    _synonyms: ClassVar[Mapping[str, str]] = {
+        "check": "verify()",
+        "motion": "motions",
+        "resisted": "stable",
+        "save": "certificate.save(path)",
+    }
+
+    def __repr__(self) -> str:
+        return f"<AssemblyVerdict: {self.verdict}, {self.assembly!r}>"
+
+    @property
+    def decided(self) -> bool:
+        """Whether there is a proof."""
+        return self.verdict != UNDECIDED
+
+    @property
+    def stable(self) -> bool:
+        """Whether the wrenches are resisted: at least one equilibrium exists.
+
+        Raises:
+            UndecidedError: that is not known.
+        """
+        if not self.decided:
+            raise UndecidedError(
+                f"whether the wrenches are resisted is undecided: {self.reason}; ask `verdict` for "
+                "the three answers"
+            )
+        return self.verdict == RESISTED
+
+    def __bool__(self) -> bool:
+        """Return whether they are resisted; an undecided verdict raises UndecidedError."""
+        return self.stable
+
+    @cached_property
+    def motions(self) -> dict[str, RationalVector]:
+        """The motion (x, y, r) of each body in `solution`; empty when there is none."""
+        if self.solution is None:
+            return {}
+        moved, names = self.solution.motion, self.assembly.names
+        return {name: moved[SIZE * k : SIZE * (k + 1)] for k, name in enumerate(names)}
+
+    @property
+    def forces(self) -> tuple[RationalVector, ...]:
+        """At each contact the normal and the tangential force on body_a; empty without one."""
+        return () if self.solution is None else self.solution.forces
+
+    @cached_property
+    def states(self) -> tuple[str, ...]:
+        """The state of each contact in `solution`; empty when there is none."""
+        if self.solution is None:
+            return ()
+        found = []
+        for row, (pressed, _) in zip(self.assembly.rows, self.solution.forces, strict=True):
+            slip = dot(row.tangential_wrenches[0], self.solution.motion)
+            slips = "slip+" if slip > 0 else "slip-" if slip < 0 else "stick"
+            found.append(slips if pressed else "detached")
+        return tuple(found)
+
+    @cached_property
+    def certificate(self) -> Certificate | None:
+        """The proof, checkable without the solver; None when undecided."""
+        if not self.decided:
+            return None
+        bare = Assembly(self.assembly.names, self.assembly.contacts, self.assembly.units)
+        document: dict[str, Any] = {
+            "schema_version": SCHEMA_VERSION,
+            "certificate": self.verdict,
+            "assembly": bare.to_dict(),
+            "wrench": _texts(self.wrenches),
+        }
+        if self.solution is None:
+            document["tree"] = self._tree
+        else:
+            document["motion"] = _texts(self.motions)
+            document["forces"] = [list(map(to_text, force)) for force in self.forces]
+        return Certificate(json.dumps(document, separators=(",", ":")))
+
+    @property
+    def proof(self) -> dict[str, Any]:
+        """The document of the certificate.
+
+        Raises:
+            UndecidedError: there is none.
+        """
+        if self.certificate is None:
+            raise UndecidedError(f"an undecided verdict has no certificate: {self.reason}")
+        return self.certificate.to_dict()
+
+    def verify(self) -> AssemblyReport:
+        """Check the certificate, and that it answers this question; the report is true if so.
+
+        Raises:
+            UndecidedError: there is no certificate.
+        """
+        return check_assembly(self.proof, (self.assembly, self.wrenches))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form; exact numbers are strings of rationals."""
+        found: dict[str, Any] = {"reason": self.reason} if self.reason else {}
+        if self.solution is not None:
+            found |= {
+                "states": list(self.states),
+                "motion": _texts(self.motions),
+                "forces": [list(map(to_text, force)) for force in self.forces],
+            }
+        return {
+            "verdict": self.verdict,
+            **found,
+            "wrench": _texts(self.wrenches),
+            "assembly": self.assembly.to_dict(),
+        }
+
+    def lines(self) -> list[str]:
+        """Return the answer in lines for people: the reason, or motions and forces."""
+        if self.solution is None:
+            proof = ""
+            if self.decided:
+                leaves = self.verify().leaves
+                proof = f"; proof with {counted(leaves, 'leaf', 'leaves')}"
+            return [f"{self.verdict}: {self.reason}{proof}"]
+        found = ["resisted: an exact equilibrium"]
+        found += [f"  {name} moves by {vector(moved)}" for name, moved in self.motions.items()]
+        pairs = [c.pair for c in self.assembly.contacts]
+        width = max(map(len, pairs), default=0)
+        for i, (pair, state, force) in enumerate(zip(pairs, self.states, self.forces, strict=True)):
+            found.append(f"    contact {i + 1}  {pair:<{width}}  {state:<8}  force {vector(force)}")
+        return found
+
+
+def _texts(rows: Mapping[str, RationalVector]) -> dict[str, list[str]]:
+    return {name: list(map(to_text, row)) for name, row in rows.items()}

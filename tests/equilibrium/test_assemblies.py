@@ -1,0 +1,494 @@
+"""Several bodies: textbook questions, brute force, planar verdicts, forged certificates, files."""
+
+import copy
+import json
+import random
+from fractions import Fraction
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+from equilibrium import (
+    Assembly,
+    BodyContact,
+    CertificateError,
+    Circle,
+    Contact,
+    EquilibriumError,
+    GraspError,
+    Polygon,
+    RigidBody,
+    read_assembly,
+    solve,
+    verify,
+)
+from equilibrium.certificate.assemblies import check_assembly, joints_of, law_problem
+from equilibrium.cli import main
+from equilibrium.decide.assemblies.parts import parts_of
+from equilibrium.grasps.inputs import random_grasp
+from equilibrium.grasps.schemas import assembly_certificate_schema, assembly_schema
+
+from .bodies_oracle import random_question, resisted
+
+CASES = json.loads((Path(__file__).parent / "bodies.json").read_text(encoding="utf-8"))["cases"]
+QUESTIONS = [
+    pytest.param(case, question, id=f"{case['name']}-{k}")
+    for case in CASES
+    for k, question in enumerate(case["questions"])
+]
+
+
+def contact(a, b, point, normal=(0, 1), friction="1/2", preload=0):
+    return BodyContact(a, b, Contact(point, normal, friction, preload=preload))
+
+
+#: Two blocks on a table.
+STACK = Assembly(
+    ["lower", "upper"],
+    [
+        contact("lower", None, [-2, 0]),
+        contact("lower", None, [2, 0]),
+        contact("upper", "lower", [-1, 1], friction="1/4"),
+        contact("upper", "lower", [1, 1], friction="1/4"),
+    ],
+)
+WEIGHTS = {"lower": [0, -2, 0], "upper": [0, -1, 0]}
+#: A wedge between a wall and a block: one part of two bodies.
+WEDGE = next(case for case in CASES if case["name"] == "wedge-under-a-block")
+
+
+def asked(case, question):
+    document = {"bodies": case["bodies"], "contacts": question["contacts"]}
+    return Assembly.from_dict(document), question["wrench"]
+
+
+class TestTextbook:
+    @pytest.mark.parametrize(("case", "question"), QUESTIONS)
+    def test_verdict_is_that_by_hand(self, case, question):
+        assembly, wrenches = asked(case, question)
+        verdict = solve(assembly, wrenches)
+        assert verdict.verdict == ("resisted" if question["resisted"] else "not resisted")
+        report = verdict.verify()
+        assert report
+        assert report.compared
+        schema = jsonschema.Draft202012Validator(assembly_certificate_schema())
+        assert schema.is_valid(verdict.proof)
+
+    @pytest.mark.parametrize(("case", "question"), QUESTIONS)
+    def test_example_obeys_the_law(self, case, question):
+        if "example" not in question:
+            return
+        assembly, wrenches = asked(case, question)
+        numbers = list(map(Fraction, question["example"]["motion"]))
+        moved = {name: tuple(numbers[3 * k :][:3]) for k, name in enumerate(assembly.names)}
+        forces = [tuple(map(Fraction, row)) for row in question["example"]["forces"]]
+        loads = assembly.read_wrenches(wrenches)
+        assert law_problem(joints_of(assembly), loads, moved, forces) == ""
+
+
+class TestBruteForce:
+    def agree(self, seed, most):
+        document, wrenches = random_question(seed, most)
+        verdict = solve(Assembly.from_dict(document), wrenches)
+        assert verdict.verdict == ("not resisted", "resisted")[resisted(document, wrenches)], seed
+        assert verdict.verify(), seed
+
+    @pytest.mark.parametrize("seeds", [range(10 * k, 10 * k + 10) for k in range(10)], ids=str)
+    def test_random_assemblies_agree(self, seeds):
+        for seed in seeds:
+            self.agree(seed, 4)
+
+    @pytest.mark.slow
+    @pytest.mark.parametrize("seeds", [range(200 * k, 200 * k + 200) for k in range(10)], ids=str)
+    def test_many_random_assemblies_agree(self, seeds):
+        for seed in seeds:
+            self.agree(1000 + seed, 4)
+
+    @pytest.mark.slow
+    def test_larger_random_assemblies_agree(self):
+        for seed in range(20):
+            self.agree(10_000 + seed, 6)
+
+
+class TestPlane:
+    def questions(self, count):
+        rng = random.Random(41)
+        for seed in range(count):
+            grasp = random_grasp(2 + seed % 5, seed)
+            yield grasp, [Fraction(rng.randint(-4, 4), 4) for _ in range(3)]
+
+    def agrees(self, grasp, wrench, body_turned):
+        alone = solve(grasp, wrench).verdict
+        one = Assembly.of_grasp(grasp)
+        assert solve(one, {"object": wrench}).verdict == alone
+        # Another body touches nothing, or is held by so much that it does not move.
+        held = [
+            contact("frame", None, place, normal, friction=1000, preload=10**6)
+            for place, normal in (([9, 0], [-1, 0]), ([-9, 0], [1, 0]), ([0, 9], [0, -1]))
+        ]
+        touching = [
+            BodyContact("object", "frame", c).reversed if body_turned else
+            BodyContact("object", "frame", c)
+            for c in grasp
+        ]  # fmt: skip
+        both = Assembly(["object", "frame"], touching + held)
+        loads = {"object": wrench, "frame": [-x for x in wrench]}
+        assert solve(both, loads).verdict == alone
+
+    def test_one_body_is_the_planar_question(self):
+        for k, (grasp, wrench) in enumerate(self.questions(25)):
+            self.agrees(grasp, wrench, k % 2)
+
+    @pytest.mark.slow
+    def test_one_body_is_the_planar_question_500_times(self):
+        for k, (grasp, wrench) in enumerate(self.questions(500)):
+            self.agrees(grasp, wrench, k % 2)
+
+
+class TestRows:
+    def test_exchanged_bodies_have_the_same_rows(self):
+        for seed in range(20):
+            assembly = Assembly.from_dict(random_question(seed)[0])
+            turned = [c if c.body_b is None else c.reversed for c in assembly.contacts]
+            assert Assembly(assembly.names, turned).rows == assembly.rows
+
+    def test_forces_on_two_bodies_are_opposite(self):
+        rows = STACK.rows
+        assert rows.n == 6
+        assert rows[0].normal_wrench == (0, 1, -2, 0, 0, 0)
+        assert rows[2].normal_wrench == (0, -1, 1, 0, 1, -1)
+        assert rows[2].tangential_wrenches == ((1, 0, -1, -1, 0, 1),)
+
+
+class TestParts:
+    def test_stack_has_one_part_for_each_body(self):
+        parts, floating = parts_of(STACK, STACK.read_wrenches(WEIGHTS))
+        assert [(part.root, part.bodies, part.contacts) for part in parts] == [
+            (None, ("lower",), (0, 1)),
+            ("lower", ("upper",), (2, 3)),
+        ]
+        assert parts[0].wrenches == {"lower": (0, -3, 0)}
+        assert parts[0].hanging == {"lower": ("lower", "upper")}
+        assert not floating
+
+    def test_cycle_with_the_ground_is_one_part(self):
+        assembly, wrenches = asked(WEDGE, WEDGE["questions"][0])
+        parts, _ = parts_of(assembly, assembly.read_wrenches(wrenches))
+        assert [part.bodies for part in parts] == [("wedge", "block")]
+
+    def test_tower_of_fifty_blocks_is_decided_block_by_block(self):
+        names = [f"block {k}" for k in range(50)]
+        contacts = [
+            contact(name, names[k - 1] if k else None, [x, k])
+            for k, name in enumerate(names)
+            for x in (-1, 1)
+        ]
+        tower = Assembly(names, contacts)
+        assert solve(tower, dict.fromkeys(names, (0, -1, 0)))
+        pushed = {**dict.fromkeys(names, (0, -1, 0)), names[-1]: (1, -1, -50)}
+        assert solve(tower, pushed).verdict == "not resisted"
+
+    def test_part_that_hangs_on_a_cycle_moves_with_it(self):
+        """A block on the block over the wedge: its load is that of the block below."""
+        case, question = WEDGE, WEDGE["questions"][0]
+        assembly, wrenches = asked(case, question)
+        top = [contact("top", "block", [x, 20]) for x in (-1, 1)]
+        more = Assembly([*assembly.names, "top"], [*assembly.contacts, *top])
+        loads = assembly.read_wrenches(wrenches)
+        x, y, torque = loads["block"]
+        moved = {**loads, "block": (x, y + 1, torque), "top": (0, -1, 0)}
+        assert solve(more, moved).verdict == solve(assembly, loads).verdict == "resisted"
+        for k, other in enumerate(case["questions"]):
+            if not other["resisted"]:
+                assembly, wrenches = asked(case, other)
+                more = Assembly([*assembly.names, "top"], [*assembly.contacts, *top])
+                loads = assembly.read_wrenches(wrenches)
+                x, y, torque = loads["block"]
+                moved = {**loads, "block": (x, y + 1, torque), "top": (0, -1, 0)}
+                verdict = solve(more, moved)
+                assert verdict.verdict == "not resisted", k
+                assert verdict.verify()
+
+
+class TestCommonMotion:
+    PAIR = Assembly(["a", "b"], [contact("a", "b", [x, 0], preload=1) for x in (-1, 1)])
+
+    def test_load_that_does_not_balance_is_refused_by_one_leaf(self):
+        verdict = solve(self.PAIR, {"a": [0, -1, 0]})
+        assert verdict.verdict == "not resisted"
+        assert verdict.reason.startswith("the load does not balance as a whole")
+        assert verdict.verify().leaves == 1
+
+    def test_load_that_balances_is_resisted(self):
+        assert solve(self.PAIR, {"a": [0, -1, 0], "b": [0, 1, 0]})
+
+    def test_body_that_touches_nothing_bears_nothing(self):
+        assert solve(Assembly(["a"]), {})
+        assert solve(Assembly(["a"]), {"a": [0, 0, 1]}).verdict == "not resisted"
+        assert solve(Assembly([]), {})
+
+
+class TestLimits:
+    def test_few_nodes_leave_it_undecided(self):
+        books = next(case for case in CASES if case["name"] == "books-between-walls")
+        assembly, wrenches = asked(books, books["questions"][2])
+        verdict = solve(assembly, wrenches, nodes=2)
+        assert verdict.verdict == "undecided"
+        assert "2 nodes" in verdict.reason
+        assert verdict.certificate is None
+        with pytest.raises(EquilibriumError, match="undecided"):
+            bool(verdict)
+
+    def test_time_limit_leaves_it_undecided(self):
+        verdict = solve(*asked(WEDGE, WEDGE["questions"][1]), time_limit=1e-9)
+        assert verdict.verdict == "undecided"
+        assert "time limit" in verdict.reason
+
+
+class TestForged:
+    """Each number of a certificate changed: refused, or still a proof of the question in it."""
+
+    def forgeries(self):
+        rng = random.Random(7)
+        proofs = []
+        for param in QUESTIONS:
+            assembly, wrenches = asked(*param.values)
+            proofs.append(solve(assembly, wrenches).proof)
+        while True:
+            for proof in proofs:
+                forged = copy.deepcopy(proof)
+                if change(forged, rng):
+                    yield forged
+
+    def refused(self, count):
+        found = 0
+        for forged in self.forgeries():
+            assembly = Assembly.from_dict(forged["assembly"])
+            wrench = {name: tuple(row) for name, row in forged["wrench"].items()}
+            report = verify(forged)
+            yes = solve(assembly, wrench).verdict
+            # What is accepted is true; what is not true is refused.
+            assert not report or yes == forged["certificate"], forged
+            found += not report
+            if found == count:
+                return
+
+    def test_forged_certificates_are_refused(self):
+        self.refused(40)
+
+    @pytest.mark.slow
+    def test_forged_certificates_are_refused_500_times(self):
+        self.refused(500)
+
+    def test_yes_turned_into_no_is_no_certificate(self):
+        proof = solve(STACK, WEIGHTS).proof
+        with pytest.raises(ValueError, match="tree"):
+            verify({**proof, "certificate": "not resisted"})
+
+    def test_part_has_all_its_contacts(self):
+        proof = solve(STACK, {**WEIGHTS, "upper": [1, -1, -1]}).proof
+        assert proof["tree"]["part"] == ["upper"]
+        assert verify(proof)
+        for change in ({"contacts": [2]}, {"contacts": [2, 3, 3]}, {"part": ["lower"]}):
+            report = verify({**proof, "tree": {**proof["tree"], **change}})
+            assert "contacts of the part" in report.problem or "pair" in report.problem
+        with pytest.raises(CertificateError, match="names of bodies"):
+            verify({**proof, "tree": {**proof["tree"], "part": ["middle"]}})
+
+    def test_part_that_touches_two_bodies_is_refused(self):
+        three = Assembly(
+            ["a", "b", "c"],
+            [contact("a", "b", [0, 0]), contact("a", "c", [1, 0]), contact("b", None, [0, -1])],
+        )
+        proof = solve(three, {"a": [0, 1, 0]}).proof
+        forged = {**proof, "tree": {"part": ["a"], "contacts": [0, 1], "tree": ["0", "1", "0"]}}
+        assert "more than one pair" in verify(forged).problem
+
+    def test_question_of_a_certificate_is_compared(self):
+        proof = solve(STACK, WEIGHTS).proof
+        other = STACK.read_wrenches({"upper": [0, -1, 0]})
+        assert "another" in check_assembly(proof, (STACK, other)).problem
+
+
+def change(document, rng):
+    """Change one number of a proof that is not part of the question; False if there is none."""
+    places = []
+
+    def walk(value, parent, key):
+        if isinstance(value, dict):
+            for name, child in value.items():
+                if name not in ("edge", "at", "contact", "part", "contacts"):
+                    walk(child, value, name)
+        elif isinstance(value, list):
+            for k, child in enumerate(value):
+                walk(child, value, k)
+        elif isinstance(value, str):
+            places.append((parent, key))
+
+    for name in ("tree", "motion", "forces"):
+        if name in document:
+            walk(document[name], document, name)
+    if not places:
+        return False
+    parent, key = rng.choice(places)
+    old = Fraction(parent[key])
+    new = rng.choice([-old, old + 1, old - 1, 2 * old, old + Fraction(1, 10**9)])
+    parent[key] = str(new)
+    return new != old
+
+
+class TestModel:
+    def test_document_round_trips(self, tmp_path):
+        bodies = [
+            RigidBody("a", Polygon([[0, 0], [1, 0], [0, 1]])),
+            RigidBody("b", Circle([0, 0], 1)),
+        ]
+        assembly = Assembly(bodies, [contact("a", "b", [0, 0], preload="1/3")])
+        document = assembly.to_dict()
+        jsonschema.Draft202012Validator(assembly_schema()).validate(document)
+        assert Assembly.from_dict(document).to_dict() == document
+        assembly.save(tmp_path / "a.json", {"a": [0, 1, 0]})
+        assert read_assembly(tmp_path / "a.json") == assembly
+        written = json.loads((tmp_path / "a.json").read_text("utf-8"))
+        jsonschema.Draft202012Validator(assembly_schema()).validate(written)
+        assert written["wrench"]["b"] == ["0", "0", "0"]
+
+    @pytest.mark.parametrize(
+        ("bodies", "contacts", "words"),
+        [
+            (["a", "a"], [], "twice"),
+            ([""], [], "characters"),
+            ([" a"], [], "spaces"),
+            ([3], [], "name of a body is 3"),
+            (["a"], [contact("a", "b", [0, 0])], "one of the bodies"),
+            (["a"], ["contact"], "expected BodyContact"),
+        ],
+    )
+    def test_bad_assemblies_are_refused(self, bodies, contacts, words):
+        with pytest.raises(GraspError, match=words):
+            Assembly(bodies, contacts)
+
+    @pytest.mark.parametrize(
+        ("changes", "words"),
+        [
+            ({"bodies": "a"}, "expected a list"),
+            ({"bodies": [{"name": "lower", "mass": 1}]}, "unknown key 'mass'"),
+            ({"contacts": [{}]}, 'no key "body_a"'),
+            ({"contacts": [{"body_a": None, "body_b": "lower"}]}, "body_a is None"),
+            ({"contacts": [3]}, "expected an object"),
+            ({"schema_version": 2}, "reads 1"),
+            ({"masses": []}, "unknown key"),
+        ],
+    )
+    def test_bad_documents_are_refused(self, changes, words):
+        with pytest.raises(ValueError, match=words):
+            Assembly.from_dict({**STACK.to_dict(), **changes})
+        assert not jsonschema.Draft202012Validator(assembly_schema()).is_valid(
+            {**STACK.to_dict(), **changes}
+        )
+
+    def test_contact_with_itself_or_in_space_is_refused(self):
+        with pytest.raises(GraspError, match="two bodies"):
+            contact("a", "a", [0, 0])
+        with pytest.raises(GraspError, match="in the plane"):
+            BodyContact("a", None, Contact([0, 0, 0], [0, 0, 1], 1))
+        with pytest.raises(GraspError, match="is the ground"):
+            assert contact("a", None, [0, 0]).reversed
+
+    @pytest.mark.parametrize(
+        ("wrenches", "words"),
+        [
+            ({"middle": [0, 0, 0]}, "one of the bodies lower, upper"),
+            ({"upper": [0, 0]}, "has 2 entries; expected three"),
+            ([0, 0, 0], "expected a mapping"),
+            ({"upper": [0.5, 0, 0]}, "float"),
+        ],
+    )
+    def test_bad_wrenches_are_refused(self, wrenches, words):
+        with pytest.raises(ValueError, match=words):
+            solve(STACK, wrenches)
+
+    def test_options_of_one_body_are_refused(self):
+        for options in ({"pyramid": 4}, {"shorten": True}, {"max_displacement": 1}):
+            with pytest.raises(GraspError, match="an assembly takes no"):
+                solve(STACK, WEIGHTS, **options)
+
+
+class TestVerdict:
+    def test_what_it_shows(self):
+        verdict = solve(STACK, WEIGHTS)
+        assert repr(verdict) == "<AssemblyVerdict: resisted, <Assembly: 2 bodies, 4 contacts>>"
+        assert verdict.motions == {"lower": (0, Fraction(-3, 2), 0), "upper": (0, -2, 0)}
+        assert verdict.states == ("stick",) * 4
+        assert verdict.to_dict()["wrench"] == {"lower": ["0", "-2", "0"], "upper": ["0", "-1", "0"]}
+        assert json.loads(verdict.certificate.text)["motion"]["upper"] == ["0", "-2", "0"]
+        assert verify(verdict.proof)
+
+    def test_part_that_gives_way_is_named(self):
+        verdict = solve(STACK, {**WEIGHTS, "upper": ["1/3", -1, "-1/2"]})
+        assert verdict.reason == "the contacts of upper with lower cannot balance the load"
+        assert not verdict.forces
+        assert verdict.to_dict()["reason"] == verdict.reason
+
+
+class TestCommand:
+    @pytest.fixture
+    def stack(self, tmp_path):
+        path = tmp_path / "stack.json"
+        STACK.save(path, WEIGHTS)
+        return str(path)
+
+    def test_solve_and_verify(self, stack, tmp_path, capsys):
+        proof = str(tmp_path / "proof.json")
+        assert main(["solve", stack, "--certificate", proof]) == 0
+        assert "contact 3  upper on lower" in capsys.readouterr().out
+        assert main(["verify", proof]) == 0
+        assert "not compared with an assembly" in capsys.readouterr().out
+        assert main(["verify", proof, "--grasp", stack]) == 0
+        assert main(["verify", proof, "--json"]) == 0
+
+    def test_wrenches_of_the_file_are_replaced(self, stack, tmp_path, capsys):
+        proof = str(tmp_path / "proof.json")
+        pushed = ["--on", "upper", "1/3", "-1", "-1/2"]
+        assert main(["solve", stack, *pushed, "--certificate", proof, "--json"]) == 1
+        answer = json.loads(capsys.readouterr().out)
+        assert answer["verdict"] == "not resisted"
+        assert answer["wrench"]["lower"] == ["0", "-2", "0"]
+        assert main(["verify", proof, "--grasp", stack]) == 1
+
+    @pytest.mark.parametrize(
+        ("options", "words"),
+        [
+            (["--wrench", "0", "0", "1"], "--wrench is for one body"),
+            (["--on", "middle", "0", "0", "1"], "one of the bodies"),
+            (["--on", "upper", "0", "x", "1"], "'x'"),
+            (["--on", "upper", "0", "0", "1", "--on", "upper", "0", "0", "1"], "twice"),
+            (["--shorten"], "--shorten is for one body"),
+            (["--as-printed", "signs"], "--as-printed is for one body"),
+        ],
+    )
+    def test_bad_options_are_refused(self, stack, options, words, capsys):
+        try:
+            code = main(["solve", stack, *options])
+        except SystemExit as end:
+            code = end.code
+        assert code == 2
+        assert words in capsys.readouterr().err
+
+    def test_wrenches_are_asked_for(self, tmp_path, capsys):
+        path = tmp_path / "bare.json"
+        STACK.save(path)
+        assert main(["solve", str(path)]) == 2
+        assert "--on BODY" in capsys.readouterr().err
+        assert main(["solve", "ladder", "--on", "a", "0", "0", "1"]) == 2
+        assert "--on is for an assembly" in capsys.readouterr().err
+        assert main(["solve", "ladder"]) == 2
+        assert "there is no wrench" in capsys.readouterr().err
+
+    def test_verified_checker_is_for_one_body(self, stack, tmp_path, capsys):
+        proof = str(tmp_path / "proof.json")
+        main(["solve", stack, "--certificate", proof])
+        capsys.readouterr()
+        assert main(["verify", proof, "--verified"]) == 2
+        assert "one body" in capsys.readouterr().err
