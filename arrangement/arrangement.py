@@ -146,7 +146,7 @@ class Arrangement(HintsMixin, Planes):
             where = [i for i, sign in enumerate(found.signs) if not sign]
             raise InputError(
                 f"the point {vector_text(found.witness)} lies on the planes {shown(where)}, so in "
-                "no region; move it, or ask face_at"
+                "no region; move it, or use face_at"
             )
         return found
 

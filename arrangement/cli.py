@@ -226,7 +226,7 @@ def _f_vector(
 
 
 def _counts_are_cheap(arrangement: Arrangement) -> bool:
-    """Whether faces are counted by formulas, however many there are."""
+    """Return whether faces are counted by formulas, however many there are."""
     from .counts.configuration import configuration, is_generic
     from .counts.low_rank import MAX_RANK
 

@@ -525,7 +525,7 @@ CASES += [
         (f"{SWEEP} --elements 3..4 --store s.sqlite --samples 0", "samples is 0"),
         (f"{SWEEP} {SIZE} --jobs 0", "jobs is 0"),
         (f"{SWEEP} {SIZE} --chunk 0", "chunk is 0"),
-        (f"{SWEEP} --samples 9 --store s.sqlite --elements 4..3", "smaller number stands first"),
+        (f"{SWEEP} --samples 9 --store s.sqlite --elements 4..3", "smaller number first"),
         (f"{SWEEP} --samples 9 --store s.sqlite --elements 3-4", "'3-4' is not a range"),
         (f"{SWEEP} {SIZE} --shard 3/2", "'3/2' is not a shard"),
         (

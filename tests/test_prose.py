@@ -41,6 +41,20 @@ WORDS = {
     r"a fault of the program": "internal error",
     r"(?<!there )is no (number|list|prime|grasp|certificate|file|text|state)": "is not a",
     r"anew": "again",
+    r"marks itself": "self-grading",
+    r"of one's own": "your",
+    r"known are": "expected one of",
+    r"says so": "reports it",
+    r"(is|was|are|were) said": "is reported",
+    r"is told": "is reported",
+    r"literal reading": "as printed",
+    r"goes on where": "continues where",
+    r"(two|both|the|second|third) routes? (that|to|which|disagree)": "independent implementation",
+    r"others within the error": "other grasps within the rounding error",
+    r"asked was": "expected",
+    r"place for": "unexpected argument",
+    r"as it was rounded": "for the rounded data",
+    r"whatever the contacts do": "for all contact forces",
 }
 DIALECT = re.compile(rf"\b(?:{'|'.join(WORDS)})\b", re.IGNORECASE)
 

@@ -58,7 +58,7 @@ def entry(module: str) -> Callable[..., int]:
 
 
 def fault(error: Exception, argv: Sequence[str] | None) -> int:
-    """Say in one line on stderr what was not expected, or with ``--traceback`` all; return 70."""
+    """Report an unexpected error on stderr, with ``--traceback`` in full; return 70."""
     if "--traceback" in (sys.argv if argv is None else argv):
         import traceback
 
@@ -66,7 +66,7 @@ def fault(error: Exception, argv: Sequence[str] | None) -> int:
     what = "".join(c if c.isprintable() else " " for c in str(error)[:120])
     text = (
         f"error: internal error, no answer: {type(error).__name__}: {what}; please report "
-        "it with the command, as CONTRIBUTING.md says (--traceback shows where)"
+        "it with the command, see CONTRIBUTING.md (--traceback shows where)"
     )
     if isinstance(error, ModuleNotFoundError):
         text = f"error: no answer: the module {error.name} is missing; install slipstates again"

@@ -59,7 +59,7 @@ def shown(wanted: bool = True) -> Iterator[None]:
 
 
 def note(text: str) -> None:
-    """Say on stderr, inside `shown`, what was left out or replaced."""
+    """Report on stderr, inside `shown`, what was left out or replaced."""
     if _line.get().free:
         print(safe_lines(text), file=sys.stderr)
 
@@ -131,11 +131,11 @@ class Bar:
         self.visible = self._terminal or piped
 
     def begin(self, done: int, total: int) -> None:
-        """Say what was done before, and the total, once both are known."""
+        """Report what was done before, and the total, once both are known."""
         self.first, self.total, self._start = done, total, self._clock()
 
     def update(self, done: int, note: str | None = None) -> None:
-        """Say how much is done now, and what is at work."""
+        """Report how much is done now, and what is at work."""
         self.done = done
         self.note = self.note if note is None else note
         now = self._clock()

@@ -79,6 +79,6 @@ class _Answers:
 
 @contextmanager
 def safe_stdout() -> Iterator[None]:
-    """Let all that is printed inside be safe and complete, on every terminal and in every file."""
+    """Print safely and completely inside, on every terminal and in every file."""
     with redirect_stdout(cast(TextIO, _Answers(sys.stdout))):
         yield

@@ -90,7 +90,7 @@ class Printing:
 
     @contextmanager
     def explained(self, width: float) -> Iterator[None]:
-        """Say why a picture is too narrow, where its own width is not that of the sheet."""
+        """Explain why a picture is too narrow, where its own width is not that of the sheet."""
         from .scene.scene import NarrowError
 
         try:

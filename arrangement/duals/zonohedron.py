@@ -304,7 +304,7 @@ def _check_vertices_and_edges(dual: DualPolyhedron) -> None:
         zip(dual.signs.tolist(), dual.integer_vertices, strict=True)
     ):
         if vertex != tuple(dot(signs, column) for column in columns):
-            raise ArrangementError(f"vertex {index} is not the sum that its signs say")
+            raise ArrangementError(f"vertex {index} is not the sum given by its signs")
     if len(set(dual.integer_vertices)) != len(dual.integer_vertices):
         raise ArrangementError("two vertices are equal")
     labels = np.array(dual.arrangement.class_of)

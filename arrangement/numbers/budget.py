@@ -213,7 +213,7 @@ def spend(steps: float) -> None:
     meter.spent += steps
     if meter.spent > meter.allowed * _times.get():
         raise WorkOver(
-            f"it has taken {about(meter.spent)} steps, without an end; ask for less, or "
+            f"it has taken {about(meter.spent)} steps without an answer; ask for less, or "
             f"--limit {math.ceil(2 * times())} allows more"
         )
 

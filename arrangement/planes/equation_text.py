@@ -28,7 +28,7 @@ _TERM = re.compile(
 
 
 def is_equation(line: str) -> bool:
-    """Whether a line has one equality sign and names, or is a linear form in coordinates."""
+    """Return whether a line has one equality sign and names, or is a linear form in coordinates."""
     if "=" in line:
         return _EQUATION.fullmatch(line) is not None
     if _DECIMAL_POWER.search(line):

@@ -145,11 +145,11 @@ class Report(ReprMixin):
 
 
 def _difference(asked: Question, found: Question) -> str:
-    """Return in what the question of a certificate differs first from the one asked, or nothing."""
+    """Return the first difference of a certificate from what is expected, or nothing."""
     (wanted, load), (own, wrench) = asked, found
     if (own.dimension, len(own)) != (wanted.dimension, len(wanted)):
         sizes = (f"{len(g)} contacts in {g.dimension} dimensions" for g in (own, wanted))
-        return "it is about another grasp: {}, and asked was one with {}".format(*sizes)
+        return "it is about another grasp: {}; expected one with {}".format(*sizes)
     rows = [
         (f"grasp: {name} of contact {i}", getattr(one, name), getattr(other, name))
         for i, (one, other) in enumerate(zip(own, wanted, strict=True), 1)
@@ -161,7 +161,7 @@ def _difference(asked: Question, found: Question) -> str:
             texts = [vector_text(x) if len(x) > 1 else short(*x) for x in pair]
             apart = [abs(a - b) for a, b in zip(*pair, strict=True)]
             unlike = f" ({short(max(apart))} apart)" if "≈" in "".join(texts) else ""
-            return f"it is about another {name} is {texts[0]}, and asked was {texts[1]}{unlike}"
+            return f"it is about another {name} is {texts[0]}; expected {texts[1]}{unlike}"
     return ""
 
 

@@ -76,7 +76,9 @@ def add_grasp(
 
 def add_as_given(parser: argparse.ArgumentParser) -> None:
     """Add the choice to round numbers each on its own."""
-    text = "round each number on its own; else normals that meet, circles and the like are kept"
+    text = (
+        "round each number on its own; else normals that meet, circles and the like are preserved"
+    )
     parser.add_argument("--as-given", action="store_true", help=text)
 
 
@@ -228,7 +230,7 @@ def read(arguments: argparse.Namespace) -> Grasp:
 
 
 def tell_rounding(found: Conversion) -> None:
-    """Say on stderr by how much numbers had to be changed, if any, and what was kept."""
+    """Report on stderr how much numbers changed, and which incidences are preserved."""
     if not found.exact:
         point, angle = (
             float(max(map(abs, errors), default=0))
@@ -238,9 +240,9 @@ def tell_rounding(found: Conversion) -> None:
         text = f"rounded: points by {point:.2g}, normals by {angle:.2g} radians{value}"
         print(text, file=sys.stderr)
     for incidence in found.kept[:_MOST_KEPT]:
-        print(f"kept: {incidence}", file=sys.stderr)
+        print(f"preserved: {incidence}", file=sys.stderr)
     if len(found.kept) > _MOST_KEPT:
-        print(f"kept: {len(found.kept) - _MOST_KEPT} more", file=sys.stderr)
+        print(f"preserved: {len(found.kept) - _MOST_KEPT} more", file=sys.stderr)
 
 
 def grasp_of(arguments: argparse.Namespace) -> Grasp:

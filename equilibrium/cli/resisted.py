@@ -167,7 +167,7 @@ def _smallest_lines(found: SmallestUnresisted, grasp: Grasp) -> Iterator[str]:
 
 
 def _rounded(solver: Solver, found: Magnitudes) -> tuple[dict[str, Any], list[str]]:
-    """Return what other roundings of converted data say of the ends: JSON form and lines."""
+    """Return the ends for other roundings of converted data: JSON form and lines."""
     from equilibrium.decide.robustness import DEPENDS
     from equilibrium.wrench_sets.line import ends_within_error
 
@@ -176,10 +176,10 @@ def _rounded(solver: Solver, found: Magnitudes) -> tuple[dict[str, Any], list[st
         return {}, []
     if again.turned is None:
         ends = ["unbounded" if x is None else _between(*x) for x in again.ends]
-        line = f"ends for {again.asked} others within the error of the data: "
+        line = f"ends for {again.asked} other grasps within the rounding error: "
         line += ", ".join(ends) or "none"
     else:
-        line = f"{DEPENDS}: {_intervals(again.turned)} for others within the error of the data"
+        line = f"{DEPENDS}: {_intervals(again.turned)} for other grasps within the rounding error"
     return {"within_error": again.to_dict()}, [line]
 
 
@@ -196,7 +196,7 @@ def _along_in_space(
     if (nearby := magnitudes.within_error()) is not None:
         document["within_error"] = [near.to_dict() for near in nearby]
         for near in nearby:
-            same = f"{near.verdict}, also for others within the error of the data"
+            same = f"{near.verdict}, also for other grasps within the rounding error"
             lines.append(f"at {number(near.t)}: {near.doubt or same}")
     return show(arguments, document, lines, yes, grasp)
 
@@ -214,7 +214,7 @@ def _border_lines(found: SpatialMagnitudes) -> Iterator[str]:
     for a, b in found.gaps:
         yield f"a gap: not resisted from {number(a.refused)} to {number(b.refused)}"
     if last[1] != "not resisted":
-        yield f"at {number(last[0])}: {last[1]}; no end above it was looked for"
+        yield f"at {number(last[0])}: {last[1]}; larger ones were not tried"
 
 
 def _slice(arguments: argparse.Namespace, grasp: Grasp) -> int:

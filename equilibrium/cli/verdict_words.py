@@ -151,7 +151,7 @@ def _cases(found: list[ClosedPart]) -> dict[str, list[ClosedPart]]:
 
 def _leaf_lines(wrench: RationalVector, leaf: SpatialLeaf) -> Iterator[str]:
     states = ", ".join(f"contact {i + 1} {words}" for i, words in sorted(leaf.states.items()))
-    yield f"  {states or 'whatever the contacts do'}:"
+    yield f"  {states or 'for all contact forces'}:"
     yield f"    on the virtual motion {vector(leaf.motion)} the load does work"
     work = number(dot(wrench, leaf.motion))
     yield f"    {work}, and all contacts together at least {number(leaf.least)}"

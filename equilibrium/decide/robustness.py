@@ -159,12 +159,13 @@ class WithinError(_OtherGrasps):
     def lines(self) -> Iterator[str]:
         """Yield the answer in words."""
         if self.proved:
-            yield f"{self.verdict} for all grasps within the error of the data: proved"
+            yield f"{self.verdict} for all grasps within the rounding error: proved"
             return
         if self.turned is None:
             left = f", {self.open} of them undecided" if self.open else ""
             late = f"; {self.reason}" if self.reason else ""
-            yield f"{self.asked} others within the error of the data: no other verdict{left}{late}"
+            same = f"{self.asked} other grasps within the rounding error: no other verdict"
+            yield f"{same}{left}{late}"
             return
         yield f"{DEPENDS}: {self.turned.verdict} for, within the error of the data,"
         yield from self._turned_lines()
@@ -227,7 +228,7 @@ def _between(one: Grasp, two: Grasp, share: Fraction) -> Grasp:
 
 
 def within_error(found: Any, deadline: Deadline = NO_DEADLINE) -> WithinError:
-    """Ask again about a converted grasp: prove the verdict for all, or ask about `others`.
+    """Decide a converted grasp again: prove the verdict for all, or decide `others`.
 
     Raises:
         GraspError: the grasp was not converted.

@@ -308,10 +308,12 @@ class Verdict(HintsMixin):
         """What is added to a verdict that depends on the rounding; else empty."""
         if self.rounding is None or self.rounding.turned is None:
             return ""
-        return f"{DEPENDS}: {self.rounding.turned.verdict} for others within the error of the data"
+        return (
+            f"{DEPENDS}: {self.rounding.turned.verdict} for other grasps within the rounding error"
+        )
 
     def robust(self, *, time_limit: float | None = None, **bounds: Any) -> Robustness:
-        """Say whether this holds for all grasps within bounds: proved, refuted or undecided.
+        """Decide whether the verdict holds for every grasp within the given bounds.
 
         Args:
             time_limit: in seconds; none by default. It is undecided when that is over.
@@ -320,7 +322,7 @@ class Verdict(HintsMixin):
         return robustness.robust(self, Bounds(**bounds), Deadline(time_limit))
 
     def within_error(self) -> WithinError:
-        """Ask about other grasps within the error of the data that this one was converted from.
+        """Decide other grasps within the error of the data that this one was converted from.
 
         A time limit of `solve` counts for this, too.
 
@@ -330,6 +332,6 @@ class Verdict(HintsMixin):
         return self.rounding or robustness.within_error(self)
 
     def _repr_html_(self) -> str | None:
-        """What a notebook shows: every equilibrium with its forces."""
+        """Return what a notebook shows: every equilibrium with its forces."""
         text: str | None = named("equilibrium.pictures.notebook:verdict_html")(self)
         return text

@@ -37,7 +37,7 @@ class Answer:
     def __bool__(self) -> bool:
         if self.accepts is None:
             raise GraspError(
-                f"{self.method} says nothing of this wrench, neither yes nor no ({self.remark}); "
+                f"{self.method} gives neither yes nor no for this wrench ({self.remark}); "
                 "ask for .accepts, which is None"
             )
         return self.accepts

@@ -40,8 +40,8 @@ _REQUIRED, _OPTIONAL = ("point", "normal", "friction"), ("stiffness", "preload",
 
 #: Why a grasp in space is refused by what knows the plane only.
 IN_SPACE = (
-    "this grasp is in space (three coordinates), and what was asked is known for grasps in the "
-    "plane only; `equilibrium solve`, `verify`, `info`, `resisted` with a load and some views of "
+    "this grasp is in space (three coordinates), and this is known for grasps in the plane "
+    "only; `equilibrium solve`, `verify`, `info`, `resisted` with a load and some views of "
     "`draw` take both"
 )
 

@@ -191,7 +191,7 @@ class SpatialSearch:
         return None
 
     def _all_nodes(self, tree: OpenTree) -> Outcome:
-        """Go on with a tree up to the limit; begin anew if it has nodes that cannot be split."""
+        """Continue a tree up to the limit; begin again if it has nodes that cannot be split."""
         again = tree.holes or tree.hopeless
         return self._search(OpenTree(self.root) if again else tree, self.max_nodes)
 

@@ -98,8 +98,8 @@ def smallest_unresisted_wrench(
     """
     if whole.grasp.dimension == 3:
         raise GraspError(
-            "in space no proof says that a whole ball of wrenches is resisted; "
-            "ask for one direction after the other (`ResistedSet.along`)"
+            "in space there is no proof for a whole ball of wrenches; decide one direction after "
+            "the other (`ResistedSet.along`)"
         )
     sizes = _Sizes(read_wrench(base), rational(torque_length, "torque_length"))
     if sizes.length <= 0:

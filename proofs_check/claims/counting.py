@@ -93,7 +93,7 @@ def _explain_published(planes: Arrangement, listed: Any) -> str:
 
 
 def _general_f(m: int) -> tuple[int, ...]:
-    """The closed form of the f-vector in general position, m >= 3."""
+    """Return the closed form of the f-vector in general position, m >= 3."""
     return (1, m * (m - 1), 2 * m * (m - 1), _most_regions(m))
 
 

@@ -87,7 +87,7 @@ def _published_cycles(planes: Arrangement) -> tuple[tuple[int, ...], bool]:
 
 
 def _horton_cycles(planes: Arrangement) -> tuple[tuple[int, ...], bool]:
-    """The same from covectors and Horton's algorithm.
+    """Return the same from covectors and Horton's algorithm.
 
     The basis consists of faces exactly when its total length is that of all faces but a longest
     one, its size is F - 1, and the faces have the cycle space as their span.

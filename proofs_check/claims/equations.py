@@ -78,7 +78,7 @@ def _equal(_: Question, pair: Pair) -> bool:
 
 
 def _listed_pair(options: Collection[str], question: Question) -> Pair:
-    """The verdict of Algorithm 2 over the states of Steps 1 to 3, and that of the model."""
+    """Return the verdict of Algorithm 2 over the states of Steps 1 to 3, and that of the model."""
     states = listed_states(
         grasp_of(question),
         detachment="detachment" not in options,
@@ -135,7 +135,7 @@ AXES = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 
 def _held_by_elimination(question: Question) -> tuple[Interval, ...]:
-    """The held factors t >= 0, cut out of the set of all factors."""
+    """Return the held factors t >= 0, cut out of the set of all factors."""
     zero = Fraction(0)
     return tuple(
         (zero if low is None else max(low, zero), high)

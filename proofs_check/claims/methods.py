@@ -48,7 +48,7 @@ def _by_elimination(asked: Asked) -> tuple[bool, bool]:
 
 
 def _choices(asked: Asked) -> Iterator[tuple[str, ...]]:
-    """The states of contacts that a method distinguishes."""
+    """Return the states of contacts that a method distinguishes."""
     states = {
         "wrench-space": ("force",),
         "cones": ("spring", "detached"),

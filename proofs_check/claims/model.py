@@ -141,7 +141,7 @@ def _by_elimination(grasp: Grasp, closed: bool = False) -> tuple[int, int]:
 
 
 def _possible(equalities: list[Row], inequalities: list[Row]) -> bool:
-    """Whether e can be above 0."""
+    """Return whether e can be above 0."""
     limit: Row = tuple(map(Fraction, (0, 0, 0, -1, 1)))
     rows = project(equalities, [*inequalities, limit], keep=3)
     return rows is not None and all(row[4] > 0 for row in rows if row[3] < 0)

@@ -42,7 +42,7 @@ def _by_codes(m: int) -> tuple[int, int]:
 
 
 def _by_isomorphism(m: int) -> tuple[int, int]:
-    """The same, by tests for isomorphic graphs (networkx) among graphs of equal hash."""
+    """Return the same, by tests for isomorphic graphs (networkx) among graphs of equal hash."""
     kept: dict[str, list[tuple[nx.Graph, bool]]] = {}
     for planes in _listed(m):
         graph = nx.Graph([tuple(edge) for edge in _adjacent(planes)])
@@ -84,7 +84,7 @@ def _code(graph: DualGraph) -> tuple[int, ...]:
 
 
 def _kind(graph: DualGraph, vertex: RegionSigns) -> tuple[int, ...]:
-    """The sizes of the faces around a vertex."""
+    """Return the sizes of the faces around a vertex."""
     return tuple(sorted(len(f) for f in graph.faces if any(vertex in edge for edge in f)))
 
 
@@ -128,7 +128,7 @@ _MOST_REGIONS = 2000
 
 @cache
 def _entries() -> Mapping[Arrangement, PublishedCount]:
-    """The entries by their planes; equal planes of two families have the same number."""
+    """Return the entries by their planes; equal planes of two families have the same number."""
     made = ((entry.planes(), entry) for entry in published_counts())
     return {planes: entry for planes, entry in made if len(planes) <= _LARGEST}
 

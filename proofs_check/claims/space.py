@@ -74,7 +74,7 @@ def _fingers(_: Random) -> Iterator[Case]:
 
 
 def _boxed_by_programs(finger: _Finger) -> _Pair:
-    """The verdict without bounds, and the linear programs of both states with them."""
+    """Return the verdict without bounds, and the linear programs of both states with them."""
     contact, wrench = finger.contact, finger.wrench
     normal, k = contact.normal_wrench, contact.stiffness
     unit = [[Fraction(int(i == j)) for j in range(6)] for i in range(6)]
@@ -149,7 +149,7 @@ _FINER = (4, 8, None)
 
 
 def _by_proofs(grasp: Grasp) -> tuple[bool, ...]:
-    """What the checker says that the certificates prove."""
+    """Return what the checker says that the certificates prove."""
     found = []
     for edges in _FINER:
         verdict = solve(grasp, _LET_GO, pyramid=edges)

@@ -96,7 +96,7 @@ def _edge_counts_by_hull(chosen: Chosen) -> tuple[int, int]:
 
 
 def _edge_counts_by_supports(chosen: Chosen) -> tuple[int, int]:
-    """The same from all planes through three points that have no point on one side."""
+    """Return the same from all planes through three points that have no point on one side."""
     points = chosen.points
     facets = set()
     for a, b, c in combinations(points, 3):
@@ -143,7 +143,7 @@ def _middle_points(_rng: random.Random) -> Iterator[Case]:
 
 
 def _weights_by_flows(planes: Arrangement) -> bool:
-    """The same by networkx: a largest flow, and whether what it leaves open is connected."""
+    """Return the same by networkx: a largest flow, and whether what it leaves open is connected."""
     graph = from_signs(*([face.signs for face in planes.faces(k)] for k in (3, 2, 1)))
     net = nx.DiGraph()
     pairs = [sorted(edge, key=lambda region: region.count(1) % 2) for edge in graph.edges]

@@ -78,7 +78,7 @@ class Probes:
 def _ray(
     contacts: Iterable[Sequence[int]], preload: int, low: Fraction | None, high: Fraction
 ) -> Case:
-    """The statement that exactly the forces (0, t, 0) with low <= t <= high are held."""
+    """Return the statement that exactly the forces (0, t, 0) with low <= t <= high are held."""
     ends = [high] if low is None else [low, high]
     near = (end + tiny for end in ends for tiny in (-TINY, 0, TINY))
     ordered = tuple(sorted({*map(Fraction, (-(10**6), -1, 0, 1)), *near}))

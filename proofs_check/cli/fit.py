@@ -34,7 +34,9 @@ def run_fit(arguments: argparse.Namespace) -> int:
     elif of:
         values = values_of_text(named, of)
     else:
-        raise OwnClaimError("say of what: --of 'generic(m=2..9)', or give FILE.py:ID")
+        raise OwnClaimError(
+            "the instances are missing; give --of 'generic(m=2..9)', or give FILE.py:ID"
+        )
     found = fit(values.found, values.name)
     if arguments.json:
         terminal.print_json(

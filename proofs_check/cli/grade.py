@@ -83,7 +83,9 @@ def _class(
     marked = [marks for marks in found.values() if not isinstance(marks, InputError)]
     if len(marked) < len(found):
         lost = len(found) - len(marked)
-        raise InputError(f"{lost} of {len(found)} files could not be marked; their lines say why")
+        raise InputError(
+            f"{lost} of {len(found)} files could not be marked; their lines give the reason"
+        )
     return max(map(_code, marked))
 
 

@@ -87,8 +87,8 @@ class Exercise(ReprMixin):
             case str() if found:
                 return self._marked(0, found)
         raise OwnClaimError(
-            f"{self.id} returned {shown(found)}; return True, False, what `check` says of a "
-            "certificate, a text that says what is wrong, or a pair of points below "
+            f"{self.id} returned {shown(found)}; return True, False, the report of "
+            "`verify`, a text that describes the error, or a pair of points below "
             f"{self.points} and such a text"
         )
 

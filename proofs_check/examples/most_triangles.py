@@ -63,7 +63,7 @@ def most_triangles(planes: Arrangement, triangles: int) -> bool:
     hypotheses=["m = 6", "general position"],
     routes=[by_dual, by_determinants],
     samples=0,
-    locator="a wish",
+    locator="a conjecture",
     expected="refuted",
 )
 def always_reached(planes: Arrangement, triangles: int) -> bool:

@@ -58,7 +58,7 @@ def domain(name: str) -> Domain:
 
 
 def is_domain(text: str) -> bool:
-    """Whether a text names a domain, with or without its dimension."""
+    """Return whether a text names a domain, with or without its dimension."""
     return text.partition("(")[0] in {name.partition("(")[0] for name in DOMAINS}
 
 

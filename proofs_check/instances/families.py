@@ -125,7 +125,7 @@ def family(name: str, **parameters: Any) -> Family:
 
 
 def is_family(text: str) -> bool:
-    """Whether a text is written as a family, or names one."""
+    """Return whether a text is written as a family, or names one."""
     return text.strip().endswith(")") or text.strip().replace("_", "-") in FAMILIES
 
 

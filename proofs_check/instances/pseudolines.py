@@ -175,7 +175,7 @@ def type_sources(low: int, high: int) -> tuple[Source, ...]:
 
 def _draw(rng: Random, n: int) -> Pseudolines:
     if not 3 <= n <= MOST_PLANES:
-        raise OwnClaimError(f"{n} pseudolines are asked for; the census has 3 to {MOST_PLANES}")
+        raise OwnClaimError(f"{n} pseudolines are requested; the census has 3 to {MOST_PLANES}")
     others = not_stretchable() if n == MOST_PLANES else ()
     place = rng.randrange(PUBLISHED[n] + len(others))
     if place >= PUBLISHED[n]:

@@ -113,7 +113,7 @@ class _Loader(SourceFileLoader):
     """Compiles a file afresh, with its comparisons reported."""
 
     def path_stats(self, path: Any) -> Any:
-        """Say that nothing is known of the file, so that no compiled form is read or kept."""
+        """Report nothing of the file, so that no compiled form is read or kept."""
         raise OSError
 
     def source_to_code(  # type: ignore[override]

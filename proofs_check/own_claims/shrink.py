@@ -107,7 +107,7 @@ def _arrangement(rows: Sequence[IntegerVector], d: int) -> Arrangement:
 
 
 def _weight(row: IntegerVector) -> tuple[Any, ...]:
-    """The order in which planes get smaller: by entries, then by signs, then by place."""
+    """Return the order in which planes get smaller: by entries, then by signs, then by place."""
     entries = tuple(abs(x) for x in row)
     return (max(entries), sum(entries), sum(x < 0 for x in row), tuple(-x for x in row))
 
@@ -167,7 +167,7 @@ def _nearer(value: Fraction) -> tuple[Fraction, ...]:
 
 
 def _contact_weight(contact: Contact) -> tuple[Any, ...]:
-    """The order in which contacts get simpler."""
+    """Return the order in which contacts get simpler."""
     numbers = contact_numbers(contact)
     total = sum(abs(x.numerator) + x.denominator - 1 for x in numbers)
     return (total, sum(x < 0 for x in numbers), tuple(-x for x in numbers))

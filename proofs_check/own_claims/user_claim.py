@@ -148,12 +148,12 @@ Given = Callable[[Any], Any]
 
 
 def _within(chosen: Domain, subject: Any) -> bool:
-    """Whether an instance is of the domain."""
+    """Return whether an instance is of the domain."""
     return len(subject) >= chosen.least and chosen.contains(subject)
 
 
 def _applies(name: str, given: Given, when: Given | None, subject: Any) -> bool:
-    """Whether an instance satisfies the hypothesis."""
+    """Return whether an instance satisfies the hypothesis."""
     try:
         return when is None or bool(_with_parameters(when, given(subject)))
     except Exception as error:
@@ -297,7 +297,7 @@ def _answer(name: str, function: Callable[..., Any], *arguments: Any) -> bool | 
         return answer.text + _hint(answer.text, arguments[0])
     if isinstance(answer, str) and answer:
         return answer
-    raise OwnClaimError(f"{name} returned {answer!r}; return True, or a text that says why not")
+    raise OwnClaimError(f"{name} returned {answer!r}; return True, or a text with the reason")
 
 
 _BOUNDED = re.compile(r"(?<!relatively_)bounded_(?:regions|region_count|p_vector)\b")

@@ -13,7 +13,7 @@ from arrangement.planes.proved import proved_f_vector, proved_whitney_numbers
 
 
 def _tests(planes: Planes) -> int:
-    """The regions of the first i planes, for i below their number."""
+    """Return the regions of the first i planes, for i below their number."""
     starts = (Planes(planes.normals[:i]) for i in range(1, len(planes)))
     return 1 + sum(sum(map(abs, proved_whitney_numbers(start))) for start in starts)
 
@@ -48,7 +48,7 @@ def _slip_states_in_space(grasp: Any) -> tuple[int, int]:
 
 
 def _of_motions(grasp: Any) -> tuple[int, ...]:
-    """The f-vector of the planes at which the state of some contact changes."""
+    """Return the f-vector of the planes at which the state of some contact changes."""
     return proved_f_vector(grasp.motion_arrangement())
 
 

@@ -103,7 +103,7 @@ class Domain(ReprMixin):
         if self.least <= low <= high <= (self.most or high):
             return ""
         upto = f" and at most {self.most}" if self.most else ""
-        return f"{self.text} need at least {self.least}{upto}, and the smaller number stands first"
+        return f"{self.text} need at least {self.least}{upto}, smaller number first"
 
 
 @dataclass(frozen=True, repr=False)
@@ -231,11 +231,11 @@ class Claim(ReprMixin):
         return self.routes[0].compute(subject)
 
     def includes(self, subject: Any) -> bool:
-        """Whether the statement speaks of a subject."""
+        """Return whether the statement speaks of a subject."""
         return self.has_within(subject) and (self.applies is None or self.applies(subject))
 
     def has_within(self, subject: Any) -> bool:
-        """Whether a subject belongs to the domain."""
+        """Return whether a subject belongs to the domain."""
         return self.within is None or self.within(subject)
 
     def cases(self, generator: Random) -> Iterator[Case]:

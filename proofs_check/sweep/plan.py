@@ -43,7 +43,7 @@ class Plan:
         return -(-self.samples // self.chunk)
 
     def indices(self, number: int) -> range:
-        """The numbers of the instances of one chunk."""
+        """Return the numbers of the instances of one chunk."""
         start = number * self.chunk
         return range(start, min(start + self.chunk, self.samples))
 

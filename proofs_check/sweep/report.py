@@ -19,7 +19,7 @@ from .sweep import EACH, Total, total
 
 
 def consistent(found: ClaimVerdict | None, expected: ClaimVerdict) -> bool:
-    """Whether a verdict on samples is compatible with the expected one.
+    """Return whether a verdict on samples is compatible with the expected one.
 
     Samples can miss the instances that refute a statement or need its saving hypothesis, so
     "holds" contradicts nothing. A counterexample contradicts an expected "holds".

@@ -57,7 +57,7 @@ class Chunk:
     milliseconds: int
 
     def of(self, plan: Plan) -> bool:
-        """Whether it has a number of the plan, and counts the instances of this number."""
+        """Return whether it has a number of the plan, and counts the instances of this number."""
         rows = self.result["counts"].values()
         samples = sum(map(sum, rows))
         return 0 <= self.number < plan.chunks and samples == len(plan.indices(self.number))
@@ -107,7 +107,7 @@ class Store:
 
     @contextmanager
     def _undamaged(self) -> Iterator[None]:
-        """Say that the plan is damaged when it cannot be read."""
+        """Report a damaged plan when it cannot be read."""
         try:
             yield
         except (sqlite3.Error, ValueError, TypeError) as error:

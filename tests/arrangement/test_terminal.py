@@ -141,7 +141,7 @@ def test_command_ends_when_its_steps_are_spent(capsys):
 
     assert terminal.run(parser_for(never_ends), ["go", "--limit", "2"]) == 2
     said = capsys.readouterr().err
-    assert said.startswith("error: it has taken 2,100 steps, without an end; ask for less")
+    assert said.startswith("error: it has taken 2,100 steps without an answer; ask for less")
     assert said.endswith("or --limit 4 allows more\n")
     assert len(done) == 6
     budget.spend(10**12)  # not a command

@@ -294,5 +294,5 @@ def test_bad_input_is_refused_with_a_reason():
         ResistedSet(grasp).smallest_outside(torque_length=0.5)
     with pytest.raises(GraspError, match="takes 3"):
         ResistedSet(grasp).smallest_outside(base=(0, 1))
-    with pytest.raises(GraspError, match="no proof says that a whole ball"):
+    with pytest.raises(GraspError, match="no proof for a whole ball"):
         ResistedSet(read_grasp("wedge")).smallest_outside()

@@ -51,7 +51,7 @@ def test_smallest_unresisted_wrench(capsys):
 @pytest.mark.parametrize(
     ("arguments", "reason"),
     [
-        (["wedge", "--smallest"], "no proof says that a whole ball"),
+        (["wedge", "--smallest"], "no proof for a whole ball"),
         ([THREE, "--smallest", "--torque-length", "0"], "must be above 0"),
         ([THREE, "--wrench", "0", "1", "0", "--torque-length", "2"], "--torque-length goes with"),
         ([THREE, "--smallest", "--at", "0", "1"], "--at goes with"),

@@ -274,7 +274,7 @@ def test_random_instances_depend_on_seed_id_and_number():
     [(2, 5, True), (3, 3, True), (1, 5, False), (2, 6, False), (4, 3, False)],
 )
 def test_a_domain_names_its_sizes(low, high, good):
-    words = "some things need at least 2 and at most 5, and the smaller number stands first"
+    words = "some things need at least 2 and at most 5, smaller number first"
     assert DOMAIN.mistake(low, high) == ("" if good else words)
     assert replace(DOMAIN, most=None).mistake(2, 999) == ""
 

@@ -127,7 +127,7 @@ def first_whitney_numbers_in_parts(
 
 
 class _MissingPartsError(Exception):
-    """Says how many parts there are."""
+    """Report how many parts there are."""
 
 
 def _final(known: list[int]) -> str:

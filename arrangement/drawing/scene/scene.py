@@ -215,7 +215,7 @@ class Scene:
         return (at[0] - w / 2, at[1] - h / 2, at[0] + w / 2, at[1] + h / 2)
 
     def is_free(self, box: Box) -> bool:
-        """Whether a box is on the sheet and covers no label."""
+        """Return whether a box is on the sheet and covers no label."""
         left, bottom, right, top = box
         if left < GAP or bottom < GAP or right > self.width - GAP or top > self.height - GAP:
             return False

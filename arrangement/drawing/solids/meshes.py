@@ -126,7 +126,7 @@ def volume(points: Floats, faces: Sequence[tuple[int, ...]]) -> float:
 
 
 def _is_closed(faces: Sequence[tuple[int, ...]]) -> bool:
-    """Whether every directed edge occurs once, and its reverse too."""
+    """Return whether every directed edge occurs once, and its reverse too."""
     edges = [e for f in faces for e in cycle_edges(f)]
     known = set(edges)
     return bool(faces) and len(known) == len(edges) and all((b, a) in known for a, b in edges)

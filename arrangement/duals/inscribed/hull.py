@@ -231,7 +231,7 @@ def _flat_edges_if_hull(
 
 
 def _covers_once(points: list[IntegerVector], triangles: list[Triangle]) -> bool:
-    """Whether the ray through the middle of the first triangle meets no other one."""
+    """Return whether the ray through the middle of the first triangle meets no other one."""
     directions = [point[:3] for point in points]
     middle = [sum(column) for column in zip(*(directions[v] for v in triangles[0]), strict=True)]
     meets = 0

@@ -44,13 +44,13 @@ LARGEST_ENTRY = 10**6
 
 @lru_cache
 def triples(n: int) -> NDArray[np.intp]:
-    """The triples i < j < k below n, in lexicographic order."""
+    """Return the triples i < j < k below n, in lexicographic order."""
     return np.array(list(itertools.combinations(range(n), 3)), dtype=np.intp).reshape(-1, 3)
 
 
 @lru_cache
 def pairs(n: int) -> NDArray[np.intp]:
-    """The pairs i < j below n, in lexicographic order."""
+    """Return the pairs i < j below n, in lexicographic order."""
     return np.array(list(itertools.combinations(range(n), 2)), dtype=np.intp).reshape(-1, 2)
 
 

@@ -106,7 +106,7 @@ class FloatDictionary:
         return None
 
     def minimize(self, objective: Sequence[int]) -> int | None:
-        """Go on to a least point; return -1 there, a tight symbol that may move on for ever, None.
+        """Move to a least point; return -1 there, a tight symbol that may move on for ever, None.
 
         A symbol of a variable may move either way.
         """

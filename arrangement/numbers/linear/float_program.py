@@ -38,7 +38,7 @@ class FloatProgram:
         self._restart()
 
     def _restart(self) -> None:
-        """Compute the inverse anew."""
+        """Compute the inverse again."""
         chosen = self._rows[self._basis]
         self._inverse = np.linalg.inv(chosen[:, :-1])
         self._weights = np.maximum(-self._inverse[-1], 0.0)
@@ -57,7 +57,7 @@ class FloatProgram:
         return found / self._sizes
 
     def solve(self) -> bool:
-        """Go to the greatest last variable; return whether that ended well."""
+        """Move to the greatest last variable; return whether that ended well."""
         matrix, constants = self._rows[:, :-1], self._rows[:, -1]
         try:
             for _ in range(_STEPS * matrix.shape[1]):

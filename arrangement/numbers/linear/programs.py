@@ -142,7 +142,7 @@ class Program:
         return size * int(dot(weights, numbers))
 
     def _guessed(self, objective: Row) -> tuple[IntegerVector, Terms | Numbers | None]:
-        """Go to a least point that floats find, or one on a ray.
+        """Move to a least point that floats find, or one on a ray.
 
         Returns:
             The objective in integers; the multipliers that prove it least, or the ray, or None.

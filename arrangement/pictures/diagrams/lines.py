@@ -160,7 +160,7 @@ class _Sheet:
         raise NotImplementedError
 
     def explain(self) -> None:
-        """Say in the legend what is drawn."""
+        """Describe in the legend what is drawn."""
         legend = self.scene.legend
         if self.colours.name == "bounded":
             count, rest = len(self.chart.bounded), len(self.regions) - len(self.chart.bounded)

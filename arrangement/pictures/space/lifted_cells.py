@@ -205,7 +205,7 @@ def _patches(stage: Stage, item: Lifted, number: int) -> Iterator[Patch]:
 
 
 def _meet(one: Lifted, other: Lifted) -> bool:
-    """Whether two convex solids have a common point."""
+    """Return whether two convex solids have a common point."""
     from scipy.optimize import linprog
 
     rows = np.concatenate([one.normals, other.normals])

@@ -195,7 +195,7 @@ class StagedAxes:
 
 
 def sharp(wall: int, other: int, smooth: bool) -> bool:
-    """Whether the edge between two walls is one of the solid, not one of a round surface."""
+    """Return whether the edge between two walls is one of the solid, not one of a round surface."""
     return wall != other and not (smooth and wall < 0 and other < 0)
 
 

@@ -103,7 +103,7 @@ def tangential_arrangement(text: str) -> Arrangement | None:
     if not found.exact:
         raise GraspError(
             "the table has normals without an exact length; equilibrium make csv writes a document "
-            "with rounded ones, and says by how much"
+            "with rounded ones, and reports the change"
         )
     return found.grasp.tangential_arrangement()
 

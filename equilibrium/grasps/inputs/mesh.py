@@ -167,7 +167,7 @@ def on_mesh(
     found = _nearest(surface, corners, wanted, from_floats(max_distance), smooth)
     found += _drawn(surface, corners, random, seed, facing)
     if not found:
-        raise GraspError("no contacts are asked for; give points (--at) or a number (--random)")
+        raise GraspError("no contacts are requested; give points (--at) or a number (--random)")
     places, facets = zip(*found, strict=True)
     inward: Sequence[Sequence[float | Fraction]]
     if smooth:
@@ -265,7 +265,7 @@ def _drawn(
     """Return random places, evenly spread by area over the facets that may be chosen."""
     if not number:
         if facing is not None:
-            raise GraspError("--facing says where random contacts are drawn; add --random")
+            raise GraspError("--facing restricts random contacts; add --random")
         return []
     normals = surface.outward(corners)
     areas = np.linalg.norm(normals, axis=1)

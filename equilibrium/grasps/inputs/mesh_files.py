@@ -143,8 +143,8 @@ def _ascii_stl(content: bytes) -> Triangles:
             corners.extend(numbers[3:])
     if not begun == ended > 0 or facet:
         raise GraspError(
-            "it is neither a binary STL file as long as its count of facets says, nor an ASCII one "
-            "from solid to endsolid"
+            "it is neither a binary STL file as long as its number of facets requires, nor an "
+            "ASCII one from solid to endsolid"
         )
     return _separate(np.frombuffer(corners, np.float64).reshape(-1, 3))
 

@@ -241,7 +241,7 @@ class GraspPicture:
 
 
 def _describe(layout: Layout, legend: Legend, scale: float) -> None:
-    """Say in words and keys what is drawn, and at what scale forces are."""
+    """Describe in words and keys what is drawn, and the scale of forces."""
     for line, emphasis in _lines(layout):
         legend.line(line, emphasis)
     applied = () if layout.verdict is None else layout.verdict.wrench

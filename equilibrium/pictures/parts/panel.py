@@ -204,7 +204,7 @@ class Panel:
             self.scene.mark(place, "o", 3.5, color=BLACK, gid=self.gid("point", i), zorder=3)
 
     def fade(self) -> None:
-        """Let what reaches the edge go pale: it is unbounded."""
+        """Fade what reaches the edge: it is unbounded."""
         rings, closed = 12, np.vstack([SQUARE, SQUARE[:1]])
         with self.scene.clipped(self.box):
             for k in range(rings):
@@ -286,13 +286,13 @@ def row_of_panels(
 
 
 def explain_error(legend: Legend, grasp: Grasp) -> None:
-    """Say that a picture is about one rounding of converted data."""
+    """Note that a picture shows one rounding of converted data."""
     if grasp.data_error is not None:
         legend.line(AS_ROUNDED)
 
 
 def explain_borders(legend: Legend, regions: Sequence[Region], fades: bool) -> None:
-    """Say what lines, points and faded edges of regions mean."""
+    """Explain lines, points and faded edges of regions."""
     outlines = [region.outline for region in regions]
     if any(outline.border or outline.whiskers for outline in outlines):
         legend.key(symbol("border"), "boundary")

@@ -162,7 +162,7 @@ def symbol(kind: str) -> Symbol:
 
 
 def explain_grasp(legend: Legend, grasp: Grasp, wrench: RationalVector, forces: bool) -> None:
-    """Say what stands for friction, preloads, a wrench and contact forces, as far as there are."""
+    """Explain the symbols of friction, preloads, a wrench and contact forces, if any."""
     shown = {
         ("cone", "friction cone"): any(c.friction for c in grasp),
         ("preload", "preload"): any(c.preload for c in grasp),

@@ -145,7 +145,7 @@ def _proved(known: SpatialMagnitudes) -> float:
 def _explain(
     legend: Legend, spokes: list[tuple[Floats, SpatialMagnitudes]], ends: bool, refuted: bool
 ) -> None:
-    """Say what is drawn, if there are boundaries beyond 0 or not."""
+    """Describe what is drawn, with or without boundaries beyond 0."""
     legend.key(stroke(ec=_HELD, lw=2.0), "proved to be resisted at the samples")
     if refuted:
         legend.key(symbol(_REFUTED), "proved not to be resisted (white: left open here)")

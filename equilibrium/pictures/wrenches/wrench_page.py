@@ -88,7 +88,9 @@ def _told(box: WrenchBox, patch: Patch, wall: bool) -> tuple[str, list[tuple[str
         for a, name in zip(scaled, NAMES, strict=False)
         if a
     ).removeprefix("+ ")
-    name = "Wall of the box" if wall else "Sheet of the set" if patch.sheet else "Face of the set"
+    name = (
+        "Wall of the box" if wall else "Flat part of the set" if patch.sheet else "Face of the set"
+    )
     return name, [("condition", f"{left} {'=' if patch.sheet else '≤'} {number_text(scaled[3])}")]
 
 

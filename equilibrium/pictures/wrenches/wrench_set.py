@@ -197,7 +197,7 @@ class _WrenchSetPicture(SolidSheet):
         }
 
     def _fade(self, patch: Patch, z: float) -> None:
-        """Let a face turn white towards each wall that cuts its plane."""
+        """Fade a face to white towards each wall that cuts its plane."""
         corners = rounded(patch.corners)
         for axis, side in self._cuts[patch.row]:
             for k in range(_STEPS):

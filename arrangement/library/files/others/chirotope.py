@@ -172,12 +172,12 @@ def signs_of(text: str, order: str = ORDERS[0]) -> Signs:
 
 
 def is_chirotope(line: str) -> bool:
-    """Whether a line consists of signs alone."""
+    """Return whether a line consists of signs alone."""
     return _SIGNS.fullmatch(line.strip()) is not None and bool(set(line) & {"+", "-"})
 
 
 def recognises(text: str) -> bool:
-    """Whether a text has chirotopes alone, or is a list of Finschi."""
+    """Return whether a text has chirotopes alone, or is a list of Finschi."""
     lines = _signs_alone(text)
     return bool(lines) and all(map(is_chirotope, lines))
 
@@ -232,7 +232,7 @@ def write_topcom(arrangement: Arrangement) -> str:
 
 
 def loses(arrangement: Arrangement) -> str:
-    """Say that coordinates are lost."""
+    """Report that coordinates are lost."""
     lost = "a chirotope holds no coordinates; read back it has others of the same type"
     return lost if arrangement.is_central else f"{lost}, and the plane at infinity as its last one"
 
@@ -251,7 +251,7 @@ def split_christ(text: str) -> list[str]:
 
 
 def recognises_christ(text: str) -> bool:
-    """Whether a text begins with a chirotope and something else below."""
+    """Return whether a text begins with a chirotope and something else below."""
     head = [line for line in text[:2000].splitlines()[:10] if line.strip()]
     return len(head) > 1 and is_chirotope(head[0]) and not is_chirotope(head[1])
 

@@ -32,7 +32,7 @@ def _equations(text: str) -> list[str]:
 
 
 def recognises_equations(text: str) -> bool:
-    """Whether every line is an equation, or a linear form that is zero."""
+    """Return whether every line is an equation, or a linear form that is zero."""
     lines = _equations(text)
     return bool(lines) and all(map(is_equation, lines))
 
@@ -60,7 +60,7 @@ def write_equations(arrangement: Arrangement) -> str:
 
 
 def recognises(text: str) -> bool:
-    """Whether a text has numbers alone, and is not a value of JSON."""
+    """Return whether a text has numbers alone, and is not a value of JSON."""
     plain = _REMARK.sub("", text).strip()
     return _MATRIX.fullmatch(plain) is not None and _VALUE.fullmatch(plain) is None
 

@@ -65,7 +65,7 @@ def _matrix(data: Mapping[str, Any], key: str) -> list[list[Any]]:
 
 
 def _is_half_space(support: Any) -> bool:
-    """Whether the support is ``x_0 >= 0``, and not the whole space."""
+    """Return whether the support is ``x_0 >= 0``, and not the whole space."""
     if not isinstance(support, Mapping):
         raise InputError(f"SUPPORT is {kind_of(support)}; expected a cone")
     cuts = [row for key in ("INEQUALITIES", "FACETS") for row in _matrix(support, key)]

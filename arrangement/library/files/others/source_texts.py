@@ -221,7 +221,7 @@ def write_sage(arrangement: Arrangement) -> str:
 
 
 def loses_in_sage(arrangement: Arrangement) -> str:
-    """Say what Sage changes when it runs the text."""
+    """Report what Sage changes when it runs the text."""
     if len(arrangement.distinct) < len(arrangement):
         return "Sage sorts the planes, and keeps one of those that coincide"
     return "Sage sorts the planes"
