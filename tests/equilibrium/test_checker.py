@@ -677,7 +677,7 @@ def test_another_question_is_refused(documents):
             ((grasp, (*wrench[:2], wrench[2] + 1)), "another wrench: it is ("),
             ((grasp, (*wrench[:2], wrench[2] + hair)), "(1/1" + 50 * "0" + " apart)"),
             ((Grasp(), wrench), f"{len(grasp)} contacts in 2 dimensions; expected one with 0"),
-            ((Grasp(moved), wrench), f"another grasp: point of contact 1 is {place}, and"),
+            ((Grasp(moved), wrench), f"another grasp: point of contact 1 is {place}; exp"),
             (
                 (Grasp(softer), wrench),
                 f"another grasp: friction of contact 1 is {next(iter(grasp)).friction}",

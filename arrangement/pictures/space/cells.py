@@ -1,4 +1,4 @@
-"""All cells of an arrangement in a cube or a ball, apart: a picture, and a page to turn.
+"""All cells of an arrangement in a cube or a ball, apart: a picture, and an interactive page.
 
 Each cell moves away from the centre by the same multiple of the way to its own middle. Planes keep
 the cells apart after that: if x and the middle c of a cell are beyond a plane ``n . x = b``, then

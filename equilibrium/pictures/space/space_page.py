@@ -1,4 +1,4 @@
-"""A grasp in space as a page to turn, and as a model to hold."""
+"""A grasp in space as an interactive page and as a 3D-printable model."""
 
 from __future__ import annotations
 
