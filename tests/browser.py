@@ -58,14 +58,18 @@ class Browser:
 
     def open(self, path: Path | str, width: int = 1280, height: int = 800) -> None:
         """Open a file in a window of a given inner size, and forget what earlier pages did."""
-        self.driver.execute_cdp_cmd(
-            "Emulation.setDeviceMetricsOverride",
-            {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False},
-        )
+        self.resize(width, height)
         self.driver.get("about:blank")
         for kind in ("browser", "performance"):
             self.driver.get_log(kind)
         self.driver.get(path if isinstance(path, str) else path.resolve().as_uri())
+
+    def resize(self, width: int, height: int) -> None:
+        """Give the window another inner size."""
+        self.driver.execute_cdp_cmd(
+            "Emulation.setDeviceMetricsOverride",
+            {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False},
+        )
 
     def run(self, script: str, *arguments: Any) -> Any:
         """Run JavaScript in the page; the value of its ``return`` comes back."""

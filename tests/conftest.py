@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parent.parent
 # The same examples on every run and every machine; speed is not a verdict.
 settings.register_profile(
     "ci",
-    max_examples=50,
+    max_examples=25,
     derandomize=True,
     deadline=None,
     database=None,

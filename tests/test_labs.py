@@ -42,8 +42,10 @@ def test_page_fits_repeats_and_is_self_contained(name, browser, tmp_path):
     page = PAGES[name](title=title)
     assert page == PAGES[name](title=title)
     assert len(page.encode()) < 400_000
+    browser.show(page, tmp_path, 390, 900)
     for width in (390, 800, 1280):
-        browser.show(page, tmp_path, width, 900)
+        browser.resize(width, 900)
+        browser.settled()
         assert browser.run("return document.documentElement.scrollWidth") <= width
         assert browser.messages() == []
         assert browser.outside() == []
@@ -227,9 +229,10 @@ def test_numbers_out_of_range_are_refused(lab, opened):
 
 
 def test_a_wrong_address_is_explained_and_the_page_still_works(lab, opened, tmp_path):
+    opened.open(f"{(tmp_path / 'page.html').as_uri()}#{lab.addresses[0][0]}")
+    opened.settled()
     for address, why in lab.addresses:
-        opened.open(f"{(tmp_path / 'page.html').as_uri()}#{address}")
-        opened.settled()
+        shows(opened, address)
         assert why in opened.text("problem")
         assert lab.answers(opened)
         assert opened.messages() == []

@@ -812,15 +812,15 @@ def test_an_old_keyword_raises_a_type_error_with_the_new_one(tmp_path):
 
 @pytest.mark.parametrize("suffix", [".svg", ".pdf", ".png"])
 def test_a_font_is_used_in_every_drawn_format(suffix, tmp_path):
-    planes = read_arrangement("braid-a3")
+    planes = read_arrangement("coordinate-planes")
     plain, serif, named = (tmp_path / f"{name}{suffix}" for name in ("plain", "serif", "named"))
     write_drawing(planes, plain)
     write_drawing(planes, serif, font="dejavu serif")
-    write_drawing(planes, named, font="DejaVu Sans")
     assert serif.read_bytes() != plain.read_bytes()
     if suffix == ".pdf":
         assert b"DejaVuSerif" in serif.read_bytes()
     if suffix == ".png":
+        write_drawing(planes, named, font="DejaVu Sans")
         assert named.read_bytes() == plain.read_bytes()
 
 

@@ -121,7 +121,7 @@ def random_planes(source: Random, count: int, central: int, bound: int) -> Arran
 
 @pytest.mark.parametrize(
     ("count", "central", "bound"),
-    [(18, 9, 6), (18, 9, 2**18), (18, 9, 2**19), (18, 9, 2**80), (20, 0, 3), (24, 12, 2)],
+    [(12, 6, 6), (12, 6, 2**18), (12, 6, 2**20), (12, 6, 2**80), (14, 0, 3), (16, 8, 2)],
 )
 def test_many_faces_have_points_and_the_number_of_zaslavsky(count, central, bound):
     """Up to 48 B^3 < 2^63 sums stay in int64; beyond, they are Python integers."""
@@ -211,7 +211,7 @@ def test_unit_is_the_unit_roundoff():
     assert np.finfo(np.float64).tiny < SMALLEST**4 * UNIT
 
 
-@settings(max_examples=200)
+@settings(max_examples=60)
 @given(st.lists(st.tuples(*[st.integers(-(2**80), 2**80)] * 2), min_size=1, max_size=6))
 def test_a_certain_sign_is_the_true_sign(pairs):
     left, right = (np.array([float(x) for x in row]) for row in zip(*pairs, strict=True))
@@ -256,7 +256,7 @@ def wrong_signs(size: int, cases: int = 300) -> int:
 
 @pytest.mark.parametrize("size", [LARGEST, LARGEST + 1, 10**4, 10**5, 10**20])
 def test_dependent_planes_have_exact_signs(size):
-    assert wrong_signs(size) == 0
+    assert wrong_signs(size, 100) == 0
 
 
 def test_the_bound_on_small_integers_ends_where_the_proof_does():

@@ -24,7 +24,7 @@ def test_subset_expansion_agrees(planes):
     assert counts.characteristic_polynomial(planes) == oracle.by_subsets(planes)
 
 
-@settings(max_examples=80)
+@settings(max_examples=40)
 @given(arrangements(dimensions=(1, 5), planes=(0, 9)))
 def test_low_rank_route_agrees_with_the_lattice(planes):
     config = configuration(planes)

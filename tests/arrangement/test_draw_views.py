@@ -74,7 +74,8 @@ CASES = [
     (view, name)
     for view in [*DRAWINGS.views, "half", "whole"]
     for name in [*NAMES, *OTHERS]
-    if name not in ("five-generic-planes", "paper-three-contacts")  # as nine, as the coordinates
+    # As nine planes, as the coordinates, as the braid arrangement.
+    if name not in ("five-generic-planes", "paper-three-contacts", "reflection-b3")
     if fits({"half": "sphere", "whole": "sphere"}.get(view, view), read_arrangement(name))
     if view not in ("half", "sphere", "gnomonic", "stereographic") or name != "braid-a3-in-r4"
 ]

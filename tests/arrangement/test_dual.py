@@ -174,7 +174,7 @@ def test_bad_lengths_are_refused(lengths):
         dual_polyhedron(Arrangement(SQUARE_AXES), lengths)
 
 
-@settings(max_examples=15)
+@settings(max_examples=8)
 @given(rank_three)
 def test_mesh_is_closed_oriented_and_of_euler_number_two(planes):
     mesh = dual_polyhedron(rank_three_only(planes)).to_trimesh()

@@ -186,7 +186,7 @@ def sign_vectors(planes: Arrangement) -> SignVectors:
     return {face.signs for face in planes.faces()}
 
 
-@settings(max_examples=60)
+@settings(max_examples=30)
 @given(
     arrangements(dimensions=(1, 3), planes=(0, 5)) | arrangements(dimensions=(4, 5), planes=(0, 5))
 )

@@ -437,7 +437,7 @@ def test_opposite_regions_have_opposite_points(planes):
 
 
 @pytest.mark.slow
-@settings(max_examples=20)
+@settings(max_examples=10)
 @given(rank_three)
 def test_hull_agrees_with_brute_force(planes):
     dual = dual_polyhedron(rank_three_only(planes))

@@ -143,7 +143,7 @@ def test_long_programs_need_no_pivots(monkeypatch):
     assert minimize(*problem) == expected
 
 
-@settings(max_examples=100)
+@settings(max_examples=50)
 @given(problems(unknowns=3, most=4, equal=2))
 def test_answers_prove_themselves_and_are_those_of_elimination(problem):
     answer = minimize(*problem)

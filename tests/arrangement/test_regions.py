@@ -25,7 +25,7 @@ def below(one: Face, other: Face) -> bool:
     return all(a in (0, b) for a, b in zip(one.signs, other.signs, strict=True))
 
 
-@settings(max_examples=20)
+@settings(max_examples=8)
 @given(arrangements(dimensions=(1, 3), planes=(0, 5)) | arrangements(dimensions=(4, 5)))
 def test_the_closure_of_a_face_has_the_faces_that_the_signs_say(planes):
     everything = tuple(planes.faces())
@@ -81,7 +81,7 @@ def test_composition_is_that_of_sign_vectors(planes, data):
     )
 
 
-@settings(max_examples=20)
+@settings(max_examples=10)
 @given(arrangements(dimensions=(1, 3), planes=(1, 4)), st.data())
 def test_the_inequalities_hold_on_the_face_and_nowhere_else(planes, data):
     symbols = sympy.symbols("u v w")[: planes.dimension]

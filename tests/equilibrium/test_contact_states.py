@@ -56,7 +56,7 @@ def test_every_face_has_listed_states(grasp):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(0, 60, 3))
+@pytest.mark.parametrize("seed", range(0, 60, 6))
 def test_every_face_of_an_awkward_grasp_has_listed_states(seed):
     assert_every_face_has_states(question(seed).grasp)
 
@@ -103,7 +103,7 @@ def test_a_choice_ruled_out_has_no_equilibrium(grasp, wrench, direction):
     assert_true(grasp, wrench, tuple(map(Fraction, direction)))
 
 
-@pytest.mark.parametrize("seed", range(0, 60, 3))
+@pytest.mark.parametrize("seed", range(0, 60, 6))
 def test_ruled_out_choice_has_no_equilibrium(seed):
     asked, direction = question(seed), random_wrench(seed)
     assert_true(asked.grasp, asked.wrench)
@@ -176,7 +176,7 @@ def test_without_floats_the_answers_are_the_same(grasp, wrench, direction):
         assert resisted_magnitudes(grasp, direction, wrench).intervals == found
 
 
-@settings(max_examples=20)
+@settings(max_examples=10)
 @given(directions, st.integers(1, 3))
 def test_frictionless_contacts_resist_only_their_normal(direction, count):
     """Contacts that only touch from one side leave their own normal direction open."""

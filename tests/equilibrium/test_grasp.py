@@ -314,7 +314,7 @@ def test_as_printed_options_are_monotone(grasp, wrench):
     assert stable <= solve(grasp, wrench, as_printed=["cell-check"]).stable
 
 
-@settings(max_examples=20)
+@settings(max_examples=10)
 @given(grasps(), wrenches)
 def test_options_combine_in_any_order(grasp, wrench):
     forward = solve(grasp, wrench, as_printed=list(OPTIONS))

@@ -39,7 +39,7 @@ HEADER = "x,y,normal_x,normal_y,friction"
 
 class TestSnapping:
     @given(st.fractions(max_denominator=200), st.fractions(0, 1, max_denominator=50))
-    @settings(max_examples=100)
+    @settings(max_examples=50)
     def test_simplest_is_inside_and_of_least_denominator(self, low, width):
         found = simplest_between(low, low + width)
         assert low <= found <= low + width

@@ -130,7 +130,7 @@ WRENCHES = [
 
 
 def test_it_finds_the_contact_states_that_occur(opened):
-    for grasp, _ in questions(40, seed=11, most=3):
+    for grasp, _ in questions(20, seed=11, most=3):
         states = opened.run("return lab.states(arguments[0])", grasp.to_dict())
         assert sorted(map(tuple, states)) == sorted(contact_states(grasp))
 
@@ -141,7 +141,7 @@ def _full(piece: dict[str, Any]) -> list[list[str]]:
 
 def test_its_pieces_of_wrenches_are_those_of_the_resisted_set(opened):
     """As conditions; where they have equalities, those have no one form, and are counted."""
-    grasps = [grasp for grasp, _ in questions(40, seed=13)]
+    grasps = [grasp for grasp, _ in questions(20, seed=13)]
     listed = opened.run("return arguments[0].map(lab.pieces)", [g.to_dict() for g in grasps])
     for grasp, pieces in zip(grasps, listed, strict=True):
         expected = [piece.polyhedron.to_dict() for piece in ResistedSet(grasp).polyhedra]
@@ -159,18 +159,18 @@ def test_the_border_is_met_exactly(opened):
     assert verdict(opened).startswith("Not resisted")
 
 
-@pytest.mark.parametrize("name", ["load", "torque", "move-1", "turn-0"])
-def test_dragging_by_mouse_and_finger_snaps_to_exact_numbers(name, opened):
-    before = question(opened)
-    x, y = grip(opened, name)
-    opened.drag((x, y), (x + 24, y + 31))
-    assert_right(opened)
-    moved = question(opened)
-    assert moved != before
-    x, y = grip(opened, name)
-    opened.fingers([(x, y)], [(x + 10, y - 12)], [(x + 40, y - 44)])
-    assert_right(opened)
-    assert question(opened) not in (moved, before)
+def test_dragging_by_mouse_and_finger_snaps_to_exact_numbers(opened):
+    for name in ("load", "torque", "move-1", "turn-0"):
+        before = question(opened)
+        x, y = grip(opened, name)
+        opened.drag((x, y), (x + 24, y + 31))
+        assert_right(opened)
+        moved = question(opened)
+        assert moved != before, name
+        x, y = grip(opened, name)
+        opened.fingers([(x, y)], [(x + 10, y - 12)], [(x + 40, y - 44)])
+        assert_right(opened)
+        assert question(opened) not in (moved, before), name
     assert opened.messages() == []
 
 

@@ -421,7 +421,7 @@ def probes(region: Region) -> list[RationalVector]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("method", WITH_REGION)
-@settings(max_examples=12)
+@settings(max_examples=8)
 @given(grasp=grasps(), torque=st.sampled_from([0, 0, HALF, -1]))
 @example(grasp=read_grasp("paper-three-contacts-preload-1"), torque=0)
 @example(grasp=read_grasp("offset-three-contacts").with_preload(1), torque=1)

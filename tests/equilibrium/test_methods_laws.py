@@ -40,7 +40,7 @@ def in_cones(grasp, forces):
 
 class TestHull:
     @given(points)
-    @settings(max_examples=80)
+    @settings(max_examples=30)
     def test_every_facet_supports_and_every_vertex_is_extreme(self, cloud):
         hull = _hull(cloud)
         assert set(hull.points) <= set(cloud)
@@ -95,7 +95,7 @@ class TestWrenchSpace:
 
 class TestFormClosure:
     @given(grasps(most=6, friction=st.just(0)))
-    @settings(max_examples=80)
+    @settings(max_examples=40)
     def test_each_answer_has_its_proof(self, grasp):
         found = form_closure(grasp)
         normals = [c.normal_wrench for c in grasp]

@@ -85,7 +85,7 @@ def test_the_picture_agrees_with_the_solver(name, browser, opened):
         if torque != "0":
             browser.put("w-t", torque, "input")
             settled(browser)
-        for x, y in product((-1.37, -0.43, 0.31, 1.57), (-1.46, -0.62, 0.23, 0.71, 1.34)):
+        for x, y in product((-1.37, 0.31, 1.57), (-1.46, 0.23, 1.34)):
             wrench = [Fraction(str(x)), Fraction(str(y)), Fraction(torque)]
             assert drawn_at(browser, x, y) == solve(grasp, wrench).stable, wrench
     assert browser.messages() == []

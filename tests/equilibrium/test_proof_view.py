@@ -52,7 +52,7 @@ def meets(part: ClosedPart, touches: Sequence[Touch], motion: Sequence[Fraction]
     return True
 
 
-@settings(max_examples=20)
+@settings(max_examples=8)
 @given(st.integers(0, 10**6), st.booleans())
 def test_contact_work_bounded_for_any_friction(seed, slow):
     verdict, source = refuted(seed), Random(seed)
@@ -96,7 +96,7 @@ def assert_filled(verdict: Verdict) -> None:
         assert sum(map(area, found)) == pytest.approx(size[0] * size[1])
 
 
-@settings(max_examples=15)
+@settings(max_examples=8)
 @given(st.integers(0, 10**6))
 def test_the_regions_of_each_map_fill_it_once(seed):
     assert_filled(refuted(seed))

@@ -490,7 +490,7 @@ def test_what_floats_leave_open_is_decided(kind, seed):
     assert decided(kind, [seed]) == 1
 
 
-@pytest.mark.parametrize("load", [(2, 1), (2, -1), (4, 1), (4, -1)])
+@pytest.mark.parametrize("load", [(2, 1), (4, -1)])
 def test_a_load_on_the_border_is_given_up_early(load, solved):
     """All friction goes along z only of infinite slips; less of the load has an equilibrium."""
     place, size = load

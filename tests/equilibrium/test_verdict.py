@@ -130,7 +130,7 @@ def mirrored():
         mirrored(),
     ],
 )
-@settings(max_examples=20)
+@settings(max_examples=10)
 @given(grasp=grasps(), wrench=wrenches)
 def test_equilibria_follow_a_change_of_units_and_frames(law, grasp, wrench):
     contact, load, motion, force = law

@@ -80,7 +80,7 @@ def test_membership_is_the_verdict_of_the_solver(grasp, spans, origin, point):
 
 
 @pytest.mark.slow
-@settings(max_examples=20)
+@settings(max_examples=10)
 @given(grasps(least=2))
 def test_resistance_ends_at_the_border_and_nowhere_else(grasp):
     region = resisted_region(grasp)
@@ -266,7 +266,7 @@ def test_least_friction_with_many_open_ranges_is_refused(monkeypatch):
         least_friction(grasp, (2, -2, 0), "1/4")
 
 
-@settings(max_examples=12)
+@settings(max_examples=6)
 @given(grasps(least=2), directions, st.fractions(0, 4, max_denominator=12))
 def test_below_the_bracket_nothing_is_resisted(grasp, wrench, friction):
     found = least_friction(grasp, wrench, "1/64")

@@ -86,7 +86,7 @@ def test_lines_through_the_polyhedra_are_the_intervals(grasp, direction, base):
     assert magnitudes_in(ResistedSet(grasp).polyhedra, base, direction) == found
 
 
-@settings(max_examples=20)
+@settings(max_examples=10)
 @given(grasps(most=2), wrenches)
 def test_states_that_no_motion_has_add_nothing(grasp, wrench):
     """Every one of the 4^m choices gives resisted wrenches only."""
@@ -246,7 +246,7 @@ def test_the_quick_tests_leave_little_open():
     assert surely_outside(shapes).mean() > 0.8
 
 
-@settings(max_examples=15)
+@settings(max_examples=8)
 @given(grasps(most=4))
 def test_the_polyhedra_are_the_same_without_the_quick_test(grasp):
     found = ResistedSet(grasp).polyhedra
@@ -255,7 +255,7 @@ def test_the_polyhedra_are_the_same_without_the_quick_test(grasp):
         assert ResistedSet(grasp).polyhedra == found
 
 
-@settings(max_examples=80)
+@settings(max_examples=40)
 @given(st.lists(st.tuples(entries, entries, entries, entries).filter(any), max_size=7))
 def test_a_cone_without_a_finite_point_is_given_up_and_no_other(rows):
     """With the condition in the list instead, the generators are the same or all infinite."""

@@ -119,7 +119,7 @@ records = st.builds(
 
 
 @given(st.lists(records, max_size=5), st.none() | records)
-@settings(max_examples=200)
+@settings(max_examples=60)
 def test_holds_needs_evidence_without_failure(checked, extra):
     assert verdict_of(Evidence(0, (), ())) is None
     evidence = Evidence(0, (), tuple(checked), counterexample=extra)

@@ -53,7 +53,7 @@ def test_graph_functions_agree_with_networkx(planes):
 
 
 @given(st.integers(1, 8), st.sets(st.tuples(st.integers(0, 7), st.integers(0, 7)), max_size=24))
-@settings(max_examples=150)
+@settings(max_examples=60)
 def test_three_connectedness_of_any_graph_agrees_with_networkx(count, pairs):
     kept = {frozenset([(a,), (b,)]) for a, b in pairs if a != b and max(a, b) < count}
     graph = DualGraph(frozenset((v,) for v in range(count)), frozenset(kept), ())

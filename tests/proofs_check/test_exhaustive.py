@@ -98,7 +98,7 @@ def test_each_holds(id):
 
 
 @given(st.integers(0, 16), st.randoms(use_true_random=False))
-@settings(max_examples=20)
+@settings(max_examples=10)
 def test_the_code_does_not_see_labels_and_sides(index, rng):
     normals = [list(map(int, n)) for n in arrangement.library.census.census(6)[index].normals]
     rng.shuffle(normals)

@@ -49,7 +49,7 @@ def test_the_solver_agrees(question):
 
 
 @given(questions)
-@settings(max_examples=15)
+@settings(max_examples=10)
 def test_normal_forces_exist_exactly_when_stable(question):
     found = normal_forces(question)
     assert all(bool(intervals) == stable(question) for intervals in found)

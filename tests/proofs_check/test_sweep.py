@@ -77,7 +77,7 @@ def test_shards_merged_are_the_whole(tmp_path):
     assert report(merged) == report(whole)
 
 
-@settings(max_examples=8)
+@settings(max_examples=5)
 @given(st.integers(1, 30), st.integers(1, 30), st.randoms(use_true_random=False))
 def test_neither_the_size_nor_the_order_of_chunks_matters(first, second, rng):
     found = []

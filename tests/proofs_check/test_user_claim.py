@@ -152,7 +152,7 @@ def _many(planes: Arrangement) -> bool:
     return len(planes.distinct) >= 3 and planes.rank == 3
 
 
-@settings(max_examples=15)
+@settings(max_examples=8)
 @given(st.integers(0, 10**9))
 def test_shrinking_is_minimal_and_keeps_the_failure(seed):
     planes = DOMAINS["rank-3"].draw(Random(seed), 5)
@@ -163,7 +163,7 @@ def test_shrinking_is_minimal_and_keeps_the_failure(seed):
     assert max(abs(x) for p in found.integer_planes for x in p) == 1
 
 
-@settings(max_examples=15)
+@settings(max_examples=8)
 @given(st.integers(0, 10**9))
 def test_shrinking_a_grasp_keeps_the_failure(seed):
     grasp = DOMAINS["grasp"].draw(Random(seed), 4)
@@ -330,7 +330,7 @@ def test_integers_of_libraries_are_integers(write):
     ],
 )
 def test_a_claim_in_one_line_has_its_verdict(statement, options, code, write, capsys):
-    numbers = ["--classes", "3..5", "--samples", "12"]
+    numbers = ["--classes", "3..5", "--samples", "6"]
     assert main(["try", statement, *options, *numbers, "--json"]) == code
     found = json.loads(capsys.readouterr().out)["results"][0]
     assert found["verdict"] == ("refuted" if code else "holds")
