@@ -196,7 +196,7 @@ def test_a_hostile_question_is_answered_or_refused_soon(number: int, tmp_path: P
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", range(100, 1000, 18))
+@pytest.mark.parametrize("number", range(100, 1000, 60))
 def test_hostile_questions_are_answered_or_refused_soon(number, tmp_path):
     check(number, tmp_path)
 

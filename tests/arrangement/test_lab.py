@@ -104,9 +104,8 @@ def test_its_counts_are_those_of_the_enumerators(opened):
 
 
 @pytest.mark.slow
-def test_its_counts_are_those_of_the_enumerators_on_a_thousand(opened):
-    for seed in range(4):
-        assert_agreement(opened, arrangements(250, seed=100 + seed, most=14))
+def test_its_counts_are_those_of_the_enumerators_on_hundreds(opened):
+    assert_agreement(opened, arrangements(250, seed=100, most=14))
 
 
 def transformed(planes: Arrangement, rng: random.Random) -> Arrangement:

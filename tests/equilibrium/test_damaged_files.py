@@ -139,5 +139,5 @@ def test_damaged_file_is_read_or_refused(kind, tmp_path, capfd):
 @pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="measures memory on Linux")
 @pytest.mark.parametrize("kind", files())
 def test_damaged_files_are_read_or_refused(kind, tmp_path, capfd):
-    assert damage_shows(kind, 500, 2, tmp_path) == []
+    assert damage_shows(kind, 150, 2, tmp_path) == []
     assert "".join(capfd.readouterr()) == ""

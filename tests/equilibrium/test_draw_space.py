@@ -320,7 +320,7 @@ def test_the_page_tells_exact_conditions(tmp_path):
 
 def test_a_full_box_says_that_every_wrench_in_it_is_resisted():
     x, y, u, v = Fraction(39, 89), Fraction(80, 89), Fraction(33, 65), Fraction(56, 65)
-    ring = [(1, 0), (x, y), (-u, v), (-1, 0), (-u, -v), (x, -y)]
+    ring = [(1, 0), (x, y), (-u, v), (-u, -v), (x, -y)]
     whole = Grasp([Contact((p * Fraction(3, 2), q), (-p, -q), "1/2", 1) for p, q in ring])
     for grasp, full in ((whole, True), (read_grasp("ladder"), False)):
         scene = laid_out(draw_wrench_set.scene(grasp))

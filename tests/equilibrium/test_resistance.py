@@ -61,7 +61,7 @@ def assert_true(grasp: Grasp, wrench: Wrench, found: Any) -> bool:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(0, 80, 2))
+@pytest.mark.parametrize("seed", range(0, 80, 8))
 def test_regions_alone_and_states_alone_give_the_same_answer(seed):
     asked = question(seed)
     contacts, wrench = IntegerContacts(asked.grasp), tuple(asked.wrench)
@@ -73,10 +73,10 @@ def test_regions_alone_and_states_alone_give_the_same_answer(seed):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("contacts", [6, 10, 20, 50])
+@pytest.mark.parametrize("contacts", [6, 20, 50])
 def test_proofs_for_contacts_on_one_side_are_small(contacts):
     counts = []
-    for seed in range(8):
+    for seed in range(4):
         grasp, wrench = pulled_apart(contacts, seed), random_wrench(seed, bound=20)
         verdict = solve(grasp, wrench)
         assert verdict.verify()

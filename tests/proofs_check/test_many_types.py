@@ -76,11 +76,10 @@ def test_a_type_that_both_routes_find_otherwise_breaks_the_sweep(monkeypatch):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("part", range(2))
-def test_sample_of_nine_planes_with_weights_decided(part):
+def test_sample_of_nine_planes_with_weights_decided():
     """Of types that have weights some cutset may still be too light; each answer is verified."""
-    chosen = np.random.default_rng(9).permutation(PUBLISHED[9])[1250 * part :][:1250]
+    chosen = np.random.default_rng(9).permutation(PUBLISHED[9])[:500]
     weighty = chosen[many_types.have_weights(catalogue.chirotopes(9, chosen), 9)]
-    assert len(weighty) > 500
-    for k in weighty[:500].tolist():
+    assert len(weighty) > 200
+    for k in weighty[:200].tolist():
         inscribability(census(9)[k]).certificate.verify()

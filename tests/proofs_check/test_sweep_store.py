@@ -242,5 +242,5 @@ def test_a_changed_cell_is_never_believed(whole, place, row, value):
 @pytest.mark.parametrize("place", COLUMNS, ids=".".join)
 def test_no_changed_cell_is_believed(whole, place):
     for row in (0, 3) if place[0] == "chunks" else (0,):
-        for value in (*VALUES, *((k,) for k in range(6))):
+        for value in (*VALUES, (0,), (3,)):
             never_believed(whole, place, row, value)
