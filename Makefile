@@ -108,7 +108,7 @@ test: $(VENV)/.stamp-test
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal $(ARGS)
 
 test-extended: $(VENV)/.stamp-test $(VENV)/.stamp-simulators
-	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal -m slow $(ARGS)
+	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal -m slow -o testpaths=tests $(ARGS)
 
 lint: $(VENV)/.stamp-check
 	$(BIN)/ruff check .

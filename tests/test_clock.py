@@ -1,11 +1,13 @@
-"""A command prints the same, byte for byte, whether the clock is fast or slow."""
+"""A command prints the same, byte for byte, whether the clock is fast or slow.
+
+Pages of the documentation are read on a fast clock, too; see `tests.test_docs`.
+"""
 
 import contextlib
 import io
 import json
 import math
 import os
-import re
 import shlex
 import time
 from collections.abc import Callable
@@ -16,8 +18,7 @@ import pytest
 
 from arrangement.numbers import deadline
 from equilibrium.grasps.inputs import from_float_data, random_grasp
-from tests.docpages import ENTRIES, ROOT, Page
-from tests.test_docs import PAGES, name
+from tests.docpages import ENTRIES
 
 CLOCKS = ("monotonic", "perf_counter", "process_time", "thread_time")
 #: How much faster the clock is.
@@ -58,8 +59,14 @@ equilibrium solve DISC.json --wrench 1 -2 0 --json
 equilibrium solve paper-three-contacts-preload-1 --wrench 0 1/2 0 --robust degrees=1/10 friction=5%
 equilibrium resisted two-opposed-fingers --wrench 0 3/5 4/5 0 0 0
 """.strip().splitlines()
-#: Pages that store how long something took, or that start other programs.
-OTHER = {"cluster"}
+
+
+def set_clock(patch: pytest.MonkeyPatch, factor: float) -> None:
+    """Let every clock of this process go so many times as fast."""
+    for name in CLOCKS:
+        real = getattr(time, name)
+        patch.setattr(time, name, lambda real=real: factor * real())
+    patch.setattr(deadline, "clock", time.monotonic)
 
 
 def in_a_copy(factor: float, target: Path, function: Callable[[], Any]) -> Any:
@@ -68,10 +75,7 @@ def in_a_copy(factor: float, target: Path, function: Callable[[], Any]) -> Any:
     if not child:
         code = 70
         try:
-            for clock in CLOCKS:
-                real = getattr(time, clock)
-                setattr(time, clock, lambda real=real: factor * real())
-            deadline.clock = time.monotonic
+            set_clock(pytest.MonkeyPatch(), factor)
             target.write_text(json.dumps(function()))
             code = 0
         finally:
@@ -122,36 +126,3 @@ def test_command_prints_the_same_with_any_clock(command, folder, tmp_path, monke
     )
     assert fast == slow
     assert fast[0] in (0, 1, 3) or "--n 30" in command
-
-
-class RecordedPage(Page):
-    """A page that keeps what its commands print."""
-
-    def _command(self, command: str) -> str:
-        output = super()._command(command)
-        # Durations that a sweep has stored are data of its runs.
-        kept = re.sub(r"(?m)^work .*$", "work", output)
-        self.names.setdefault("__printed__", []).append((command, self.code, kept))
-        return output
-
-
-def printed(page: Path, folder: Path) -> tuple[list[Any], list[str]]:
-    folder.mkdir()
-    os.chdir(folder)
-    running = RecordedPage(page, page.read_text(encoding="utf-8"))
-    running.run()
-    return running.names.get("__printed__", []), running.problems
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("page", [*PAGES, ROOT / "README.md"], ids=name)
-def test_page_prints_the_same_with_any_clock(page, tmp_path, monkeypatch):
-    if page.stem in OTHER:
-        pytest.skip("it starts other programs")
-    monkeypatch.setenv("COLUMNS", "80")
-    (fast, wrong), (slow, also) = (
-        in_a_copy(f, tmp_path / "answer", lambda f=f: printed(page, tmp_path / str(f)))
-        for f in FACTORS
-    )
-    assert wrong == also == []
-    assert fast == slow

@@ -581,16 +581,16 @@ def digests(names: Sequence[str], tried: Sequence[str], seed: str, kept: str = "
 @pytest.mark.slow
 @pytest.mark.parametrize("part", range(4))
 def test_all_pictures_repeat_and_compile(part, tmp_path):
-    """The pictures of each instance on pages of one document; what a view refuses has none."""
+    """The pictures are pages of one document; what a view refuses has none."""
     names, kept = PLANAR[part::4], tmp_path / "kept.json"
-    one = digests(names, ARRANGEMENTS, "3", str(kept))
+    one = digests(names, [name for name in names if name in ARRANGEMENTS][:2], "3", str(kept))
     assert {line.split()[0] for line in one} == set(names)
-    again = names[::3]
+    again = [name for name in names if name in WHOLE] or names[:1]
     assert [line for line in one if line.split()[0] in again] == digests(again, [], "4")
     found = json.loads(kept.read_text(encoding="utf-8"))
     assert [(name, view, wrong) for name, view, _, _, wrong in found if wrong] == []
-    for name in names if not_compiled() is None else ():
-        papers, texts = zip(*((x[2], x[3]) for x in found if x[0] == name), strict=True)
+    if not_compiled() is None:
+        papers, texts = zip(*((x[2], x[3]) for x in found), strict=True)
         assert page_count(compiled(document(tmp_path, papers, texts))) == len(texts)
 
 
