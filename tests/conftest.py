@@ -32,7 +32,7 @@ settings.load_profile("ci")
 
 
 #: What takes longest comes first, so that at the end no worker is left alone with it.
-LONGEST = {"test_pictures.py", "test_space.py", "test_docs.py", "test_robustness.py"}
+LONGEST = {"test_pictures.py", "test_docs.py", "test_layers.py", "test_draw_views.py"}
 
 
 @functools.cache

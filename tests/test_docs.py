@@ -7,7 +7,6 @@ import runpy
 from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
 
 import pytest
 
@@ -54,20 +53,7 @@ def run(text: str) -> list[str]:
     return page.problems
 
 
-#: Pages with long runs, which only the extended tests read.
-LONG = (
-    "own-claim", "own-grasp", "checking", "cluster", "mesh", "commands", "figure",
-    "families", "formats", "census", "03-arrangements-and-sign-vectors", "10-paper-and-truth",
-    "11-model-and-methods",
-)  # fmt: skip
-
-
-def marked(page: Path) -> Any:
-    is_long = page.stem in LONG or page.parent.name == "gallery"
-    return pytest.param(page, marks=pytest.mark.slow) if is_long else page
-
-
-@pytest.mark.parametrize("page", [*map(marked, PAGES), ROOT / "README.md"], ids=name)
+@pytest.mark.parametrize("page", [*PAGES, ROOT / "README.md"], ids=name)
 def test_a_page_read_from_top_to_bottom_does_what_it_shows(page, desk, monkeypatch):
     """On a clock that is a hundred times as fast; but for programs that wait for each other."""
     if page.stem != "cluster":

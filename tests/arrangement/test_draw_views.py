@@ -75,7 +75,7 @@ CASES = [
     for view in [*DRAWINGS.views, "half", "whole"]
     for name in [*NAMES, *OTHERS]
     # As nine planes, as the coordinates, as the braid arrangement.
-    if name not in ("five-generic-planes", "paper-three-contacts", "reflection-b3")
+    if name not in ("five-generic-planes", "paper-three-contacts", "reflection-b3", "near-pencil")
     if fits({"half": "sphere", "whole": "sphere"}.get(view, view), read_arrangement(name))
     if view not in ("half", "sphere", "gnomonic", "stereographic") or name != "braid-a3-in-r4"
 ]

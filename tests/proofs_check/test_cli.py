@@ -45,7 +45,7 @@ def test_processes_change_nothing_of_what_is_said(tmp_path, capsys):
     said, found = [], []
     for jobs in ("1", "2"):
         path = tmp_path / f"{jobs}.json"
-        names = ("bound-not-attained", *QUICKEST)
+        names = ("euler", *QUICKEST)
         assert main(["run", *names, "--jobs", jobs, "--output", str(path)]) == 0
         said.append(capsys.readouterr().out)
         record = json.loads(path.read_text(encoding="utf-8"))

@@ -255,15 +255,14 @@ def test_without_matplotlib_the_page_says_what_is_missing(record, monkeypatch):
 
 def test_a_run_repeats_its_page_but_for_times(tmp_path, monkeypatch):
     made = []
-    for epoch in ("0", "0", "86400"):
+    for epoch in ("0", "86400"):
         monkeypatch.setenv("SOURCE_DATE_EPOCH", epoch)
         path = tmp_path / "r.html"
         assert main(["run", *IDS, "--output", str(path)]) == 0
         text = path.read_text(encoding="utf-8")
         made.append(re.sub(r'<span class="time">\d+ ms</span>', "", text))
-    assert made[0] == made[1]
     assert "1970-01-01T00:00:00Z" in made[0]
-    assert made[2] == made[0].replace("1970-01-01", "1970-01-02")
+    assert made[1] == made[0].replace("1970-01-01", "1970-01-02")
 
 
 def test_every_formula_and_every_proof_of_the_registry_is_there():
