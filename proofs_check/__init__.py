@@ -1,7 +1,7 @@
 """Verify counting claims about arrangements and grasps, by implementations that share no code.
 
 >>> from proofs_check import evaluate, registry
->>> evaluate(registry()["constraint-count"]).verdict
+>>> evaluate(registry()["fukuda-bound-attained"]).verdict
 <ClaimVerdict.HOLDS: 'holds'>
 
 Write claims
