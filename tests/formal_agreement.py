@@ -4,7 +4,7 @@ Documents are the solver's certificates, and trees of other shapes, for question
 degenerate cases are common, in the plane and in space; mutants of each are changed in one place, in
 their numbers, nodes, keys or bytes. Also compared: what both read of grasp and wrench.
 
-    python tests/formal_agreement.py PROGRAM [--documents 1000] [--mutants 4] [--seed 0]
+    python tests/formal_agreement.py PROGRAM [--documents 400] [--mutants 4] [--seed 0]
 """
 
 import argparse
@@ -284,7 +284,7 @@ def main() -> int:
     """Compare the two checkers on generated documents."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("program", type=Path)
-    parser.add_argument("--documents", type=int, default=1000)
+    parser.add_argument("--documents", type=int, default=400)
     parser.add_argument("--mutants", type=int, default=4)
     parser.add_argument("--seed", type=int, default=0)
     given = parser.parse_args()
