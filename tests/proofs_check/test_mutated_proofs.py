@@ -25,7 +25,7 @@ from proofs_check.routes import oracle
 Levels = list[tuple[NDArray[np.int8], NDArray[Any]]]
 
 #: Quick claims on arrangements; each was as expected before the bug.
-QUICK = ("great-circle-regions", "state-formula", "euler")
+QUICK = ("great-circle-regions", "state-formula", "fukuda-bound", "euler", "hamming-edges")
 
 
 def dropped_region(levels: Levels) -> None:
