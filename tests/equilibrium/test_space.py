@@ -510,9 +510,6 @@ def test_a_load_on_the_border_is_given_up_early(load, solved):
 OPEN = {"box": 1}
 
 
-#: Of 50, those left open.
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", exotic.KINDS)
 def test_most_degenerate_problems_decided(kind):
