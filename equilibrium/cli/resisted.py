@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -27,7 +27,6 @@ from .arguments import (
 
 if TYPE_CHECKING:
     from arrangement.numbers.linear.intervals import Interval
-    from equilibrium.decide.solver import Solver
     from equilibrium.model.grasp import Grasp
     from equilibrium.wrench_sets import (
         Magnitudes,
@@ -39,9 +38,6 @@ if TYPE_CHECKING:
     )
     from equilibrium.wrench_sets.spatial import SpatialMagnitudes
 
-_ZERO = (Fraction(0),) * 3
-#: How often a margin tries all states, about: for the wrench, for preloads, for friction.
-_MARGIN = 6
 #: The forms of the command, as its errors call them.
 _LOAD, _WHOLE = "a load (--wrench, --force or --weight)", "the whole set"
 #: Options with the forms that they go with.
@@ -117,12 +113,6 @@ def _form(arguments: argparse.Namespace) -> str:
     return next((f"--{name}" for name in chosen), _WHOLE)
 
 
-def _solver(arguments: argparse.Namespace, grasp: Grasp) -> Solver:
-    from equilibrium.decide.solver import Solver
-
-    return Solver(grasp, arguments.max_displacement)
-
-
 def _set(arguments: argparse.Namespace, grasp: Grasp) -> ResistedSet:
     from equilibrium.wrench_sets import ResistedSet
 
@@ -130,14 +120,11 @@ def _set(arguments: argparse.Namespace, grasp: Grasp) -> ResistedSet:
 
 
 def _along(arguments: argparse.Namespace, grasp: Grasp) -> int:
-    from equilibrium.wrench_sets.line import resisted_magnitudes
-
-    direction = applied(arguments, grasp)
+    resisted = _set(arguments, grasp)
+    magnitudes: Any = resisted.along(applied(arguments, grasp), arguments.base or 0)
     if grasp.dimension == 3:
-        return _along_in_space(arguments, grasp, direction)
-    solver = _solver(arguments, grasp)
-    magnitudes = resisted_magnitudes(solver, direction, arguments.base or _ZERO)
-    more, again = _rounded(solver, magnitudes)
+        return _show_in_space(arguments, magnitudes)
+    more, again = _rounded(resisted, magnitudes)
     lines = [f"resisted for t in {_intervals(magnitudes.intervals)}", *again]
     return show(arguments, magnitudes.to_dict() | more, lines, bool(magnitudes.intervals), grasp)
 
@@ -166,12 +153,11 @@ def _smallest_lines(found: SmallestUnresisted, grasp: Grasp) -> Iterator[str]:
     yield f"not resisted: {vector(found.beyond)}"
 
 
-def _rounded(solver: Solver, found: Magnitudes) -> tuple[dict[str, Any], list[str]]:
+def _rounded(resisted: ResistedSet, found: Magnitudes) -> tuple[dict[str, Any], list[str]]:
     """Return the ends for other roundings of converted data: JSON form and lines."""
     from equilibrium.decide.robustness import DEPENDS
-    from equilibrium.wrench_sets.line import ends_within_error
 
-    again = ends_within_error(solver, found)
+    again = resisted.within_error(found)
     if again is None:
         return {}, []
     if again.turned is None:
@@ -183,14 +169,7 @@ def _rounded(solver: Solver, found: Magnitudes) -> tuple[dict[str, Any], list[st
     return {"within_error": again.to_dict()}, [line]
 
 
-def _along_in_space(
-    arguments: argparse.Namespace, grasp: Grasp, direction: Sequence[Fraction]
-) -> int:
-    from equilibrium.wrench_sets.spatial import spatial_magnitudes
-
-    bound = arguments.max_displacement
-    start = arguments.base or (0,) * 6
-    magnitudes = spatial_magnitudes(grasp, direction, start, max_displacement=bound)
+def _show_in_space(arguments: argparse.Namespace, magnitudes: SpatialMagnitudes) -> int:
     yes = {"resisted": True, "not resisted": False}.get(magnitudes.verdict)
     lines, document = list(_border_lines(magnitudes)), magnitudes.to_dict()
     if (nearby := magnitudes.within_error()) is not None:
@@ -198,7 +177,7 @@ def _along_in_space(
         for near in nearby:
             same = f"{near.verdict}, also for other grasps within the rounding error"
             lines.append(f"at {number(near.t)}: {near.doubt or same}")
-    return show(arguments, document, lines, yes, grasp)
+    return show(arguments, document, lines, yes, magnitudes.grasp)
 
 
 def _border_lines(found: SpatialMagnitudes) -> Iterator[str]:
@@ -259,21 +238,19 @@ def _set_lines(whole: ResistedSet) -> Iterator[str]:
 
 def _margin(arguments: argparse.Namespace, grasp: Grasp) -> int:
     from equilibrium.grasps.inputs.documents import question_document
-    from equilibrium.wrench_sets.margin import margin
 
     wrench = applied(arguments, grasp)
     question_document(grasp, wrench, "margin")
     if grasp.dimension == 3:
-        return _along_in_space(arguments, grasp, wrench)
-    solver = _solver(arguments, grasp)
-    solver.choices.check_cost(_MARGIN)
-    factors = margin(solver, wrench)
+        return _along(arguments, grasp)
+    resisted = _set(arguments, grasp)
+    factors = resisted.margin(wrench)
     preloads = factors.preloads
     tolerance = Fraction(1, 2**20) if arguments.tolerance is None else arguments.tolerance
     friction = factors.friction(tolerance)
     remedies = {"preload": preloads.to_dict(), "friction": friction.to_dict()}
-    more, again = _rounded(solver, factors.magnitudes) if any(wrench) else ({}, [])
-    doubt = grasp.data_error is not None and solver.solve(wrench).doubt
+    more, again = _rounded(resisted, factors.magnitudes) if any(wrench) else ({}, [])
+    doubt = grasp.data_error is not None and resisted.solve(wrench).doubt
     word = "yes" if factors.resisted else "no"
     word += f", for the rounded data; it {doubt}" if doubt else ""
     yes = None if doubt else factors.resisted

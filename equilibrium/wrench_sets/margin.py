@@ -84,14 +84,22 @@ class Margin(JsonMixin):
         return least_friction(self._solver, self.wrench, tolerance)
 
 
+#: How often a margin tries all states, about: for the wrench, for preloads, for friction.
+_QUERIES = 6
+
+
 def margin(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Margin:
     """Return the exact factors by which a wrench may be scaled.
+
+    Raises:
+        OutOfReachError: too many choices of contact states, for its preloads and friction, too.
 
     >>> from equilibrium.grasps.files import read_grasp
     >>> margin(read_grasp("paper-three-contacts-preload-1"), [0, "1/2", 0]).around
     (Fraction(0, 1), Fraction(2, 1))
     """
     solver, w = prepare(grasp), read_wrench(wrench)
+    solver.choices.check_cost(_QUERIES)
     if any(w):
         found = resisted_magnitudes(solver, w).intervals
     else:

@@ -19,7 +19,7 @@ from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
 
 from .any_direction import SmallestUnresisted, smallest_unresisted_wrench
-from .line import Magnitudes, resisted_magnitudes
+from .line import Magnitudes, RoundedEnds, ends_within_error, resisted_magnitudes
 from .loads import CheckedLoads, check_loads
 from .margin import Margin, margin
 from .plane import FORCES, Region, resisted_region
@@ -197,6 +197,16 @@ class ResistedSet(HintsMixin, ReprMixin):
             )
         bound = self.max_displacement
         return spatial_magnitudes(self.grasp, direction, start, max_displacement=bound)
+
+    def within_error(self, magnitudes: Magnitudes) -> RoundedEnds | None:
+        """Return the ends of magnitudes in the plane for others within the error of the data.
+
+        None if the data are exact; in space `SpatialMagnitudes.within_error` answers.
+
+        Args:
+            magnitudes: what `along` returned.
+        """
+        return ends_within_error(self._solver, magnitudes)
 
     def slice(
         self,
