@@ -240,7 +240,7 @@ OPTIONAL = {
         "equilibrium.pictures.space",
         "equilibrium.wrench_sets.spatial",
     ),
-    "several bodies": ("equilibrium.decide.assemblies",),
+    "several bodies": ("equilibrium.decide.assemblies", "equilibrium.pictures.assemblies"),
     "contact modes": ("equilibrium.modes",),
     "scenes of engines": ("equilibrium.scenes",),
     "census": ("arrangement.library.census",),

@@ -327,8 +327,8 @@ class Drawings:
             InputError: unknown suffix or name, no such folder, or a name that does not go with the
                 suffix.
         """
-        models = MODELS if self.models else ()
-        kinds = {"view": (*PICTURES, *TIKZ, *MOVIES), "model": models, "page": PAGES}
+        models, pages = MODELS if self.models else (), PAGES if self.pages else ()
+        kinds = {"view": (*PICTURES, *TIKZ, *MOVIES), "model": models, "page": pages}
         suffix = ending(path, sorted(end for suffixes in kinds.values() for end in suffixes))
         kind = next(kind for kind, suffixes in kinds.items() if suffix in suffixes)
         known, name = self.named(kind), view

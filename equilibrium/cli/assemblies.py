@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.options import values
@@ -16,12 +16,11 @@ if TYPE_CHECKING:
     from equilibrium.model.assembly import Assembly
 
 _AXES = ("BODY", "F_X", "F_Y", "TAU")
-#: Options that are about one body, each with what it is when it is not given.
-_ONE_BODY = {
-    **dict.fromkeys(("wrench", "force", "weight", "at", "preload", "cone", "max_displacement")),
-    **dict.fromkeys(("robust", "methods")),
-    **dict.fromkeys(("shorten", "all", "round_normals", "as_given"), False),
-}
+#: Options of solve that are about one body.
+_ONE_BODY = (
+    *("wrench", "force", "weight", "at", "preload", "cone", "max_displacement", "robust"),
+    *("methods", "as_printed", "shorten", "all", "round_normals", "as_given"),
+)
 
 
 class _OnBody(argparse.Action):
@@ -87,12 +86,7 @@ def solve_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -
     """Print the verdict on an assembly."""
     from equilibrium.decide.solver import solve
 
-    for name, usual in _ONE_BODY.items():
-        if getattr(arguments, name) != usual:
-            option = name.replace("_", "-")
-            raise GraspError(f"--{option} is for one body, not for an assembly; leave it out")
-    if arguments.as_printed:
-        raise GraspError("--as-printed is for one body, not for an assembly; leave it out")
+    refuse_one_body(arguments, _ONE_BODY)
     assembly, wrenches = asked_assembly(document, arguments.on)
     verdict = solve(assembly, wrenches, time_limit=arguments.time_limit)
     if arguments.certificate is not None and verdict.certificate is not None:
@@ -100,3 +94,29 @@ def solve_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -
     units = [] if assembly.units is None else [str(assembly.units)]
     yes = verdict.stable if verdict.decided else None
     return show(arguments, verdict.to_dict(), [*units, *verdict.lines()], yes)
+
+
+def draw_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> int:
+    """Draw the assembly of a document, solved if it has wrenches."""
+    from arrangement.drawing.command import given_options, write
+    from equilibrium.decide.solver import solve
+    from equilibrium.model.assembly import Assembly, wrenches_of
+    from equilibrium.pictures.views import DRAWINGS, OF_ASSEMBLIES
+
+    refuse_one_body(arguments, ("wrench", "force", "weight", "at", "preload", "origin"))
+    assembly, wrenches = Assembly.from_dict(document), wrenches_of(document)
+    subject = assembly if wrenches is None else solve(assembly, wrenches)
+    options = given_options(arguments, OF_ASSEMBLIES, DRAWINGS)
+    return write(arguments, OF_ASSEMBLIES, subject, options)
+
+
+def refuse_one_body(arguments: argparse.Namespace, names: Iterable[str]) -> None:
+    """Refuse options that are about one body.
+
+    Raises:
+        GraspError: one of them is given.
+    """
+    for name in names:
+        if getattr(arguments, name) not in (None, False, []):
+            option = name.replace("_", "-")
+            raise GraspError(f"--{option} is for one body, not for an assembly; leave it out")

@@ -23,6 +23,7 @@ from equilibrium.cli.arguments import (
     read,
     spanning_wrench,
 )
+from equilibrium.cli.assemblies import assembly_document, draw_assembly
 from equilibrium.model.errors import GraspError
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ _SCENE = "scene"
 
 def add_commands(commands: Any) -> None:
     """Add draw."""
-    text = "draw a grasp, its resisted wrenches, a proof, or methods side by side"
+    text = "draw a grasp or an assembly, resisted wrenches, a proof, or methods side by side"
     draw: Any = add_command(commands, "draw", _draw, text, numbers=False, heading="common")
     draw.lazy_options = lambda: _add_options(draw)
 
@@ -72,6 +73,9 @@ def _draw(arguments: argparse.Namespace) -> int:
     from arrangement.drawing.command import given_options, write
     from equilibrium.pictures.views import DRAWINGS, drawings_of
 
+    document = assembly_document(arguments)
+    if document is not None:
+        return draw_assembly(arguments, document)
     grasp = read(arguments)
     if load := force_given(arguments, grasp.dimension):
         arguments.wrench = [*(arguments.wrench or ()), load]

@@ -1,8 +1,13 @@
+from .assemblies import draw_assembly as draw_assembly
 from .grasp.grasp import draw_grasp as draw_grasp
 from .grasp.proof import draw_proof as draw_proof
 from .grasp.proof_page import proof_page as proof_page
 from .lab.page import resist_page as resist_page
-from .views import DRAWINGS as DRAWINGS, write_drawing as write_drawing
+from .views import (
+    DRAWINGS as DRAWINGS,
+    OF_ASSEMBLIES as OF_ASSEMBLIES,
+    write_drawing as write_drawing,
+)
 from .wrenches.forces import (
     draw_compare as draw_compare,
     draw_methods as draw_methods,

@@ -44,6 +44,14 @@ DRAWINGS = Drawings(
     },
 )
 
+#: What can be drawn of an assembly, or of the verdict on one.
+OF_ASSEMBLIES = Drawings(
+    "equilibrium.pictures",
+    views={"assembly": ViewEntry("assemblies:draw_assembly")},
+    models={},
+    pages={},
+)
+
 
 def drawings_of(grasp: Grasp) -> Drawings:
     """Return what can be drawn of a grasp, in the plane or in space."""

@@ -28,6 +28,8 @@ from equilibrium.cli import main
 from equilibrium.decide.assemblies.parts import parts_of
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.grasps.schemas import assembly_certificate_schema, assembly_schema
+from equilibrium.pictures.assemblies import draw_assembly
+from tests.drawn import elements
 
 from .bodies_oracle import random_question, resisted
 
@@ -492,3 +494,54 @@ class TestCommand:
         capsys.readouterr()
         assert main(["verify", proof, "--verified"]) == 2
         assert "one body" in capsys.readouterr().err
+
+
+class TestPicture:
+    def scene(self, subject):
+        return draw_assembly.scene(subject)
+
+    def count(self, subject):
+        return elements(self.scene(subject))
+
+    def test_bodies_contacts_and_forces_are_drawn(self):
+        found = self.count(solve(STACK, WEIGHTS))
+        # Each contact force acts on its body, those between the blocks on both.
+        assert (found["pad"], found["mark"], found["force"], found["wrench"]) == (4, 4, 6, 2)
+
+    def test_assembly_alone_has_no_forces(self):
+        found = self.count(STACK)
+        assert found["pad"] == 4
+        assert not found["force"] + found["wrench"] + found["mark"] + found["motion"]
+
+    def test_displaced_outlines_are_drawn(self):
+        blocks = [
+            RigidBody("lower", Polygon([[-2, 0], [2, 0], [2, 1], [-2, 1]])),
+            RigidBody("upper", Circle([0, 2], 1)),
+        ]
+        found = self.count(solve(Assembly(blocks, STACK.contacts), WEIGHTS))
+        assert (found["body"], found["motion"]) == (2, 2)
+
+    def test_reason_of_a_no_is_in_the_legend(self):
+        made = self.scene(solve(STACK, {"upper": [1, 0, 0]}))
+        assert any("not resisted" in line for line, _ in made.legend.lines)
+
+    def test_torque_is_an_arc(self):
+        assert self.count(solve(STACK, {"lower": [0, 0, 1]}))["torque"]
+
+    def test_nothing_is_drawn_of_nothing(self):
+        assert not self.count(Assembly([]))["body"]
+
+    def test_command_draws_files(self, tmp_path, capsys):
+        path = tmp_path / "stack.json"
+        STACK.save(path, WEIGHTS)
+        assert main(["draw", str(path), "-o", str(tmp_path / "a.svg")]) == 0
+        text = (tmp_path / "a.svg").read_text(encoding="utf-8")
+        assert "name-2" in text
+        for options, words in (
+            (["--wrench", "0", "0", "1"], "--wrench is for one body"),
+            (["--view", "proof"], "expected one of assembly"),
+        ):
+            assert main(["draw", str(path), *options, "-o", str(tmp_path / "b.svg")]) == 2
+            assert words in capsys.readouterr().err
+        assert main(["draw", str(path), "-o", str(tmp_path / "b.html")]) == 2
+        assert "expected one of" in capsys.readouterr().err
