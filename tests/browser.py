@@ -109,9 +109,11 @@ class Browser:
         return x, y
 
     def put(self, name: str, value: object, event: str = "change") -> None:
-        """Give the field of an id a value, as if it were typed or chosen."""
+        """Give the field of an id a value, as if it were unfolded, and typed or chosen."""
         self.run(
-            "const box = document.getElementById(arguments[0]); box.focus();"
+            "const box = document.getElementById(arguments[0]);"
+            "for (let one = box; one = one.closest('details:not([open])');) one.open = true;"
+            "box.focus();"
             "box.value = arguments[1]; box.dispatchEvent(new Event(arguments[2]));",
             *(name, str(value), event),
         )

@@ -276,6 +276,26 @@ def test_a_cell_of_motions_is_shown_on_the_grasp(opened):
     assert "Click" in opened.text("motion-words")
 
 
+def test_first_screen_shows_question_pictures_and_answer(browser, tmp_path):
+    browser.show(lab_page(), tmp_path, 1280, 800)
+    verdict(browser)
+    assert browser.text("question") == "Does the grasp resist the load (0, 1, 0)?"
+    assert browser.run("return document.documentElement.scrollHeight") <= 800
+    for name in ("grasp", "answer", "discs", "plane"):
+        assert browser.run("return document.getElementById(arguments[0]).clientHeight", name) > 150
+    assert browser.count("details[open]") == 0
+
+
+def test_codes_of_the_discs_are_at_least_eleven_pixels_high(browser, tmp_path):
+    browser.show(lab_page(read_grasp("paper-four-contacts")), tmp_path, 390, 844)
+    sizes = browser.run(
+        "return [...document.querySelectorAll('#discs text')]"
+        ".map((e) => parseFloat(getComputedStyle(e).fontSize) * e.getScreenCTM().a)"
+    )
+    assert len(sizes) > 4
+    assert min(sizes) >= 11
+
+
 def test_directions_may_have_decimal_commas(opened):
     opened.run("document.querySelector('#tabs [data-contact]').click()")
     for text in ("3/5, 4/5", "0.6, 0.8", "0,6; 0,8", "0,6 0,8", "(3, 4)"):

@@ -11,6 +11,8 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any, TypeAlias
 
+import numpy as np
+
 #: A package and the name of a file in its folder ``templates``, or in a folder there.
 Template: TypeAlias = tuple[str, str]
 
@@ -127,6 +129,11 @@ def embedded(data: Mapping[str, Any]) -> str:
     for sign in "<>&":
         text = text.replace(sign, f"\\u{ord(sign):04x}")
     return text
+
+
+def floats(array: Any, digits: int = 5) -> Any:
+    """Return numbers as nested lists of floats with so many digits, and no negative zero."""
+    return (np.round(np.asarray(array, dtype=float), digits) + 0.0).tolist()
 
 
 def place(template: Template) -> Path:

@@ -16,7 +16,7 @@ from arrangement.drawing.solids.depth_tree import Node
 from arrangement.drawing.solids.sight import unit
 from arrangement.drawing.solids.surface import Patch, rounded
 
-from .html_page import BASE_SCRIPT, BASE_STYLE, one_page, own
+from .html_page import BASE_SCRIPT, BASE_STYLE, floats, one_page, own
 
 SCRIPTS = (BASE_SCRIPT, *map(own, ("dual.js", "ball.js", "turning.js", "solid.js")))
 
@@ -87,16 +87,16 @@ class SolidPage:
         """Return the page."""
         same = ("title", "summary", "counts", "legend", "apart")
         data = {key: getattr(self, key) for key in same} | {
-            "axes": _floats(self.axes),
+            "axes": floats(self.axes),
             "radius": round(self.radius, 6),
             "nodes": [
-                {"row": _floats(node.row[:3]), "faces": list(map(_face, node.patches))}
+                {"row": floats(node.row[:3]), "faces": list(map(_face, node.patches))}
                 | {"front": node.front, "back": node.back}
                 for node in self.tree
             ],
             "pieces": [{"name": name, "facts": facts} for name, facts in self.pieces],
-            "frame": _floats(self.frame),
-            "marks": [{"at": _floats(at), "text": text} for at, text in self.marks],
+            "frame": floats(self.frame),
+            "marks": [{"at": floats(at), "text": text} for at, text in self.marks],
         }
         styles, tools = [BASE_STYLE, own("solid.css")], ["spin", "home", "theme", "print"]
         return one_page(self.title, own("solid.html"), styles, SCRIPTS, data, tools)
@@ -104,19 +104,15 @@ class SolidPage:
 
 def _face(face: PageFace) -> dict[str, Any]:
     found: dict[str, Any] = {
-        "at": _floats(face.corners),
+        "at": floats(face.corners),
         "fill": face.fill,
-        "edges": _floats(face.edges),
+        "edges": floats(face.edges),
         "piece": face.piece if face.piece >= 0 else None,
     }
     if face.normal is not None and face.normal.any():
-        found["normal"] = _floats(unit(face.normal))
+        found["normal"] = floats(unit(face.normal))
     if face.middle is not None:
-        found["middle"] = _floats(face.middle)
+        found["middle"] = floats(face.middle)
     return found | {
         key: getattr(face, key) for key in ("sheet", "faint", "ink") if getattr(face, key)
     }
-
-
-def _floats(array: Any) -> Any:
-    return (np.round(np.asarray(array, dtype=float), 5) + 0.0).tolist()

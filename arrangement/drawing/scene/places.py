@@ -137,10 +137,11 @@ def inside(scene: Scene, edge: Floats, off: Any = None, within: Box | None = Non
             for box in scene.boxes
             if box[0] < right and box[2] > left and box[1] < high and box[3] > low
         ]
-        near = np.array([]) if off is None else off.geometries.take(off.query(area, "dwithin", 0.5))
+        tree = shapely.STRtree([]) if off is None else off
+        near = tree.geometries.take(tree.query(area, "dwithin", 0.5))
         lines = shapely.get_dimensions(near) == 1
         # Of merged lines one buffer has fewer corners than those of many segments.
-        merged = shapely.line_merge(shapely.multilinestrings(near[lines]))
+        merged = shapely.line_merge(shapely.MultiLineString(list(near[lines])))
         kept = shapely.buffer([merged, *near[~lines]], 0.5, quad_segs=2)
         rest = shapely.difference(area, shapely.union_all([*boxes, *kept]))
         # Cut off at lines, a region may leave lines of no width.

@@ -12,7 +12,14 @@ import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted, sign_text
-from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page, own
+from arrangement.drawing.pages.html_page import (
+    BASE_SCRIPT,
+    BASE_STYLE,
+    Template,
+    floats,
+    one_page,
+    own,
+)
 from arrangement.drawing.registry import Vector
 from arrangement.drawing.solids.sight import picture_axes, unit, unit_vectors
 from arrangement.duals.zonohedron import around_rays
@@ -35,6 +42,8 @@ SCRIPTS: tuple[Template, ...] = (
     own("turning.js"),
     (_OWN, "controls.js"),
 )
+#: After the point, of what is drawn.
+_DIGITS = 8
 COLOURINGS = ("sides", "signs", "parity", "none")
 
 
@@ -79,7 +88,7 @@ def arrangement_page(
         "title": heading,
         "summary": summary,
         "colour": colour,
-        "axes": _floats(globe.axes),
+        "axes": floats(globe.axes, _DIGITS),
         "even": _shaped(globe, arrangement, coordinates, camera),
         **_cells(globe.whole),
     }
@@ -111,13 +120,14 @@ def _shaped(
     rays = np.array([_unit(sphere.ray(v)) for v in range(sphere.vertex_count)]) @ for_points.T
     lines = _integers(np.concatenate([units @ for_normals.T, rays]))
     towards = _integers(np.array([_unit(globe.direction)]) @ for_points.T)[0]
+    ahead = clear_direction(lines) if direction is None else towards
     at_first = coordinates in ("symmetric", "even")
     if coordinates is None and not arrangement.axes:
         at_first = is_narrow(units) or symmetric is not None
     return {
-        "normals": _floats(for_normals),
-        "points": _floats(for_points),
-        "axes": _floats(picture_axes(clear_direction(lines) if direction is None else towards)),
+        "normals": floats(for_normals, _DIGITS),
+        "points": floats(for_points, _DIGITS),
+        "axes": floats(picture_axes(ahead), _DIGITS),
         "name": "evened out" if symmetric is None else "symmetric",
         "at_first": at_first,
     }
@@ -198,10 +208,5 @@ def _exact(vector: IntegerVector) -> list[str]:
 
 def _unit(vector: IntegerVector) -> list[float]:
     """Return a unit vector; the zero vector stays."""
-    found: list[float] = _floats(unit_vectors([vector])[0])
+    found: list[float] = floats(unit_vectors([vector])[0], _DIGITS)
     return found
-
-
-def _floats(array: Any) -> Any:
-    """Return nested lists of floats with eight digits, and no negative zero."""
-    return (np.round(array, 8) + 0.0).tolist()

@@ -13,7 +13,7 @@ import numpy as np
 
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import pale, plane_colour
-from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, one_page
+from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, floats, one_page
 from arrangement.drawing.registry import Exact
 from arrangement.drawing.scene.curves import flattened
 from arrangement.drawing.scene.scene import area
@@ -90,8 +90,8 @@ def proof_page(
 
 def _outline(corners: Any) -> dict[str, Any]:
     place, room = roomiest(corners, _LABEL, 1) if len(corners) > 2 else (None, 0)
-    label = {"label": _floats(place)} if room > 1 else {}
-    return {"corners": [_floats(corner) for corner in corners], **label}
+    label = {"label": floats(place)} if room > 1 else {}
+    return {"corners": floats(corners), **label}
 
 
 def _motion(maps: ProofMaps, motion: RationalVector) -> dict[str, Any]:
@@ -103,7 +103,7 @@ def _motion(maps: ProofMaps, motion: RationalVector) -> dict[str, Any]:
         point = (-y / r, x / r)
         words = f"turns the object {TURNS[sign(r)]} about {LABEL.vector(point)}"
         place = maps.window.paper(point)
-        centre = _floats(MAP * place) if abs(place).max() <= 1 else None
+        centre = floats(MAP * place) if abs(place).max() <= 1 else None
     else:
         words = f"moves the object along {LABEL.vector((x, y))}"
     return {
@@ -130,10 +130,10 @@ def _part(maps: ProofMaps, part: ClosedPart) -> dict[str, Any]:
     }
 
 
-def _directions(vectors: Sequence[RationalVector]) -> list[list[float]]:
+def _directions(vectors: Sequence[RationalVector]) -> Any:
     """Return vectors as floats, the largest component of all being 1 or -1."""
     largest = max((abs(x) for vector in vectors for x in vector), default=Fraction(0)) or 1
-    return [_floats(x / largest for x in vector) for vector in vectors]
+    return floats([[x / largest for x in vector] for vector in vectors])
 
 
 def _grasp_data(grasp: Grasp) -> dict[str, Any]:
@@ -143,21 +143,16 @@ def _grasp_data(grasp: Grasp) -> dict[str, Any]:
     return {
         "contacts": [
             {
-                "place": _floats(place),
+                "place": floats(place),
                 "normal": [float(x) for x in contact.normal],
-                "cone": [_floats(point) for point in rim],
+                "cone": floats(rim),
                 "preload": float(contact.preload),
             }
             for contact, place, rim in zip(grasp, layout.places, layout.cones, strict=True)
         ],
         "stated": layout.given,
-        "outline": None if curve is None else [_floats(p) for p in flattened(curve, 16)],
-        "origin": _floats(np.clip(frame.paper((Fraction(0),) * 2), -1.5, 1.5)),
+        "outline": None if curve is None else floats(flattened(curve, 16)),
+        "origin": floats(np.clip(frame.paper((Fraction(0),) * 2), -1.5, 1.5)),
         "centre": [float(x) for x in frame.centre],
         "size": float(frame.half),
     }
-
-
-def _floats(point: Any) -> list[float]:
-    """Return coordinates on paper, short."""
-    return [round(float(x), 5) + 0.0 for x in point]

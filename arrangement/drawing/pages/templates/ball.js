@@ -13,6 +13,12 @@ function turnedAxes([x, y, z], right, up) {
   return [across, cross(ahead, across), ahead];
 }
 
+// The axes for a direction towards the viewer and one that is up, or nearly.
+function axesFor(ahead, up) {
+  const across = unit(cross(up, ahead));
+  return [across, cross(ahead, across), ahead];
+}
+
 // The direction that is seen at a place of the disk of radius 1.
 function directionAt(axes, u, v) {
   const w = Math.sqrt(Math.max(0, 1 - u * u - v * v));

@@ -107,5 +107,6 @@ function onDrag(view, { hold: begin = () => ({}), drag, click = () => {}, end = 
 }
 
 /** @type {(x: number) => string} */ const fixed = (x) => (Math.round(x * 100) / 100).toString();
+/** @type {(text: string) => string} */ const minusSign = (text) => text.replaceAll("-", "\u2212");
 const tuple = (values) => `(${values.join(", ")})`;
 const count = (number, one, many) => `${number} ${number === 1 ? one : many}`;

@@ -14,13 +14,17 @@ function area(corners) {
   }, 0);
 }
 
-// The places of the regions of circles, none farther out than 1, and the faces, each with the
-// crossing p and its regions counterclockwise about the direction `rayOf(corner, p)`; null leaves
-// a face out. `sides` are the vectors of the normals.
+// The places of regions by their number, none farther out than 1: sums of the vectors `sides` with their signs.
+function zonotopePlaces(regions, sides) {
+  const places = regions.map(({ key }) => [0, 1, 2].map((k) => sides.reduce((sum, v, i) => sum + (key[i] === "+" ? v[k] : -v[k]), 0)));
+  const reach = Math.max(1e-9, ...places.map((p) => Math.hypot(...p)));
+  return new Map(regions.map(({ id }, i) => [id, places[i].map((x) => x / reach)]));
+}
+
+// The places of the regions of circles, and the faces, each with the crossing p and its regions
+// counterclockwise about the direction `rayOf(corner, p)`; null leaves a face out.
 function zonotopeOf({ crossings }, sides, regions, rayOf) {
-  const places = new Map(regions.map(({ id, key }) => [id, [0, 1, 2].map((k) => sides.reduce((sum, v, i) => sum + (key[i] === "+" ? v[k] : -v[k]), 0))]));
-  const reach = Math.max(1, ...[...places.values()].map((p) => Math.hypot(...p)));
-  for (const [id, p] of places) places.set(id, p.map((x) => x / reach));
+  const places = zonotopePlaces(regions, sides);
   const number = crossings.length;
   const faces = Array.from({ length: 2 * number }, (_, corner) => {
     const p = corner % number;

@@ -48,6 +48,7 @@ function svgText(view) {
 // The head of a page; `open` gets the example that is chosen.
 function listenToHead(open) {
   showHead();
+  window.addEventListener("beforeprint", () => document.querySelectorAll("details.panel").forEach((/** @type {HTMLDetailsElement} */ panel) => { panel.open = true; }));
   const box = at("example");
   make("option", { value: "", disabled: "", selected: "" }, box, "examples …");
   data.examples.forEach(({ name }, k) => make("option", { value: k }, box, name));

@@ -83,7 +83,7 @@ function labelRegions(group) {
     const room = roomOf(model, region);
     const p = turned(state.axes, region.inside);
     if (p[2] > 0.15 && 1.9 * region.signs.length < room * p[2] * RADIUS) {
-      draw("text", { class: "tag", x: fixed(RADIUS * p[0]), y: fixed(-RADIUS * p[1]) }, group, minus(region.signs));
+      draw("text", { class: "tag", x: fixed(RADIUS * p[0]), y: fixed(-RADIUS * p[1]) }, group, minusSign(region.signs));
     }
   }
 }
@@ -97,8 +97,6 @@ function paintDual(view) {
   if (at("labels").checked) labelVertices(view, shown.turned, inFront);
 }
 
-const minus = (signs) => signs.replaceAll("-", "\u2212");
-
 function labelVertices(group, places, inFront) {
   const taken = [];
   const order = places.map((_, id) => id).filter(inFront).sort((a, b) => places[b][2] - places[a][2]);
@@ -110,7 +108,7 @@ function labelVertices(group, places, inFront) {
     const clash = taken.some(([u, v, w]) => Math.abs(u - middle[0]) < w + half && Math.abs(v - middle[1]) < 6.5);
     if (clash || Math.abs(middle[0]) + half > 124) continue;
     taken.push([...middle, half]);
-    draw("text", { class: "tag", x: fixed(middle[0]), y: fixed(-middle[1]) }, group, minus(model.regions[id].signs));
+    draw("text", { class: "tag", x: fixed(middle[0]), y: fixed(-middle[1]) }, group, minusSign(model.regions[id].signs));
   }
 }
 

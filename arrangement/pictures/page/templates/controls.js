@@ -4,8 +4,7 @@ function bringToFront() {
   if (!chosen) return;
   const ahead = unit(towards(chosen));
   const up = Math.abs(dot(ahead, state.axes[1])) < 0.95 ? state.axes[1] : state.axes[0];
-  const right = unit(cross(up, ahead));
-  state.axes = [right, cross(ahead, right), ahead];
+  state.axes = axesFor(ahead, up);
   refresh();
 }
 

@@ -21,19 +21,11 @@ function setShape(even) {
   return even ? data.even.axes : data.axes;
 }
 
-// The boundary of a piece as one closed curve of points.
-function boundary(piece, frame) {
-  return data.regions[piece].boundary.flatMap((half) => {
-    const curve = frame[half >> 1];
-    return half & 1 ? [...curve].reverse().slice(0, -1) : curve.slice(0, -1);
-  });
-}
-
 // A whole region; one without a boundary is the whole half.
 function regionPath(region, frame, side) {
   const disk = `M${-RADIUS},0A${RADIUS} ${RADIUS} 0 0 0 ${RADIUS},0A${RADIUS} ${RADIUS} 0 0 0 ${-RADIUS},0Z`;
   if (!region.arcs.length) return disk;
-  return region.pieces.map((piece) => clipped(boundary(piece, frame), side)).join("");
+  return region.pieces.map((piece) => clipped(boundaryOf(data.regions[piece].boundary, frame), side)).join("");
 }
 
 // Numbers of the planes at the limb, pushed apart.

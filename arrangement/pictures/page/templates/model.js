@@ -9,7 +9,7 @@ function modelOf(on) {
     const key = kept.map((k) => region.signs[k]).join("");
     if (!byKey.has(key)) {
       byKey.set(key, regions.length);
-      regions.push({ key, pieces: [], arcs: [], points: [], signs: shownSigns(region.signs, on) });
+      regions.push({ id: regions.length, key, pieces: [], arcs: [], points: [], signs: shownSigns(region.signs, on) });
     }
     const id = byKey.get(key);
     regions[id].pieces.push(piece);
@@ -64,21 +64,12 @@ function dualVertex(model, region) {
 
 // Where dual vertices are drawn, in a ball of radius 1.
 function dualPlaces(model, equalEdges) {
-  const generators = data.planes.map((plane) => {
+  const sides = model.kept.map((k) => {
+    const plane = data.planes[k];
     const partners = data.classes[plane.circle].filter((other) => model.on[other]).length;
-    const factor = equalEdges ? 1 / partners : plane.length;
-    return plane.unit.map((x) => x * factor);
+    return plane.unit.map((x) => x * (equalEdges ? 1 / partners : plane.length));
   });
-  const places = model.regions.map((region) => {
-    const sum = [0, 0, 0];
-    for (const k of model.kept) {
-      const sign = region.signs[k] === "+" ? 1 : -1;
-      for (let i = 0; i < 3; i += 1) sum[i] += sign * generators[k][i];
-    }
-    return sum;
-  });
-  const reach = Math.max(1e-9, ...places.map((p) => Math.hypot(...p)));
-  return places.map((p) => p.map((x) => x / reach));
+  return [...zonotopePlaces(model.regions, sides).values()];
 }
 
 // The ways to colour regions: what is measured, its class, and words for the legend.

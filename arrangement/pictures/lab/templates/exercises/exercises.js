@@ -54,6 +54,7 @@ function listenToExercises() {
   at("exercise-check").addEventListener("click", checkExercise);
   at("exercise-again").addEventListener("click", () => chooseExercise(exercises.at));
   at("exercise-hint").addEventListener("click", () => { exercises.hints += 1; showExercise(); });
+  at("exercises").open = data.own;
   listExercises();
   listenToEditor();
 }

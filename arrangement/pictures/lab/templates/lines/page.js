@@ -30,8 +30,7 @@ function chooseAxes() {
   const up = state.shape.even ? [0, 1, 0] : chartOf().up.map(Number);
   const right = unit(cross(up, front));
   const z = unit(front.map((x, k) => x + Math.hypot(...front) * (0.22 * right[k] + 0.3 * (up[k] / Math.hypot(...up)))));
-  const x = unit(cross(up, z));
-  state.axes = [x, cross(z, x), z];
+  state.axes = axesFor(z, up);
 }
 
 function load(arrangement) {

@@ -11,7 +11,7 @@ function paintMap() {
   view.classList.toggle("stale", stale);
   at("plane-title").textContent = `Forces that are resisted at torque ${shortText(state.wrench[2])}`;
   at("plane-caption").textContent = stale ? "Being computed …" : state.other ? comparedWords()
-    : "Each polygon: one choice of states, exact. Darker: more contacts stick; hatched: some let go. Drag: changes the force.";
+    : "Each polygon: one choice of states. Darker: more contacts stick; hatched: some detached. Drag: changes the force.";
   at("conditions-box").hidden = !piece;
   if (piece) at("conditions").textContent = [`states: ${piece.states.join(", ")}`, ...conditions(piece)].join("\n");
 }

@@ -5,6 +5,7 @@ const cellOf = (row, x) => make("td", { class: "exact", title: textOf(x) }, row,
 
 function describe() {
   const { found } = state;
+  at("question").textContent = `Does the grasp resist the load ${vectorText(state.wrench)}?`;
   if (!state.fits) return;
   const verdict = at("verdict");
   verdict.className = found.stable ? "yes" : "no";
@@ -149,8 +150,7 @@ function describeMotion() {
   const line = at("motion-words");
   line.textContent = state.motion ? `d = ${vectorText(state.motion)}, ${motionWords(state.motion)}: ${state.grasp
     .map((contact, i) => `${i + 1} ${contactAt(contact, state.motion).state}`).join(", ")}.`
-    : "Click a motion: the grasp shows it. Solid circles: a contact does not slip; dashed: its spring just touches. "
-      + "● stick, + and − slip, ○ detached; orange dot: the equilibrium.";
+    : "Click a motion: the grasp shows it.";
 }
 
 // For the live region, in one sentence.

@@ -1,7 +1,5 @@
 // Arrangements in words.
 
-const minusSign = (text) => text.replace(/-/g, "\u2212");
-
 function equationText(row) {
   const texts = row.map(textOf);
   const names1 = state.dimension === 2 ? ["x", "y"] : ["x", "y", "z"];
