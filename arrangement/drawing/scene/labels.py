@@ -68,6 +68,12 @@ class Labels:
         self._lines: list[Floats] = []
         self._off: Any = None
 
+    @property
+    def off(self) -> Any:
+        """What labels should not cover, as for `write_if_free`."""
+        self._off = self._off or keep_off(self._lines)
+        return self._off
+
     def avoid(self, *lines: Any) -> None:
         """Keep labels off lines through points (k, 2), where that can be."""
         self._lines += map(np.asarray, lines)
@@ -84,9 +90,8 @@ class Labels:
         shared = np.minimum(high[:, None], others[:, 1]) - np.maximum(low[:, None], others[:, 0])
         paper = np.array([self.scene.width, self.scene.height])
         outside = np.maximum(-low, 0).sum(axis=1) + np.maximum(high - paper, 0).sum(axis=1)
-        self._off = self._off or keep_off(self._lines)
         rooms = shapely.box(*(low - 0.6).T, *(high + 0.6).T)
-        crossed = np.bincount(self._off.query(rooms, "intersects")[0], minlength=len(rooms))
+        crossed = np.bincount(self.off.query(rooms, "intersects")[0], minlength=len(rooms))
         covered = np.maximum(shared, 0).prod(axis=2).sum(axis=1) + outside
         best = int(np.argmin(crossed + 1000 * covered))
         self.scene.boxes.append((*low[best].tolist(), *high[best].tolist()))

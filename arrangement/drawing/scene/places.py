@@ -119,9 +119,8 @@ def across(ends: Floats) -> Places:
 def inside(scene: Scene, edge: Floats, off: Any = None, within: Box | None = None) -> Places:
     """Return the place inside an outline (k, 2), if a label has room there.
 
-    It is the pole of inaccessibility, in units of the width and height of the label: the centre of
-    the largest such ellipse in what labels and the shapes `off` (see `keep_off`) leave free, in a
-    part of the scene that must not be left.
+    It is the `pole` of what labels and the shapes `off` (see `keep_off`) leave free, in a part of
+    the scene that must not be left.
     """
     import shapely
 
@@ -155,18 +154,26 @@ def inside(scene: Scene, edge: Floats, off: Any = None, within: Box | None = Non
             shapely.prepare(free[0])
         if free[0].is_empty:
             return none
-        unit = shapely.transform(free[0], lambda points: points / (2 * half))
-        circle, middle = shapely.maximum_inscribed_circle(unit), unit.centroid
-        pole = np.array(circle.coords[0])
-        # A strip has many such circles; the middle one is taken.
-        if unit.contains(middle) and middle.distance(unit.boundary) > 0.97 * circle.length:
-            pole = np.array(middle.coords[0])
-        centre = np.round(2 * half * pole, 2)
+        centre = np.round(pole(free[0], half), 2)
         room = half + np.array([1.2, 0.4])
         fits = free[0].contains(shapely.box(*(centre - room), *(centre + room)))
         return centre[None] if fits else none
 
     return places
+
+
+def pole(area: Any, half: Floats) -> Floats:
+    """Return the centre of the largest ellipse in a shape whose axes have the ratio of `half`."""
+    import shapely
+
+    unit = shapely.transform(area, lambda points: points / half)
+    circle, middle = shapely.maximum_inscribed_circle(unit), unit.centroid
+    centre = circle.coords[0]
+    # A strip has many such circles; the middle one is taken.
+    if unit.contains(middle) and middle.distance(unit.boundary) > 0.97 * circle.length:
+        centre = middle.coords[0]
+    place: Floats = half * np.array(centre)
+    return place
 
 
 def tried(count: int) -> int:

@@ -16,9 +16,10 @@ from arrangement.drawing.figure import picture
 from arrangement.drawing.registry import Exact
 from arrangement.drawing.scene.curves import flattened
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import Labels
-from arrangement.drawing.scene.places import fixed, near
+from arrangement.drawing.scene.labels import Labels, write_if_free
+from arrangement.drawing.scene.places import inside, near
 from arrangement.drawing.scene.scene import (
+    FONT,
     POINTS,
     Scene,
     arc,
@@ -34,7 +35,6 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.panel import ABOVE, BELOW, GAP, LEFT, RIGHT, Panel
 from equilibrium.pictures.parts.style import Wrench, symbol
-from equilibrium.pictures.parts.window import roomiest
 from equilibrium.pictures.space.space_grasp import proof_in_space
 
 from .grasp import GraspPicture
@@ -128,12 +128,11 @@ def _map(
         fill, gid, text = _fill(rank), panel.gid("region", i), str(rank + 1)
         if len(corners) > 2:
             panel.scene.polygon(corners, fc=fill, ec="#404040", lw=0.4, gid=gid, zorder=0.3)
-            half = panel.scene.measure(text)[0] / panel.side + 0.02, 9 / panel.side
-            place, room = roomiest(shape.corners, half, 1, panel.zero)
-            if room > 1:
-                others = (place + shape.corners) / 2 if room > 2 else []
-                centres = panel.at(np.array([place, *others]))
-                labels.write(text, fixed(centres), weight="bold", zorder=8)
+            look: dict[str, Any] = {"weight": "bold", "halo": (1.5, "white"), "zorder": 8}
+            for off in (labels.off, None):
+                free = inside(panel.scene, corners, off)
+                if write_if_free(panel.scene, [text], [FONT], free, **look):
+                    break
         elif len(corners) == 2 and "stick" in shape.part.states.values():
             panel.scene.line(corners, ec=fill, lw=2, gid=gid, zorder=0.5)
 

@@ -16,12 +16,12 @@ from arrangement.drawing.colours import pale, plane_colour
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, floats, one_page
 from arrangement.drawing.registry import Exact
 from arrangement.drawing.scene.curves import flattened
+from arrangement.drawing.scene.places import pole
 from arrangement.drawing.scene.scene import area
 from arrangement.numbers.exact import RationalVector, sign, to_text
 from equilibrium.certificate.leaves import ClosedPart, works
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.style import SKETCH_SCRIPT, SKETCH_STYLE, Wrench
-from equilibrium.pictures.parts.window import roomiest
 
 from .layout import Layout, shift_at
 from .proof_maps import MAP, TURNS, ProofMaps, proof_maps, summary_lines
@@ -29,7 +29,7 @@ from .proof_maps import MAP, TURNS, ProofMaps, proof_maps, summary_lines
 _OWN = "equilibrium.pictures.grasp"
 SCRIPTS: tuple[Template, ...] = (BASE_SCRIPT, SKETCH_SCRIPT, (_OWN, "proof.js"))
 #: Half width and half height of a number in a region, where a map fills [-1, 1].
-_LABEL = (0.05, 0.06)
+_LABEL = np.array([0.05, 0.06])
 
 
 def proof_page(
@@ -89,8 +89,14 @@ def proof_page(
 
 
 def _outline(corners: Any) -> dict[str, Any]:
-    place, room = roomiest(corners, _LABEL, 1) if len(corners) > 2 else (None, 0)
-    label = {"label": floats(place)} if room > 1 else {}
+    import shapely
+
+    label = {}
+    if len(corners) > 2:
+        shape = shapely.Polygon(corners)
+        place = pole(shape, _LABEL)
+        if shape.contains(shapely.box(*(place - _LABEL), *(place + _LABEL))):
+            label["label"] = floats(place)
     return {"corners": floats(corners), **label}
 
 

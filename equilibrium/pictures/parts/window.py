@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from statistics import median
-from typing import Any
 
 import numpy as np
 
@@ -136,26 +135,3 @@ def clipped(polygon: Floats, normal: Floats, least: float) -> Floats:
         if here >= 0:
             corners.append(polygon[k])
     return np.array(corners).reshape(-1, polygon.shape[1])
-
-
-def roomiest(
-    points: Floats, shape: tuple[float, float], limit: float, zero: Any = (np.inf, np.inf)
-) -> tuple[Any, float]:
-    """Return the place in a convex polygon where a box of a shape fits best, and its scale there.
-
-    Args:
-        shape: half width and half height of the box.
-        limit: the box stays within this distance of both axes of the paper.
-        zero: the origin, whose axes the box leaves free where it can.
-    """
-    low, high = points.min(axis=0), points.max(axis=0)
-    grid = np.stack(np.meshgrid(*np.linspace(low, high, 41).T), axis=-1).reshape(-1, 2)
-    along = np.roll(points, -1, axis=0) - points
-    inward = np.stack([-along[:, 1], along[:, 0]], axis=1)
-    reach = np.abs(inward) @ np.array(shape)
-    depth = np.einsum("gek,ek->ge", grid[:, None] - points[None], inward) / np.maximum(reach, 1e-12)
-    room = np.minimum(depth.min(axis=1), ((limit - np.abs(grid)) / shape).min(axis=1))
-    clear = np.minimum(room, (np.abs(grid - zero) / shape).min(axis=1))
-    room = clear if clear.max() > 1 else room
-    best = int(np.argmax(np.round(room, 6)))
-    return grid[best], float(room[best])
