@@ -1,4 +1,4 @@
-"""What the three commands share: arguments, one JSON object a line, errors, exit codes.
+"""What the three programs share: their parsers, options of all commands, errors, exit codes.
 
 Exit codes: 0 yes (or done), 1 no (or refuted), 2 bad input or output that cannot be written,
 3 undecided, 70 internal error (``--traceback`` shows where).
@@ -13,7 +13,6 @@ import argparse
 import json
 import math
 import os
-import re
 import sys
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
@@ -22,13 +21,17 @@ from typing import Any
 
 from arrangement.errors import InputError, MissingExtraError
 from arrangement.numbers import budget
-from arrangement.numbers.exact import shown
 from arrangement.numbers.real import Irrational, written
 
 from . import number_form, progress
 from .entry import fault
 from .options.parser import Parser, Version
-from .options.values import integer_argument, times_argument
+from .options.values import (
+    digits_argument,
+    integer_argument,
+    shard_argument,
+    times_argument,
+)
 from .safe_text import error_text, safe_stdout
 
 YES = 0
@@ -107,7 +110,7 @@ def add_worker_options(parser: argparse.ArgumentParser) -> None:
     add_jobs_option(parser)
     parser.add_argument(
         "--shard",
-        type=_shard,
+        type=shard_argument,
         default=(1, 1),
         metavar="I/N",
         help="do only the I-th of N parts, for machines without a cluster",
@@ -115,28 +118,12 @@ def add_worker_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--dask", metavar="ADDRESS", help="of a scheduler that has workers")
 
 
-def _shard(text: str) -> tuple[int, int]:
-    """Read 2/5."""
-    found = re.fullmatch(r"([0-9]{1,6})/([0-9]{1,6})", text, re.ASCII)
-    if found is None or not 1 <= int(found[1]) <= int(found[2]):
-        raise argparse.ArgumentTypeError(
-            f"{text!r} is not a shard; write 2/5 for the second of five"
-        )
-    return int(found[1]), int(found[2])
-
-
 def add_number_options(parser: argparse.ArgumentParser) -> None:
     """Add ``--exact`` and ``--digits``, for commands that print numbers; `run` heeds them."""
     form = parser.add_mutually_exclusive_group()
     form.add_argument("--exact", action="store_true", help="print every number exactly")
     text = f"of numbers that are too long to be printed exactly (default: {number_form.DIGITS})"
-    form.add_argument("--digits", type=_digits, metavar="N", help=text)
-
-
-def _digits(text: str) -> int:
-    if not text.isascii() or not text.isdigit() or not 1 <= int(text[:5]) <= 1000:
-        raise argparse.ArgumentTypeError(f"{shown(text)} digits; give 1 to 1000")
-    return int(text)
+    form.add_argument("--digits", type=digits_argument, metavar="N", help=text)
 
 
 def run(parser: Parser, argv: Sequence[str] | None = None) -> int:

@@ -35,7 +35,11 @@ class _Use(NamedTuple):
 
 
 def add_options(
-    parser: Parser, drawings: Drawings, own: Collection[str] = (), common: Collection[str] = ()
+    parser: Parser,
+    drawings: Drawings,
+    own: Collection[str] = (),
+    common: Collection[str] = (),
+    more: Mapping[str, str] | None = None,
 ) -> None:
     """Add the options of all that can be drawn.
 
@@ -45,7 +49,9 @@ def add_options(
     Args:
         own: flags of options that the command has itself.
         common: flags of options that the help lists without a view, besides those of all pictures.
+        more: what else the options "output" and "model" take, for their help.
     """
+    more = more or {}
     asked = _asked(parser.arguments) if {"-h", "--help"} & {*parser.arguments} else None
     before = {*parser._actions}
     subject = next(a.metavar for a in parser._actions if not a.option_strings)
@@ -57,9 +63,10 @@ def add_options(
         required=True,
         metavar="PATH",
         help=".svg, .pdf, .png, .tex (TikZ): a picture; .gif, .mp4: one that turns; .html: a page"
-        + "; .stl, .glb, .obj: a model" * bool(drawings.models),
+        + "; .stl, .glb, .obj: a model" * bool(drawings.models)
+        + more.get("output", ""),
     )
-    _add_target(parser, drawings)
+    _add_target(parser, drawings, more)
     for option in options_of(Drawings.write, keywords=True).values():
         option.add_to(parser)
     uses = _uses(drawings)
@@ -75,14 +82,14 @@ def add_options(
         _list(parser, drawings, {x for x in added if x.dest not in {*_COMMON, *common}})
 
 
-def _add_target(parser: Parser, drawings: Drawings) -> None:
+def _add_target(parser: Parser, drawings: Drawings, more: Mapping[str, str]) -> None:
     """Add which view or model to draw."""
     for kind, thing in (("view", "picture"), ("model", "model")):
         if known := [*drawings.named(kind)]:
             text = f"the {thing}, such as {known[0]} (default: the first that suits)"
             if kind == "view":
                 text += f"; several, as in {known[0]},{known[1]}, are panels of one figure"
-            parser.add_argument(f"--{kind}", metavar=kind.upper(), help=text)
+            parser.add_argument(f"--{kind}", metavar=kind.upper(), help=text + more.get(kind, ""))
 
 
 def _uses(drawings: Drawings) -> dict[str, list[_Use]]:

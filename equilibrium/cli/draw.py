@@ -58,15 +58,13 @@ def _add_options(draw: Parser) -> None:
     from arrangement.drawing.command import add_options
     from equilibrium.pictures.views import DRAWINGS
 
-    add_options(draw, DRAWINGS, own=("preload",), common=("wrench",))
+    more = {
+        "output": "; .json of --view slice: its data; .xml (MuJoCo), .json of --model scene",
+        "model": "; scene: for physics engines, with the exact loads at which the grasp slips",
+    }
+    add_options(draw, DRAWINGS, own=("preload",), common=("wrench",), more=more)
     add_force(draw, draw.add_mutually_exclusive_group())
     add_wrench(draw, "--origin", "of the data of a slice: a wrench of the plane", None)
-    for flag, text in (
-        ("--output", "; .json of --view slice: its data; .xml (MuJoCo), .json of --model scene"),
-        ("--model", "; scene: for physics engines, with the exact loads at which the grasp slips"),
-    ):
-        option = draw._option_string_actions[flag]
-        option.help = f"{option.help}{text}"
 
 
 def _draw(arguments: argparse.Namespace) -> int:

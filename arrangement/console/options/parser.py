@@ -1,4 +1,15 @@
-"""The parser of the programs: exact numbers, errors of one line, commands under headings."""
+"""The parser of the programs, and what it does otherwise than argparse.
+
+* ``-1/2`` and ``-0.25`` are values, not options (`_negative_number_matcher`).
+* ``0,1,0`` and ``0, 1, 0`` are three numbers, where an option takes several (`_split_numbers`).
+* An option that is given twice, or has an empty value, is refused (`_get_values`, `_refuse_empty`).
+* Names that are misspelt or were renamed are answered with those that exist (`_check_value`,
+  `_unknown`), and every error is one line (`error`).
+* Options that take time to find out are added when their command is parsed (`lazy_options`).
+* The help of a program lists its commands under headings (`format_help`).
+
+argparse has no public hooks for the second to fourth of these; their methods override its own.
+"""
 
 from __future__ import annotations
 
@@ -20,29 +31,31 @@ _NEGATIVE_NUMBER = re.compile(r"-\.?[0-9]")
 
 
 class Parser(argparse.ArgumentParser):
-    """An argument parser that takes ``-1/2`` and ``-0.25`` as values, not as options.
+    """A parser of a program, or of one of its commands.
 
-    A subcommand's parser names its function with ``set_defaults(command=function)``; the function
-    takes the parsed arguments and returns an exit code (see `run`).
+    That of a command names its function with ``set_defaults(command=function)``; the function takes
+    the parsed arguments and returns an exit code (see `terminal.run`).
+
+    Attributes:
+        lazy_options: adds the options that take time to find out.
+        variadic: options that take at least so many numbers as their ``nargs``.
+        arguments: the words that are parsed.
+        renamed: commands and options of earlier releases and of other programs, with what to write
+            now.
+        headings: the commands of a program under headings of its help: names with what they do.
     """
 
     def __init__(self, **options: Any) -> None:
         options.setdefault("allow_abbrev", False)
         super().__init__(**options)
-        # argparse asks this pattern which words that start with "-" are values.
         self._negative_number_matcher = _NEGATIVE_NUMBER
-
-        #: Adds the options that take time to find out, when they are asked for.
         self.lazy_options: Callable[[], None] | None = None
-        #: Options that take at least this many numbers.
         self.variadic: list[argparse.Action] = []
-        #: What is parsed, and the options with a value seen so far.
         self.arguments: Sequence[str] = ()
-        self._seen: list[argparse.Action] = []
-        #: Commands and options of earlier releases and of other programs, with what to write now.
         self.renamed: Mapping[str, str] = {}
-        #: Subcommands under the headings of ``--help``: names with what they do.
         self.headings: dict[str, list[tuple[str, str]]] = {}
+        #: Options with a value, in the order in which they are parsed.
+        self._seen: list[argparse.Action] = []
 
     def add_subparsers(self, **options: Any) -> Any:
         """Return the commands, to which `add_command` adds one."""
@@ -60,15 +73,18 @@ class Parser(argparse.ArgumentParser):
         found, rest = super().parse_known_args(list(self._split_numbers(words)), namespace)
         for word in rest:
             self.error(self._unknown(word))
+        self._refuse_empty(found)
+        return found, rest
+
+    def _refuse_empty(self, found: argparse.Namespace) -> None:
         for action in self._actions:
             if getattr(found, action.dest, None) == "" and action.dest != "title":
                 name = "/".join(action.option_strings) or action.metavar
                 self.error(f"argument {name}: it is empty; give a name")
-        return found, rest
 
     def _split_numbers(self, words: Sequence[str]) -> Iterator[str]:
-        """Split ``0,1,0`` and ``0, 1, 0``, in one word or several, where several are taken."""
-        due = 0
+        """Yield the words, with numbers that are separated by commas as words of their own."""
+        due = 0  # how many numbers the option before takes
         for i, word in enumerate(words):
             name, equals, value = word.partition("=")
             option = self._option_string_actions.get(name)

@@ -58,3 +58,20 @@ def times_argument(text: str) -> float:
         return float(rational_argument(text))
     except OverflowError:
         return math.inf
+
+
+def shard_argument(text: str) -> tuple[int, int]:
+    """Read which part of a computation a machine does, such as 2/5."""
+    found = re.fullmatch(r"([0-9]{1,6})/([0-9]{1,6})", text, re.ASCII)
+    if found is None or not 1 <= int(found[1]) <= int(found[2]):
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not a shard; write 2/5 for the second of five"
+        )
+    return int(found[1]), int(found[2])
+
+
+def digits_argument(text: str) -> int:
+    """Read how many digits of a number are printed."""
+    if not text.isascii() or not text.isdigit() or not 1 <= int(text[:5]) <= 1000:
+        raise argparse.ArgumentTypeError(f"{shown(text)} digits; give 1 to 1000")
+    return int(text)
