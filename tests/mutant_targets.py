@@ -87,6 +87,7 @@ ENGINES = "tests/arrangement/test_engines.py"
 INSCRIBED = "tests/arrangement/test_inscribed.py"
 TARGETS = {
     "checker": Target("equilibrium.certificate.checker", (*CHECKER, PLANES, PYRAMIDS)),
+    "leaf rule": Target("equilibrium.certificate.plane", (*CHECKER, PLANES, PYRAMIDS)),
     "law": Target("equilibrium.certificate.law", (*CHECKER, SPACE[0])),
     "reading": Target("equilibrium.certificate.reading", (*CHECKER, *SPACE, PLANES)),
     "space": Target("equilibrium.certificate.space", SPACE),

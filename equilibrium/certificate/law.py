@@ -118,13 +118,13 @@ def displacement_work(
     """Return what the largest displacement D takes from the work of a leaf, for ``d_0 = 1``.
 
     Where each contact point moves by at most D along its normal and its tangents, the sum of
-    ``|a| D - a N . d`` and of the same for tangents is at least 0, whatever the numbers a of a
-    contact are. So they take ``|a| D``, and give ``a N . d``. First comes what is wrong, if
+    ``|u| D - u N . d`` and of the same for tangents is at least 0, whatever the numbers u of a
+    contact are. So they take ``|u| D``, and give ``u N . d``. First comes what is wrong, if
     anything.
     """
     if displacements and max_displacement is None:
         return "the question has no largest displacement", Fraction(0)
-    total = sum((abs(a) for row in displacements.values() for a in row), Fraction(0))
+    total = sum((abs(u) for row in displacements.values() for u in row), Fraction(0))
     return "", total * (max_displacement or 0)
 
 

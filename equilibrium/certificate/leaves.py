@@ -1,7 +1,7 @@
 """What the leaves of a proof say, in the plane and in space.
 
-The numbers are those of the rows of `equilibrium.certificate.checker`, which decides; this module
-reads trees that it has accepted.
+The rule is that of `equilibrium.certificate.plane`; this module reads trees that the checker has
+accepted.
 """
 
 from __future__ import annotations
@@ -13,8 +13,9 @@ from typing import Any, NamedTuple
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, vector_text
 from equilibrium.model.grasp import Grasp
 
-from .checker import IntegerQuestion, edges_of, placed_leaves
+from .checker import edges_of, placed_leaves
 from .law import displacement_work, frame
+from .plane import PlanarQuestion, has_no_force, least_work, work_factor
 from .reading import Leaf, read_bound, read_plane, read_question
 from .space import SlipFace, SpatialQuestion, State, slip_faces
 
@@ -51,7 +52,7 @@ class Works(NamedTuple):
 def parts(document: Mapping[str, Any]) -> Iterator[ClosedPart]:
     """Yield the parts of a valid certificate "not resisted", in the order of the document."""
     _, grasp, wrench = read_question(document)
-    for leaf, place in placed_leaves(document["tree"], IntegerQuestion(grasp, wrench)):
+    for leaf, place in placed_leaves(document["tree"], PlanarQuestion(grasp, wrench)):
         yield ClosedPart(tuple(g.vector for g in place.region), place.states, leaf)
 
 
@@ -81,25 +82,19 @@ def _works(
         normal, tangent = frame(contact)
         e = [contact.preload * g[0] - contact.stiffness * dot(normal, g[1:]) for g in region]
         s = [dot(tangent, g[1:]) for g in region]
-        state, kappa = states.get(i), dot(leaf.motion, normal)
-        rub = contact.friction * dot(leaf.motion, tangent)
-        free = state in (None, "attached")
-        way = (state == "slip+" or (free and min(s) > 0)) - (
-            state == "slip-" or (free and max(s) < 0)
-        )
-        kappa -= way * rub if way else abs(rub)
-        idle = state == "detached" or (state is None and max(e) <= 0)
-        factors.append(None if idle else kappa)
+        state, idle = states.get(i), has_no_force(states.get(i), e)
+        a, mu_b = dot(leaf.motion, normal), contact.friction * dot(leaf.motion, tangent)
+        kappa = work_factor(a, mu_b, state, s)
+        factors.append(None if idle else Fraction(kappa))
         for x, moved in zip(leaf.displacements.get(i, ()), (normal, tangent), strict=False):
             work = [w + x * dot(moved, g[1:]) for w, g in zip(work, region, strict=True)]
-        row: Sequence[Any] = [0] * len(region)
         if i in leaf.multipliers:
             alpha, h = leaf.multipliers[i]
             row = [alpha * x + h * y for x, y in zip(e, s, strict=True)]
-        elif not idle and (state or min(e) >= 0):
-            row = [kappa * x for x in e]
-        elif not idle and kappa < 0:
-            row = [kappa * max(0, x) for x in e]
+        elif not idle:
+            row = least_work(kappa, state, e)
+        else:
+            continue
         work = [w + x for w, x in zip(work, row, strict=True)]
     least = min(w / g[0] for w, g in zip(work, region, strict=True) if g[0]) - load
     return Works(load, factors, least)

@@ -33,7 +33,7 @@ With "bounds" in the certificate it is about all grasps within them, and in anot
 
 With "max_displacement" in the certificate only equilibria count that move each contact point by at
 most that along its normal and its tangents. Then a leaf ``{"virtual_motion": ..., "multipliers":
-..., "displacements": {"4": [a, b]}}`` may use it: numbers of any sign for the normal and the
+..., "displacements": {"4": [u, v]}}`` may use it: numbers of any sign for the normal and the
 tangents of a contact, three in space; see `equilibrium.certificate.law.displacement_work`.
 """
 

@@ -22,7 +22,7 @@ import pytest
 from arrangement.errors import InputError
 from arrangement.numbers.exact import vector_text
 from equilibrium import CertificateError, Contact, Grasp, Solution
-from equilibrium.certificate import checker, enclosure, law, reading, robust, space
+from equilibrium.certificate import checker, enclosure, law, plane, reading, robust, space
 from equilibrium.certificate.checker import MAX_DEPTH, Report, check
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
 from equilibrium.grasps.schemas import certificate_schema
@@ -216,16 +216,16 @@ def random_splits(source: Random, depth: int, in_cone: bool = False) -> Any:
 def test_regions_are_those_of_the_definition(monkeypatch):
     """Each generator, and spring and slip there, computed step by step and at once."""
     places = []
-    monkeypatch.setattr(checker, "_leaf_problem", lambda _, leaf, place: places.append(place))
+    monkeypatch.setattr(checker, "planar_leaf_problem", lambda *asked: places.append(asked[2]))
     for seed in range(20):
         document = with_tree(random_splits(Random(f"splits {seed}"), 6))
         places.clear()
         assert check(document)
-        asked = checker.IntegerQuestion(*judge.statement(document))
+        asked = plane.PlanarQuestion(*judge.statement(document))
         due = list(judge.leaves(document["tree"]))
-        for place, (_, region, _) in zip(places, due, strict=True):
-            assert [list(generator.vector) for generator in place.region] == region
-            for vector, springs, slips in place.region:
+        for generators, (_, region, _) in zip(places, due, strict=True):
+            assert [list(generator.vector) for generator in generators] == region
+            for vector, springs, slips in generators:
                 assert springs == (sum(map(mul, asked.contacts[0].spring, vector)),)
                 assert slips == (sum(map(mul, asked.contacts[0].slip, vector)),)
 
@@ -256,16 +256,15 @@ def leaf_holds(
     grasp: Grasp, wrench: Any, leaf: Any, region: Any, states: Any, most: Fraction | None = None
 ) -> bool:
     """Return whether the checker accepts a leaf."""
-    asked = checker.IntegerQuestion(grasp, wrench, most)
+    asked = plane.PlanarQuestion(grasp, wrench, most)
     generators = []
     for vector in region:
         whole = tuple(map(int, vector))
         rows = [(contact.spring, contact.slip) for contact in asked.contacts]
         along = ([sum(map(mul, row, whole)) for row in one] for one in zip(*rows, strict=True))
-        generators.append(checker.Generator(whole, *map(tuple, along)))
-    place = checker.Place("leaf", 0, generators, states)
+        generators.append(plane.Generator(whole, *map(tuple, along)))
     node = reading.read_node(leaf, "leaf", len(grasp), asked.dimension)
-    return not checker._leaf_problem(asked, node, place)
+    return not plane.planar_leaf_problem(asked, node, generators, states, "leaf")
 
 
 @pytest.mark.parametrize(
@@ -517,7 +516,7 @@ def test_what_is_no_equilibrium_is_one_clear_error(motion, forces, words):
         check({**document, "motion": motion, "forces": forces})
 
 
-@pytest.mark.parametrize("module", [checker, enclosure, law, reading, robust, space])
+@pytest.mark.parametrize("module", [checker, enclosure, law, plane, reading, robust, space])
 def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
     tree = ast.parse(inspect.getsource(module))
     imported = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
@@ -534,7 +533,7 @@ def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
     values |= {"equilibrium.model.errors", "equilibrium.model.contact", "collections.abc"}
     values |= {f"equilibrium.model.{name}" for name in ("plane", "displacement", "solution")}
     values |= {"arrangement.numbers.linear.rank"}
-    values |= {"enclosure", "law", "reading", "robust", "space", "uncertain"}
+    values |= {"enclosure", "law", "plane", "reading", "robust", "space", "uncertain"}
     assert imported <= standard | values
     for node in ast.walk(tree):
         assert not (isinstance(node, ast.Constant) and isinstance(node.value, float))
