@@ -5,10 +5,11 @@ the ranks, which has few, is one part each. A file holds what comes up from one 
 rank after. So a part needs its share of every file of the rank before and nothing else, every class
 has one part, and it does not matter which process makes which file, or how often all are stopped.
 
-A folder has the file ``plan.json`` and a folder for each rank. Files appear whole or not at all.
-The files that others made of the same arrangement can be copied to it. What is in them has a
-checksum over the plan, the rank, the part and the numbers, so that those of other planes, parts or
-ranks are refused; the checksum is not a signature.
+A folder has the file ``plan.json`` and a folder for each rank. Files appear whole or not at all, so
+machines may share a folder of a network without locks; the journal of SQLite, which sweeps use,
+does not work there. The files that others made of the same arrangement can be copied to it. What is
+in them has a checksum over the plan, the rank, the part and the numbers, so that those of other
+planes, parts or ranks are refused; the checksum is not a signature.
 """
 
 from __future__ import annotations
