@@ -530,6 +530,7 @@ def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
         "equilibrium.model.grasp",
     }
     values |= {"equilibrium.model.contact", "arrangement.console.number_form"}
+    values |= {"arrangement.console.plugins"}  # names the checker of assemblies
     values |= {"equilibrium.model.errors", "equilibrium.model.contact", "collections.abc"}
     values |= {f"equilibrium.model.{name}" for name in ("plane", "displacement", "solution")}
     values |= {"arrangement.numbers.linear.rank"}
