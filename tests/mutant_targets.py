@@ -275,6 +275,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ("tests/equilibrium/test_rows.py",): ("equilibrium.model.rows",),
     ("tests/equilibrium/test_assemblies.py",): (
         "equilibrium.decide.assemblies.parts",
+        "equilibrium.decide.assemblies.rigid",
         "equilibrium.decide.assemblies.solver",
         "equilibrium.decide.assemblies.verdict",
         "equilibrium.certificate.assemblies",

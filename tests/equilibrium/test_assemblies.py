@@ -26,6 +26,7 @@ from equilibrium import (
 from equilibrium.certificate.assemblies import check_assembly, joints_of, law_problem
 from equilibrium.cli import main
 from equilibrium.decide.assemblies.parts import parts_of
+from equilibrium.decide.assemblies.rigid import rigid_forces
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.grasps.schemas import assembly_certificate_schema, assembly_schema
 from equilibrium.pictures.assemblies import draw_assembly
@@ -427,11 +428,41 @@ class TestVerdict:
         assert json.loads(verdict.certificate.text)["motion"]["upper"] == ["0", "-2", "0"]
         assert verify(verdict.proof)
 
+    def test_least_displacement_is_shown_where_a_contact_slips_freely(self):
+        verdict = solve(STACK, {**WEIGHTS, "upper": ["1/4", -1, "-3/8"]})
+        assert verdict.motions["upper"] == (0, -2, Fraction(-7, 64))
+
     def test_part_that_gives_way_is_named(self):
         verdict = solve(STACK, {**WEIGHTS, "upper": ["1/3", -1, "-1/2"]})
         assert verdict.reason == "the contacts of upper with lower cannot balance the load"
         assert not verdict.forces
         assert verdict.to_dict()["reason"] == verdict.reason
+
+
+class TestRigid:
+    BOOKS = next(case for case in CASES if case["name"] == "books-between-walls")
+
+    def test_books_hold_rigidly_and_not_by_springs(self):
+        verdict = solve(*asked(self.BOOKS, self.BOOKS["questions"][0]))
+        assert verdict.verdict == "not resisted"
+        assert verdict.balances_rigidly
+        assert verdict.lines()[1].startswith("rigid bodies would hold")
+
+    def test_what_no_forces_balance_fails_rigidly(self):
+        verdict = solve(*asked(WEDGE, WEDGE["questions"][1]))
+        assert verdict.verdict == "not resisted"
+        assert not verdict.balances_rigidly
+        assert len(verdict.lines()) == 1
+
+    def test_resisted_wrenches_are_balanced_rigidly(self):
+        for seed in range(60):
+            document, wrenches = random_question(seed)
+            verdict = solve(Assembly.from_dict(document), wrenches)
+            forces = rigid_forces(verdict.assembly, verdict.wrenches)
+            assert verdict.verdict != "resisted" or forces is not None
+            for row, (normal, rubbed) in zip(verdict.assembly.rows, forces or (), strict=False):
+                assert normal >= 0
+                assert abs(rubbed) <= row.friction * normal
 
 
 class TestCommand:

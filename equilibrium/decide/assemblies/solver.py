@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
+from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, to_text, vector_text
 from equilibrium.certificate.assemblies import joints_of, law_problem
@@ -24,6 +25,8 @@ from equilibrium.model.solution import Open, Solution
 from .parts import AssemblyPart, parts_of
 from .verdict import AssemblyVerdict
 
+#: Up to this many contacts the equilibrium of least norm of a body is looked for.
+_FEW = 4
 _FLOATS = "the load does not balance as a whole"
 
 
@@ -106,10 +109,12 @@ def _decide_part(
     grasp = Grasp(c.contact for c in inside.contacts)
     try:
         verdict = Solver(grasp).decide(part.wrenches[name], effort)
-    except TimeLimitError as late:
-        return str(late)
+    except (OutOfReachError, TimeLimitError) as late:
+        return str(late).removeprefix("undecided: ")
     if verdict.solution is not None:
-        return verdict.solution
+        # Where a contact slips freely the least motion is the one to show.
+        least = verdict.equilibria[0] if len(grasp) <= _FEW else verdict.solution
+        return Solution(least.motion, least.forces)
     contacts = list(part.contacts)
     return {"part": list(part.hanging[name]), "contacts": contacts, "tree": verdict.tree}
 

@@ -19,6 +19,11 @@ from equilibrium.model.assembly import SIZE, Assembly, Wrenches
 from equilibrium.model.errors import UndecidedError
 from equilibrium.model.solution import Solution
 
+from .rigid import rigid_forces
+
+#: Why rigid bodies hold, and springs do not.
+_SQUEEZED = "forces in the friction cones balance the wrenches, and no displacement gives them"
+
 
 @dataclass(frozen=True)
 class AssemblyVerdict(HintsMixin):
@@ -97,6 +102,15 @@ class AssemblyVerdict(HintsMixin):
         return tuple(found)
 
     @cached_property
+    def balances_rigidly(self) -> bool:
+        """Whether some forces in the friction cones balance the wrenches, whatever the springs do.
+
+        That is the linear program of rigid bodies, exactly solved. Where it says yes and the
+        verdict is not resisted, it squeezes bodies for free: no displacement gives these forces.
+        """
+        return rigid_forces(self.assembly, self.wrenches) is not None
+
+    @cached_property
     def certificate(self) -> Certificate | None:
         """The proof, checkable without the solver; None when undecided."""
         if not self.decided:
@@ -157,7 +171,10 @@ class AssemblyVerdict(HintsMixin):
             if self.decided:
                 leaves = self.verify().leaves
                 proof = f"; proof with {counted(leaves, 'leaf', 'leaves')}"
-            return [f"{self.verdict}: {self.reason}{proof}"]
+            found = [f"{self.verdict}: {self.reason}{proof}"]
+            if self.decided and self.balances_rigidly:
+                found.append(f"rigid bodies would hold: {_SQUEEZED}")
+            return found
         found = ["resisted: an exact equilibrium"]
         found += [f"  {name} moves by {vector(moved)}" for name, moved in self.motions.items()]
         pairs = [c.pair for c in self.assembly.contacts]
