@@ -15,7 +15,7 @@ from arrangement.errors import MissingExtraError
 from arrangement.numbers import budget
 from arrangement.planes.planes import Planes
 
-from .parts.essential import MODELS, PAGES, VIEWS, suited
+from .parts.registry import MODELS, PAGES, VIEWS, suited
 
 if TYPE_CHECKING:
     from arrangement.drawing.path_artist import Drawing

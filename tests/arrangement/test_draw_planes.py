@@ -34,7 +34,8 @@ from arrangement.pictures import (
     draw_sphere,
     write_drawing,
 )
-from arrangement.pictures.parts.essential import fits, in_space
+from arrangement.pictures.parts.essential import in_space
+from arrangement.pictures.parts.registry import fits
 from arrangement.pictures.space.cells import cells_model
 from arrangement.pictures.space.lifted_cells import Lifted, lifted_cells
 from arrangement.pictures.space.planes import draw_planes

@@ -41,7 +41,7 @@ from arrangement.pictures.diagrams.line_charts import LinesChart
 from arrangement.pictures.duals.graph import planar_graph
 from arrangement.pictures.duals.solids import dual_solid
 from arrangement.pictures.parts.coordinates import orbits
-from arrangement.pictures.parts.essential import fits
+from arrangement.pictures.parts.registry import fits
 from arrangement.pictures.sphere import gnomonic
 from arrangement.pictures.sphere.globe import Globe
 from arrangement.pictures.sphere.projections import CompressedChart, stereographic

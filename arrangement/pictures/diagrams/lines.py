@@ -31,7 +31,6 @@ from arrangement.drawing.scene.scene import POINTS, Scene, arrow
 from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import rational_vector, shown
 from arrangement.pictures.parts.coordinates import in_coordinates
-from arrangement.pictures.parts.essential import shown_as
 from arrangement.pictures.parts.names import (
     Labels,
     RegionLabels,
@@ -40,6 +39,7 @@ from arrangement.pictures.parts.names import (
     plane_names,
     swatch,
 )
+from arrangement.pictures.parts.registry import shown_as
 from arrangement.pictures.sphere.disc import alone, label_regions
 
 from .line_charts import LinesChart

@@ -31,7 +31,6 @@ from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector
 from arrangement.pictures.parts.coordinates import in_coordinates
-from arrangement.pictures.parts.essential import brought, shown_as
 from arrangement.pictures.parts.names import (
     Labels,
     RegionLabels,
@@ -39,6 +38,7 @@ from arrangement.pictures.parts.names import (
     plane_names,
     stroke,
 )
+from arrangement.pictures.parts.registry import brought, shown_as
 from arrangement.pictures.sphere.disc import HIDDEN, Disc, front, rim_width
 from arrangement.pictures.sphere.globe import Globe, clear_direction
 from arrangement.pictures.sphere.projections import orthographic

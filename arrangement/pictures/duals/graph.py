@@ -29,7 +29,6 @@ from arrangement.duals.zonotope import dual_polygon, dual_segment
 from arrangement.enumeration.regions import neighbours
 from arrangement.numbers import budget
 from arrangement.pictures.parts.coordinates import in_coordinates, orbits, symmetry
-from arrangement.pictures.parts.essential import shown_as
 from arrangement.pictures.parts.names import (
     MOST,
     Labels,
@@ -39,6 +38,7 @@ from arrangement.pictures.parts.names import (
     plane_names,
     stroke,
 )
+from arrangement.pictures.parts.registry import shown_as
 
 from .solids import Edge, edges_of, flat_edges
 from .tutte import tutte_places

@@ -28,8 +28,9 @@ from arrangement.errors import refusal
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, shown, to_text
 from arrangement.pictures.parts.coordinates import CHOICES, even_map, is_narrow, symmetric_map
-from arrangement.pictures.parts.essential import brought, caption
+from arrangement.pictures.parts.essential import caption
 from arrangement.pictures.parts.names import equation, generator_text
+from arrangement.pictures.parts.registry import brought
 from arrangement.pictures.sphere.globe import Globe, clear_direction
 
 _OWN = "arrangement.pictures.page"

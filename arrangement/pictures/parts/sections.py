@@ -19,7 +19,8 @@ from arrangement.numbers.exact import IntegerVector, dot, primitive, shown
 from arrangement.numbers.linear.rank import cut, rank, unit_vectors as standard_basis
 
 from .coordinates import coordinate_map, mapped
-from .essential import brought, in_space, inverse_root, rounded_map
+from .essential import in_space, inverse_root, rounded_map
+from .registry import brought
 
 Equation: TypeAlias = Annotated[Iterable[Any], Syntax(lambda text: text.split(","), "A,B,..,E")]
 

@@ -29,7 +29,7 @@ from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
 from arrangement.numbers.linear.rank import cycle_edges
 from arrangement.pictures.parts.coordinates import in_coordinates
-from arrangement.pictures.parts.essential import brought, caption, shown_as
+from arrangement.pictures.parts.essential import caption
 from arrangement.pictures.parts.names import (
     Labels,
     RegionLabels,
@@ -37,6 +37,7 @@ from arrangement.pictures.parts.names import (
     generator_text,
     plane_names,
 )
+from arrangement.pictures.parts.registry import brought, shown_as
 
 from .lifted_cells import Lifted
 from .planes_sheet import PlanesSheet

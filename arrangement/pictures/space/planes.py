@@ -15,8 +15,9 @@ from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import light, lit, turned, view_direction
 from arrangement.duals.cells import cut_cells, read_signs
 from arrangement.pictures.parts.coordinates import AxisNames, drawn_axes, in_coordinates
-from arrangement.pictures.parts.essential import caption, shown_as
+from arrangement.pictures.parts.essential import caption
 from arrangement.pictures.parts.names import Labels, RegionLabels, equation
+from arrangement.pictures.parts.registry import shown_as
 from arrangement.pictures.parts.sections import Equation, cut_out
 
 from .lifted_cells import lifted_cells

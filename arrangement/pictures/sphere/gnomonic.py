@@ -20,8 +20,8 @@ from arrangement.drawing.solids.sight import best_view, picture_axes, unit_vecto
 from arrangement.numbers.exact import IntegerVector, dot, reduced, unoriented
 from arrangement.numbers.linear.rank import cross
 from arrangement.pictures.parts.coordinates import in_coordinates, symmetry
-from arrangement.pictures.parts.essential import shown_as
 from arrangement.pictures.parts.names import Labels, RegionLabels, explain_regions, plane_names
+from arrangement.pictures.parts.registry import shown_as
 
 from .disc import alone, front
 from .globe import Globe, far_direction

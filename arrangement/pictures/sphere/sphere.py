@@ -25,8 +25,8 @@ from arrangement.pictures.parts.coordinates import (
     in_coordinates,
     within_reach,
 )
-from arrangement.pictures.parts.essential import shown_as
 from arrangement.pictures.parts.names import Labels, RegionLabels, explain_regions
+from arrangement.pictures.parts.registry import shown_as
 
 from .disc import HIDDEN, Disc, alone, front
 from .globe import Globe

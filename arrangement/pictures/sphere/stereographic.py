@@ -24,8 +24,8 @@ from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.errors import InputError
 from arrangement.pictures.parts.coordinates import in_coordinates
-from arrangement.pictures.parts.essential import shown_as
 from arrangement.pictures.parts.names import Labels, RegionLabels, explain_regions, plane_names
+from arrangement.pictures.parts.registry import shown_as
 
 from .disc import HIDDEN, alone, front, label_regions, rim_width
 from .globe import Globe, far_direction
