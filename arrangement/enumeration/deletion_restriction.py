@@ -57,7 +57,7 @@ class TooCloseError(ArithmeticError):
 
 
 @dataclass(frozen=True, slots=True)
-class _Regions:
+class _HalfRegions:
     """Regions on the positive side of the first hyperplane.
 
     Attributes:
@@ -90,11 +90,11 @@ def list_regions(planes: Planes) -> Level:
     return from_dimension([_as_level(essential, rows, found)], planes, columns)[-1]
 
 
-def _regions(rows: Sequence[IntegerVector]) -> _Regions:
+def _regions(rows: Sequence[IntegerVector]) -> _HalfRegions:
     """Return the regions of distinct central hyperplanes, by recursion on the dimension."""
     floats = _as_floats(rows)
     if len(rows) == 1:
-        return _Regions(np.ones((1, 1), np.uint64), floats)
+        return _HalfRegions(np.ones((1, 1), np.uint64), floats)
     if len(rows[0]) == 2:
         return _in_the_plane(floats)
     return _by_insertion(rows, floats, range(1, len(rows)))
@@ -102,7 +102,7 @@ def _regions(rows: Sequence[IntegerVector]) -> _Regions:
 
 def _by_insertion(
     rows: Sequence[IntegerVector], floats: Floats, numbers: Iterable[int]
-) -> _Regions:
+) -> _HalfRegions:
     """Add the hyperplanes one by one; each cuts the regions that its restriction names."""
     m = len(rows)
     bits = pack(np.eye(m, dtype=np.bool_))
@@ -121,10 +121,10 @@ def _by_insertion(
         whole_signs[_products(whole_points, normal[None])[:, 0] > 0] |= bits[j]
         signs = np.concatenate([whole_signs, cut_signs, cut_signs | bits[j]])
         points = np.concatenate([whole_points, on_both_sides])
-    return _Regions(signs, points)
+    return _HalfRegions(signs, points)
 
 
-def _in_the_plane(floats: Floats) -> _Regions:
+def _in_the_plane(floats: Floats) -> _HalfRegions:
     """Return the sectors between lines through the origin of R^2, on one side of the first."""
     first = np.array([-floats[0, 1], floats[0, 0]])
     rays = np.stack([-floats[1:, 1], floats[1:, 0]], axis=1)
@@ -136,7 +136,7 @@ def _in_the_plane(floats: Floats) -> _Regions:
     rays = np.concatenate([-first[None], rays[order], first[None]])
     rays /= np.sqrt(rays[:, :1] ** 2 + rays[:, 1:] ** 2)
     points = _scaled(rays[:-1] + rays[1:])
-    return _Regions(pack(_products(points, floats) > 0), points)
+    return _HalfRegions(pack(_products(points, floats) > 0), points)
 
 
 def _restriction(
@@ -213,7 +213,7 @@ def _as_floats(rows: Sequence[IntegerVector]) -> Floats:
     return np.array([[x / size for x in row] for row, size in zip(rows, sizes, strict=True)])
 
 
-def _check(found: _Regions, floats: Floats) -> None:
+def _check(found: _HalfRegions, floats: Floats) -> None:
     """Compare every sign of every point with a bound on its rounding error.
 
     Entries of points and of normals are at most 1, the latter with an error of one rounding: a sum
@@ -228,7 +228,7 @@ def _check(found: _Regions, floats: Floats) -> None:
             raise TooCloseError
 
 
-def _as_level(planes: Planes, rows: Sequence[IntegerVector], found: _Regions) -> Level:
+def _as_level(planes: Planes, rows: Sequence[IntegerVector], found: _HalfRegions) -> Level:
     """Return the regions over all input planes; of central ones the opposites, too."""
     infinity = int(not planes.is_central)
     columns = np.array(planes.class_of, np.intp) + infinity
