@@ -223,7 +223,6 @@ def irreducible_factors(arrangement: Planes) -> list[Planes]:
 
 
 def _parts(arrangement: Planes) -> list[list[IntegerVector]]:
-    """Return the planes of each factor."""
     parallel: dict[IntegerVector, list[IntegerVector]] = {}
     for plane in arrangement.distinct_planes:
         normal = unoriented(plane[:-1]) if plane[-1] else one_way(plane[:-1])
@@ -285,7 +284,6 @@ def over_factors(
 
 
 def _selected(arrangement: AnyPlanes, planes: Sequence[int]) -> AnyPlanes:
-    """Return the arrangement of some of the planes."""
     return _of(arrangement, [arrangement.integer_planes[i] for i in planes])
 
 

@@ -188,7 +188,6 @@ def topes(arrangement: Planes) -> frozenset[SignVector]:
 
 
 def _cocircuit_masks(central: Planes) -> set[_Masks]:
-    """Return the cocircuits of a central arrangement from its chirotope."""
     chi = chirotope(central)
     size = len(central)
     rank = len(next(iter(chi)))

@@ -157,7 +157,6 @@ def colouring(
 
 
 def _read_choice(colour: Choice | None) -> tuple[str | Painter | None, list[str]]:
-    """Return the colouring and the own colours."""
     if colour is None or callable(colour):
         return colour, []
     name, found = "", list(colour)

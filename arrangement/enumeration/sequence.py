@@ -187,7 +187,6 @@ class FaceSequence(ReprMixin, Sequence[Face]):
 
 
 def _part(level: Level, chosen: NDArray[np.intp]) -> Level:
-    """Return some faces of a level."""
     return Level(
         len(chosen),
         lambda rows: level.signs(chosen[rows]),

@@ -328,7 +328,6 @@ class Solver(ReprMixin):
         nodes: int | None = None,
         memory: Memory | None = None,
     ) -> SpatialSearch:
-        """Return the search for one wrench in space."""
         from equilibrium.space.cones import Pyramids
         from equilibrium.space.tree import SETTINGS, SpatialSearch
 

@@ -246,7 +246,6 @@ def frictionless_slip(
 
 
 def _forces_in(states: tuple[State, ...], springs: list[Pair]) -> list[Pair]:
-    """Return the forces of contacts in these states."""
     return [
         (_ZERO if state == "detached" else normal, tangential if state == "stick" else _ZERO)
         for state, (normal, tangential) in zip(states, springs, strict=True)

@@ -217,7 +217,6 @@ def _tangent(normal: RationalVector) -> RationalVector:
 
 
 def _checked_tangent(normal: RationalVector, values: Iterable[Any]) -> RationalVector:
-    """Return a stated tangent."""
     tangent = _unit(values, "tangent")
     if len(tangent) != len(normal) or dot(tangent, normal):
         raise GraspError(

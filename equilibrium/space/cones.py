@@ -320,7 +320,6 @@ def finished(node: Any) -> Any:
 
 @lru_cache(maxsize=_CACHED_SECTORS)
 def _units(sector: Sector) -> Floats:
-    """Return the unit vectors of the ends of a sector."""
     return np.array([(x / math.hypot(x, y), y / math.hypot(x, y)) for x, y in sector])
 
 

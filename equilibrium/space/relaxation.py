@@ -156,7 +156,6 @@ class Relaxation:
         self._block = cache(self._new_block)
 
     def _new_block(self, i: int, state: State) -> _Block:
-        """Return the rows of a contact in a state."""
         # Of each row: motion, force, end; alpha, h, displacements of a leaf; its room.
         n, f = self.n, self.frame
         end, alpha, pins = n + f, n + f + 1, n + 2 * f + 1

@@ -159,7 +159,6 @@ def _equal_contacts(most: int) -> Iterator[Case]:
 
 
 def _state_tree(id: str, *, closed: bool, **checked: Any) -> Claim:
-    """Return a claim on trees of states."""
     return stated(
         id,
         partial(_nodes_of_faces, closed),

@@ -121,7 +121,6 @@ def _documents(marks: Mapping[str, GradedAnswer]) -> list[dict[str, Any]]:
 
 
 def _json(points: Fraction) -> int | str:
-    """Return points as an integer, or as the text of a fraction."""
     return points.numerator if points.denominator == 1 else str(points)
 
 

@@ -90,7 +90,6 @@ def smaller_instances(planes: int) -> Iterator[Arrangement]:
 
 
 def _arrangement_steps(planes: Arrangement) -> Iterator[Arrangement]:
-    """Yield the arrangements that are one step smaller."""
     rows, d = planes.integer_planes, planes.dimension
     for i in range(len(rows)):
         yield _arrangement([*rows[:i], *rows[i + 1 :]], d)
@@ -125,7 +124,6 @@ def _smaller_rows(row: IntegerVector) -> list[IntegerVector]:
 
 
 def _grasp_steps(grasp: Grasp) -> Iterator[Grasp]:
-    """Yield the grasps that are one step smaller."""
     contacts = grasp.contacts
     for i in range(len(contacts)):
         yield Grasp([*contacts[:i], *contacts[i + 1 :]])
@@ -149,7 +147,6 @@ def _smaller_contacts(contact: Contact) -> list[Contact]:
 
 
 def _pseudoline_steps(lines: Pseudolines) -> Iterator[Pseudolines]:
-    """Yield what is left without each pseudoline."""
     return filter(None, map(lines.without, range(len(lines))))
 
 
@@ -167,7 +164,6 @@ def _nearer(value: Fraction) -> tuple[Fraction, ...]:
 
 
 def _contact_weight(contact: Contact) -> tuple[Any, ...]:
-    """Return the order in which contacts get simpler."""
     numbers = contact_numbers(contact)
     total = sum(abs(x.numerator) + x.denominator - 1 for x in numbers)
     return (total, sum(x < 0 for x in numbers), tuple(-x for x in numbers))

@@ -148,7 +148,6 @@ Given = Callable[[Any], Any]
 
 
 def _within(chosen: Domain, subject: Any) -> bool:
-    """Return whether an instance is of the domain."""
     return len(subject) >= chosen.least and chosen.contains(subject)
 
 

@@ -179,7 +179,6 @@ def halves(patches: Iterable[Patch], row: IntegerVector, side: int) -> list[Patc
 
 
 def _part(edge: Segment, row: IntegerVector, side: int) -> list[Segment]:
-    """Return the part of a segment on one side."""
     (p, q), (at_p, at_q) = edge, (side * dot(row, x) for x in edge)
     if at_p < 0 or at_q < 0:
         if max(at_p, at_q) <= 0:

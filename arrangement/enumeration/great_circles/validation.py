@@ -118,7 +118,6 @@ def _dot(left: Integers, right: Integers) -> Integers:
 
 
 def _cycle_count(permutation: Indices) -> int:
-    """Return the number of cycles of a permutation."""
     return _components(np.arange(len(permutation)), permutation)
 
 

@@ -66,7 +66,6 @@ def random_sphere(m: int, d: int = 3, *, bits: int = 20, seed: int = 0) -> Arran
 
 
 def _nonzero(source: Random, d: int, bound: int) -> IntegerVector:
-    """Return a nonzero integer vector with entries in -bound..bound."""
     while True:
         vector = tuple(source.randint(-bound, bound) for _ in range(d))
         if any(vector):

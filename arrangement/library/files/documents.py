@@ -55,7 +55,6 @@ def arrangement_of(document: Any, name: str) -> Arrangement:
 
 
 def _planes(document: Mapping[str, Any]) -> Arrangement:
-    """Read a document of the kind "planes"."""
     check_keys(document, KEYS[:2], KEYS[2:], "the arrangement")
     field = _field(document["field"]) if "field" in document else None
 

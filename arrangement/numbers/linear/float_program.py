@@ -38,7 +38,6 @@ class FloatProgram:
         self._restart()
 
     def _restart(self) -> None:
-        """Compute the inverse again."""
         chosen = self._rows[self._basis]
         self._inverse = np.linalg.inv(chosen[:, :-1])
         self._weights = np.maximum(-self._inverse[-1], 0.0)

@@ -180,7 +180,6 @@ def _cells(
 
 
 def _faces(points: Floats, cell: Cell, number: int) -> list[PageFace]:
-    """Return the faces of a cell for a page."""
     middle, walls = centroid(points, cell.faces), walls_of_edges(cell)
     found = []
     for face, wall in zip(cell.faces, cell.walls, strict=True):

@@ -285,7 +285,6 @@ def _text(content: bytes) -> str:
 
 
 def _lines(content: bytes) -> Iterator[list[str]]:
-    """Yield the words of each line."""
     for line in io.BytesIO(content):
         yield _text(_short(line, "a line")).split()
 

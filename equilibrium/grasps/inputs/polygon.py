@@ -240,7 +240,6 @@ def _located(
 def _placed(
     corners: Sequence[RationalVector], place: OnEdge, index: int
 ) -> tuple[int, RationalVector]:
-    """Return the point at a parameter of an edge."""
     edge, s = place.edge, rational(place.at, f"places[{index}].at")
     if type(edge) is not int or not 0 <= edge < len(corners):
         raise GraspError(f"places[{index}].edge is {edge!r}; edges are 0 to {len(corners) - 1}")

@@ -194,7 +194,6 @@ def _nested(text: str, depth: int = 0) -> _Item:
 
 
 def _plane(item: _Item, names: list[str]) -> list[Any]:
-    """Return the normal and the constant."""
     if isinstance(item, str):
         return [*read_form(item, names)]
     if len(item) == 2 and isinstance(item[0], list):
