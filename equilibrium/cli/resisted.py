@@ -144,9 +144,10 @@ def _smallest_lines(found: SmallestUnresisted, grasp: Grasp) -> Iterator[str]:
     if found.size_squared:
         exact = found.size**2 == found.size_squared
         size = number(found.size) if exact else number_text(found.size, longest=0)
-        squared = "" if exact else f" (squared {number(found.size_squared)})"
+        squared = "" if exact else f" (its square is {number(found.size_squared)})"
         yield f"{load}every wrench smaller than {size}{_force(grasp)}{squared} is resisted"
-        yield f"  where size^2 = f_x^2 + f_y^2 + (tau / length)^2, length {number(found.length)}"
+        length = f"length {number(found.length)} (--torque-length)"
+        yield f"  where size^2 = f_x^2 + f_y^2 + (tau / length)^2, {length}"
         yield f"on the boundary: {vector(found.wrench)}"
     else:
         yield f"{load}no size is resisted in every direction"
