@@ -83,9 +83,7 @@ def draw_grasp(
         solid, note = solved_in_space(grasp, wrench, max_displacement)
         return drawn_in_space(solid, camera, azimuth, width, note)
     if camera is not None or azimuth:
-        raise GraspError(
-            "a planar grasp does not turn; camera, azimuth, .gif and .mp4 are for space"
-        )
+        raise GraspError("camera, azimuth, .gif and .mp4 are for grasps in space; leave them out")
     if wrench is None and equilibrium != 1:
         raise GraspError("without a wrench nothing is solved; give one with the equilibrium")
     verdict = None if wrench is None else Solver(grasp, max_displacement).solve(wrench)
