@@ -391,7 +391,7 @@ CASES = [
         (f"solve {THREE}", "--wrench"),
         (f"solve {THREE} {UP} --force 0 1", "--force"),
         (f"solve {THREE} {UP} --at 0 1", "--at"),
-        (f"solve {THREE} --at 0 1", "--wrench --force"),
+        (f"solve {THREE} --at 0 1", "--at goes with"),
         (f"solve {THREE} --wrench 0 1", "expected 3"),
         (f"solve {THREE} --wrench 0 1 1e99999", "1e99999"),
         (f"solve {THREE} --wrench 0 1 nan", "nan"),
