@@ -141,24 +141,14 @@ def _force_closure(arguments: argparse.Namespace) -> int:
 
 
 def _edges(arguments: argparse.Namespace, grasp: Grasp) -> int:
-    """Return the edges of the pyramids of a hull; refuse what would take minutes."""
-    from equilibrium.methods.grasp_wrench_space import MOST_IN_HULL
+    """Return the edges of the pyramids of a hull."""
     from equilibrium.model.contact import pyramid_edges
-    from equilibrium.model.errors import GraspError
 
     edges: int = arguments.cone or 4
     if arguments.cone is not None:
         pyramid_edges(edges, grasp.dimension)
-    if grasp.dimension == 2:
-        return edges
-    if arguments.torque:
+    if grasp.dimension == 3 and arguments.torque:
         raise GraspError("--torque is for slices in the plane; omit it in space")
-    if len(grasp) * edges > MOST_IN_HULL:
-        raise GraspError(
-            f"the hull of {len(grasp)} contacts with {edges} edges each in six dimensions takes "
-            f"too long; up to {MOST_IN_HULL} edges in all are tried, and `solve --methods` "
-            "decides whether one wrench is in it"
-        )
     return edges
 
 

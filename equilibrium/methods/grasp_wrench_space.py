@@ -25,6 +25,8 @@ from itertools import pairwise, product
 from math import sqrt
 from typing import Any, Literal
 
+from arrangement.errors import OutOfReachError
+from arrangement.numbers import budget
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
@@ -59,6 +61,8 @@ from equilibrium.plane.contact_rows import (
 from equilibrium.wrench_sets.plane import polygon_cycle
 
 Norm = Literal["L1", "Linf"]
+#: In six dimensions the hull of more edges takes seconds and more.
+MAX_EDGES_IN_HULL = 16
 
 
 @dataclass(frozen=True)
@@ -113,7 +117,18 @@ class GraspWrenchSpace:
 
     @cached_property
     def polytope(self) -> Polyhedron:
-        """The space with torques divided by `length`; flat where the forces are."""
+        """The space with torques divided by `length`; flat where the forces are.
+
+        Raises:
+            OutOfReachError: in space, of too many edges; `arrangement.limit` allows more.
+        """
+        many = len(self.grasp) * self.pyramid > MAX_EDGES_IN_HULL * budget.times()
+        if self.grasp.dimension == 3 and many:
+            raise OutOfReachError(
+                f"the hull of {len(self.grasp)} contacts with {self.pyramid} edges each in six "
+                f"dimensions takes too long; up to {MAX_EDGES_IN_HULL} edges in all are tried, and "
+                "`solve --methods` decides whether one wrench is in it"
+            )
         edges = [
             [self._scaled(edge) for edge in friction_edges(c, self.pyramid)] for c in self.grasp
         ]
@@ -297,14 +312,10 @@ def _decide(grasp: Grasp, wrench: RationalVector, pyramid: int = 4) -> Outcome:
     return True, f"total normal force at least {to_text(found.least_force)}"
 
 
-#: In six dimensions the hull of more edges takes seconds and more.
-MOST_IN_HULL = 16
-
-
 def _decide_in_space(grasp: Grasp, wrench: RationalVector, pyramid: int | None) -> Outcome:
     edges = pyramid or 4
     accepts, remark = _decide(grasp, wrench, edges)
-    if edges * len(grasp) <= MOST_IN_HULL:
+    if edges * len(grasp) <= MAX_EDGES_IN_HULL:
         space = GraspWrenchSpace(grasp, pyramid=edges)
         remark += f"; epsilon {space.epsilon:.4g}" if space.force_closure else "; no force closure"
     return accepts, f"pyramids of {edges} edges: {remark}"

@@ -122,6 +122,11 @@ class TestGraspWrenchSpace:
         with pytest.raises(ValueError, match=r"norm|length"):
             GraspWrenchSpace(THREE, **options)
 
+    def test_hull_of_many_edges_in_space_is_refused(self):
+        box = read_grasp("box-on-a-table")
+        with pytest.raises(OutOfReachError, match="takes too long"):
+            _ = GraspWrenchSpace(box, pyramid=6).force_closure
+
     def test_a_slice_needs_a_plane(self):
         with pytest.raises(GraspError, match="parallel"):
             GraspWrenchSpace(THREE).slice(first=(1, 0, 0), second=(2, 0, 0))
