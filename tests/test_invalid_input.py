@@ -412,6 +412,7 @@ CASES = [
         ("resisted no-such-grasp --wrench 0 1 0", "no-such-grasp"),
         (f"resisted {THREE} --slice fx 2,0,0", "parallel"),
         (f"resisted {THREE} --search --rays 0", "rays"),
+        (f"resisted {THREE} --search --tolerance 1e-9999", "at least 2^-200 of max_magnitude"),
         (f"resisted {THREE} {UP} --margin --tolerance 0", "tolerance"),
         (f"solve no-such-grasp {UP} --methods", "no-such-grasp"),
         ("solve two-opposed-fingers --methods --wrench 0 1 1 0 0 0 --cone pyramid:7", "7"),

@@ -79,7 +79,8 @@ class Bounds(ReprMixin):
 
     def __str__(self) -> str:
         angle, length = (f"{float(x):g}" for x in (self.degrees, self.length))
-        words = [f"normals within {angle} degrees"] if self.degrees else []
+        unit = "degree" if self.degrees == 1 else "degrees"
+        words = [f"normals within {angle} {unit}"] if self.degrees else []
         words += [f"points within {length}"] if self.length else []
         for name in VALUES:
             if share := getattr(self, name):

@@ -30,6 +30,9 @@ from equilibrium.model.unit_normal import unit_normal
 
 from .plane import FORCES, resisted_region
 
+#: Of the largest magnitude and the tolerance: a search halves the one until it is below the other.
+MAX_RATIO = 2**200
+
 
 @dataclass(frozen=True)
 class Entry(JsonMixin):
@@ -99,7 +102,8 @@ def search_map(
         max_magnitude: the largest magnitude tried.
 
     Raises:
-        GraspError: a number of rays, tolerance or magnitude that is not positive.
+        GraspError: a number of rays, tolerance or magnitude that is not positive, or a tolerance
+            that is too small a share of the magnitude.
 
     Source: [HaasHeger2018], Section VI, the maps of resisted forces.
     """
@@ -108,6 +112,11 @@ def search_map(
         raise GraspError(
             f"rays {shown(rays)}, tolerance {shown(step)}, max_magnitude {shown(largest)}: "
             "all must be above 0"
+        )
+    if largest > step * MAX_RATIO:
+        raise GraspError(
+            f"tolerance is {shown(step)}; expected at least 2^-{MAX_RATIO.bit_length() - 1} of "
+            f"max_magnitude, which is {shown(largest)}"
         )
     region = resisted_region(grasp, spans)
     entries = []

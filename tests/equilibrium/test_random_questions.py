@@ -1,21 +1,23 @@
-"""Random questions of the smallest wrench and of arrays of loads, against brute force.
+"""Random questions against brute force: smallest wrenches, arrays of loads, bounded displacements.
 
 The other route is the oracle: every choice of contact states, decided exactly. Contacts coincide,
-lack friction or preload, or are none at all. The whole of 1,300 questions is an extended test.
+lack friction or preload, or are none at all. Extended tests ask 2,000 questions of each kind.
 """
 
 from collections.abc import Iterator
 from fractions import Fraction
 from itertools import islice
+from math import isqrt
 from random import Random
 
 import numpy as np
 import pytest
 
 from arrangement.numbers.exact import from_floats
-from equilibrium import Contact, Grasp, ResistedSet
+from equilibrium import Contact, Grasp, ResistedSet, solve, solve_many
 from equilibrium.grasps.inputs import from_float_data
 
+from .awkward import less
 from .oracle import intervals, is_stable
 
 NORMALS = [(1, 0), (0, 1), (-1, 0), (0, -1)]
@@ -27,7 +29,7 @@ NORMALS += [
 ]
 FRICTIONS = [Fraction(0), Fraction(1, 3), Fraction(1, 2), Fraction(7, 10), Fraction(1), Fraction(2)]
 #: How often there are this many contacts.
-NUMBERS = [0, *[1] * 4, *[2] * 12, *[3] * 3]
+NUMBERS = [0, *[1] * 8, *[2] * 18, 3]
 AXES = [tuple(side * (i == j) for j in range(3)) for i in range(3) for side in (1, -1)]
 
 
@@ -57,26 +59,62 @@ def square(wrench):
     return sum(x * x for x in wrench)
 
 
+def of_length(direction, square_of_length):
+    """Return a vector along a direction whose square of length is nearly, and not above, that."""
+    share = square_of_length / square(direction)
+    length = Fraction(
+        isqrt(share.numerator * share.denominator * 10**12), share.denominator * 10**6
+    )
+    return tuple(length * x for x in direction)
+
+
 def is_smallest_unresisted(grasp, source):
-    """Return whether no ray of the oracle ends earlier, and one just beyond the boundary has."""
+    """Return whether no load inside of the ball is unresisted, and one just beyond it is."""
     found = ResistedSet(grasp).smallest_outside()
-    directions = [tuple(source.randint(-3, 3) for _ in range(3)), source.choice(AXES)]
-    if found.wrench is not None and any(found.wrench):
+    size = found.size_squared
+    directions = [source.choice([tuple(source.randint(-3, 3) for _ in range(3)), *AXES[:2]])]
+    if found.wrench is not None:
         directions.append(found.wrench)
-    for along in filter(any, directions):
-        parts = intervals(grasp, along, (0, 0, 0))
-        end = parts[0][1] if parts and parts[0][0] == 0 else Fraction(0)
-        if end is not None and (
-            found.size_squared is None or end**2 * square(along) < found.size_squared
-        ):
-            return False
-    if found.size_squared is None:
+    # A load of any size, where all are resisted.
+    inside = [of_length(x, 100 if size is None else size) for x in directions if any(x)]
+    if not all(is_stable(grasp, load) for load in inside):
+        return False
+    if size is None:
         return True
     near = square([x - y for x, y in zip(found.beyond, found.wrench, strict=True)])
-    close = near * 10**6 <= (found.size_squared or 1)
     return (
-        close and square(found.wrench) == found.size_squared and not is_stable(grasp, found.beyond)
+        near * 10**6 <= (size or 1)
+        and square(found.wrench) == size
+        and not is_stable(grasp, found.beyond)
     )
+
+
+def bounded_load(grasp, source):
+    """Return a load: a sum of forces in the friction cones, or on a grid in three of ten cases."""
+    if source.random() < 0.3:
+        return tuple(Fraction(source.randint(-4, 4), 2) for _ in range(3))
+    load = (Fraction(0),) * 3
+    for contact in grasp:
+        push = Fraction(source.randint(0, 4), 2)
+        load = less(load, contact, push, push * contact.friction * source.randint(-2, 2) / 2)
+    return load
+
+
+def bounds_agree(grasp, source, loads=1):
+    """Return whether loads have equilibria within a largest displacement exactly if so decided."""
+    bound = source.choice([Fraction(0), Fraction(1, 2), Fraction(source.randint(1, 64), 16)])
+    asked = [bounded_load(grasp, source) for _ in range(loads)]
+    if loads == 1:
+        found = [solve(grasp, asked[0], max_displacement=bound)]
+    else:
+        found = list(solve_many(grasp, asked, max_displacement=bound))
+    return [verdict.stable for verdict in found] == [
+        is_stable(grasp, load, displacement=bound) for load in asked
+    ]
+
+
+def ten_bounds_agree(grasp, source):
+    return bounds_agree(grasp, source, 10)
 
 
 def random_loads(grasp: Grasp, source: Random) -> np.ndarray:
@@ -117,13 +155,30 @@ def test_arrays_of_loads_agree_with_brute_force():
     assert asked("loads", 8, loads_agree) == []
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("part", range(10))
-def test_thirty_smallest_wrenches_agree_with_brute_force(part):
-    assert asked(f"wrench {part}", 30, is_smallest_unresisted) == []
+def test_bounded_displacements_agree_with_brute_force():
+    assert asked("bounds", 8, bounds_agree) == []
+    assert asked("bounds", 2, ten_bounds_agree) == []
+
+
+#: Of each slow test: what is asked of a grasp, how many grasps a part has, questions of a grasp.
+#: With the hundred of tests/equilibrium/test_displacement.py each kind of question is asked 2,000
+#: times: smallest wrenches, loads in arrays, and loads with a largest displacement.
+MANY = {
+    "wrench": (is_smallest_unresisted, 200, 1),
+    "loads": (loads_agree, 20, 10),
+    "bound": (bounds_agree, 40, 1),
+    "bounds": (ten_bounds_agree, 15, 10),
+}
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("part", range(10))
-def test_hundred_loads_agree_with_brute_force(part):
-    assert asked(f"loads {part}", 10, loads_agree) == []
+@pytest.mark.parametrize("name", MANY)
+def test_many_questions_agree_with_brute_force(name, part):
+    answer, number, _ = MANY[name]
+    assert asked(f"{name} {part}", number, answer) == []
+
+
+def test_slow_tests_ask_two_thousand_questions_of_each_kind():
+    counts = {name: 10 * number * each for name, (_, number, each) in MANY.items()}
+    assert counts == {"wrench": 2000, "loads": 2000, "bound": 400, "bounds": 1500}

@@ -91,6 +91,7 @@ def test_bounds_have_ends():
     assert half == Bounds(degrees="3/2", length="1/2", friction="1/40")
     assert str(half).startswith("normals within 1.5 degrees, points within 0.5, friction within")
     assert str(Bounds()) == "no change"
+    assert str(Bounds(degrees=1)) == "normals within 1 degree"
     assert 0 <= Bounds(degrees=45).angle - math.pi / 4 < 1e-6
     near = Uncertain(Contact([0, 0], [0, 1], 1), Bounds(friction="5%"))
     assert near.ends("friction") == (Fraction(19, 20), Fraction(21, 20))
@@ -146,6 +147,21 @@ def test_a_small_energy_leaves_all_friction():
     assert "above 0" in pads("0.1", {}, energy=0)
 
 
+def test_the_energy_is_above_what_is_needed():
+    """Each spring force may be off by half of the reach: twice a quarter of its square."""
+    assert "energy" in pads("0.1", {}, energy="1.25e-13")
+    assert pads("0.1", {}, energy="1.26e-13") == ""
+
+
+def test_a_load_that_one_unfelt_motion_feels_is_not_balanced():
+    grasp = Grasp([Contact([0, 0, 0], [0, 0, 1], "1/2", 1, 1)])
+    zeros = (Fraction(0),) * 6
+    for torque, words in ((0, ""), (1, "no forces of holding contacts balance it")):
+        wrench = tuple(map(Fraction, (0, 0, -1, 0, 0, torque)))
+        held = Holding(grasp, wrench, Bounds(), zeros, [(1, 0, 0)], [[zeros] * 3])
+        assert words in held.problem((Fraction(2),) * 6, Fraction(1))
+
+
 @pytest.mark.parametrize(
     ("friction", "bounds", "holds"),
     [("3/4", {}, True), ("3/4", {"friction": "1%"}, False), ("7/10", {"friction": "5%"}, True)],
@@ -178,7 +194,7 @@ def at_the_limit(force="0.45", friction="10%", *, motion=(0, 0, 0), **more):
     [
         ({}, ""),
         ({"stiffness": "50%"}, ""),
-        ({"force": "0.4500001"}, "no room in the friction cone"),
+        ({"force": "0.4500001"}, "forces[0]: no room in the friction cone"),
         ({"friction": "10.00001%"}, "no room in the friction cone"),
         ({"motion": (0, "1/1000", 0)}, "no equilibrium"),
         ({"force": "0.3", "motion": ("1/1000", 0, 0)}, "no equilibrium"),
