@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import argparse
+import json
 import os
 from collections.abc import Iterable, Mapping
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.options import values
 from equilibrium.model.errors import GraspError
 
-from .arguments import show
+from .arguments import add_command, add_count, add_number, show
 
 if TYPE_CHECKING:
     from equilibrium.model.assembly import Assembly
@@ -21,6 +23,60 @@ _ONE_BODY = (
     *("wrench", "force", "weight", "at", "preload", "cone", "max_displacement", "robust"),
     *("methods", "as_printed", "shorten", "all", "round_normals", "as_given"),
 )
+
+
+_HALF = "tangent of half the angle"
+#: The kinds of make: what each is, and its options with their values and words. They are those of
+#: the functions of `equilibrium.grasps.textbook`, kept here so that ``--help`` loads no model.
+_MAKERS: dict[str, tuple[str, dict[str, tuple[Any, str]]]] = {
+    "stack": (
+        "put blocks on each other, the topmost pushed",
+        {
+            "--blocks": (2, "of the stack"),
+            "--friction": (Fraction(1, 2), "of all contacts"),
+            "--weight": (Fraction(1), "of each block"),
+            "--push": (Fraction(0), "to the right, on the topmost block"),
+        },
+    ),
+    "arch": (
+        "build a round arch of voussoirs",
+        {
+            "--voussoirs": (5, "of the arch"),
+            "--friction": (Fraction(1, 2), "of all contacts"),
+            "--inner": (Fraction(4), "radius"),
+            "--outer": (Fraction(5), "radius"),
+            "--weight": (Fraction(1), "of each voussoir"),
+        },
+    ),
+    "wedge": (
+        "put a wedge under a block at a smooth wall",
+        {
+            "--half-tangent": (Fraction(1, 3), f"{_HALF} of the wedge"),
+            "--friction": (Fraction(1, 3), "between wedge and block"),
+            "--ground": (Fraction(1, 3), "friction between wedge and ground"),
+            "--weight": (Fraction(1), "of the block"),
+        },
+    ),
+    "cylinders": (
+        "put a cylinder on two others",
+        {
+            "--half-tangent": (Fraction(1, 3), f"{_HALF} of normals and the vertical"),
+            "--friction": (Fraction(1, 3), "between cylinders"),
+            "--ground": (Fraction(1, 9), "friction on the ground"),
+            "--weight": (Fraction(1), "of each cylinder"),
+        },
+    ),
+    "ladder": (
+        "lean a ladder on a block",
+        {
+            "--friction": (Fraction(3, 8), "of the foot of the ladder"),
+            "--face": (Fraction(0), "friction between ladder and block"),
+            "--block": (Fraction(1, 4), "friction between block and ground"),
+            "--weight": (Fraction(8), "of the ladder"),
+            "--block-weight": (Fraction(12), "of the block"),
+        },
+    ),
+}
 
 
 class _OnBody(argparse.Action):
@@ -120,3 +176,30 @@ def refuse_one_body(arguments: argparse.Namespace, names: Iterable[str]) -> None
         if getattr(arguments, name) not in (None, False, []):
             option = name.replace("_", "-")
             raise GraspError(f"--{option} is for one body, not for an assembly; leave it out")
+
+
+def add_makers(kinds: Any) -> None:
+    """Add make stack, arch, wedge, cylinders and ladder."""
+    for name, (text, options) in _MAKERS.items():
+        parser = add_command(kinds, name, _make, text, grasp=False, numbers=False, heading="")
+        for option, (usual, words) in options.items():
+            if isinstance(usual, int):
+                add_count(parser, option, usual, words)
+            else:
+                add_number(parser, option, usual, words)
+        names = [option[2:].replace("-", "_") for option in options]
+        parser.set_defaults(maker=name, numbers=names)
+        parser.add_argument("-o", "--output", metavar="OUT.json", help="write the file here")
+
+
+def _make(arguments: argparse.Namespace) -> int:
+    """Print or write a textbook assembly."""
+    from equilibrium.grasps.textbook import TEXTBOOK
+
+    options = {name: getattr(arguments, name) for name in arguments.numbers}
+    assembly, wrenches = TEXTBOOK[arguments.maker](**options)
+    if arguments.output is not None:
+        assembly.save(arguments.output, wrenches)
+    document = assembly.to_dict(wrenches)
+    lines = [json.dumps(document, indent=1)] if arguments.output is None else []
+    return show(arguments, document, lines)

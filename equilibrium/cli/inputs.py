@@ -24,6 +24,7 @@ from .arguments import (
     show,
     tell_rounding,
 )
+from .assemblies import add_makers
 
 if TYPE_CHECKING:
     from equilibrium.grasps.inputs import Conversion
@@ -31,8 +32,8 @@ if TYPE_CHECKING:
 
 
 def add_commands(commands: Any) -> None:
-    """Add make csv, make floats, make polygon, make circle, make mesh and make random."""
-    text = "make a grasp file from CSV, floats, a polygon, a mesh, or at random"
+    """Add make csv, floats, polygon, circle, mesh and random, and textbook assemblies."""
+    text = "make a grasp file from data or at random, or a textbook assembly"
     make = terminal.add_command(commands, "make", text, heading="more")
     kinds = make.add_subparsers(required=True, metavar="KIND")
 
@@ -94,6 +95,7 @@ def add_commands(commands: Any) -> None:
     add_count(randoms, "--seed", 0, "of the random numbers", "SEED")
     randoms.add_argument("--space", action="store_true", help="in space instead of the plane")
     _add_output(randoms)
+    add_makers(kinds)
 
 
 class _CollectPoints(argparse._AppendAction):

@@ -254,15 +254,19 @@ class Assembly(HintsMixin):
             [RigidBody(name, outline)], [BodyContact(name, None, c) for c in grasp], grasp.units
         )
 
-    def to_dict(self) -> dict[str, Any]:
-        """Return the file form; every number is a string."""
+    def to_dict(self, wrenches: Any = None) -> dict[str, Any]:
+        """Return the file form, with wrenches on the bodies if given; every number is a string."""
         units = {} if self.units is None else {"units": self.units.to_dict()}
-        return {
+        document = {
             "schema_version": 1,
             **units,
             "bodies": [body.to_dict() for body in self.bodies],
             "contacts": [contact.to_dict() for contact in self.contacts],
         }
+        if wrenches is not None:
+            read = self.read_wrenches(wrenches)
+            document["wrench"] = {name: list(map(to_text, w)) for name, w in read.items()}
+        return document
 
     def save(self, path: str | os.PathLike[str], wrenches: Any = None) -> None:
         """Write a JSON file, whole or not at all; `read_assembly` reads it back.
@@ -273,10 +277,7 @@ class Assembly(HintsMixin):
         Raises:
             InputError: the place cannot be written.
         """
-        document = self.to_dict()
-        if wrenches is not None:
-            read = self.read_wrenches(wrenches)
-            document["wrench"] = {name: list(map(to_text, w)) for name, w in read.items()}
+        document = self.to_dict(wrenches)
         write_text_atomically(path, json.dumps(document, indent=1) + "\n")
 
     @classmethod

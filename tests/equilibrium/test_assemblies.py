@@ -1,7 +1,9 @@
 """Several bodies: textbook questions, brute force, planar verdicts, forged certificates, files."""
 
 import copy
+import inspect
 import json
+import math
 import random
 from fractions import Fraction
 from pathlib import Path
@@ -29,6 +31,7 @@ from equilibrium.decide.assemblies.parts import parts_of
 from equilibrium.decide.assemblies.rigid import rigid_forces
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.grasps.schemas import assembly_certificate_schema, assembly_schema
+from equilibrium.grasps.textbook import TEXTBOOK, arch, cylinders, ladder, stack, wedge
 from equilibrium.pictures.assemblies import draw_assembly
 from tests.drawn import elements
 
@@ -466,8 +469,8 @@ class TestRigid:
 
 
 class TestCommand:
-    @pytest.fixture
-    def stack(self, tmp_path):
+    @pytest.fixture(name="stack")
+    def stack_file(self, tmp_path):
         path = tmp_path / "stack.json"
         STACK.save(path, WEIGHTS)
         return str(path)
@@ -576,3 +579,59 @@ class TestPicture:
             assert words in capsys.readouterr().err
         assert main(["draw", str(path), "-o", str(tmp_path / "b.html")]) == 2
         assert "expected one of" in capsys.readouterr().err
+
+
+class TestTextbookMakers:
+    @pytest.mark.parametrize("name", TEXTBOOK)
+    def test_made_by_command_as_by_function(self, name, tmp_path, capsys):
+        assembly, wrenches = TEXTBOOK[name]()
+        path = tmp_path / "a.json"
+        assert main(["make", name, "-o", str(path)]) == 0
+        assert read_assembly(path) == assembly
+        written = json.loads(path.read_text("utf-8"))
+        jsonschema.Draft202012Validator(assembly_schema()).validate(written)
+        assert written == assembly.to_dict(wrenches)
+        assert main(["make", name, "--json"]) == 0
+        assert json.loads(capsys.readouterr().out) == written
+        assert solve(assembly, wrenches)
+
+    @pytest.mark.parametrize(("name", "case"), [("wedge", 1), ("cylinders", 2), ("ladder", 3)])
+    def test_usual_contacts_are_those_of_the_textbook_case(self, name, case):
+        """At the border: a billionth less friction anywhere is not resisted."""
+        known, _ = asked(CASES[case], CASES[case]["questions"][0])
+        made, _ = TEXTBOOK[name]()
+        values = [
+            [(c.contact.normal, c.contact.friction) for c in a.contacts] for a in (known, made)
+        ]
+        assert values[0] == values[1]
+        less = "1/9", "1/3", "3/8", "1/4"
+        for option, usual in inspect.signature(TEXTBOOK[name]).parameters.items():
+            if usual.default in less and option != "half_tangent":
+                below = Fraction(usual.default) - Fraction(1, 10**9)
+                assert not solve(*TEXTBOOK[name](**{option: below})), option
+
+    def test_arch_has_joints_at_even_angles(self):
+        made, _ = arch(voussoirs=6)
+        assert len(made.contacts) == 14
+        normals = [c.contact.normal for c in made.contacts[::2]]
+        assert normals[0] == (0, 1)
+        assert normals[3] == (1, 0)
+        assert normals[1][1] == -normals[5][1]
+        for k, (x, y) in enumerate(normals[:6]):
+            angle = math.atan2(x, y)
+            assert abs(angle - math.pi * k / 6) < 0.01
+
+    @pytest.mark.parametrize(
+        ("made", "options", "words"),
+        [
+            (stack, {"blocks": 0}, "from 1 to 200"),
+            (arch, {"voussoirs": 1}, "from 2 to 200"),
+            (arch, {"inner": 5}, "inner < outer"),
+            (wedge, {"half_tangent": 1}, "below 1"),
+            (cylinders, {"half_tangent": "1/4"}, "0.268"),
+            (ladder, {"friction": -1}, "at least 0"),
+        ],
+    )
+    def test_bad_numbers_are_refused(self, made, options, words):
+        with pytest.raises(GraspError, match=words):
+            made(**options)

@@ -1,0 +1,251 @@
+"""Textbook assemblies with exact angles: each returns an assembly and the wrenches of its weights.
+
+An angle is given by the tangent q of its half: its cosine ``(1 - q^2) / (1 + q^2)`` and its sine
+``2 q / (1 + q^2)`` are rational then. The angle itself has the tangent ``2 q / (1 - q^2)``.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from fractions import Fraction
+
+from arrangement.numbers.exact import Rational, RationalVector, rational, shown
+from equilibrium.model.assembly import Assembly, BodyContact, RigidBody, Wrenches
+from equilibrium.model.contact import Contact
+from equilibrium.model.errors import GraspError
+from equilibrium.model.outline import Circle, Polygon
+from equilibrium.model.unit_normal import unit_normal
+
+#: Joints of an arch are this close to even angles: the tangent of the error.
+_EVEN = "1/1000"
+_MAX_BODIES = 200
+
+
+def stack(
+    *,
+    blocks: int = 2,
+    friction: Rational = "1/2",
+    weight: Rational = 1,
+    push: Rational = 0,
+) -> tuple[Assembly, Wrenches]:
+    """Return blocks of width 2 and height 1 on each other, the topmost pushed to the right.
+
+    Args:
+        blocks: how many.
+        friction: of all contacts.
+        weight: of each block.
+        push: on the topmost block, in its middle.
+
+    >>> from equilibrium import solve
+    >>> [solve(*stack(blocks=3, push=push)).verdict for push in ("1/3", "1/2")]
+    ['resisted', 'not resisted']
+    """
+    _check_count(blocks, "blocks", 1)
+    load, side = rational(weight, "weight"), rational(push, "push")
+    bodies, contacts = list[RigidBody](), list[BodyContact]()
+    wrenches: Wrenches = {}
+    for k in range(blocks):
+        name, below = f"block {k + 1}", f"block {k}" if k else None
+        bodies.append(RigidBody(name, Polygon([(-1, k), (1, k), (1, k + 1), (-1, k + 1)])))
+        contacts += [BodyContact(name, below, Contact((x, k), (0, 1), friction)) for x in (-1, 1)]
+        wrenches[name] = (Fraction(0), -load, Fraction(0))
+    wrenches[name] = (side, -load, -side * (blocks - Fraction(1, 2)))
+    return Assembly(bodies, contacts), wrenches
+
+
+def arch(
+    *,
+    voussoirs: int = 5,
+    friction: Rational = "1/2",
+    inner: Rational = 4,
+    outer: Rational = 5,
+    weight: Rational = 1,
+) -> tuple[Assembly, Wrenches]:
+    """Return a round arch of voussoirs with radial joints, two contacts each.
+
+    Args:
+        voussoirs: how many; the joints are at even angles, up to a thousandth.
+        friction: of all contacts.
+        inner, outer: radii.
+        weight: of each voussoir, in the mean of its corners.
+    """
+    _check_count(voussoirs, "voussoirs", 2)
+    radii = [rational(inner, "inner"), rational(outer, "outer")]
+    if not 0 < radii[0] < radii[1]:
+        raise GraspError(
+            f"the radii are {shown(radii[0])} and {shown(radii[1])}; expected 0 < inner < outer"
+        )
+    load = rational(weight, "weight")
+    joints = [_joint(k, voussoirs) for k in range(voussoirs + 1)]
+    bodies, contacts = list[RigidBody](), list[BodyContact]()
+    wrenches: Wrenches = {}
+    for k in range(voussoirs):
+        name, before = f"voussoir {k + 1}", f"voussoir {k}" if k else None
+        left, right = (joints[j] for j in (k, k + 1))
+        corners = [
+            tuple(r * x for x in ray)
+            for ray, pair in ((left, radii), (right, radii[::-1]))
+            for r in pair
+        ]
+        bodies.append(RigidBody(name, Polygon(corners)))
+        contacts += _along(name, before, left, (left[1], -left[0]), radii, friction)
+        middle = sum((x for x, _ in corners), Fraction(0)) / 4
+        wrenches[name] = (Fraction(0), -load, -load * middle)
+    last = joints[-1]
+    contacts += _along(name, None, last, (-last[1], last[0]), radii, friction)
+    return Assembly(bodies, contacts), wrenches
+
+
+def wedge(
+    *,
+    half_tangent: Rational = "1/3",
+    friction: Rational = "1/3",
+    ground: Rational = "1/3",
+    weight: Rational = 1,
+) -> tuple[Assembly, Wrenches]:
+    """Return a wedge between the ground and a block that a smooth vertical wall guides.
+
+    It locks itself if its angle is at most the sum of the friction angles of its two faces.
+
+    Args:
+        half_tangent: tangent of half the angle of the wedge, above 0 and below 1.
+        friction: between wedge and block.
+        ground: friction between wedge and ground.
+        weight: of the block.
+
+    >>> from equilibrium import solve
+    >>> [solve(*wedge(ground=ground)).verdict for ground in ("1/3", "33/100")]
+    ['resisted', 'not resisted']
+    """
+    load, (c, s) = rational(weight, "weight"), _angle(half_tangent, Fraction(0))
+    face = [(2 * c, 2 * s), (4 * c, 4 * s)]
+    top = 4 * s + 2
+    bodies = [
+        RigidBody("wedge", Polygon([(0, 0), (4 * c, 0), face[1]])),
+        RigidBody("block", Polygon([(0, 0), face[1], (4 * c, top), (0, top)])),
+    ]
+    contacts = [BodyContact("wedge", None, Contact((x, 0), (0, 1), ground)) for x in (c, 4 * c)]
+    contacts += [BodyContact("block", "wedge", Contact(p, (-s, c), friction)) for p in face]
+    contacts += [BodyContact("block", None, Contact((0, y), (1, 0), 0)) for y in (top / 2, top)]
+    wrenches: Wrenches = {"wedge": (Fraction(0),) * 3, "block": (Fraction(0), -load, -2 * c * load)}
+    return Assembly(bodies, contacts), wrenches
+
+
+def cylinders(
+    *,
+    half_tangent: Rational = "1/3",
+    friction: Rational = "1/3",
+    ground: Rational = "1/9",
+    weight: Rational = 1,
+) -> tuple[Assembly, Wrenches]:
+    """Return a cylinder on two equal ones that do not touch each other.
+
+    It needs a friction of tan(a / 2) between cylinders, and a third of that on the ground, for the
+    angle a between the contact normals and the vertical.
+
+    Args:
+        half_tangent: tan(a / 2), from 0.268 (the lower ones touch) to below 1.
+        friction: between cylinders.
+        ground: friction on the ground.
+        weight: of each.
+
+    >>> from equilibrium import solve
+    >>> [solve(*cylinders(ground=ground)).verdict for ground in ("1/9", "1/10")]
+    ['resisted', 'not resisted']
+    """
+    load, (c, s) = rational(weight, "weight"), _angle(half_tangent, Fraction(1, 2))
+    one, none = Fraction(1), Fraction(0)
+    centres = {"left": (-2 * s, one), "right": (2 * s, one), "top": (none, 1 + 2 * c)}
+    bodies = [RigidBody(name, Circle(place, 1)) for name, place in centres.items()]
+    contacts = [
+        BodyContact(name, None, Contact((centres[name][0], 0), (0, 1), ground))
+        for name in ("left", "right")
+    ]
+    contacts += [
+        BodyContact("top", name, Contact((sign * s, 1 + c), (-sign * s, c), friction))
+        for name, sign in (("left", -1), ("right", 1))
+    ]
+    wrenches: Wrenches = {name: (none, -load, -load * x) for name, (x, _) in centres.items()}
+    return Assembly(bodies, contacts), wrenches
+
+
+def ladder(
+    *,
+    friction: Rational = "3/8",
+    face: Rational = 0,
+    block: Rational = "1/4",
+    weight: Rational = 8,
+    block_weight: Rational = 12,
+) -> tuple[Assembly, Wrenches]:
+    """Return a ladder of rise 4 and run 3 that leans on a block on the ground.
+
+    Args:
+        friction: of the foot of the ladder.
+        face: friction between ladder and block.
+        block: friction between block and ground.
+        weight: of the ladder, in its middle.
+        block_weight: of the block, in its middle.
+
+    >>> from equilibrium import solve
+    >>> [solve(*ladder(block_weight=weight)).verdict for weight in (12, "119/10")]
+    ['resisted', 'not resisted']
+    """
+    loads = rational(weight, "weight"), rational(block_weight, "block_weight")
+    bodies = [
+        RigidBody("ladder", Polygon([(0, 0), (3, 4), ("29/10", 4)])),
+        RigidBody("block", Polygon([(3, 0), (5, 0), (5, 5), (3, 5)])),
+    ]
+    contacts = [
+        BodyContact("ladder", None, Contact((0, 0), (0, 1), friction)),
+        BodyContact("ladder", "block", Contact((3, 4), (-1, 0), face)),
+        *(BodyContact("block", None, Contact((x, 0), (0, 1), block)) for x in (3, 5)),
+    ]
+    places = Fraction(3, 2), Fraction(4)
+    pairs = zip(("ladder", "block"), loads, places, strict=True)
+    return Assembly(bodies, contacts), {n: (Fraction(0), -w, -w * x) for n, w, x in pairs}
+
+
+#: All of them, by name.
+TEXTBOOK = {made.__name__: made for made in (stack, arch, wedge, cylinders, ladder)}
+
+
+def _along(
+    name: str,
+    other: str | None,
+    ray: RationalVector,
+    normal: Iterable[Fraction],
+    radii: Iterable[Fraction],
+    friction: Rational,
+) -> list[BodyContact]:
+    """Return the contacts of a joint along a ray from the origin."""
+    inward = tuple(normal)
+    places = (tuple(r * x for x in ray) for r in radii)
+    return [BodyContact(name, other, Contact(place, inward, friction)) for place in places]
+
+
+def _joint(k: int, count: int) -> RationalVector:
+    """Return the unit vector of a joint, from the left springing; both sides mirror each other."""
+    if 2 * k == count:
+        return (Fraction(0), Fraction(1))
+    if 2 * k > count:
+        x, y = _joint(count - k, count)
+        return (-x, y)
+    angle = math.pi * k / count
+    return unit_normal((-math.cos(angle), math.sin(angle) if k else 0.0), _EVEN).normal
+
+
+def _angle(half_tangent: Rational, least: Fraction) -> tuple[Fraction, Fraction]:
+    """Return cosine and sine of an angle below a right one whose sine is above a least one."""
+    q = rational(half_tangent, "half_tangent")
+    if not 0 < q < 1 or 2 * q / (1 + q * q) < least:
+        due = "above 0 and below 1" if not least else "from 0.268 to below 1"
+        raise GraspError(f"half_tangent is {shown(q)}; expected a number {due}")
+    return (1 - q * q) / (1 + q * q), 2 * q / (1 + q * q)
+
+
+def _check_count(count: int, name: str, least: int) -> None:
+    if type(count) is not int or not least <= count <= _MAX_BODIES:
+        raise GraspError(
+            f"{name} is {shown(count)}; expected a whole number from {least} to {_MAX_BODIES}"
+        )
