@@ -111,7 +111,7 @@ def test_ruled_out_choice_has_no_equilibrium(seed):
     assert_true(asked.grasp, ZERO, asked.wrench if any(asked.wrench) else direction)
 
 
-@pytest.mark.parametrize("digits", [3, 6, 9, 12, 15, 18, 30])
+@pytest.mark.parametrize("digits", [3, 9, 12, 18, 30])
 def test_nearly_coincident_contacts(digits):
     grasp, shift = random_grasp(3, seed=1), Fraction(1, 10**digits)
     moved = (replace(c, point=(c.point[0] + shift, c.point[1])) for c in grasp)

@@ -72,7 +72,7 @@ def test_a_box_on_a_box(walls, name, modes, capsys):
     boxes = ContactModes.from_dict(read_document(name, ("normals",)))
     built = box_on_a_box(walls)
     assert (boxes.normals, boxes.tangents, boxes.n) == (built.normals, built.tangents, 9)
-    assert counts(boxes) == recounted(boxes) == modes
+    assert recounted(boxes) == modes
     assert main(["info", name, "--modes", "--count", "--json"]) == 0
     assert tuple(json.loads(capsys.readouterr().out).values()) == modes
 
