@@ -93,7 +93,7 @@ def _described(claim: Claim, width: int) -> str:
         if entry:
             lines += textwrap.wrap(f"{name:<12}{entry}", width, subsequent_indent=" " * 12)
     if claim.theorems:
-        lines += ["in Coq (docs, What is proved):", *map(report.theorem, claim.theorems)]
+        lines += ["in Coq (docs, Formal verification):", *map(report.theorem, claim.theorems)]
     return "\n".join(lines)
 
 
