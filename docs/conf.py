@@ -44,9 +44,9 @@ autodoc_typehints = "signature"
 # Types that say how a value is written on a command line, in words of Python.
 autodoc_type_aliases = {
     "Graph": "networkx.Graph | str",
-    "Kind": "str | None",
+    "TextKind": "str | None",
     "Length": "float | str | None",
-    "Place": "str | None",
+    "LegendPlace": "str | None",
     "Type": "int | str | networkx.Graph",
 }
 maximum_signature_line_length = 72

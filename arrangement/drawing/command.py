@@ -85,7 +85,7 @@ def add_options(
 def _add_target(parser: Parser, drawings: Drawings, more: Mapping[str, str]) -> None:
     """Add which view or model to draw."""
     for kind, thing in (("view", "picture"), ("model", "model")):
-        if known := [*drawings.named(kind)]:
+        if known := [*drawings.entries(kind)]:
             text = f"the {thing}, such as {known[0]} (default: the first that suits)"
             if kind == "view":
                 text += f"; several, as in {known[0]},{known[1]}, are panels of one figure"
@@ -96,7 +96,7 @@ def _uses(drawings: Drawings) -> dict[str, list[_Use]]:
     """Return the options by their flags, each with all that have it."""
     found: dict[str, list[_Use]] = {}
     for kind in KINDS:
-        for name in drawings.named(kind):
+        for name in drawings.entries(kind):
             for option in drawings.options(kind, name).values():
                 found.setdefault(option.flag, []).append(_Use(kind, name, option))
     return found
@@ -171,7 +171,7 @@ def _list(parser: Parser, drawings: Drawings, hidden: Collection[argparse.Action
 def _summaries(drawings: Drawings) -> Iterator[tuple[str, str]]:
     """Yield each view, model and page with the first paragraph of its docstring."""
     for kind in KINDS:
-        for name in drawings.named(kind):
+        for name in drawings.entries(kind):
             yield name if kind == "view" else f"{kind} {name}", drawings.summary(kind, name)
 
 

@@ -48,8 +48,8 @@ Corner: TypeAlias = Annotated[Iterable[Any], Syntax(lambda text: text.split(",")
 _LENGTH = Syntax(metavar="LENGTH")
 #: On paper: a number, or a text such as ``"8pt"``.
 Length: TypeAlias = Annotated[object, _LENGTH]
-Place: TypeAlias = Annotated[str | None, Syntax(metavar="PLACE")]
-Kind: TypeAlias = Annotated[str | None, Syntax(metavar="KIND")]
+LegendPlace: TypeAlias = Annotated[str | None, Syntax(metavar="PLACE")]
+TextKind: TypeAlias = Annotated[str | None, Syntax(metavar="KIND")]
 
 #: What can be drawn: pictures, models for printers, interactive pages.
 KINDS = ("view", "model", "page")
@@ -105,14 +105,14 @@ class Drawings:
     models: Mapping[str, ViewEntry]
     pages: Mapping[str, ViewEntry]
 
-    def named(self, kind: str) -> Mapping[str, ViewEntry]:
+    def entries(self, kind: str) -> Mapping[str, ViewEntry]:
         """Return the views, models or pages by name."""
         known: Mapping[str, ViewEntry] = getattr(self, f"{kind}s")
         return known
 
     def function(self, kind: str, name: str) -> Any:
         """Return the function of a view, model or page."""
-        return named(f"{self.package}.{self.named(kind)[name].place}")
+        return named(f"{self.package}.{self.entries(kind)[name].place}")
 
     def summary(self, kind: str, name: str) -> str:
         """Return what a view, model or page is: the first paragraph of the docstring."""
@@ -132,7 +132,7 @@ class Drawings:
         """Return what can be drawn of a subject."""
         kinds: dict[str, Any] = {
             f"{kind}s": {
-                name: view for name, view in self.named(kind).items() if view.shows(subject)
+                name: view for name, view in self.entries(kind).items() if view.shows(subject)
             }
             for kind in KINDS
         }
@@ -149,8 +149,8 @@ class Drawings:
         font: str | None = None,
         font_size: Length = None,
         theme: str | None = None,
-        legend: Place = None,
-        text: Kind = None,
+        legend: LegendPlace = None,
+        text: TextKind = None,
         fragment: bool = False,
         columns: int | None = None,
         frames: int | None = None,
@@ -313,7 +313,7 @@ class Drawings:
                 raise InputError(f"the {kind} {name} needs {needed.name}; give at least one")
 
     def _check_name(self, kind: str, name: str) -> None:
-        known = self.named(kind)
+        known = self.entries(kind)
         for part in name.split(",") if kind == "view" else [name]:
             if part not in known:
                 raise refusal(f"the {kind} is {shown(part)}", part, known)
@@ -331,7 +331,7 @@ class Drawings:
         kinds = {"view": (*PICTURES, *TIKZ, *MOVIES), "model": models, "page": pages}
         suffix = ending(path, sorted(end for suffixes in kinds.values() for end in suffixes))
         kind = next(kind for kind, suffixes in kinds.items() if suffix in suffixes)
-        known, name = self.named(kind), view
+        known, name = self.entries(kind), view
         if kind == "model":
             if view in self.views and view not in known:
                 there = ", ".join(known)

@@ -25,7 +25,7 @@ DRAWINGS = Drawings("arrangement.pictures", VIEWS, MODELS, PAGES)
 
 def drawings_of(planes: Planes) -> Drawings:
     """Return what can be drawn of planes, what suits them best as the first."""
-    kinds: dict[str, Any] = {f"{kind}s": suited(DRAWINGS.named(kind), planes) for kind in KINDS}
+    kinds: dict[str, Any] = {f"{kind}s": suited(DRAWINGS.entries(kind), planes) for kind in KINDS}
     return replace(DRAWINGS, **kinds)
 
 

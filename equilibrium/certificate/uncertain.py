@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from arrangement.console.number_form import ReprMixin
-from arrangement.numbers.exact import RationalVector, dot, rational, shown, to_text
+from arrangement.console.number_form import JsonMixin
+from arrangement.numbers.exact import RationalVector, dot, rational, shown
 from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.errors import GraspError
 
@@ -29,7 +29,7 @@ LARGEST: dict[str, Fraction | int] = {
 
 
 @dataclass(frozen=True, repr=False)
-class Bounds(ReprMixin):
+class Bounds(JsonMixin):
     """How far grasps may be from one that is given.
 
     Attributes:
@@ -40,6 +40,8 @@ class Bounds(ReprMixin):
     >>> Bounds(degrees=2, friction="5%").friction
     Fraction(1, 20)
     """
+
+    json_fields = tuple(LARGEST)
 
     degrees: Fraction
     length: Fraction
@@ -72,10 +74,6 @@ class Bounds(ReprMixin):
     def times(self, share: Fraction) -> Bounds:
         """Return bounds that are a share of these, from 0 to 1."""
         return Bounds(**{name: share * getattr(self, name) for name in LARGEST})
-
-    def to_dict(self) -> dict[str, str]:
-        """Return the file form."""
-        return {name: to_text(getattr(self, name)) for name in LARGEST}
 
     def __str__(self) -> str:
         angle, length = (f"{float(x):g}" for x in (self.degrees, self.length))

@@ -10,7 +10,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from arrangement.console.number_form import ReprMixin
+from arrangement.console.number_form import JsonMixin
 from arrangement.errors import HintsMixin
 from arrangement.numbers.exact import vector_text
 from equilibrium.decide.solver import Solver
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from equilibrium.wrench_sets.spatial import SpatialMagnitudes
 
 
-class ResistedSet(HintsMixin, ReprMixin):
+class ResistedSet(HintsMixin, JsonMixin):
     """The set of wrenches that a grasp resists.
 
     In the plane it is a finite union of convex polyhedra of wrenches ``(f_x, f_y, tau)``, and every
@@ -60,6 +60,7 @@ class ResistedSet(HintsMixin, ReprMixin):
     """
 
     repr_fields = ("grasp", "max_displacement", "pyramid")
+    json_fields = ("polyhedra",)
     _synonyms: ClassVar[Mapping[str, str]] = {
         "check_loads": "check(wrenches)",
         "epsilon": "smallest_outside().size, or GraspWrenchSpace(grasp).epsilon",
@@ -277,10 +278,6 @@ class ResistedSet(HintsMixin, ReprMixin):
                 "max_displacement out, or use `slice` and `polyhedra`"
             )
         return self.grasp.draw(view, **options)
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form of `polyhedra`; numbers are strings of rationals."""
-        return {"polyhedra": [piece.to_dict() for piece in self.polyhedra]}
 
     def _load(self, load: Iterable[Any] | int) -> Iterable[Any]:
         """Return a load that may be omitted: 0 is the zero wrench."""
