@@ -15,7 +15,7 @@ from arrangement.console.number_form import sign_text
 from arrangement.drawing.colours import SKIN, pale
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
-from arrangement.drawing.scene.places import beside, inside, spread, turn
+from arrangement.drawing.scene.places import beside, beyond, inside, spread, turn
 from arrangement.drawing.scene.scene import area, arrow, measure
 from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import lit, unit
@@ -242,12 +242,10 @@ class PlanesSheet(SolidSheet):
             way = np.array([math.cos(angle), math.sin(angle)])
             edge = way / max(1e-9, self._gauge(way))
             rim = self.place(edge)
-            half = np.array(self.scene.measure(text, 7.0)) / 2 + 1.6
-            beyond = float((half / np.maximum(np.abs(way), 1e-9)).min())
             self.scene.line([self.place(point), rim + 4 * way], ec="black", lw=0.4, zorder=4)
             box = {"boxstyle": "round,pad=0.22,rounding_size=0.5", "fc": colour, "ec": "none"}
-            style: dict[str, Any] = {"plate": box, "style": "italic"}
-            self.scene.write(rim + (4 + beyond) * way, text, 7.0, **style)
+            places = beyond(rim[None], way[None], (5.6,))
+            write_if_free(self.scene, [text], SIZES[:1], places, plate=box, style="italic")
 
     def _covered(self, points: Floats) -> Floats:
         """Return 1 for points whose number would stand on or at a lifted cell, else 0."""

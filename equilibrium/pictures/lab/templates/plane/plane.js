@@ -99,13 +99,17 @@ function paintGrid(view, layer) {
 
 // The states as one character for each contact, where they fit and nothing covers them.
 function paintCodes(view, solid) {
+  const letters = letterSize(view, 9);
   solid.forEach(({ piece, corners }, i) => {
     const places = clippedToSight(corners).map(onPaper);
     if (places.length < 3) return;
     const later = solid.slice(i + 1).map((other) => other.corners.map(onPaper));
-    paintCode(view, middleOfAll(places), piece.states, 9, (p) => within(places, p) && !later.some((other) => within(other, p)));
+    paintCode(view, middleOfAll(places), piece.states, letters, (p) => within(places, p) && !later.some((other) => within(other, p)));
   });
 }
+
+// A size of letters, in units of a picture, that is at least 11 pixels on the screen.
+const letterSize = (view, least) => Math.max(least, 11.2 / (view.getScreenCTM()?.a || 1));
 
 // The states at a place, if the middle and the corners of their box pass.
 /** @type {(view: Element, middle: number[], states: string[], size: number, passes: (p: number[]) => boolean) => void} */

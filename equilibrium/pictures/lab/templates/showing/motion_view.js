@@ -2,7 +2,6 @@
 // ball, counter-clockwise on the left, clockwise on the right. The rim stands for translations.
 const DISC = { 1: [-107, 0], [-1]: [107, 0] };
 const DISC_RADIUS = 96;
-const CODE_SIZE = 13;
 
 // The planes of a slice r = way * turn, as rows in (x, y, h): the motion is turn (x, y, way h) / h.
 function sliceRows(grasp, turn, way) {
@@ -81,12 +80,13 @@ function slices() {
 
 function paintDiscs() {
   const view = at("discs");
+  const letters = letterSize(view, 13);
   view.replaceChildren();
   const step = player.step?.kind === "planes" ? player.step : null;
   for (const way of [1, -1]) {
     draw("circle", { class: "disc", cx: DISC[way][0], cy: 0, r: DISC_RADIUS, fill: "var(--panel)" }, view);
   }
-  for (const cell of step ? firstCells(step) : slices()) paintCell(view, cell);
+  for (const cell of step ? firstCells(step) : slices()) paintCell(view, cell, letters);
   for (const way of [1, -1]) {
     sliceRows(state.grasp, state.turnSize(), way).forEach((rows, i) => {
       const place = step ? step.order.indexOf(i) : 0;
@@ -96,7 +96,8 @@ function paintDiscs() {
     });
     const [x] = DISC[way];
     draw("circle", { class: "disc rim-line", cx: x, cy: 0, r: DISC_RADIUS }, view);
-    draw("text", { class: "small", x, y: DISC_RADIUS + 14 }, view, way > 0 ? "↺ counter-clockwise" : "↻ clockwise");
+    const [sign, words] = way > 0 ? ["↺", "counter-clockwise"] : ["↻", "clockwise"];
+    draw("text", { class: "small", "font-size": letters, x, y: DISC_RADIUS + 14 }, view, letters > 18 ? sign : `${sign} ${words}`);
   }
   const piece = state.shownPiece();
   if (piece) paintDot(view, piece.motion.map(near), "dot");
@@ -111,11 +112,11 @@ function cellGroup(view, { states }, style) {
   return group;
 }
 
-function paintCell(view, cell) {
+function paintCell(view, cell, letters) {
   const group = cellGroup(view, cell, "cell disc");
   for (const part of cell.parts) draw("path", { d: `${pathOf(part.outline)}Z` }, group);
   const largest = cell.parts.reduce((best, part) => (areaOf(part.outline) > areaOf(best.outline) ? part : best));
-  paintCode(view, middleOfAll(largest.outline), cell.states, CODE_SIZE, (p) => {
+  paintCode(view, middleOfAll(largest.outline), cell.states, letters, (p) => {
     const [u, v] = fromDisc(p, cell.way);
     return Math.hypot(u, v) < 1 && largest.walls.every((n) => dot(n, [u, v, Math.sqrt(1 - u * u - v * v)]) > 0);
   });
