@@ -291,10 +291,9 @@ PUSH = "1|-1,0,1,0,1/2,1,{0};0,-1,0,1,1/2,1,{0};1,0,-1,0,1/2,1,{0}|0,1,0"
 GRASP = PUSH.format(0), PUSH.format(1)
 LINES = "1|3|1,0,0;0,1,0;0,0,1;1,1,1", "1|3|1,0,0;0,1,0;1,1,0;0,0,1"
 WRITTEN = [
-    Written(
-        *("slip", *GRASP, ("whether", "how many", "these states"), ("wrench", "points")),
-        {"resisted": True, "equilibria": 1, "states": ["slip+", "detached", "slip-"]},
-    ),
+    Written("slip", *GRASP, ("whether",), ("wrench", "points"), {"resisted": True}),
+    Written("slip", *GRASP, ("how many",), (), {"equilibria": 1}),
+    Written("slip", *GRASP, ("these states",), (), {"states": ["slip+", "detached", "slip-"]}),
     Written("slip", *GRASP, ("the greatest",), ("direction",), {"border": True}),
     Written(
         *("slip", *GRASP, ("the opposite is said by the paper",), ()),
