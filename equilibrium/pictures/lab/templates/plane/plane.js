@@ -114,7 +114,7 @@ const letterSize = (view, least) => Math.max(least, 11.2 / (view.getScreenCTM()?
 // The states at a place, if the middle and the corners of their box pass.
 /** @type {(view: Element, middle: number[], states: string[], size: number, passes: (p: number[]) => boolean) => void} */
 function paintCode(view, [x, y], states, size, passes) {
-  const [w, h] = [0.4 * size * states.length + 1, 0.6 * size];
+  const [w, h] = [0.4 * size * states.length + 0.5, 0.42 * size];
   if ([[0, 0], [-w, -h], [w, -h], [w, h], [-w, h]].every(([dx, dy]) => passes([x + dx, y + dy]))) {
     draw("text", { class: "code", "font-size": size, x: fixed(x), y: fixed(y) }, view, codeOf(states));
   }
