@@ -2,6 +2,7 @@
 
 import copy
 import inspect
+import itertools
 import json
 import math
 import random
@@ -253,32 +254,43 @@ class TestLimits:
 
 
 class TestForged:
-    """Each number of a certificate changed: refused, or still a proof of the question in it."""
+    """A number of a certificate changed: refused, or still a proof of the question in it."""
 
     def forgeries(self):
         rng = random.Random(7)
-        proofs = []
-        for param in QUESTIONS:
-            assembly, wrenches = asked(*param.values)
-            proofs.append(solve(assembly, wrenches).proof)
+        proofs = [solve(*asked(*param.values)).proof for param in QUESTIONS]
         while True:
             for proof in proofs:
                 forged = copy.deepcopy(proof)
-                if change(forged, rng):
+                part = (
+                    ("assembly", "wrench") if rng.random() < 0.3 else ("tree", "motion", "forces")
+                )
+                if change(forged, part, rng):
                     yield forged
 
     def refused(self, count):
         found = 0
         for forged in self.forgeries():
-            assembly = Assembly.from_dict(forged["assembly"])
-            wrench = {name: tuple(row) for name, row in forged["wrench"].items()}
-            report = verify(forged)
-            yes = solve(assembly, wrench).verdict
-            # What is accepted is true; what is not true is refused.
-            assert not report or yes == forged["certificate"], forged
-            found += not report
+            if not verify(forged):
+                found += 1
+            else:
+                # What is accepted is true.
+                known = Assembly.from_dict(forged["assembly"])
+                assert solve(known, forged["wrench"]).verdict == forged["certificate"], forged
             if found == count:
                 return
+
+    @pytest.mark.parametrize("case", CASES, ids=lambda case: case["name"])
+    def test_proof_of_the_other_side_of_a_border_is_refused(self, case):
+        asks = [asked(case, question) for question in case["questions"]]
+        verdicts = [solve(*ask) for ask in asks]
+        for one, other in itertools.permutations(verdicts, 2):
+            if one.verdict != other.verdict:
+                question = {key: other.proof[key] for key in ("assembly", "wrench")}
+                try:
+                    assert not verify({**one.proof, **question})
+                except CertificateError:
+                    assert len(one.assembly) != len(other.assembly)
 
     def test_forged_certificates_are_refused(self):
         self.refused(40)
@@ -317,29 +329,34 @@ class TestForged:
         assert "another" in check_assembly(proof, (STACK, other)).problem
 
 
-def change(document, rng):
-    """Change one number of a proof that is not part of the question; False if there is none."""
+def change(document, parts, rng):
+    """Change one number in some parts of a certificate; False if there is none."""
+    kept = ("edge", "at", "contact", "part", "contacts", "normal", "schema_version", "bodies")
     places = []
 
     def walk(value, parent, key):
         if isinstance(value, dict):
             for name, child in value.items():
-                if name not in ("edge", "at", "contact", "part", "contacts"):
+                # Contacts of an assembly have numbers, those of a proof are numbers.
+                if name not in kept or (isinstance(child, list) and isinstance(child[0], dict)):
                     walk(child, value, name)
         elif isinstance(value, list):
             for k, child in enumerate(value):
                 walk(child, value, k)
-        elif isinstance(value, str):
+        elif isinstance(value, str) and key != "name" and "body" not in str(key):
             places.append((parent, key))
 
-    for name in ("tree", "motion", "forces"):
+    for name in parts:
         if name in document:
             walk(document[name], document, name)
     if not places:
         return False
     parent, key = rng.choice(places)
     old = Fraction(parent[key])
-    new = rng.choice([-old, old + 1, old - 1, 2 * old, old + Fraction(1, 10**9)])
+    values = [-old, old + 1, old - 1, 2 * old, old + Fraction(1, 10**9)]
+    new = rng.choice(values)
+    if key in ("friction", "preload", "stiffness"):
+        new = abs(new) or Fraction(1, 7)
     parent[key] = str(new)
     return new != old
 
