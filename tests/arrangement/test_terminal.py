@@ -6,9 +6,10 @@ import json
 import math
 import subprocess
 import sys
+from collections.abc import Iterable
 from fractions import Fraction
 from importlib import import_module
-from typing import Any
+from typing import Annotated, Any, TypeAlias
 
 import pytest
 
@@ -18,6 +19,7 @@ from arrangement.console import progress, terminal
 from arrangement.console.entry import entry
 from arrangement.console.options import values
 from arrangement.console.options.parser import Parser
+from arrangement.console.options.signature import Syntax, options_of, summary
 from arrangement.console.progress import Bar, shown, watched
 from arrangement.numbers import budget
 
@@ -471,3 +473,34 @@ def test_long_words_are_repeated_in_short(words, capsys):
     text = capsys.readouterr().err
     assert (code, text[:7]) == (2, "error: ")
     assert len(text) < 500
+
+
+Points: TypeAlias = Annotated[Any, Syntax(values.rational_argument, ("X", "Y"), 2)]
+
+
+def go_there(place: int, *, by: Iterable[Points] = (), fast: bool = False) -> None:
+    """Go there, slowly
+    by default.
+
+    Args:
+        place: a number.
+        by: points
+            on the way, 50% of them `known`.
+        fast: run.
+
+    Raises:
+        ValueError: no way.
+    """
+
+
+def test_options_follow_from_signature_and_docstring():
+    assert summary(go_there) == "Go there, slowly by default"
+    options = {name: options_of(go_there)[name] for name in ("place", "by", "fast")}
+    assert [option.required for option in options.values()] == [True, False, False]
+    assert options["by"].several
+    parser = Parser(prog="demo")
+    for option in options.values():
+        option.add_to(parser)
+    found = parser.parse_args(["--place", "3", "--by", "1/2", "2", "--by", "3", "4"])
+    assert (found.place, found.by[-1], found.fast) == (3, [3, 4], False)
+    assert "points on the way, 50% of them known" in " ".join(parser.format_help().split())
