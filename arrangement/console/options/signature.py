@@ -100,6 +100,8 @@ class Option:
             style |= {"nargs": syntax.words, "const": syntax.bare}
         if self.several:
             style |= {"action": "append"} if syntax.words else {"action": "extend", "nargs": "+"}
+            if isinstance(self.default, tuple):
+                style["default"] = list(self.default)  # argparse appends to it
         added: argparse.Action = parser.add_argument(f"--{self.flag}", **style | changes)
         if syntax.variadic:
             # A group knows its parser.
