@@ -80,7 +80,7 @@ class DualDistances:
         from scipy.sparse import csr_array
         from scipy.sparse.csgraph import dijkstra
 
-        left, right = np.array(self.sides).T
+        left, right = np.array(self.sides, np.int32).T  # scipy 1.14 takes no other indices
         shape = (len(self.across), len(self.across))
         # Without a length there would be no edge.
         table = csr_array((np.maximum(lengths, _TOLERANCE / 1000), (left, right)), shape=shape)
