@@ -204,7 +204,6 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ("tests/arrangement/test_linprog.py",): (
         "arrangement.numbers.linear.dictionary",
         "arrangement.numbers.linear.float_dictionary",
-        "arrangement.numbers.linear.float_program",
         "arrangement.numbers.linear.program_rows",
         "arrangement.numbers.linear.programs",
     ),

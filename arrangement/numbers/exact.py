@@ -34,8 +34,9 @@ _LONG = 300
 #: Bits from which on FLINT's divisors are faster: eight times at 300,000.
 _VERY_LONG = 8000
 
-#: What int() takes as we do: texts of up to this many of these characters.
-_SHORT, _LETTERS = 18, frozenset("-0123456789")
+#: Texts of up to this many characters int() reads as we do, if they are all of `_INT_LETTERS`.
+_MAX_INT_LETTERS = 18
+_INT_LETTERS = frozenset("-0123456789")
 _INTEGER_OR_RATIO = re.compile(r"([+-]?[0-9]+)(?:/([0-9]+))?")
 _DECIMAL = re.compile(r"([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))(?:[eE]([+-]?[0-9]{1,4}))?")
 
@@ -202,7 +203,10 @@ def plain_rows(rows: Sequence[Any]) -> list[IntegerVector] | None:
     if kinds == {int}:
         return list(map(tuple, rows))
     texts = [x for x in flat if type(x) is str]
-    if max(map(len, texts), default=0) > _SHORT or not set("".join(texts)) <= _LETTERS:
+    if (
+        max(map(len, texts), default=0) > _MAX_INT_LETTERS
+        or not set("".join(texts)) <= _INT_LETTERS
+    ):
         return None
     try:
         numbers = map(int, flat)

@@ -46,7 +46,7 @@ if TYPE_CHECKING:
     from .solver import Solver
 
 #: With more contacts all equilibria are listed only when asked for: their search takes long.
-MOST_LISTED = 20
+MAX_CONTACTS_LISTED = 20
 
 
 @dataclass(frozen=True)
@@ -206,7 +206,7 @@ class Verdict(HintsMixin):
         """Return whether `to_dict` lists all equilibria."""
         if self.solution is None:
             return self.decided
-        few = self.grasp.dimension == 2 and len(self.grasp) <= MOST_LISTED
+        few = self.grasp.dimension == 2 and len(self.grasp) <= MAX_CONTACTS_LISTED
         return few if every is None else every
 
     def to_dict(self, every: bool | None = None) -> dict[str, Any]:
@@ -217,8 +217,8 @@ class Verdict(HintsMixin):
 
         Args:
             every: in the plane list all equilibria; False: only the one of the certificate, by
-                states, motion and forces, and ``"complete": false``. None: all up to `MOST_LISTED`
-                contacts.
+                states, motion and forces, and ``"complete": false``. None: all, if the contacts are
+                at most `MAX_CONTACTS_LISTED`.
         """
         listed = self._listed(every) if self.grasp.dimension == 2 else self._found()
         return {

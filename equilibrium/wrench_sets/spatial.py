@@ -32,9 +32,13 @@ Sample: TypeAlias = tuple[Fraction, str]
 _POWERS = range(-6, 9)
 #: The ends of what stays undecided are found to a share of one over this.
 _SHARP = 4
-#: From the edge that floats give, a "no" is asked for at one over the first of how far before it a
-#: load is resisted, and moved by one over the second; simple magnitudes are up to the third as far.
-_BEYOND, _FINE, _ABOUT = 16, 64, Fraction(9, 8)
+#: From the edge that floats give, a "no" is tried at one over this of how far before it a load is
+#: resisted; each next one is as many times further.
+_BEYOND_EDGE = 16
+#: Once there is one, the edge is searched for to one over this of that distance.
+_EDGE_SHARE = 64
+#: Simple magnitudes are up to this many times as far.
+_SIMPLE_FACTOR = Fraction(9, 8)
 #: A bracket is wide if it is more than one over this of its larger end.
 _WIDE = 100
 #: After this many steps that leave an end of a bracket where it is one looks close to it.
@@ -233,7 +237,7 @@ def _closer(
     # How far before the edge there is an equilibrium, and none was found; how far that began.
     far, near, begun, asked = abs(edge - held), Fraction(0), Fraction(0), enough / 3
     while far - near > max(enough / 2, far / _SHARP):
-        t = simplest_between(*sorted((edge - way * asked, edge - way * asked * _ABOUT)))
+        t = simplest_between(*sorted((edge - way * asked, edge - way * asked * _SIMPLE_FACTOR)))
         if known.verdict(t, nodes=0) == RESISTED:
             held, far = t, abs(edge - t)
             # From so much nearer more is found.
@@ -242,17 +246,17 @@ def _closer(
             undecided.add(t)
             near, begun = abs(edge - t), far
         asked = max(far / _SHARP, (near + far) / 2 if near >= far / _SHARP else Fraction(0))
-    beyond = max(enough / 4, far / _BEYOND)
+    beyond = max(enough / 4, far / _BEYOND_EDGE)
     for how in ({"tree": tree}, {}, {}):
         if abs(refused - edge) <= 2 * beyond:
             break
         t = simplest_between(*sorted((edge + way * beyond, edge + way * beyond * 3 / 2)))
         if known.verdict(t, **how) == NOT_RESISTED:
             low, high = sorted((held, t))
-            ends = _to_the_edge(known, t, low, high, max(enough / 4, far / _FINE))
+            ends = _to_the_edge(known, t, low, high, max(enough / 4, far / _EDGE_SHARE))
             refused = ends[0] if way < 0 else ends[1]
             break
-        beyond *= _BEYOND
+        beyond *= _BEYOND_EDGE
     one, other = sorted([(held, RESISTED), (refused, NOT_RESISTED)])
     if stuck and other[0] - one[0] > other[0] / _WIDE:
         # The edge is none: what stayed open without a tree is asked again.

@@ -11,7 +11,6 @@ from hypothesis import given, settings, strategies as st
 from arrangement.errors import ArrangementError
 from arrangement.numbers.linear import programs
 from arrangement.numbers.linear.float_dictionary import FloatDictionary
-from arrangement.numbers.linear.float_program import FloatProgram
 from arrangement.numbers.linear.programs import (
     Infeasible,
     Optimal,
@@ -217,11 +216,12 @@ def test_float_guess_is_near_the_exact_answer(data, n):
     cube = [(*(s * (j == k) for j in range(n)), 1) for k in range(n) for s in (1, -1)]
     rows = np.array([*cube, *cone], dtype=float)
     early = data.draw(st.integers(2 * n, len(rows)))
-    program = FloatProgram(rows[:early], [*range(0, 2 * n - 2, 2), 2 * n - 1])
-    assert program.solve()
+    program = FloatDictionary(rows[:early])
+    program.enter([*range(0, 2 * n - 2, 2), 2 * n - 1])
+    assert program.raise_last()
     if early < len(rows):
         program.add(rows[early:])
-        assert program.solve()
+        assert program.raise_last()
     exact = minimize([0] * (n - 1) + [-1], [*cube, *cone])
     assert program.point[-1] == pytest.approx(-exact.value, abs=1e-8)
     multipliers = program.multipliers()

@@ -1,9 +1,9 @@
 """Linear programs of the form of `programs` in floating point: a guess of the rows that are tight.
 
 The method is that of `dictionary`, with the largest pivots instead of Bland's rule, and with any
-cost above 0 in the search for a point, which then hardly ever comes back to where it was. Nothing
-here is proved: whoever uses a guess solves for it exactly and checks, and does without where there
-is none.
+cost above 0 in the search for a point, which then hardly ever comes back to where it was. Rows may
+be added: the next solution starts from the last one. Nothing here is proved: whoever uses a guess
+solves for it exactly and checks, and does without where there is none.
 """
 
 from __future__ import annotations
@@ -15,32 +15,46 @@ import numpy as np
 
 from arrangement.numbers.float_filter import Booleans, Floats
 
-#: How far below 0 a row of size 1 may be, and the least pivot.
-_TOLERANCE, _PIVOT = 1e-9, 1e-9
+#: How far below 0 a row of size 1 may be.
+_TOLERANCE = 1e-9
+_MIN_PIVOT = 1e-9
 #: Degenerate programs may cycle; most end after twice as many steps as there are variables.
-_STEPS = 12
+_MAX_STEPS_PER_VARIABLE = 12
 #: How often rows and columns are balanced in turn.
-_PASSES = 20
-#: Bits of integers that are read, the largest exponent of floats here, more than any exponent.
-_BITS, _FAR, _HUGE = 60, 1000, 2**40
+_MAX_BALANCINGS = 20
+#: Bits of integers that are read.
+_MANTISSA_BITS = 60
+#: The largest exponent of floats here.
+_MAX_EXPONENT = 1000
+#: More than any exponent.
+_HUGE = 2**40
 
 
 class FloatDictionary:
     """Symbols are the rows, from 0, then the variables; columns are at 0.
 
     Args:
-        rows: integers of any size, the constant last; the equalities last of all.
-        width: the number of variables, and one.
+        rows: (k, n + 1), of a size of about 1, the constant last; the equalities last of all.
         equalities: their number.
     """
 
-    def __init__(self, rows: Sequence[Sequence[int]], width: int, equalities: int) -> None:
-        k, n = len(rows), width - 1
+    def __init__(self, rows: Floats, equalities: int = 0) -> None:
+        k, n = len(rows), rows.shape[1] - 1
         self._k, self._first_equality = k, k - equalities
-        self._steps = _STEPS * (n + 4)
-        self._table, self._scale = _balanced(*_split(rows, width))
+        self._max_steps = _MAX_STEPS_PER_VARIABLE * (n + 4)
+        self._table, self._scale = rows, np.zeros(n + 1, int)
         self._rows, self._columns = np.arange(k), np.arange(k, k + n)
         self._fixed: list[int] = []
+
+    @classmethod
+    def of_integers(
+        cls, rows: Sequence[Sequence[int]], width: int, equalities: int
+    ) -> FloatDictionary:
+        """Return the dictionary of rows of integers of any size, of `width` entries each."""
+        table, scale = _balanced(*_split(rows, width))
+        dictionary = cls(table, equalities)
+        dictionary._scale = scale
+        return dictionary
 
     @property
     def tight(self) -> list[int]:
@@ -63,6 +77,57 @@ class FloatDictionary:
         self._table = self._table[:-1]
         return found
 
+    def enter(self, rows: Sequence[int]) -> None:
+        """Make columns of as many independent rows as there are variables."""
+        chosen = self._table[list(rows)]
+        inverse = np.linalg.inv(chosen[:, :-1])
+        self._columns = np.array(rows)
+        left = np.delete(np.arange(self._k), self._columns)
+        self._rows = np.append(left, np.arange(self._k, self._k + len(inverse)))
+        self._table = np.concatenate([self._table[left], np.eye(len(inverse), len(inverse) + 1)])
+        self._table[:, -1] -= self._table[:, :-1] @ (inverse @ chosen[:, -1])
+        self._table[:, :-1] = self._table[:, :-1] @ inverse
+
+    def add(self, rows: Floats) -> None:
+        """Take in further rows, where all variables are in rows of the table."""
+        more = rows[:, :-1] @ self._variables
+        more[:, -1] += rows[:, -1]
+        self._table = np.concatenate([self._table, more])
+        # The symbols of variables come last.
+        self._rows[self._rows >= self._k] += len(rows)
+        self._rows = np.append(self._rows, np.arange(self._k, self._k + len(rows)))
+        self._k += len(rows)
+        self._first_equality = self._k
+
+    @property
+    def _variables(self) -> Floats:
+        """The rows of the variables in the table, in order."""
+        order = np.argsort(self._rows)
+        variables: Floats = self._table[order[self._rows[order] >= self._k]]
+        return variables
+
+    @property
+    def point(self) -> Floats:
+        """The point that was reached, where all variables are in rows of the table."""
+        return self._variables[:, -1]
+
+    def raise_last(self) -> bool:
+        """Go to the greatest last variable that the rows allow; return whether that ended well.
+
+        The columns at the start must be no obstacle to a larger one, but for bounds of it.
+        """
+        cost = np.maximum(-self._variables[-1], 0.0)
+        self._table = np.concatenate([self._table, [cost]])
+        end = self._feasible()
+        self._table = self._table[:-1]
+        return end == -1 and bool(np.isfinite(self.point).all())
+
+    def multipliers(self) -> Floats:
+        """Return (k,), at least 0, after `raise_last`: of rows that add up to a bound of it."""
+        weights = np.zeros(self._k)
+        weights[self._columns] = np.maximum(-self._variables[-1, :-1], 0.0)
+        return weights
+
     def _eliminate(self, chosen: Booleans) -> None:
         """Make columns of chosen rows, the largest pivot first; fix those that are equalities."""
         rows = np.flatnonzero(chosen)
@@ -72,7 +137,7 @@ class FloatDictionary:
             if not part.size:
                 return
             place, column = divmod(int(part.argmax()), len(free))
-            if part[place, column] < _PIVOT:
+            if part[place, column] < _MIN_PIVOT:
                 return
             r = int(rows[place])
             self._pivot(r, int(free[column]))
@@ -89,14 +154,14 @@ class FloatDictionary:
     def _feasible(self) -> int | None:
         """Dual simplex method; the cost stands in the last row."""
         table = self._table
-        for _ in range(self._steps):
+        for _ in range(self._max_steps):
             slack = self._rows < self._first_equality
             ends = np.where(slack, table[:-1, -1], 0.0)
             if ends.min(initial=0.0) >= -_TOLERANCE:
                 return -1
             r = int(ends.argmin())
             row = table[r, :-1]
-            usable = row > _PIVOT
+            usable = row > _MIN_PIVOT
             if not usable.any():
                 return int(self._rows[r])
             ratio = np.where(usable, table[-1, :-1], np.inf) / np.where(usable, row, 1.0)
@@ -112,7 +177,7 @@ class FloatDictionary:
         """
         mantissas, exponents = _split([objective], len(objective))
         exponents += self._scale[:-1]
-        weights = np.ldexp(mantissas, np.clip(exponents - exponents.max(), -_FAR, 0))[0]
+        weights = np.ldexp(mantissas, np.clip(exponents - exponents.max(), -_MAX_EXPONENT, 0))[0]
         for j in self._fixed:
             if j >= self._k and weights[j - self._k]:
                 return j
@@ -127,14 +192,14 @@ class FloatDictionary:
     def _least(self) -> int | None:
         """Primal simplex method; the cost stands in the last row."""
         table = self._table
-        for _ in range(self._steps):
+        for _ in range(self._max_steps):
             if not len(self._columns):
                 return -1
             c = int(table[-1, :-1].argmin())
             if table[-1, c] >= -_TOLERANCE:
                 return -1
             column = table[:-1, c]
-            falling = (self._rows < self._first_equality) & (column < -_PIVOT)
+            falling = (self._rows < self._first_equality) & (column < -_MIN_PIVOT)
             if not falling.any():
                 return int(self._columns[c])
             ends = np.maximum(table[:-1, -1], 0.0)
@@ -155,7 +220,7 @@ class FloatDictionary:
 
 def _split(rows: Sequence[Sequence[int]], width: int) -> tuple[Floats, Any]:
     """Return integers of any size as floats of size 1/2 to 1, or 0, and exponents of 2."""
-    cut = [[max(int(x).bit_length() - _BITS, 0) for x in row] for row in rows]
+    cut = [[max(int(x).bit_length() - _MANTISSA_BITS, 0) for x in row] for row in rows]
     short = [
         [int(x) >> k for x, k in zip(*two, strict=True)] for two in zip(rows, cut, strict=True)
     ]
@@ -170,7 +235,7 @@ def _balanced(mantissas: Floats, exponents: Any) -> tuple[Floats, Any]:
     """
     there = mantissas != 0
     sizes, shift = np.where(there, exponents, 0).astype(float), np.zeros(exponents.shape[1])
-    for _ in range(_PASSES):
+    for _ in range(_MAX_BALANCINGS):
         moved = 0.0
         for axis in (1, 0):
             count = np.maximum(there.sum(axis=axis, keepdims=True), 1)
@@ -182,5 +247,5 @@ def _balanced(mantissas: Floats, exponents: Any) -> tuple[Floats, Any]:
             break
     # At last no coefficient is above 1.
     high = np.where(there, sizes, -_HUGE)[:, :-1].max(axis=1, initial=-_HUGE, keepdims=True)
-    sizes = np.clip(sizes - np.where(high > -_HUGE, high, 0), -_FAR, _FAR)
+    sizes = np.clip(sizes - np.where(high > -_HUGE, high, 0), -_MAX_EXPONENT, _MAX_EXPONENT)
     return np.ldexp(mantissas, sizes.astype(int)), shift.astype(int)

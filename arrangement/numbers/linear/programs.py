@@ -65,7 +65,8 @@ class Program:
         self._at: Numbers | None = None
         self._floats: FloatDictionary | None = None
         if self._rows.work > _SHORT:
-            self._floats = FloatDictionary(self._rows.integers, n + 1, len(equalities))
+            rows = self._rows.integers
+            self._floats = FloatDictionary.of_integers(rows, n + 1, len(equalities))
             # Numbers in arrays are written a hundred times as fast, in about 2 n pivots.
             self._rows.deadline.check(n**2 * len(self._rows.integers) / 50)
             conflict = self._floats.start()

@@ -24,8 +24,9 @@ from arrangement.numbers.exact import (
 )
 
 _Item = TypeVar("_Item")
-#: Of a matrix with more entries a basis is guessed modulo this prime, and proved.
-_FEW, PRIME = 2000, 2**26 - 5
+#: Of a matrix with more entries a basis is guessed modulo `PRIME`, and proved.
+_MAX_ENTRIES_UNGUESSED = 2000
+PRIME = 2**26 - 5
 #: This many products of numbers below the prime are subtracted before they are reduced: they, and
 #: what they are subtracted from, stay below 2^62.
 _LAZY = 2**9
@@ -36,7 +37,7 @@ def rank(rows: Sequence[Sequence[int]]) -> int:
 
     Rows that are independent modulo a prime are independent; that they span the others is checked.
     """
-    if len(rows) and len(rows) * len(rows[0]) > _FEW and largest(rows) < math.inf:
+    if len(rows) and len(rows) * len(rows[0]) > _MAX_ENTRIES_UNGUESSED and largest(rows) < math.inf:
         if len(rows) < len(rows[0]):
             rows = list(zip(*rows, strict=True))
         width = len(rows[0])
@@ -70,7 +71,11 @@ def spread(rows: Sequence[_Item], few: int) -> Sequence[_Item]:
 
 def spanning(rows: Sequence[IntegerVector]) -> Sequence[IntegerVector]:
     """Return rows that span all of them: few, where there are many rows of integers."""
-    if not len(rows) or len(rows) * len(rows[0]) <= _FEW or largest(rows) == math.inf:
+    if (
+        not len(rows)
+        or len(rows) * len(rows[0]) <= _MAX_ENTRIES_UNGUESSED
+        or largest(rows) == math.inf
+    ):
         return rows
     chosen = _independent(rows)
     return [rows[i] for i in chosen] if rank(rows) == len(chosen) else rows
@@ -125,7 +130,7 @@ def echelon(rows: Sequence[Sequence[int]], *, reduced: bool = True) -> tuple[Any
 
 def ask_elimination(rows: Sequence[Sequence[Any]], width: int) -> None:
     """Refuse to eliminate in a matrix that is too large for it; few entries stay few."""
-    if len(rows) * width <= _FEW:
+    if len(rows) * width <= _MAX_ENTRIES_UNGUESSED:
         return
     filled = sum(1 for row in rows for x in row if x)
     order = min(width, len(rows))

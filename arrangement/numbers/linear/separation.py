@@ -20,10 +20,11 @@ from .polyhedron import Polyhedron
 #: in size, of two rounded factors; so `error_bound` is also a bound of its error, up to the factor
 #: `_TERMS`. A mean of k generators adds k roundings, of which 2^20 are allowed. Entries that
 #: underflow are wrong by 2^-1074 at most, far less than the two units to spare.
-_TERMS, _GENERATORS = 4, 2**20
-_NEGATIVE = -_TERMS * error_bound(2 + 1 + _TERMS + _GENERATORS)
+_TERMS = 4
+_MAX_GENERATORS = 2**20
+_NEGATIVE = -_TERMS * error_bound(2 + 1 + _TERMS + _MAX_GENERATORS)
 #: This many homogeneous points are compared with all conditions at once.
-_MANY = 256
+_POINTS_AT_ONCE = 256
 
 
 def surely_outside(shapes: Sequence[Polyhedron]) -> Booleans:
@@ -36,8 +37,8 @@ def surely_outside(shapes: Sequence[Polyhedron]) -> Booleans:
     means = np.add.reduceat(points, starts) / counts[:, None] if len(shapes) else points
     rows, firsts = _conditions(shapes)
     outside = np.zeros((len(shapes), len(shapes)), dtype=np.bool_)
-    for start in range(0, len(shapes), _MANY):
-        part = slice(start, start + _MANY)
+    for start in range(0, len(shapes), _POINTS_AT_ONCE):
+        part = slice(start, start + _POINTS_AT_ONCE)
         outside[:, part] = _any_of(means[part] @ rows.T < _NEGATIVE, firsts).T
     ends = [*firsts, len(rows)]
     for i in range(len(shapes)):
@@ -62,10 +63,10 @@ def possibly_meeting(
     if not polygons:
         return meeting
     rows, firsts = _conditions(polygons)
-    for start in range(0, len(edges), _MANY):
-        points, starts = _stacked(edges[start : start + _MANY])
+    for start in range(0, len(edges), _POINTS_AT_ONCE):
+        points, starts = _stacked(edges[start : start + _POINTS_AT_ONCE])
         beyond = np.logical_and.reduceat(points @ rows.T < _NEGATIVE, starts)
-        meeting[start : start + _MANY] = ~_any_of(beyond, firsts)
+        meeting[start : start + _POINTS_AT_ONCE] = ~_any_of(beyond, firsts)
     return meeting
 
 
@@ -76,9 +77,9 @@ def sides(
     above, below = np.zeros((2, len(rows), len(polygons)), dtype=np.bool_)
     if polygons:
         points, starts = _stacked([_both_ways(*polygon.homogeneous) for polygon in polygons])
-        for start in range(0, len(rows), _MANY):
-            values = scaled(rows[start : start + _MANY])[0] @ points.T
-            part = slice(start, start + _MANY)
+        for start in range(0, len(rows), _POINTS_AT_ONCE):
+            values = scaled(rows[start : start + _POINTS_AT_ONCE])[0] @ points.T
+            part = slice(start, start + _POINTS_AT_ONCE)
             above[part] = np.minimum.reduceat(values, starts, axis=1) > -_NEGATIVE
             below[part] = np.maximum.reduceat(values, starts, axis=1) < _NEGATIVE
     return above, below

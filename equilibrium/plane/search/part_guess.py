@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from arrangement.numbers.float_filter import Floats
-from arrangement.numbers.linear.float_program import FloatProgram
+from arrangement.numbers.linear.float_dictionary import FloatDictionary
 from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Solution
 
@@ -74,7 +74,9 @@ class PartGuess:
         top[0, -2:] = -1.0, float(np.abs(made).sum(axis=1).max(initial=1.0))
         self._largest = top[0, -1]
         self._first_cut = len(rows) + 1
-        self._program = FloatProgram(np.concatenate([rows, top, made]), [*first, len(rows)])
+        self._sizes = np.empty(0)
+        self._program = FloatDictionary(self._scaled(np.concatenate([rows, top, made])))
+        self._program.enter([*first, len(rows)])
 
     def _columns(self) -> Floats:
         """Return the unit of each variable: where works are about 1."""
@@ -103,6 +105,13 @@ class PartGuess:
             pair = rows[6 + len(part.bounds) + 2 * k :][:2]
             pair[:, part.h[i]], pair[:, -1] = (1, -1), _FREE_BOUND
         return rows
+
+    def _scaled(self, rows: Floats) -> Floats:
+        """Return further rows of the program with a largest coefficient of 1."""
+        sizes = np.abs(rows[:, :-1]).max(axis=1)
+        sizes = np.where(sizes > 0, sizes, 1.0)
+        self._sizes = np.append(self._sizes, sizes)
+        return rows / sizes[:, None]
 
     def _cuts_at(self, motion: Floats) -> list[Cut]:
         c = self.floats.contacts
@@ -137,7 +146,8 @@ class PartGuess:
             self._room = _BOUNDARY_ROOM
             limits = self._own[6 : 6 + len(self.part.limits)]
             limits[:, -2] = -self._room
-            self._program.add(np.concatenate([limits, self._cut_rows(self._cuts)]))
+            more = np.concatenate([limits, self._cut_rows(self._cuts)])
+            self._program.add(self._scaled(more))
             if self._solved():
                 yield (self._program.point * self._scale)[:-1]
 
@@ -165,7 +175,7 @@ class PartGuess:
     def _solved(self) -> bool:
         """Solve with as many bounds as matter; return whether the work can be above 0."""
         for _ in range(_MAX_CUT_ROUNDS):
-            if not self._program.solve():
+            if not self._program.raise_last():
                 return False
             point = self._program.point
             if point[-1] <= _WORK_TOLERANCE * self._largest:
@@ -180,13 +190,13 @@ class PartGuess:
             if not len(broken):
                 return True
             self._cuts += [found[j] for j in broken]
-            self._program.add(rows[broken])
+            self._program.add(self._scaled(rows[broken]))
         return False
 
     def _violated(self) -> int | None:
         """Return the contact that surely violates the law most where forces balance, if any."""
         part, floats, c = self.part, self.floats, self.floats.contacts
-        y = self._program.multipliers() * self._scale[-1]
+        y = self._program.multipliers() / self._sizes * self._scale[-1]
         weights, pushes = y[self._first_cut :], y[6 : 6 + len(part.limits)]
         self.binding = [
             cut for cut, w in zip(self._cuts, weights, strict=True) if w > _WORK_TOLERANCE
