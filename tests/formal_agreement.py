@@ -32,7 +32,7 @@ from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.certificate.reading import read_question
 from equilibrium.grasps.inputs.random import random_grasp
-from tests.equilibrium.awkward import question
+from tests.equilibrium.degenerate import question
 from tests.equilibrium.mutations import mutants
 from tests.equilibrium.trees import TooLarge, refutation
 

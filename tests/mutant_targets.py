@@ -249,7 +249,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ),
     (
         "tests/equilibrium/test_methods.py",
-        "tests/equilibrium/test_methods_laws.py",
+        "tests/equilibrium/test_methods_properties.py",
     ): (
         "equilibrium.methods.compare",
         "equilibrium.methods.cones",

@@ -1,4 +1,4 @@
-"""Laws of pictures: every view of both packages, and every built-in instance.
+"""Properties of pictures: every view of both packages, and every built-in instance.
 
 Options have forms, scenes know no format, labels cover nothing, legends have their place, themes
 keep what is described, TikZ shows the same items, and files repeat byte for byte.

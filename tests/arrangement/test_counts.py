@@ -1,4 +1,4 @@
-"""Characteristic polynomial, Whitney numbers, face counts: known values, oracles and laws."""
+"""Characteristic polynomial, Whitney numbers, face counts: known values, oracles and properties."""
 
 import math
 from itertools import product as iter_product

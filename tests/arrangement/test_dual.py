@@ -1,4 +1,4 @@
-"""The dual polyhedron: known polyhedra, laws, broken polyhedra, meshes and model files."""
+"""The dual polyhedron: known polyhedra, properties, broken polyhedra, meshes and model files."""
 
 from collections import Counter
 from dataclasses import replace

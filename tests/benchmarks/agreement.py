@@ -1,4 +1,4 @@
-"""The solver, brute force and the mixed-integer program on seeded awkward questions.
+"""The solver, brute force and the mixed-integer program on seeded degenerate problems.
 
     agreement.py                  2,000 questions of 2 to 5 contacts (about ten minutes)
     agreement.py --grasps 200     fewer
@@ -22,7 +22,7 @@ from milp import BOUND, Answer, solve_milp, violation
 from equilibrium import Verdict, solve
 from tests.equilibrium import oracle
 from tests.equilibrium.agreement import disagreements
-from tests.equilibrium.awkward import Question, question
+from tests.equilibrium.degenerate import Question, question
 
 AGREED = "the same verdict"
 

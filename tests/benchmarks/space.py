@@ -14,7 +14,7 @@ from collections.abc import Iterable, Sequence
 from grasps import VERDICTS, Found, kilobytes, run, shown, spread
 from spacejob import EDGES, FINE, NEAR, PEER_SECONDS
 
-from tests.equilibrium.exotic import KINDS
+from tests.equilibrium.rare import KINDS
 
 #: By number of contacts: grasps of each kind, for us and for the peers.
 COUNT = {3: 100, 4: 100, 6: 60, 8: 40, 12: 20}

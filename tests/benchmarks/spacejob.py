@@ -2,7 +2,7 @@
 
 Prints one JSON line for each seed. The clock counts CPU time; a smaller grasp goes first.
 
-With the name of a kind of `tests/equilibrium/exotic.py` in place of the number of contacts the
+With the name of a kind of `tests/equilibrium/rare.py` in place of the number of contacts the
 questions are those of that kind.
 
 The instances. Seeds below 1000 are those of the page on accuracy: any wrench. With 1000 added the
@@ -39,7 +39,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from equilibrium import Grasp
 from equilibrium.decide.solver import solve
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
-from tests.equilibrium import awkward, exotic
+from tests.equilibrium import degenerate, rare
 
 Wrench = tuple[Fraction, ...]
 Found = dict[str, Any]
@@ -52,7 +52,7 @@ PEER_SECONDS, SECONDS = 60, 60
 def instance(contacts: int | str, seed: int) -> tuple[Grasp, Wrench]:
     """Return the grasp and the wrench of a seed."""
     if isinstance(contacts, str):
-        return exotic.question(contacts, seed)
+        return rare.question(contacts, seed)
     plain = seed % NEAR
     grasp = random_grasp(contacts, plain, dimension=3)
     if seed < NEAR:
@@ -62,7 +62,7 @@ def instance(contacts: int | str, seed: int) -> tuple[Grasp, Wrench]:
         normal = Fraction(source.randint(0, 32), 16)
         limit = int(32 * contact.friction * normal)
         friction = (Fraction(source.randint(-limit, limit), 45) for _ in range(2))
-        total = awkward.less(total, contact, normal, *friction)
+        total = degenerate.less(total, contact, normal, *friction)
     size = Fraction(source.randint(64, 128), 64)
     return grasp, tuple(Fraction(round(64 * size * x), 64) for x in total)
 

@@ -3,7 +3,7 @@
 from equilibrium import Verdict, solve
 
 from . import oracle
-from .awkward import Question
+from .degenerate import Question
 
 
 def disagreements(asked: Question, verdict: Verdict | None = None) -> list[str]:

@@ -29,10 +29,10 @@ from equilibrium.grasps.schemas import certificate_schema
 from proofs_check.routes.oracle import Touch
 
 from . import judge, oracle, trees
-from .awkward import question
+from .degenerate import question
 from .mutations import mutants
 
-#: Seeds of `awkward.question` of two and three contacts, by verdict.
+#: Seeds of `degenerate.question` of two and three contacts, by verdict.
 REFUTED = (1, 29, 41, 80, 81, 104, 112, 117, 133, 136, 168, 169, 180, 188, 193)
 RESISTED = (0, 4, 5, 8, 9, 17, 21, 25)
 TREES = range(3)

@@ -19,7 +19,7 @@ from equilibrium.plane.states.state_system import state_system
 from equilibrium.wrench_sets.line import interval_between, resisted_magnitudes
 
 from . import oracle
-from .awkward import question
+from .degenerate import question
 from .strategies import directions, grasps, wrenches
 
 

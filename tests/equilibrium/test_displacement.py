@@ -34,7 +34,7 @@ from equilibrium.wrench_sets.space import states_with
 from equilibrium.wrench_sets.spatial import spatial_magnitudes
 
 from . import oracle
-from .awkward import question
+from .degenerate import question
 
 THREE = "paper-three-contacts-preload-1"
 #: An equilibrium under it turns by 1 at least.
@@ -45,7 +45,7 @@ OUT = (-1, 0, 0)
 
 
 def bounded_questions(count: int):
-    """Yield awkward questions of two and three contacts with bounds at, below and above."""
+    """Yield degenerate problems of two and three contacts with bounds at, below and above."""
     seeds = (seed for seed in range(2 * count) if seed % 4 < 2)
     for seed in seeds:
         asked, source = question(seed), Random(seed)

@@ -46,7 +46,7 @@ HUGE = Grasp(
     [Contact((FAR - 1, 0), (1, 0), "1/2", 1, 1), Contact((FAR + 1, 0), (-1, 0), "1/2", 1, 1)]
 )
 CORNERS = ((-1, -1), (1, -1), (1, 2), (-1, 2))
-#: Grasps and wrenches of the paper's two tables, and awkward ones.
+#: Grasps and wrenches of the paper's two tables, and degenerate ones.
 QUESTIONS: list[tuple[Grasp, tuple[Any, ...]]] = [
     (THREE, (0, -1, 0)),
     (THREE, (0, 1, 0)),

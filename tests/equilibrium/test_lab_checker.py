@@ -65,7 +65,7 @@ def ask(request: pytest.FixtureRequest, tmp_path: Path) -> Ask:
     return run
 
 
-def exotic(number: int, seed: int) -> list[Question]:
+def rare(number: int, seed: int) -> list[Question]:
     """Return grasps far away, tiny and huge, coincident, and wrenches at boundaries."""
     rng = random.Random(seed)
     sizes = [Fraction(1), Fraction(10**12), Fraction(1, 10**9), Fraction(7, 3)]
@@ -102,12 +102,12 @@ def assert_agreement(asked: list[Question], ask: Ask) -> None:
 
 
 def test_verdicts_and_proofs_agree_on_both_sides(ask):
-    assert_agreement([*questions(30, seed=21), *exotic(15, seed=22)], ask)
+    assert_agreement([*questions(30, seed=21), *rare(15, seed=22)], ask)
 
 
 @pytest.mark.slow
 def test_hundreds_of_verdicts_agree(ask):
-    assert_agreement([*questions(120, 100, most=5), *exotic(80, 200)], ask)
+    assert_agreement([*questions(120, 100, most=5), *rare(80, 200)], ask)
 
 
 def region_proofs() -> list[dict[str, Any]]:

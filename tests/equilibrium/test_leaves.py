@@ -11,7 +11,7 @@ from equilibrium.plane.search.motion_regions import ORTHANTS
 from equilibrium.plane.search.virtual_motions import closed
 
 from . import judge
-from .awkward import Question, question
+from .degenerate import Question, question
 
 Region = tuple[tuple[int, ...], ...]
 

@@ -17,7 +17,7 @@ from arrangement.numbers.exact import from_floats
 from equilibrium import Contact, Grasp, ResistedSet, solve, solve_many
 from equilibrium.grasps.inputs import from_float_data
 
-from .awkward import less
+from .degenerate import less
 from .oracle import intervals, is_stable
 
 NORMALS = [(1, 0), (0, 1), (-1, 0), (0, -1)]

@@ -26,7 +26,7 @@ from equilibrium.plane.search.units import SearchUnits
 from equilibrium.wrench_sets.line import resisted_magnitudes
 
 from . import oracle
-from .awkward import question
+from .degenerate import question
 
 Wrench = tuple[Fraction, ...]
 PAPER = read_grasp("paper-three-contacts-preload-1")

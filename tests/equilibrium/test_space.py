@@ -39,7 +39,7 @@ from equilibrium.space.tree import SpatialSearch
 from equilibrium.wrench_sets import spatial
 from equilibrium.wrench_sets.spatial import _bracket, _closer, spatial_magnitudes
 
-from . import awkward, exotic, sectors
+from . import degenerate, rare, sectors
 
 HAIR = 1 + Fraction(1, 10**6)
 FINGERS, FEET = read_grasp("two-opposed-fingers"), read_grasp("box-on-a-table")
@@ -460,12 +460,12 @@ def mixed(share, one, other):
 
 def decided(kind, seeds):
     """Return how many questions of a kind have a proof that the checker accepts."""
-    found = [solve(*exotic.question(kind, seed)) for seed in seeds]
+    found = [solve(*rare.question(kind, seed)) for seed in seeds]
     assert all(answer.verify() for answer in found if answer.decided)
     return sum(answer.decided for answer in found)
 
 
-@pytest.mark.parametrize("kind", exotic.KINDS)
+@pytest.mark.parametrize("kind", rare.KINDS)
 def test_questions_that_are_not_in_general_position_are_decided(kind):
     assert decided(kind, range(3)) == 3
 
@@ -511,14 +511,14 @@ OPEN = {"box": 1}
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("kind", exotic.KINDS)
+@pytest.mark.parametrize("kind", rare.KINDS)
 def test_most_degenerate_problems_decided(kind):
     assert decided(kind, range(3, 18)) >= 15 - OPEN.get(kind, 0)
 
 
 def test_frictionless_load_resisted_by_normals_alone():
     for seed in range(40, 60):
-        grasp, wrench = exotic.question("no friction", seed)
+        grasp, wrench = rare.question("no friction", seed)
         rows = [(*(c.normal_wrench[j] for c in grasp), w) for j, w in enumerate(wrench)]
         m = len(grasp)
         signs = [[int(i == j) for j in range(m + 1)] for i in range(m)]
@@ -535,8 +535,8 @@ class TestPlanes:
         ],
     )
     def test_in_any_plane_of_space_they_answer_as_in_the_plane(self, seed):
-        flat = awkward.question(seed)
-        found = solve(*exotic.question("plane", seed))
+        flat = degenerate.question(seed)
+        found = solve(*rare.question("plane", seed))
         assert found.stable == Solver(flat.grasp).solve(flat.wrench).stable
         assert found.verify()
 
@@ -876,7 +876,7 @@ def loaded(source, grasp):
         normal = Fraction(source.randint(0, 32), 16)
         limit = int(32 * contact.friction * normal)
         friction = [Fraction(source.randint(-limit, limit), 45) for _ in range(2)]
-        wrench = awkward.less(wrench, contact, normal, *friction)
+        wrench = degenerate.less(wrench, contact, normal, *friction)
     return tuple(Fraction(round(64 * w), 64) if len(grasp) > 2 else w for w in wrench)
 
 
@@ -888,7 +888,7 @@ def balanced(source, grasp):
         normal = size * Fraction(source.randint(8, 20), 16)
         share = [Fraction(source.randint(-9, 9), 11) for _ in range(2)]
         friction = (x * contact.friction * normal for x in share)
-        wrench = awkward.less(wrench, contact, normal, *friction)
+        wrench = degenerate.less(wrench, contact, normal, *friction)
     return wrench
 
 

@@ -1,4 +1,4 @@
-"""The complete decision: known cases, laws, and brute force over all 4^m states."""
+"""The complete decision: known cases, properties, and brute force over all 4^m states."""
 
 from collections import Counter
 from dataclasses import replace
@@ -16,7 +16,7 @@ from equilibrium.grasps.inputs import random_grasp, random_wrench
 
 from . import oracle
 from .agreement import disagreements
-from .awkward import BORDERS, GRASPS, Question, question
+from .degenerate import BORDERS, GRASPS, Question, question
 from .strategies import grasps, turned, wrenches
 
 TINY = Fraction(1, 10**30)

@@ -1,4 +1,4 @@
-"""The brute force over contact states: known rows, laws, and agreement with the solver."""
+"""The brute force over contact states: known rows, properties, and agreement with the solver."""
 
 from fractions import Fraction
 

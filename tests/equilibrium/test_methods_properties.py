@@ -1,4 +1,4 @@
-"""Laws of the other methods, and oracles that share no code with them."""
+"""Properties of the other methods, and oracles that share no code with them."""
 
 from itertools import product
 

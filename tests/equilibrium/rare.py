@@ -12,7 +12,7 @@ from random import Random
 from equilibrium import Contact, Grasp
 from equilibrium.grasps.inputs.random import random_grasp
 
-from . import awkward
+from . import degenerate
 
 Vector = tuple[Fraction, ...]
 AXES = [tuple(Fraction(s * (j == k)) for j in range(3)) for k in range(3) for s in (1, -1)]
@@ -64,7 +64,7 @@ def turned(
 
 
 def _plane(source: Random, seed: int) -> tuple[Grasp, Vector]:
-    flat = awkward.question(seed)
+    flat = degenerate.question(seed)
     x, y, torque = flat.wrench
     zero = Fraction(0)
     step = tuple(Fraction(source.randint(-2, 2), 2) for _ in range(3))
@@ -103,7 +103,7 @@ def _near(source: Random, grasp: Grasp) -> Vector:
 def _with_forces(total: Vector, contact: Contact, push: Fraction, share: list[Fraction]) -> Vector:
     # A huge friction is not made use of.
     friction = (x * push * min(contact.friction, Fraction(1)) for x in share)
-    return awkward.less(total, contact, push, *friction)
+    return degenerate.less(total, contact, push, *friction)
 
 
 def _values(source: Random) -> dict[str, Fraction]:
@@ -200,7 +200,7 @@ def _common_point(source: Random, m: int) -> Grasp:
 
 HALF = Fraction(1, 2)
 KINDS: dict[str, Callable[[Random, int], Grasp]] = {
-    "plane": lambda source, m: awkward.question(source.randrange(10**6)).grasp.in_space(),
+    "plane": lambda source, m: degenerate.question(source.randrange(10**6)).grasp.in_space(),
     "huge friction": _huge_friction,
     "unequal stiffness": _unequal_stiffness,
     "no friction": _no_friction,
