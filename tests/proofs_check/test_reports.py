@@ -419,3 +419,8 @@ def test_commit_is_that_of_the_checkout(tmp_path, monkeypatch):
     assert commit(tmp_path / "inside") is None
     (tmp_path / "inside" / "f").write_text("2", encoding="utf-8")
     assert commit(tmp_path) == f"{git('rev-parse', 'HEAD')}+changes"
+
+
+def test_lines_of_the_plane_are_called_lines():
+    assert report.instance_text({"planes": [["1", "0"], ["0", "1"]]}) == "lines (1,0) (0,1)"
+    assert report.instance_text({"planes": [["1", "0", "0"]]}) == "planes (1,0,0)"

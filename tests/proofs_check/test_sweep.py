@@ -240,3 +240,14 @@ def test_without_the_extra_the_message_names_it(tmp_path, monkeypatch, capsys, m
     options = ["--elements", "2..3", "--samples", "9", "--store", str(tmp_path / "s.sqlite")]
     assert main(["sweep", CLAIM, *options, "--dask", "tcp://127.0.0.1:1"]) == 2
     assert "pip install dask distributed joblib" in capsys.readouterr().err
+
+
+def test_classes_of_a_claim_on_lines_are_refused_with_the_remedy(tmp_path):
+    path = tmp_path / "lines.py"
+    path.write_text(
+        "from proofs_check import claim\n\n"
+        '@claim("A claim.", of="affine(d=2)")\n'
+        "def few(lines):\n    return True\n"
+    )
+    with pytest.raises(SweepError, match=r"--classes is 3\.\.8 for .*run with --classes"):
+        plan_sweep(str(path), (3, 8), None)
