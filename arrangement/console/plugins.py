@@ -38,7 +38,7 @@ def named(place: str) -> Any:
 
 
 class InlinePage:
-    """An HTML page, complete in itself, that a notebook shows in a frame of its cell."""
+    """A self-contained HTML page that a notebook shows in a frame of its cell."""
 
     def __init__(self, text: str) -> None:
         self.text = text

@@ -170,10 +170,10 @@ class Drawings:
             model: the same for a model alone.
             font_size: size of the larger text, such as 8pt (default: 7pt); lines follow.
             font: of .svg, .pdf, .png: an installed font (default: DejaVu Sans).
-            theme: light, dark, mono (default: the first); mono is black on white with hatchings.
-            legend: below, right, none (default: the first).
-            text: in .svg: outlines, which look the same everywhere, or text, which can be edited
-                (default: the first).
+            theme: light (default), dark, mono; mono is black on white with hatchings.
+            legend: below (default), right, none.
+            text: in .svg: outlines (default), which look the same everywhere, or text, which can
+                be edited.
             fragment: in .tex: no document, for ``\\input``.
             columns: of panels (default: 2).
             frames: of a full turn in .gif, .mp4 (default: 36); without labels of regions, unless

@@ -314,7 +314,7 @@ def dual_model(
     explode: float = 1.3,
     coordinates: str | None = None,
 ) -> bytes:
-    """Return the dual polyhedron as a file.
+    """Build the dual polyhedron as a solid.
 
     In GLB a face is coloured by its number of corners. In rank 4 there are the cells of the
     Schlegel diagram instead, as parts that stand apart.

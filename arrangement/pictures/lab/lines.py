@@ -173,7 +173,7 @@ def lab_page(
     title: str | None = None,
     exercises: str | Path | None = None,
 ) -> str:
-    """Return one HTML page, complete in itself: lines and great circles to drag, counted exactly.
+    """Build a self-contained HTML page: lines and great circles to drag, counted exactly.
 
     Args:
         arrangement: at first; central of rank at most 3, or lines of R^2, up to 20 planes. In

@@ -38,7 +38,7 @@ def lab(
     data: Mapping[str, Any],
     decides: Iterable[Template] = (),
 ) -> str:
-    """Return an interactive page, complete in itself.
+    """Build a self-contained interactive page.
 
     Args:
         title: of the window.

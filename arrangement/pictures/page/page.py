@@ -56,7 +56,7 @@ def arrangement_page(
     camera: Vector | None = None,
     coordinates: str | None = None,
 ) -> str:
-    """Return one HTML page, complete in itself, for central planes in R^3.
+    """Build a self-contained HTML page for central planes in R^3.
 
     It shows the regions on the sphere and the dual (polyhedron, polygon or segment), which turn
     together. What lies under the pointer lights up in both, with its sign vector and an exact

@@ -115,7 +115,7 @@ def cells_page(
     explode: float = 1.3,
     camera: Vector | None = None,
 ) -> str:
-    """Return one HTML page, complete in itself: the cells of planes in R^3, in a cube, to turn.
+    """Build a self-contained HTML page: the cells of planes in R^3, in a cube, to rotate.
 
     They can be moved apart. A cell under the pointer shows its sign vector, its planes, whether it
     is bounded, and an exact point.
@@ -204,7 +204,7 @@ def cells_model(
     colour: str | Painter = "planes",
     coordinates: str | None = None,
 ) -> bytes:
-    """Return all cells of an arrangement in a ball or a cube as separate closed parts.
+    """Build all cells of an arrangement in a ball or a cube as separate closed parts.
 
     Every region of the arrangement meets the body (unless a smaller one is asked for), and gives
     one part. The parts are cut exactly and fit together without gaps; the ball is a polyhedron of

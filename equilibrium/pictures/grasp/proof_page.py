@@ -35,7 +35,7 @@ _LABEL = np.array([0.05, 0.06])
 def proof_page(
     grasp: Grasp, *, wrench: Wrench, rotation: Exact | None = None, title: str | None = None
 ) -> str:
-    """Return one HTML page, complete in itself: why a wrench is not resisted.
+    """Build a self-contained HTML page: why a wrench is not resisted.
 
     The two maps of `draw_proof`. For the region under the pointer, or the one that has the focus,
     the page draws the virtual motion on the grasp and states its inequality: the work of the load,

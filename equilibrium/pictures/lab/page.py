@@ -28,7 +28,7 @@ from equilibrium.plane.states.state_system import State
 
 
 def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None = None) -> str:
-    """Return one HTML page, complete in itself: the resisted forces of a grasp.
+    """Build a self-contained HTML page: the resisted forces of a grasp.
 
     The plane of forces, at the torque of the load, shows every piece (one choice of contact
     states). The load can be dragged there, and the contacts beside it: the page shows whether the
@@ -98,7 +98,7 @@ def lab_page(
     exercises: str | Path | None = None,
     first: str = "contacts",
 ) -> str:
-    """Return one HTML page, complete in itself: contacts and load to drag, with exact answers.
+    """Build a self-contained HTML page: contacts and load to drag, with exact answers.
 
     Args:
         grasp: at first, up to eight contacts; if omitted, three contacts with preload.

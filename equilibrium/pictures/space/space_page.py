@@ -38,7 +38,7 @@ def grasp_page(
     camera: Vector | None = None,
     title: str | None = None,
 ) -> str:
-    """Return one HTML page, complete in itself: a grasp in space that turns.
+    """Build a self-contained HTML page: a grasp in space, to rotate.
 
     Body, contacts, friction cones and preloads; with a wrench, forces and motion of an equilibrium.
     Under the pointer a cone or an arrow shows its contact in exact numbers.
@@ -101,7 +101,7 @@ def _told(solid: SolidGrasp, i: int) -> list[tuple[str, str]]:
 def grasp_model(
     grasp: Grasp, suffix: str, *, wrench: Wrench | None = None, size: float = 100.0
 ) -> bytes:
-    """Return a grasp in space as a file: body, cones and arrows, one part each.
+    """Build a grasp in space as a model: body, cones and arrows, one part each.
 
     With a wrench, the forces and the motion of an equilibrium. In GLB and OBJ each part has a name,
     such as ``force-2``, and in GLB the body shines through. A body that is not closed is left out.

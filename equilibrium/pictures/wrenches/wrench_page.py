@@ -28,7 +28,7 @@ def wrench_set_page(
     extent: Exact | None = None,
     title: str | None = None,
 ) -> str:
-    """Return one HTML page, complete in itself: the resisted wrenches as a solid that turns.
+    """Build a self-contained HTML page: the resisted wrenches as a solid, to rotate.
 
     Under the pointer a face shows its exact condition.
 
@@ -97,7 +97,7 @@ def _told(box: WrenchBox, patch: Patch, wall: bool) -> tuple[str, list[tuple[str
 def wrench_set_model(
     grasp: Grasp, suffix: str, *, extent: Exact | None = None, size: float = 60.0
 ) -> bytes:
-    """Return the resisted wrenches in a box as a file: one closed part for each polyhedron.
+    """Build the resisted wrenches in a box as a model: one closed part for each polyhedron.
 
     Parts overlap where several equilibria exist. f_x, f_y and tau are x, y and z, each scaled so
     that the box is a cube. Parts are named by the contact states.
