@@ -126,7 +126,10 @@ class BodyContact:
         if self.body_b is None:
             raise GraspError("body_b is the ground; expected a body to exchange with body_a")
         c = self.contact
-        turned = Contact(c.point, [-x for x in c.normal], c.friction, c.stiffness, c.preload)
+        values = c.friction, c.stiffness, c.preload
+        turned = Contact(
+            c.point, [-x for x in c.normal], *values, stiffness_given=c.stiffness_given
+        )
         return BodyContact(self.body_b, self.body_a, turned)
 
     def to_dict(self) -> dict[str, Any]:

@@ -652,3 +652,12 @@ class TestTextbookMakers:
     def test_bad_numbers_are_refused(self, made, options, words):
         with pytest.raises(GraspError, match=words):
             made(**options)
+
+
+def test_stiffness_that_was_not_given_is_written_in_certificates_alone():
+    assembly = Assembly(["a", "b"], [BodyContact("a", "b", Contact((0, 0), (0, 1), "1/2"))])
+    turned = assembly.contacts[0].reversed
+    assert "stiffness" not in assembly.to_dict()["contacts"][0]
+    assert "stiffness" not in turned.to_dict()
+    proof = solve(assembly, {}).certificate.to_dict()
+    assert proof["assembly"]["contacts"][0]["stiffness"] == "1"

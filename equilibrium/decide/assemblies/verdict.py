@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, ClassVar
 
@@ -115,7 +115,12 @@ class AssemblyVerdict(HintsMixin):
         """The proof, checkable without the solver; None when undecided."""
         if not self.decided:
             return None
-        bare = Assembly(self.assembly.names, self.assembly.contacts, self.assembly.units)
+        # A proof is about these numbers, whether they were given or assumed.
+        complete = [
+            replace(c, contact=replace(c.contact, stiffness_given=True))
+            for c in self.assembly.contacts
+        ]
+        bare = Assembly(self.assembly.names, complete, self.assembly.units)
         document: dict[str, Any] = {
             "schema_version": SCHEMA_VERSION,
             "certificate": self.verdict,
