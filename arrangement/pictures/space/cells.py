@@ -75,7 +75,7 @@ def draw_cells(
         body: "cube" or "ball".
         centre, radius: exact, of the body, instead of one that contains all vertices.
         explode: by how much the middles of the cells are farther apart than in place; at least 1.
-        camera: exact, towards the viewer; if omitted, one in which no plane is edge-on.
+        camera: exact vector to the viewer; if omitted, one in which no plane is edge-on.
         azimuth: as for `draw_sphere`.
         labels: of cells, as for `draw_sphere`, on faces that have room; none for more than 60 cells
             if omitted.
@@ -125,7 +125,7 @@ def cells_page(
         title: a heading; if omitted, the number of planes.
         centre, radius: exact, of the cube, instead of one that contains all vertices.
         explode: how far the cells stand apart at first, from 1 to 3.
-        camera: exact, towards the viewer at first; if omitted, one in which no plane is edge-on.
+        camera: exact vector to the viewer at first; if omitted, one in which no plane is edge-on.
 
     Raises:
         InputError: rank above 3, too many planes or cells, a bad factor.

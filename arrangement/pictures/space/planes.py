@@ -56,7 +56,7 @@ def draw_planes(
         body: "ball" or "cube".
         centre, radius: exact, of the body, instead of one that contains all vertices. For planes
             whose vertices are far apart; what is outside is left out.
-        camera: exact, towards the viewer; if omitted, one in which no plane is edge-on.
+        camera: exact vector to the viewer; if omitted, one in which no plane is edge-on.
         azimuth: as for `draw_sphere`.
         lift: sign vectors of cells such as ``"+-+"``, over the input planes. These cells are
             drawn as solids, moved outward.

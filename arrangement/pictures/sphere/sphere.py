@@ -58,8 +58,8 @@ def draw_sphere(
 
     Args:
         arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
-        camera: exact, towards the viewer; if omitted, one in which no circle is edge-on.
-        azimuth: degrees by which the viewer then goes round to the right.
+        camera: exact vector to the viewer; if omitted, one in which no circle is edge-on.
+        azimuth: degrees by which the viewer moves to the right.
         colour: "sides" (by number of sides), "parity" (two colours, by number of minus signs),
             "signs" (shades, by number of minus signs), "orbits" (of the symmetry), "none", or a
             function from a `DrawnRegion` to a colour; if omitted, sides if they distinguish

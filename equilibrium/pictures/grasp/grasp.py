@@ -69,9 +69,9 @@ def draw_grasp(
             omitted, none acts and nothing is solved.
         outline: corners of the object, exact, instead of the outline of the grasp, in the plane.
         equilibrium: which of the equilibria found (see `solve`), from 1, in the plane.
-        camera: exact, towards the viewer, in space; if omitted, one from above that sees forces
+        camera: exact vector to the viewer, in space; if omitted, one from above that sees forces
             from the side.
-        azimuth: degrees by which the viewer then goes round to the right, in space.
+        azimuth: degrees by which the viewer moves to the right, in space.
         max_displacement: exact; only equilibria up to it count, see `solve`.
 
     Raises:

@@ -46,7 +46,7 @@ def grasp_page(
     Args:
         grasp: contacts, in space.
         wrench: applied, six numbers; if omitted, none acts and nothing is solved.
-        camera: exact, towards the viewer at first; if omitted, as for the picture.
+        camera: exact vector to the viewer at first; if omitted, as for the picture.
         title: a heading; if omitted, the number of contacts.
     """
     solid, note = solved_in_space(grasp, wrench)

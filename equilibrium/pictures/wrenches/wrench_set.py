@@ -69,9 +69,9 @@ def draw_wrench_set(
             set it shines through.
         extent: half the sides of the box, about the origin; if omitted, the box holds the corners
             of the set, except single ones far out.
-        camera: exact, towards the viewer, in the coordinates of the box; if omitted, from where
+        camera: exact vector to the viewer, in the coordinates of the box; if omitted, from where
             much of the set is seen.
-        azimuth: degrees by which the viewer then goes round to the right.
+        azimuth: degrees by which the viewer moves to the right.
         width: of the figure, in millimetres; below 120 the grasp is left out.
 
     Raises:
