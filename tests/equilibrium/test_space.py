@@ -207,7 +207,7 @@ class TestKnownLoads:
             trees.append(works[len(trees)])
             return SimpleNamespace(verdict="not resisted", solution=None)
 
-        loads = SimpleNamespace(grasp=FINGERS, trees=trees, ask=ask, scales=False)
+        loads = SimpleNamespace(grasp=FINGERS, trees=trees, solve=ask, scales=False)
         known = KnownMagnitudes(loads, (1, *[0] * 5), (0,) * 6)
         assert [known.verdict(t) for t in (1, 4)] == ["not resisted"] * 2
         assert known.refuted == [(0, 2), (3, 5)]
@@ -234,7 +234,7 @@ class TestKnownLoads:
     def test_between_exact_equilibria_alone_nothing_is_asked(self, box):
         rest = solve(FEET, (0,) * 6).solution
         found = SimpleNamespace(verdict="resisted", solution=replace(rest, box=box))
-        loads = SimpleNamespace(grasp=FEET, trees=[], ask=lambda _: found, scales=False)
+        loads = SimpleNamespace(grasp=FEET, trees=[], solve=lambda _: found, scales=False)
         known = KnownMagnitudes(loads, across(1, 0), (0,) * 6)
         assert [known.verdict(Fraction(t)) for t in (1, 2)] == ["resisted"] * 2
         assert known.held == ([(1, 2)] if box is None else [])
@@ -421,7 +421,7 @@ class TestBrackets:
         soft, hard = replace(one, preload=Fraction(0)), replace(other, preload=Fraction(2))
         for grasp, unit in ((Grasp([soft, hard]), 2), (Grasp([soft]), 1)):
             loads = SimpleNamespace(
-                grasp=grasp, trees=[], ask=ask, scales=False, max_displacement=None
+                grasp=grasp, trees=[], solve=ask, scales=False, max_displacement=None
             )
             tried.clear()
             found = spatial_magnitudes(grasp, across(1, 0), loads=loads)
