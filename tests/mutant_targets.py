@@ -48,13 +48,13 @@ ROBUST = ("tests/equilibrium/test_robust_checker.py",)
 FINAL = tuple(
     f"tests/arrangement/test_identify.py::test_{name}"
     for name in (
-        "pappus_has_coordinates_and_non_pappus_a_proof_that_it_has_none",
+        "pappus_realizable_and_non_pappus_not",
         "a_changed_proof_is_refused",
         "forged_proofs_are_refused_though_their_products_cancel",
         "no_type_with_coordinates_has_a_proof_that_it_has_none",
-        "three_comparisons_of_signs_that_are_none_of_vectors_prove_it",
+        "three_sign_comparisons_prove_nonrealizable",
         "comparisons_are_those_that_signs_of_vectors_force",
-        "the_proved_program_is_asked_of_these_signs_and_this_proof",
+        "verified_program_gets_signs_and_proof",
     )
 )
 COUNTS, LATTICE, OPERATIONS, SYMMETRIC, IN_PARTS = (
@@ -69,7 +69,7 @@ FORECASTS = tuple(
         "a_basis_of_many_rows_is_found_where_they_span_little",
         "one_plane_off_the_others_is_a_factor_of_its_own",
         "factors_that_only_a_prime_shows_are_none",
-        "planes_in_general_position_are_counted_without_their_flats",
+        "generic_planes_counted_without_flats",
         "flats_are_refused_as_soon_as_their_second_rank_is_known",
         "flats_of_a_high_rank_are_refused_before_any_is_made",
     )
@@ -158,6 +158,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "arrangement.enumeration.choose",
     ),
     ("tests/arrangement/test_fan.py",): ("arrangement.enumeration.fan",),
+    ("tests/arrangement/test_regions_alone.py",): ("arrangement.enumeration.deletion_restriction",),
     ("tests/arrangement/test_paper_steps.py",): ("arrangement.enumeration.paper_steps",),
     ("tests/arrangement/test_regions.py",): ("arrangement.enumeration.regions",),
     ("tests/arrangement/test_affine_space.py",): (
