@@ -26,7 +26,7 @@ from arrangement.numbers.exact import RationalVector, rational_vector, shown, to
 
 from .contact import Contact, contact_of
 from .errors import GraspError
-from .grasp import Grasp
+from .grasp import Grasp, ask_contacts
 from .labels import Units
 from .outline import Circle, Polygon, read_outline
 from .rows import TURNS, ContactRow, ContactRows
@@ -300,8 +300,9 @@ class Assembly(HintsMixin):
             raise GraspError(f"schema_version is {shown(version)}; this version reads 1")
         listed = check_list(document["bodies"], "bodies")
         bodies = [RigidBody.from_dict(entry, f"bodies[{i}]") for i, entry in enumerate(listed)]
-        rows = enumerate(check_list(document["contacts"], "contacts"))
-        contacts = [BodyContact.from_dict(entry, i) for i, entry in rows]
+        rows = check_list(document["contacts"], "contacts")
+        ask_contacts(len(bodies) + len(rows))
+        contacts = [BodyContact.from_dict(entry, i) for i, entry in enumerate(rows)]
         units = Units.from_dict(document["units"]) if "units" in document else None
         return cls(bodies, contacts, units)
 

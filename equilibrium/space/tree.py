@@ -61,7 +61,7 @@ class TreeSettings:
     max_contacts_exact_first: int = 6
     #: Steps that are counted for one relaxation, see `Effort`.
     relaxation_steps: int = 10_000
-    #: The same for each contact of it.
+    #: The same for each contact of it, where motions have six numbers; more or less for others.
     relaxation_steps_per_contact: int = 1000
 
 
@@ -129,8 +129,9 @@ class SpatialSearch:
 
     def count_program(self) -> None:
         """Count the steps of one relaxation."""
-        each = SETTINGS.relaxation_steps_per_contact
-        self.effort.check(SETTINGS.relaxation_steps + each * len(self.contacts.rows))
+        rows = self.contacts.rows
+        each = SETTINGS.relaxation_steps_per_contact * rows.n / 6
+        self.effort.check(SETTINGS.relaxation_steps + each * len(rows))
 
     def _decide(self) -> Outcome:
         """Take the steps from the cheapest to the dearest, until one decides."""

@@ -12,6 +12,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 
+from arrangement import OutOfReachError
 from equilibrium import (
     Assembly,
     BodyContact,
@@ -33,7 +34,11 @@ from equilibrium.decide.assemblies.rigid import rigid_forces
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.grasps.schemas import assembly_certificate_schema, assembly_schema
 from equilibrium.grasps.textbook import TEXTBOOK, arch, cylinders, ladder, stack, wedge
+from equilibrium.model.effort import Effort
 from equilibrium.pictures.assemblies import draw_assembly
+from equilibrium.plane.contacts import FloatContacts
+from equilibrium.space.cones import LineCones
+from equilibrium.space.tree import SpatialSearch
 from tests.drawn import elements
 
 from .bodies_oracle import random_question, resisted
@@ -246,6 +251,22 @@ class TestLimits:
         assert verdict.certificate is None
         with pytest.raises(EquilibriumError, match="undecided"):
             bool(verdict)
+
+    def test_steps_of_a_relaxation_grow_with_the_bodies(self):
+        """So that the limit of steps ends searches for many bodies as soon as for one in space."""
+        spent = []
+        for voussoirs in (2, 4):
+            made, _ = arch(voussoirs=voussoirs)
+            effort = Effort()
+            how = [Fraction(0)] * made.rows.n, lambda _: False, effort
+            SpatialSearch(FloatContacts(made.rows), *how, cones=LineCones()).count_program()
+            spent.append(effort.spent)
+        assert spent == [10_000 + 6 * 1000, 10_000 + 10 * 1000 * 2]
+
+    def test_too_many_contacts_are_refused(self):
+        row = STACK.to_dict()["contacts"][0]
+        with pytest.raises(OutOfReachError, match="contacts"):
+            Assembly.from_dict({**STACK.to_dict(), "contacts": [row] * 5000})
 
     def test_time_limit_leaves_it_undecided(self):
         verdict = solve(*asked(WEDGE, WEDGE["questions"][1]), time_limit=1e-9)
