@@ -263,7 +263,9 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ),
     (
         "tests/equilibrium/test_grasp.py",
+        "tests/equilibrium/test_schema.py",
         "tests/equilibrium/test_space.py::TestModel",
+        "tests/equilibrium/test_space.py::TestPyramids::test_edges_on_circle_in_order",
     ): ("equilibrium.model.contact",),
     ("tests/equilibrium/test_grasp.py",): ("equilibrium.decide.as_printed",),
     ("tests/equilibrium/test_resistance.py",): ("equilibrium.model.effort",),

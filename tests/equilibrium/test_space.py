@@ -974,8 +974,8 @@ class TestPyramids:
             assert (along.stable, solve(FINGERS, between, pyramid=4).stable) == (held,) * 2
             assert along.verify()
 
-    def test_edges_are_on_the_circle_in_order_and_opposite(self):
-        for count in (4, 6, 8, 30):
+    def test_edges_on_circle_in_order(self):
+        for count in (4, 6, 8, 30, 64):
             edges = pyramid_edges(count)
             assert all(x * x + y * y == 1 for x, y in edges)
             turns = zip(edges, (*edges[1:], edges[0]), strict=True)
