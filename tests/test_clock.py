@@ -25,20 +25,13 @@ CLOCKS = ("monotonic", "perf_counter", "process_time", "thread_time")
 FACTORS = (100.0, 0.01)
 #: One of each kind of question, which are quick.
 COMMANDS = """
-arrangement list
-arrangement count braid-a3
 arrangement count shi-a2-affine
 arrangement count braid-a3 --json
 arrangement count shi-a2-affine --forecast
 arrangement count braid-a3 --forecast --json
-arrangement faces shi-a2-affine
 arrangement faces braid-a3 --json
 arrangement identify braid-a3
-arrangement make shi --type B3
-arrangement make braid --n 9
 arrangement make resonance --n 30
-arrangement convert braid-a3 --to chirotope
-equilibrium list
 equilibrium solve paper-three-contacts-preload-1 --wrench 0 1 0
 equilibrium solve paper-four-contacts-preload-1 --wrench 0 -1 0 --json
 equilibrium resisted paper-four-contacts-preload-1 --wrench 0 1 0
@@ -47,7 +40,6 @@ equilibrium solve paper-three-contacts-preload-1 --wrench 0 1 0 --methods
 equilibrium info box-1-wall --modes
 equilibrium info box-1-wall --modes --count --json
 equilibrium resisted paper-three-contacts-preload-1
-proofs-check list
 proofs-check try "bounded_regions <= regions" --of "linial(n=3..4)"
 proofs-check try "bounded_regions == 1" --of "linial(n=3..5)"
 equilibrium solve paper-three-contacts-preload-1 --wrench 0 1/2 1/2

@@ -95,7 +95,7 @@ class TestWrenchSpace:
 
 class TestFormClosure:
     @given(grasps(most=6, friction=st.just(0)))
-    @settings(max_examples=40)
+    @settings(max_examples=15)
     def test_each_answer_has_its_proof(self, grasp):
         found = form_closure(grasp)
         normals = [c.normal_wrench for c in grasp]
