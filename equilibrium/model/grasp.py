@@ -254,6 +254,11 @@ class Grasp(HintsMixin):
         Raises:
             InputError: unknown or missing keys, an unknown schema version, wrong types.
         """
+        if isinstance(document, Mapping) and "bodies" in document:
+            raise GraspError(
+                "the document is an assembly of several bodies; expected a grasp. `read_assembly` "
+                "reads it, and `equilibrium solve` and `draw` take it"
+            )
         optional = ("description", "units", "outline", "data_error")
         check_keys(document, ("schema_version", "contacts"), optional, "the grasp")
         version = document["schema_version"]

@@ -560,6 +560,11 @@ class TestCommand:
         assert main(["solve", "ladder"]) == 2
         assert "there is no wrench" in capsys.readouterr().err
 
+    @pytest.mark.parametrize("command", [["info"], ["resisted", "--wrench", "0", "0", "1"]])
+    def test_other_commands_say_who_takes_it(self, stack, command, capsys):
+        assert main([command[0], stack, *command[1:]]) == 2
+        assert "is an assembly of several bodies; expected a grasp" in capsys.readouterr().err
+
     def test_verified_checker_is_for_one_body(self, stack, tmp_path, capsys):
         proof = str(tmp_path / "proof.json")
         main(["solve", stack, "--certificate", proof])
