@@ -469,7 +469,7 @@ class TestVerdict:
         assert json.loads(verdict.certificate.text)["motion"]["upper"] == ["0", "-2", "0"]
         assert verify(verdict.proof)
 
-    def test_least_displacement_is_shown_where_a_contact_slips_freely(self):
+    def test_least_displacement_shown_for_free_slip(self):
         verdict = solve(STACK, {**WEIGHTS, "upper": ["1/4", -1, "-3/8"]})
         assert verdict.motions["upper"] == (0, -2, Fraction(-7, 64))
 
@@ -680,7 +680,7 @@ class TestTextbookMakers:
             made(**options)
 
 
-def test_stiffness_that_was_not_given_is_written_in_certificates_alone():
+def test_default_stiffness_written_in_certificates_only():
     assembly = Assembly(["a", "b"], [BodyContact("a", "b", Contact((0, 0), (0, 1), "1/2"))])
     turned = assembly.contacts[0].reversed
     assert "stiffness" not in assembly.to_dict()["contacts"][0]
