@@ -124,7 +124,7 @@ def test_mutants_name_tests_and_targets_that_exist():
 
 
 #: On pages for developers: what a build makes, and patterns of names.
-_MADE = ("docs/_generated", "docs/figures/NAME.py")
+_MADE = (".venv/bin", "docs/_generated", "docs/figures/NAME.py")
 _ENDINGS = r"\.(css|csv|html|js|json|md|ml|mjs|py|pyi|rst|svg|toml|txt|v)$"
 
 

@@ -24,12 +24,11 @@ from arrangement.errors import OutOfReachError
 from arrangement.library.arguments import entries
 from arrangement.numbers import budget
 from arrangement.numbers.exact import Rational, RationalVector, vector_text
-from equilibrium.certificate.checker import equilibrium_problem
 from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.displacement import read_displacement
 from equilibrium.model.effort import Effort
-from equilibrium.model.errors import CertificateError, EquilibriumError, GraspError, TimeLimitError
+from equilibrium.model.errors import EquilibriumError, GraspError, TimeLimitError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Open, Outcome, Solution, Tree
@@ -261,7 +260,7 @@ class Solver(ReprMixin):
         if self.grasp.dimension == 3:
             return self._proved(applied, self._search(applied, effort, nodes, memory).decide())
         try:
-            return self._accepted(self._verdict(applied, self._in_plane(applied, effort, shorten)))
+            return self._verdict(applied, self._in_plane(applied, effort, shorten)).accepted()
         except TimeoutError as late:
             if effort.spent <= effort.steps:
                 raise TimeLimitError(f"undecided: {late}; give more time, or none") from None
@@ -360,37 +359,14 @@ class Solver(ReprMixin):
     def _proved(self, wrench: RationalVector, outcome: Outcome) -> Verdict:
         """Return the verdict of a search in space, which has accepted equilibria already."""
         verdict = self._verdict(wrench, outcome)
-        return self._accepted(verdict) if isinstance(outcome, dict | list) else verdict
-
-    def _accepted(self, verdict: Verdict) -> Verdict:
-        """Return a verdict whose proof the checker accepts.
-
-        Raises:
-            EquilibriumError: it does not, which is an internal error.
-        """
-        solution = verdict.solution
-        try:
-            if solution is None:
-                problem = verdict.verify().problem
-            else:
-                question, bound = (verdict.grasp, verdict.wrench), self.max_displacement
-                shown = solution.motion, solution.forces
-                problem = equilibrium_problem(*question, *shown, max_displacement=bound)
-        except CertificateError as error:
-            problem = str(error)
-        if problem:
-            raise EquilibriumError(
-                f"the checker refuses the proof of the verdict on {vector_text(verdict.wrench)}: "
-                f"{problem}. This is an internal error; please report it"
-            )
-        return verdict
+        return verdict.accepted() if isinstance(outcome, dict | list) else verdict
 
     def _by_workers(
         self, tasks: list[list[RationalVector]], jobs: int, dask: str | None
     ) -> Iterator[Verdict]:
-        plan = (self.grasp, self.max_displacement, self.pyramid), tasks, budget.times()
+        job = (self.grasp, self.max_displacement, self.pyramid), tasks, budget.times()
         early: dict[int, list[Outcome | None]] = {}
-        answered = done(_outcomes, plan, range(len(tasks)), jobs, dask)
+        answered = done(_outcomes, job, range(len(tasks)), jobs, dask)
         results = iter(watched(answered, "parts of wrenches", len(tasks)))
         for number, task in enumerate(tasks):
             while number not in early:
@@ -406,7 +382,7 @@ class Solver(ReprMixin):
         piece = self.choices.first_equilibrium(wrench)
         if piece is not None:
             solution = Solution(piece.motion, piece.forces)
-            return self._accepted(self._verdict(wrench, solution))
+            return self._verdict(wrench, solution).accepted()
         missed = self.choices.may_be_missed(wrench)
         return self.solve(wrench) if missed else self._verdict(wrench, None)
 
@@ -429,20 +405,15 @@ def prepare(grasp: Grasp | Solver) -> Solver:
 
 
 #: What a worker needs: grasp, largest displacement and pyramid; all tasks; and the scale of limits.
-Plan: TypeAlias = tuple[
-    tuple[Grasp, Fraction | None, int | None], list[list[RationalVector]], float
-]
+Job: TypeAlias = tuple[tuple[Grasp, Fraction | None, int | None], list[list[RationalVector]], float]
+
+#: The solver of a process.
+_solver = lru_cache(maxsize=1)(Solver)
 
 
-@lru_cache(maxsize=1)
-def _solver(grasp: Grasp, max_displacement: Fraction | None, pyramid: int | None) -> Solver:
-    """Return the solver of a process."""
-    return Solver(grasp, max_displacement, pyramid)
-
-
-def _outcomes(plan: Plan, number: int) -> tuple[int, list[Outcome | None]]:
+def _outcomes(job: Job, number: int) -> tuple[int, list[Outcome | None]]:
     """Return the number of a task, and the outcomes of its wrenches."""
-    question, tasks, times = plan
+    question, tasks, times = job
     solver, memory = _solver(*question), _new_memory()
     with budget.limit(times):
         return number, [solver._one_of_many(wrench, memory).outcome for wrench in tasks[number]]

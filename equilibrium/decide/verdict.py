@@ -21,7 +21,7 @@ from arrangement.console.plugins import named
 from arrangement.errors import HintsMixin, OutOfReachError
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, dot, to_text, vector_text
-from equilibrium.certificate.checker import Report, check
+from equilibrium.certificate.checker import Report, check, equilibrium_problem
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.model.contact import pyramid_words
@@ -32,7 +32,12 @@ from equilibrium.model.displacement import (
     warning,
 )
 from equilibrium.model.effort import Effort
-from equilibrium.model.errors import TimeLimitError, UndecidedError
+from equilibrium.model.errors import (
+    CertificateError,
+    EquilibriumError,
+    TimeLimitError,
+    UndecidedError,
+)
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Open, Outcome, Solution, Tree
 from equilibrium.plane.states.contact_states import states_at
@@ -201,6 +206,30 @@ class Verdict(HintsMixin):
             pyramid=self.pyramid,
             max_displacement=self.max_displacement,
         )
+
+    def accepted(self) -> Verdict:
+        """Return this verdict, whose proof the checker accepts.
+
+        Raises:
+            EquilibriumError: it does not, which is an internal error.
+        """
+        solution = self.solution
+        try:
+            if solution is None:
+                problem = self.verify().problem
+            else:
+                shown, bound = (solution.motion, solution.forces), self.max_displacement
+                problem = equilibrium_problem(
+                    self.grasp, self.wrench, *shown, max_displacement=bound
+                )
+        except CertificateError as error:
+            problem = str(error)
+        if problem:
+            raise EquilibriumError(
+                f"the checker refuses the proof of the verdict on {vector_text(self.wrench)}: "
+                f"{problem}. This is an internal error; please report it"
+            )
+        return self
 
     def lists_all(self, every: bool | None = None) -> bool:
         """Return whether `to_dict` lists all equilibria."""

@@ -14,7 +14,7 @@ from equilibrium import Contact, Grasp, read_grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.leaves import parts
 from equilibrium.cli.program import main
-from equilibrium.decide import solver as deciding
+from equilibrium.decide import solver as deciding, verdict as verdicts
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs.csv_file import parse_csv
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
@@ -124,7 +124,7 @@ def test_displacements_without_stiffness_have_no_unit(capsys, tmp_path):
 
 def test_checker_must_accept_a_proof_before_the_verdict_leaves(monkeypatch):
     grasp = read_grasp(THREE)
-    monkeypatch.setattr(deciding, "equilibrium_problem", lambda *_, **__: "forged")
+    monkeypatch.setattr(verdicts, "equilibrium_problem", lambda *_, **__: "forged")
     with pytest.raises(EquilibriumError, match="internal error") as caught:
         solve(grasp, (0, 1, 0))
     assert not isinstance(caught.value, InputError)
