@@ -344,6 +344,38 @@ class TestForged:
         forged = {**proof, "tree": {"part": ["a"], "contacts": [0, 1], "tree": ["0", "1", "0"]}}
         assert "more than one pair" in verify(forged).problem
 
+    def test_alpha_below_zero_is_refused_where_a_contact_may_detach(self):
+        """Two contacts at one place: a negative alpha would cancel what the other depends on."""
+        pair = Assembly(["a"], [contact("a", None, [0, 0], preload=q) for q in (0, 1)])
+        wrench = {"a": [0, "-1/2", 0]}
+        assert solve(pair, wrench)
+        proof = solve(pair, {"a": [0, 1, 0]}).proof
+        leaf = {"virtual_motion": {"a": [0, 1, 0]}, "multipliers": {"0": [-1, 0], "1": [1, 0]}}
+        forged = {**proof, "wrench": wrench, "tree": leaf}
+        assert "alpha must be at least 0" in verify(forged).problem
+
+    @pytest.mark.parametrize(("state", "sign"), [("slip+", 1), ("slip-", -1)])
+    def test_multiplier_of_a_slip_has_a_sign(self, state, sign):
+        proof = solve(STACK, {"lower": [0, 9, 0]}).proof
+        leaf = {"virtual_motion": {"lower": [0, 1, 0], "upper": [0, 1, 0]}}
+        states = dict.fromkeys(("stick", "slip+", "slip-"), leaf)
+        for h, words in ((sign, "h has the wrong sign"), (-sign, "is not 0"), (0, "")):
+            states[state] = {**leaf, "multipliers": {"0": [0, h]}}
+            slips = {"contact": 0, "slip": states}
+            tree = {"contact": 0, "attachment": {"detached": leaf, "attached": slips}}
+            problem = verify({**proof, "tree": tree}).problem
+            assert words in problem if words else not problem
+
+    def test_split_that_does_not_fit_is_refused(self):
+        proof = solve(STACK, {"lower": [0, 9, 0]}).proof
+        leaf = {"virtual_motion": {"lower": [0, 1, 0], "upper": [0, 1, 0]}}
+        slips = {"contact": 0, "slip": dict.fromkeys(("stick", "slip+", "slip-"), leaf)}
+        again = {"contact": 0, "attachment": dict.fromkeys(("detached", "attached"), leaf)}
+        twice = {"contact": 0, "attachment": {"detached": leaf, "attached": again}}
+        for tree, words in ((slips, "is not attached"), (twice, "is not undecided")):
+            with pytest.raises(CertificateError, match=words):
+                verify({**proof, "tree": tree})
+
     def test_question_of_a_certificate_is_compared(self):
         proof = solve(STACK, WEIGHTS).proof
         other = STACK.read_wrenches({"upper": [0, -1, 0]})
