@@ -981,7 +981,7 @@ class TestPyramids:
             turns = zip(edges, (*edges[1:], edges[0]), strict=True)
             assert all(a * d - b * c > 0 for (a, b), (c, d) in turns)
             assert [(-x, -y) for x, y in edges[: count // 2]] == list(edges[count // 2 :])
-        for count in (5, 2, 66):
+        for count in (5, 2, 66, 4.0):
             with pytest.raises(GraspError, match="even number from 4"):
                 pyramid_edges(count)
 
