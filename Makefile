@@ -21,7 +21,7 @@ help:
 	@echo "make install         create .venv with the three commands and the libraries for figures"
 	@echo "make verify          check the claims of the paper; print the verdicts, write report/verdicts.html"
 	@echo "make test            run the tests, doctests included"
-	@echo "make test-extended   run the slow tests: thousands of random cases, long pages"
+	@echo "make test-extended   run the slow tests: thousands of random cases, every picture"
 	@echo "make check           run all checks of a commit: lint, types, scripts, test, docs-check"
 	@echo "make lint            check style and format with ruff"
 	@echo "make types           check types with mypy"
