@@ -77,6 +77,10 @@ COMMANDS = (
     Command("equilibrium make mesh corner.obj --at 1 1 0 --friction 1/2", 0, '"contacts"'),
     Command("equilibrium make circle --angles 0 120 --friction 1/2", 0, '"contacts"'),
     Command("equilibrium make random --contacts 3", 0, '"contacts"'),
+    *(
+        Command(f"equilibrium make {name}", 0, '"bodies"')
+        for name in ("stack", "arch", "wedge", "cylinders", "ladder")
+    ),
     Command(f"equilibrium draw {_G} -o grasp.html", 0, writes="grasp.html"),
     *(
         _needs("figures", f"equilibrium draw {_G} {more} -o no.pdf")

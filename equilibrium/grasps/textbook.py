@@ -38,7 +38,7 @@ def stack(
         push: on the topmost block, in its middle.
 
     >>> from equilibrium import solve
-    >>> [solve(*stack(blocks=3, push=push)).verdict for push in ("1/3", "1/2")]
+    >>> [solve(*stack(blocks=3, push=push)).verdict for push in ("1/2", "3/5")]
     ['resisted', 'not resisted']
     """
     _check_count(blocks, "blocks", 1)
