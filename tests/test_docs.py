@@ -297,7 +297,7 @@ def test_numbers_on_pages_are_those_of_the_code():
         assert text.lower() in words.lower(), (page, text)
 
 
-#: The last words of a row of the table of limits: kinds of `budget.MOST`, or constants.
+#: The last words of a row of the table of limits: kinds of `budget.MAX_SIZES`, or constants.
 LIMITS = {
     "CSV file)": ("bytes of a file",),
     "a certificate": ("bytes of a certificate",),
@@ -332,7 +332,7 @@ def test_the_limits_on_the_page_are_those_of_the_code():
     text = (DOCS / "accuracy.rst").read_text(encoding="utf-8").partition("\nLimits of size\n")[2]
     rows = re.findall(r"   \* - (.+)\n     - (.+)", text.partition("There is no other")[0])[1:]
     assert len(rows) == len(LIMITS)
-    assert set(budget.MOST) == {x for names in LIMITS.values() for x in names if ":" not in x}
+    assert set(budget.MAX_SIZES) == {x for names in LIMITS.values() for x in names if ":" not in x}
     for what, most in rows:
         (names,) = (names for end, names in LIMITS.items() if what.endswith(end))
         stated = [
@@ -340,6 +340,6 @@ def test_the_limits_on_the_page_are_those_of_the_code():
         ]
         for limit in names:
             module, _, constant = limit.partition(":")
-            held = vars(importlib.import_module(module)) if constant else budget.MOST
+            held = vars(importlib.import_module(module)) if constant else budget.MAX_SIZES
             value = held[constant or limit]
             assert value in stated, (what, most, limit, value)

@@ -84,7 +84,7 @@ def body_around(
         raise InputError(
             f"the planes lie in R^{arrangement.dimension}; a ball or cube can show those of R^3"
         )
-    budget.keep(len(arrangement.distinct), "planes in a body")
+    budget.check_size(len(arrangement.distinct), "planes in a body")
     middle, reach = _extent(arrangement)
     if centre is not None:
         middle = rational_vector(centre, "centre")

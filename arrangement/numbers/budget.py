@@ -1,10 +1,12 @@
-"""What one question may cost, in faces, bytes and steps: the one room for limits of size.
+"""Limits of size and work: what takes too much is refused, before it begins where that is possible.
 
-Whoever is about to list, count, make or read something says here first what that will take. What is
-out of reach is refused before it begins, with the forecast. What nobody can foresee counts its
-steps as it goes (`spend`), and a command ends after a number of them (`metered`). No clock is read,
-so that an answer is the same on every machine; a CPU of 2025 does some ten million steps a second.
-`limit` raises the budget, the option ``--limit`` too.
+1. `check_cost` refuses work whose forecast (in faces, bytes or steps) is above the budget.
+2. `check_size` refuses more things of a kind than `MAX_SIZES` allows.
+3. `spend` counts the steps of work that has no forecast; a command (`metered`) ends after
+   `COMMAND_STEPS`. In Python these steps are free.
+
+A step is about 0.1 microseconds on a CPU of 2025. No clock is read, so that every machine gives the
+same answer. `limit` scales all limits, as the option ``--limit`` does.
 """
 
 from __future__ import annotations
@@ -14,21 +16,24 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from arrangement.errors import InputError, OutOfReachError
 
-#: What a question may take.
+#: Faces of one list.
 FACES = 20_000_000
+#: Memory of one piece of work.
 BYTES = 400 * 2**20
+#: Steps of one piece of work without progress output: about two seconds.
 STEPS = 20_000_000
-#: Steps of work that shows how far it is.
+#: Steps of one piece of work with progress output: its user sees the end coming in five minutes.
 LONG_STEPS = 3_000_000_000
-#: Steps after which a command ends that did not say before how many it takes.
+#: Steps of a command, of all its work together: about half a minute.
 COMMAND_STEPS = 300_000_000
-#: Steps that such a command may foresee for work that shows how far it is.
+#: Forecast of work with progress output in such a command, which else would run for minutes.
 COMMAND_LONG_STEPS = 60_000_000
-#: What is read, shown or tried at most.
-MOST = {
+#: How many things of a kind are read, drawn or tried; docs/accuracy.rst has the same numbers.
+MAX_SIZES = {
     "bytes of a file": 4 * 2**20,
     "bytes of a certificate": 64 * 2**20,
     "bytes of a mesh": 32 * 2**20,
@@ -53,76 +58,46 @@ MOST = {
     "rays in a picture": 720,
     "wrenches in a picture": 24,
 }
-#: The factor of the limits.
-_times: ContextVar[float] = ContextVar("_times", default=1.0)
+#: From here on numbers may be too large for floats; only "far above every limit" matters of them.
+_NEARLY_INFINITE = 1e300
+#: Powers and binomial coefficients of more bits count as infinite.
+_MAX_BITS = 900
+#: A refusal suggests no larger factor of the limits: the work would not end.
+_MAX_SUGGESTED_FACTOR = 1e6
+
+#: The factor of all limits.
+_factor: ContextVar[float] = ContextVar("_factor", default=1.0)
+#: The steps of the command that runs; None in Python.
+_meter: ContextVar[_Meter | None] = ContextVar("_meter", default=None)
 
 
 @dataclass
 class _Meter:
-    """The steps that a command may take, and took."""
+    """The steps that a command may take (before scaling), and has taken."""
 
     allowed: float
     spent: float = 0
 
 
-#: Of the command that runs; there is none in Python.
-_meter: ContextVar[_Meter | None] = ContextVar("_meter", default=None)
-
-
 @contextmanager
 def limit(times: float) -> Iterator[None]:
-    """Scale the limits on faces, bytes and steps inside by a factor; `math.inf`: no limits.
+    """Scale all limits inside by a factor; `math.inf`: no limits.
 
     >>> with limit(2):
     ...     check_cost("a list of all of them", faces=35_000_000)
     """
     if not times > 0:
         raise InputError(f"the limit is {times}; give a positive number of times the usual budget")
-    token = _times.set(times)
+    token = _factor.set(times)
     try:
         yield
     finally:
-        _times.reset(token)
+        _factor.reset(token)
 
 
 def times() -> float:
-    """Return how many times the usual budget is allowed now."""
-    return _times.get()
-
-
-def most(kind: str) -> int:
-    """Return how many are allowed now, of a kind of `MOST`."""
-    return int(min(MOST[kind] * times(), 1e18))
-
-
-def keep(number: int, kind: str, where: str = "") -> None:
-    """Refuse more of a kind than `MOST` has.
-
-    Args:
-        where: they are.
-
-    Raises:
-        OutOfReachError: with what allows them.
-    """
-    if number > most(kind):
-        raise OutOfReachError(
-            f"{where}{': ' * bool(where)}{number:,} {kind}; at most {most(kind):,} are allowed, or "
-            f"more with {_larger(math.ceil(number / MOST[kind]))}"
-        )
-
-
-def excess(*, faces: float = 0, bytes: float = 0, steps: float = 0, long_steps: float = 0) -> float:
-    """Return how many times the budget that would take, the one that is most exceeded."""
-    shares = ((faces, FACES), (bytes, BYTES), (steps, STEPS), (long_steps, _most_long()))
-    # integers may be too long for floats
-    return max(n / most if n < 1e300 else math.inf for n, most in shares) / _times.get()
-
-
-def _most_long() -> float:
-    meter = _meter.get()
-    if meter is not None and meter.allowed <= COMMAND_STEPS:
-        return COMMAND_LONG_STEPS
-    return LONG_STEPS if meter is None else min(meter.allowed, LONG_STEPS)
+    """Return the factor by which all limits are scaled now."""
+    return _factor.get()
 
 
 def check_cost(
@@ -134,49 +109,110 @@ def check_cost(
     steps: float = 0,
     long_steps: float = 0,
 ) -> None:
-    """Refuse what is out of reach.
+    """Refuse work whose forecast is above the budget; count its steps otherwise.
 
     Args:
-        what: it is, such as "a list of 5 planes".
-        instead: what to ask, without a full stop.
-        steps: what is done without a word; they count as taken.
-        long_steps: steps of work that shows how far it is.
+        what: the work, such as "a list of 5 planes".
+        instead: what to do instead, without a full stop.
+        steps: of work without progress output.
+        long_steps: of work with progress output, which counts them itself as it goes.
 
     Raises:
-        OutOfReachError: with the forecast.
+        OutOfReachError: with the forecast, and what allows it.
     """
-    over = excess(faces=faces, bytes=bytes, steps=steps, long_steps=long_steps)
-    if over <= 1:
+    costs = _costs(faces, bytes, steps, long_steps)
+    factor = _needed_factor(costs)
+    if factor / times() <= 1:
         spend(steps)
         return
-    takes = (
-        (faces, FACES, f"{about(faces)} faces"),
-        (bytes, BYTES, f"{about(bytes / 2**20 if bytes < 1e300 else bytes)} MB"),
-        (steps, STEPS, f"{about(steps)} steps"),
-        (long_steps, _most_long(), f"{about(long_steps)} steps"),
-    )
-    forecast = " and ".join(text for n, most, text in takes if n > most * _times.get())
-    times = over * _times.get()
+    forecast = " and ".join(c.text() for c in costs if c.amount > c.allowed * times())
     remedies = [instead] if instead else []
-    if times < 1e6:
-        remedies.append(f"{_larger(math.ceil(1.2 * times))} allows it")
-    raise OutOfReachError(
-        f"{what}: this would take about {forecast}; " + (", or ".join(remedies) or "ask for less")
+    if factor < _MAX_SUGGESTED_FACTOR:
+        remedies.append(f"{_raised_limit(math.ceil(1.2 * factor))} allows it")
+    remedy = ", or ".join(remedies) or "ask for less"
+    raise OutOfReachError(f"{what}: this would take about {forecast}; {remedy}")
+
+
+def excess(*, faces: float = 0, bytes: float = 0, steps: float = 0, long_steps: float = 0) -> float:
+    """Return how many times the budget the work would take; above 1 `check_cost` refuses it."""
+    return _needed_factor(_costs(faces, bytes, steps, long_steps)) / times()
+
+
+class _Cost(NamedTuple):
+    """What some work takes of one resource, and what is allowed before scaling."""
+
+    amount: float
+    allowed: float
+    unit: str
+
+    def text(self) -> str:
+        if self.unit == "MB" and self.amount < _NEARLY_INFINITE:
+            return f"{about(self.amount / 2**20)} MB"
+        return f"{about(self.amount)} {self.unit}"
+
+
+def _costs(faces: float, bytes: float, steps: float, long_steps: float) -> tuple[_Cost, ...]:
+    return (
+        _Cost(faces, FACES, "faces"),
+        _Cost(bytes, BYTES, "MB"),
+        _Cost(steps, STEPS, "steps"),
+        _Cost(long_steps, _allowed_long_steps(), "steps"),
     )
 
 
-def _larger(times: int) -> str:
-    """Return what raises the limit: an option of a command, a call in Python."""
-    return f"with arrangement.limit({times})" if _meter.get() is None else f"--limit {times}"
+def _allowed_long_steps() -> float:
+    meter = _meter.get()
+    if meter is None:
+        return LONG_STEPS
+    if meter.allowed <= COMMAND_STEPS:
+        return COMMAND_LONG_STEPS
+    return min(meter.allowed, LONG_STEPS)
+
+
+def _needed_factor(costs: tuple[_Cost, ...]) -> float:
+    """Return the factor of the limits that allows all costs."""
+    return max(c.amount / c.allowed if c.amount < _NEARLY_INFINITE else math.inf for c in costs)
+
+
+def _raised_limit(factor: int) -> str:
+    """Return how to scale the limits: a call in Python, an option of a command."""
+    in_python = _meter.get() is None
+    return f"with arrangement.limit({factor})" if in_python else f"--limit {factor}"
+
+
+def max_size(kind: str) -> int:
+    """Return how many things of a kind of `MAX_SIZES` are allowed now."""
+    return int(min(MAX_SIZES[kind] * times(), 1e18))  # infinity is not an int
+
+
+def check_size(number: int, kind: str, where: str = "") -> None:
+    """Refuse more things of a kind than `MAX_SIZES` allows.
+
+    Args:
+        where: the things are; begins the message.
+
+    Raises:
+        OutOfReachError: with what allows them.
+    """
+    if number <= max_size(kind):
+        return
+    place = f"{where}: " if where else ""
+    remedy = _raised_limit(math.ceil(number / MAX_SIZES[kind])).removeprefix("with ")
+    raise OutOfReachError(
+        f"{place}{number:,} {kind}; at most {max_size(kind):,} are allowed, or more with {remedy}"
+    )
 
 
 class WorkOver(BaseException):
-    """A command has done its work; no handler of errors on the way may take it for bad input."""
+    """A command has taken all its steps.
+
+    Not an `Exception`, so that no handler on the way mistakes it for bad input.
+    """
 
 
 @contextmanager
 def metered(steps: float = COMMAND_STEPS) -> Iterator[None]:
-    """Count the steps of a command, which ends after a number of them, scaled by the limit."""
+    """Count the steps inside as those of a command, which ends after a number of them (scaled)."""
     token = _meter.set(_Meter(steps))
     try:
         yield
@@ -185,19 +221,14 @@ def metered(steps: float = COMMAND_STEPS) -> Iterator[None]:
 
 
 def allow(steps: float) -> None:
-    """Let the command that runs, if any, take this many steps."""
-    if (meter := _meter.get()) is not None:
+    """Change how many steps the command that runs may take; does nothing in Python."""
+    meter = _meter.get()
+    if meter is not None:
         meter.allowed = steps
 
 
-def spent() -> float:
-    """Return the steps that the command took so far; 0 in Python."""
-    meter = _meter.get()
-    return 0 if meter is None else meter.spent
-
-
 def spend(steps: float) -> None:
-    """Count steps of work whose end nobody can foresee; outside `metered` they are free.
+    """Count steps of the command that runs; does nothing in Python.
 
     >>> with metered(1000):
     ...     spend(600)
@@ -205,17 +236,23 @@ def spend(steps: float) -> None:
     600
 
     Raises:
-        WorkOver: the command took more than it may.
+        WorkOver: the command has taken more steps than it may.
     """
     meter = _meter.get()
     if meter is None:
         return
     meter.spent += steps
-    if meter.spent > meter.allowed * _times.get():
+    if meter.spent > meter.allowed * times():
         raise WorkOver(
             f"it has taken {about(meter.spent)} steps without an answer; ask for less, or "
             f"--limit {math.ceil(2 * times())} allows more"
         )
+
+
+def spent() -> float:
+    """Return the steps that the command has taken so far; 0 in Python."""
+    meter = _meter.get()
+    return 0 if meter is None else meter.spent
 
 
 def about(number: float) -> str:
@@ -232,11 +269,18 @@ def about(number: float) -> str:
 
 
 def choose(n: int, k: int) -> float:
-    """Return a binomial coefficient, infinity where it is far out of reach."""
-    few = max(min(k, n - k), 0)
-    return 0 if k > n else math.comb(n, few) if few * math.log2(max(n, 2)) < 900 else math.inf
+    """Return a binomial coefficient; infinity where it is far above every limit."""
+    if k > n:
+        return 0
+    chosen = max(min(k, n - k), 0)
+    return math.comb(n, chosen) if _is_short(n, chosen) else math.inf
 
 
 def power(base: float, exponent: float) -> float:
-    """Return a power, infinity where it is far out of reach."""
-    return base**exponent if exponent * math.log2(max(base, 2)) < 900 else math.inf
+    """Return a power; infinity where it is far above every limit."""
+    return base**exponent if _is_short(base, exponent) else math.inf
+
+
+def _is_short(base: float, exponent: float) -> bool:
+    """Return whether base ** exponent, which bounds a binomial coefficient too, is short."""
+    return exponent * math.log2(max(base, 2)) < _MAX_BITS

@@ -85,8 +85,8 @@ def rational(value: Rational, name: str = "number") -> Fraction:
 
 def _from_text(text: str, name: str) -> Fraction:
     """Parse a rational from text with two fixed patterns; nothing is ever evaluated."""
-    if len(text) > budget.MOST["characters of a number"]:
-        budget.keep(len(text), "characters of a number", f"{name} is {shown(text)}")
+    if len(text) > budget.MAX_SIZES["characters of a number"]:
+        budget.check_size(len(text), "characters of a number", f"{name} is {shown(text)}")
     ratio = _INTEGER_OR_RATIO.fullmatch(text)
     if ratio is not None:
         denominator = integer(ratio[2]) if ratio[2] else 1

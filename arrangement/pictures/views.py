@@ -78,4 +78,4 @@ def _has_picture(arrangement: Arrangement) -> bool:
         require_matplotlib()
     except MissingExtraError:
         return False
-    return len(arrangement.distinct) <= budget.most("great circles in a picture")
+    return len(arrangement.distinct) <= budget.max_size("great circles in a picture")

@@ -233,7 +233,7 @@ def frictionless_slip(
     Raises:
         OutOfReachError: too many contacts.
     """
-    budget.keep(len(grasp), "contacts with a choice of three states")
+    budget.check_size(len(grasp), "contacts with a choice of three states")
     springs = springs or springs_of(grasp)
     tried = 0
     for tried, states in enumerate(product(STATES, repeat=len(grasp)), 1):

@@ -55,7 +55,7 @@ OF_ASSEMBLIES = Drawings(
 
 def drawings_of(grasp: Grasp) -> Drawings:
     """Return what can be drawn of a grasp, in the plane or in space."""
-    budget.keep(len(grasp), "contacts in a picture")
+    budget.check_size(len(grasp), "contacts in a picture")
     return DRAWINGS.fitting(grasp)
 
 

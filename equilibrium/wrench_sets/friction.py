@@ -142,7 +142,7 @@ class _Search:
         if self.first_open is None:
             self.first_open = low
         self.open += 1
-        budget.keep(
+        budget.check_size(
             self.open, "open ranges of friction coefficients", f"tolerance {shown(self.width)}"
         )
         if not self.resists(high):

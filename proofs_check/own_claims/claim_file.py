@@ -1,24 +1,23 @@
 """Files of claims: Python programs that are run, with messages that name their lines.
 
-While a file is read, the functions of its claims are changed in one point: where they return a
-comparison that is false, they return the values compared (as pytest does for ``assert``).
+A file is run once for each content. Its claims return the values of comparisons that are false
+(`false_comparison`).
 """
 
 from __future__ import annotations
 
 import ast
 import importlib.util
-import operator
 import re
 import sys
 import traceback
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from hashlib import sha256
 from importlib.machinery import SourceFileLoader
 from pathlib import Path
-from types import ModuleType
+from types import CodeType, ModuleType
 from typing import Any, TypeVar
 
 from arrangement.errors import refusal
@@ -26,105 +25,13 @@ from arrangement.numbers.exact import shown
 from proofs_check.errors import OwnClaimError
 from proofs_check.statements.statement import Claim, Registry
 
-#: What comparisons do, by the nodes of the syntax tree.
-_COMPARISONS: dict[str, Callable[[Any, Any], Any]] = {
-    "Eq": operator.eq,
-    "NotEq": operator.ne,
-    "Lt": operator.lt,
-    "LtE": operator.le,
-    "Gt": operator.gt,
-    "GtE": operator.ge,
-    "Is": operator.is_,
-    "IsNot": operator.is_not,
-    "In": lambda a, b: a in b,
-    "NotIn": lambda a, b: a not in b,
-}
-#: Letters of a line, or of what an error says, that are printed.
-_LONGEST = 200
-#: Under this name a file finds `compared`; no name of a program can be the same.
-_COMPARED = "@compared"
-#: Longer names of claims break every table.
-_LONGEST_ID = 80
+from .false_comparison import COMPARE_NAME, compare_values, explain_returns
+
+#: Of a source line or of an error's text: so that a message stays short.
+_MAX_QUOTED_CHARACTERS = 200
+#: Longer ids break every table of claims.
+_MAX_ID_CHARACTERS = 80
 _Kind = TypeVar("_Kind")
-
-
-@dataclass(frozen=True)
-class Unequal:
-    """A comparison that is false, with its values in words."""
-
-    text: str
-
-    def __bool__(self) -> bool:
-        return False
-
-
-def id_of(function: Callable[..., Any], given: str | None) -> str:
-    """Return the id of what a decorator makes: the one given, or the name of the function.
-
-    Raises:
-        OwnClaimError: it has other signs than those of an id, or very many.
-    """
-    name = given or function.__name__.strip("_").lower().replace("_", "-")
-    if not re.fullmatch("[a-z0-9]+(-[a-z0-9]+)*", name):
-        raise OwnClaimError(f"{shown(name)} is not an id; use lower case words with hyphens")
-    if len(name) > _LONGEST_ID:
-        raise OwnClaimError(f"the id {shown(name)} is longer than {_LONGEST_ID} characters")
-    return name
-
-
-def compared(text: str, kind: str, left: Any, right: Any) -> Any:
-    """Return what a comparison gives; if it is False, what was compared."""
-    found = _COMPARISONS[kind](left, right)
-    if type(found).__name__ not in ("bool", "bool_") or found:
-        return found
-    return Unequal(f"{text} is false: {shown(left)} and {shown(right)}")
-
-
-class _Comparisons(ast.NodeTransformer):
-    """Puts `compared` around the comparisons that functions of claims return."""
-
-    inside = False
-
-    def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
-        before = self.inside
-        names = (getattr(call, "func", None) for call in node.decorator_list)
-        self.inside = any("claim" in (getattr(f, "id", ""), getattr(f, "attr", "")) for f in names)
-        self.generic_visit(node)
-        self.inside = before
-        return node
-
-    def visit_Return(self, node: ast.Return) -> ast.AST:
-        if self.inside and node.value is not None:
-            node.value = self._told(node.value)
-        return node
-
-    def _told(self, value: ast.expr) -> ast.expr:
-        if isinstance(value, ast.BoolOp) and isinstance(value.op, ast.And):
-            value.values = [self._told(part) for part in value.values]
-        if not isinstance(value, ast.Compare) or len(value.ops) > 1:
-            return value
-        texts = (ast.unparse(value), type(value.ops[0]).__name__)
-        arguments = [*map(ast.Constant, texts), value.left, *value.comparators]
-        call = ast.Call(ast.Name(_COMPARED, ast.Load()), arguments, [])
-        return ast.fix_missing_locations(ast.copy_location(call, value))
-
-
-class _Loader(SourceFileLoader):
-    """Compiles a file afresh, with its comparisons reported."""
-
-    def path_stats(self, path: Any) -> Any:
-        """Report nothing of the file, so that no compiled form is read or kept."""
-        raise OSError
-
-    def source_to_code(  # type: ignore[override]
-        self, data: Any, path: Any, *, _optimize: int = -1
-    ) -> Any:
-        tree = _Comparisons().visit(ast.parse(data, path))
-        return compile(tree, path, "exec", dont_inherit=True, optimize=_optimize)
-
-    def exec_module(self, module: ModuleType) -> None:
-        module.__dict__[_COMPARED] = compared
-        super().exec_module(module)
 
 
 def load(path: str) -> Registry:
@@ -133,17 +40,9 @@ def load(path: str) -> Registry:
     Raises:
         OwnClaimError: the file cannot be read or run, has no claims, or two with one id.
     """
-    found = defined(path, Claim, "claims; decorate a function with @claim(...)")
+    claims = defined(path, Claim, "claims; decorate a function with @claim(...)")
     name = Path(path).name
-    return Registry(replace(one, file=path, locator=one.locator or name) for one in found)
-
-
-def split(name: str) -> tuple[str | None, str]:
-    """Return the file (None for the registry) and the id ("" for all claims of a file)."""
-    if name.endswith(".py"):
-        return name, ""
-    file, found, id = name.rpartition(".py:")
-    return (f"{file}.py", id) if found else (None, name)
+    return Registry(replace(c, file=path, locator=c.locator or name) for c in claims)
 
 
 def named(name: str) -> tuple[Claim, ...]:
@@ -163,17 +62,28 @@ def named(name: str) -> tuple[Claim, ...]:
     return chosen
 
 
+def split(name: str) -> tuple[str | None, str]:
+    """Split FILE.py or FILE.py:ID into the file (None: no file is named) and the id (or "")."""
+    if name.endswith(".py"):
+        return name, ""
+    stem, colon, id = name.rpartition(".py:")
+    return (f"{stem}.py", id) if colon else (None, name)
+
+
 def defined(path: str, kind: type[_Kind], what: str) -> tuple[_Kind, ...]:
     """Run a Python file and return the values of a kind that it has names for, in order.
 
+    Args:
+        what: the kind in words, for the error that the file has none.
+
     Raises:
-        OwnClaimError: the file cannot be read or run, or has none; `what` says of what.
+        OwnClaimError: the file cannot be read or run, or has none.
     """
-    names = vars(_run(str(Path(path).resolve()), file_digest(path)))
-    found = {id(value): value for value in names.values() if isinstance(value, kind)}
-    if not found:
+    module = _run(str(Path(path).resolve()), file_digest(path))
+    of_kind = [value for value in vars(module).values() if isinstance(value, kind)]
+    if not of_kind:
         raise OwnClaimError(f"{path} has no {what}")
-    return tuple(found.values())
+    return tuple({id(value): value for value in of_kind}.values())  # once, under several names too
 
 
 def file_digest(path: str) -> str:
@@ -184,41 +94,69 @@ def file_digest(path: str) -> str:
         raise OwnClaimError(f"cannot read {path}: {error.strerror}") from None
 
 
-def heading(path: str) -> str:
-    """Return the first line of the docstring of a file, or ""."""
-    text = ast.get_docstring(ast.parse(Path(path).read_bytes())) or ""
-    return text.partition("\n")[0]
-
-
-def line_of(error: BaseException, path: str) -> str:
-    """Return where in a file an error arose: its name, the line, and what stands there."""
-    frames = [f for f in traceback.extract_tb(error.__traceback__) if f.filename == path]
-    if not frames:
-        return ""
-    return f"{Path(path).name}, line {frames[-1].lineno}: {(frames[-1].line or '')[:_LONGEST]}"
-
-
 @lru_cache(maxsize=16)
 def _run(path: str, digest: str) -> ModuleType:
+    """Run a file as a module; the digest of its content is the key of the cache."""
     name = f"proofs_check_own_{digest[:16]}"
-    spec = importlib.util.spec_from_file_location(name, path, loader=_Loader(name, path))
+    loader = _ClaimFileLoader(name, path)
+    spec = importlib.util.spec_from_file_location(name, path, loader=loader)
     assert spec is not None
     module = importlib.util.module_from_spec(spec)
+    vars(module)[COMPARE_NAME] = compare_values
     sys.modules[name] = module
-    sys.path.insert(0, str(Path(path).parent))
+    folder = str(Path(path).parent)  # the file may import its neighbours
+    sys.path.insert(0, folder)
     try:
-        _Loader(name, path).exec_module(module)
+        loader.exec_module(module)
     except OwnClaimError:
         raise
     except SyntaxError as error:
-        stands = f": {error.text.strip()[:_LONGEST]}" if error.text else ""
+        source = f": {error.text.strip()[:_MAX_QUOTED_CHARACTERS]}" if error.text else ""
         where = f"{Path(error.filename or path).name}, line {error.lineno}"
-        raise OwnClaimError(f"{where}: {type(error).__name__}: {error.msg}{stands}") from error
+        raise OwnClaimError(f"{where}: {type(error).__name__}: {error.msg}{source}") from error
     except Exception as error:
+        reason = f"{type(error).__name__}: {str(error)[:_MAX_QUOTED_CHARACTERS]}"
         where = line_of(error, path)
-        raise OwnClaimError(
-            f"{path} does not run: {type(error).__name__}: {str(error)[:_LONGEST]} ({where})"
-        ) from error
+        raise OwnClaimError(f"{path} does not run: {reason} ({where})") from error
     finally:
-        sys.path.remove(str(Path(path).parent))
+        sys.path.remove(folder)
     return module
+
+
+class _ClaimFileLoader(SourceFileLoader):
+    """Compiles a file with `explain_returns`, and neither reads nor writes a ``.pyc`` file."""
+
+    def get_code(self, fullname: str) -> CodeType:
+        tree = ast.parse(self.get_data(self.path), self.path)
+        explain_returns(tree)
+        code: CodeType = compile(tree, self.path, "exec", dont_inherit=True)
+        return code
+
+
+def line_of(error: BaseException, path: str) -> str:
+    """Return where in a file an error arose, as "NAME, line N: SOURCE"; "" if not in this file."""
+    frames = [f for f in traceback.extract_tb(error.__traceback__) if f.filename == path]
+    if not frames:
+        return ""
+    source = (frames[-1].line or "")[:_MAX_QUOTED_CHARACTERS]
+    return f"{Path(path).name}, line {frames[-1].lineno}: {source}"
+
+
+def heading(path: str) -> str:
+    """Return the first line of the docstring of a file, or ""."""
+    docstring = ast.get_docstring(ast.parse(Path(path).read_bytes())) or ""
+    return docstring.partition("\n")[0]
+
+
+def id_of(function: Callable[..., Any], id: str | None) -> str:
+    """Return the id of a claim or exercise: the one given, or the name of its function.
+
+    Raises:
+        OwnClaimError: it is not of lower case words with hyphens, or too long.
+    """
+    name = id or function.__name__.strip("_").lower().replace("_", "-")
+    if not re.fullmatch("[a-z0-9]+(-[a-z0-9]+)*", name):
+        raise OwnClaimError(f"{shown(name)} is not an id; use lower case words with hyphens")
+    if len(name) > _MAX_ID_CHARACTERS:
+        raise OwnClaimError(f"the id {shown(name)} is longer than {_MAX_ID_CHARACTERS} characters")
+    return name

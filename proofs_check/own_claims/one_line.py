@@ -26,7 +26,7 @@ from proofs_check.instances.families import Family, is_family, read_family
 from proofs_check.instances.pseudolines import Pseudolines
 from proofs_check.statements.statement import Claim
 
-from .claim_file import compared
+from .false_comparison import compare_values
 from .formula_of import formula_of
 from .user_claim import claim
 
@@ -223,7 +223,9 @@ class _Computed:
             return found
         if isinstance(node, ast.Compare) and len(node.ops) == 1:
             sides = self.value(node.left), self.value(node.comparators[0])
-            return compared(ast.unparse(node), type(node.ops[0]).__name__, *map(_plain, sides))
+            return compare_values(
+                ast.unparse(node), type(node.ops[0]).__name__, *map(_plain, sides)
+            )
         found = self.value(node)
         if not isinstance(found, bool):
             raise OwnClaimError(f"{ast.unparse(node)} is {shown(found)}; compare it with something")
@@ -266,7 +268,7 @@ class _Computed:
             case ast.Compare(left=left, ops=ops, comparators=others):
                 values = [_plain(self.value(part)) for part in (left, *others)]
                 return all(
-                    bool(compared("", type(op).__name__, a, b))
+                    bool(compare_values("", type(op).__name__, a, b))
                     for op, a, b in zip(ops, values, values[1:], strict=False)
                 )
             case ast.Subscript(value=inner, slice=index):

@@ -45,7 +45,8 @@ from proofs_check.statements.statement import (
     Source,
 )
 
-from .claim_file import Unequal, id_of, line_of
+from .claim_file import id_of, line_of
+from .false_comparison import FalseComparison
 from .shrink import smallest_case
 
 
@@ -292,7 +293,7 @@ def _answer(name: str, function: Callable[..., Any], *arguments: Any) -> bool | 
         return str(error) or f"an assertion failed ({'; '.join(error.__notes__)})"
     if type(answer).__name__ in ("bool", "bool_"):
         return bool(answer)
-    if isinstance(answer, Unequal):
+    if isinstance(answer, FalseComparison):
         return answer.text + _hint(answer.text, arguments[0])
     if isinstance(answer, str) and answer:
         return answer

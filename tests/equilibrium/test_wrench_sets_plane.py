@@ -261,7 +261,7 @@ def test_least_friction_with_many_open_ranges_is_refused(monkeypatch):
         Contact(p, [Fraction(x, 13) for x in n], 0, "1/2" if k < 2 else 1, ["1", "1/2", "1"][k])
         for k, (p, n) in enumerate(contacts)
     )
-    monkeypatch.setitem(budget.MOST, "open ranges of friction coefficients", 1)
+    monkeypatch.setitem(budget.MAX_SIZES, "open ranges of friction coefficients", 1)
     with pytest.raises(OutOfReachError, match="tolerance 1/4: 2 open ranges of friction coeff"):
         least_friction(grasp, (2, -2, 0), "1/4")
 

@@ -101,7 +101,7 @@ def _of_field(value: Any, field: NumberField | None, where: str) -> Any:
 
 
 def _dimension(value: Any) -> int:
-    most = budget.most("coordinates")
+    most = budget.max_size("coordinates")
     if type(value) is not int or not 0 <= value <= most:
         raise InputError(f"dimension is {kind_of(value)}; expected an integer from 0 to {most}")
     return value

@@ -138,7 +138,7 @@ def read_text(source: str | os.PathLike[str], kind: str = "bytes of a file") -> 
     """Return the UTF-8 text of stdin, a built-in document or a file, and its name for messages.
 
     Raises:
-        InputError: it cannot be read, is longer than `budget.MOST` says, or is not UTF-8.
+        InputError: it cannot be read, is longer than `budget.MAX_SIZES` says, or is not UTF-8.
     """
     name = "standard input" if source == "-" else shown(_path_text(source))
     try:
@@ -174,8 +174,8 @@ def read_bytes(source: str | os.PathLike[str], name: str, kind: str) -> bytes:
 
 
 def _limited(stream: BinaryIO, name: str, kind: str) -> bytes:
-    content = stream.read(budget.most(kind) + 1)
-    budget.keep(len(content), kind, name)
+    content = stream.read(budget.max_size(kind) + 1)
+    budget.check_size(len(content), kind, name)
     return content
 
 
@@ -213,8 +213,8 @@ def _without_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def _parse_integer(text: str) -> int:
-    if len(text) > budget.MOST["characters of a number"]:
-        budget.keep(len(text), "characters of a number")
+    if len(text) > budget.MAX_SIZES["characters of a number"]:
+        budget.check_size(len(text), "characters of a number")
     return integer(text)
 
 

@@ -43,7 +43,7 @@ def draw_lattice(arrangement: Arrangement, *, width: float = 88.0, moebius: bool
     """
     lattice = intersection_lattice(arrangement)
     largest = max(map(len, lattice.flats))
-    budget.keep(largest, "flats of one rank in a picture")
+    budget.check_size(largest, "flats of one rank in a picture")
     return _HasseDiagram(lattice, width, moebius).draw()
 
 

@@ -120,7 +120,7 @@ def region_edges(arrangement: Arrangement) -> tuple[tuple[tuple[int, ...], ...],
     Raises:
         OutOfReachError: they are too many for a picture.
     """
-    budget.keep(region_count(arrangement), "regions in a picture")
+    budget.check_size(region_count(arrangement), "regions in a picture")
     regions = arrangement.regions().signs.tolist()
     return tuple(map(tuple, regions)), tuple(neighbours(arrangement, arrangement.faces()))
 
@@ -174,7 +174,7 @@ def planar_graph(arrangement: Arrangement) -> PlacedGraph:
     Raises:
         InputError: as for `draw_graph`.
     """
-    budget.keep(len(arrangement.distinct), "great circles in a picture")
+    budget.check_size(len(arrangement.distinct), "great circles in a picture")
     if arrangement.is_central and arrangement.rank in (1, 2):
         return _cycle(arrangement)
     dual = dual_polyhedron(arrangement)

@@ -40,7 +40,7 @@ def symmetric_diagram(arrangement: Arrangement, coordinates: str | None) -> Schl
     Raises:
         OutOfReachError: more regions than a picture can show.
     """
-    budget.keep(region_count(arrangement), "regions in a picture")
+    budget.check_size(region_count(arrangement), "regions in a picture")
     arrangement, _ = in_coordinates(coordinates, arrangement)
     found = symmetry(arrangement)
     units = unit_vectors([plane[:-1] for plane in arrangement.distinct_planes])

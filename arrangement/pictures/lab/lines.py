@@ -50,10 +50,10 @@ def as_shown(arrangement: Arrangement) -> Arrangement:
         least, dimension = essentialization(arrangement), 2 if flat else 3
         rows = [(*n, *[0] * (dimension - least.dimension)) for n in least.normals]
         shown_planes = Arrangement(rows, least.offsets, dimension=dimension)
-    budget.keep(len(shown_planes), "planes in the lab")
+    budget.check_size(len(shown_planes), "planes in the lab")
     numbers = (abs(x) for plane in shown_planes.integer_planes for x in plane)
     longest = to_text(max(numbers, default=0))
-    budget.keep(len(longest), "digits of a number on a page")
+    budget.check_size(len(longest), "digits of a number on a page")
     return shown_planes
 
 
@@ -84,7 +84,7 @@ COUNTS = (
     "type",
 )
 #: Planes that may have to stay, by number.
-FIXED = tuple(str(k) for k in range(1, budget.MOST["planes in the lab"] + 1))
+FIXED = tuple(str(k) for k in range(1, budget.MAX_SIZES["planes in the lab"] + 1))
 
 
 def line_exercises(path: str | Path | None = None) -> list[dict[str, Any]]:
@@ -124,7 +124,7 @@ def _is_list_of_planes(one: Any) -> bool:
     return (
         isinstance(one, list)
         and len(set(map(str, one))) == len(one) >= 3
-        and all(type(k) is int and 1 <= k <= budget.most("planes in the lab") for k in one)
+        and all(type(k) is int and 1 <= k <= budget.max_size("planes in the lab") for k in one)
     )
 
 
@@ -185,7 +185,7 @@ def lab_page(
         InputError: too many planes or digits, another space, or no exercises in the file.
     """
     first = Arrangement(_FIRST) if arrangement is None else as_shown(arrangement)
-    most = budget.most("planes in the lab")
+    most = budget.max_size("planes in the lab")
     data: dict[str, Any] = {
         "title": "The arrangement lab" if title is None else title,
         "summary": "Drag lines and great circles; every number is exact.",

@@ -79,7 +79,7 @@ def arrangement_page(
         raise refusal(f"the colouring is {shown(colour)}", colour, COLOURINGS)
     summary = _summary(arrangement)
     arrangement = brought(arrangement, "arrangement")
-    budget.keep(len(arrangement.distinct), "great circles on a page")
+    budget.check_size(len(arrangement.distinct), "great circles on a page")
     if coordinates is not None and coordinates not in CHOICES:
         raise refusal(f"the coordinates are {shown(coordinates)}", coordinates, CHOICES)
     globe = Globe(arrangement, camera)

@@ -200,7 +200,7 @@ def symmetry(arrangement: Planes) -> Symmetry | None:
     elif arrangement.rank < size:
         return None
     # As many bases as there are triples of planes in R^3.
-    bases = math.comb(budget.most("planes whose symmetry is looked for"), 3)
+    bases = math.comb(budget.max_size("planes whose symmetry is looked for"), 3)
     if math.comb(len(firsts), size) > bases:
         most = next(n for n in itertools.count(size) if math.comb(n + 1, size) > bases)
         note(f"no symmetry is looked for beyond {most} planes; given coordinates are drawn")

@@ -117,7 +117,7 @@ def brought(arrangement: Arrangement, view: str) -> Arrangement:
     Raises:
         InputError: the view cannot show them.
     """
-    budget.keep(len(arrangement), "planes in a picture")
+    budget.check_size(len(arrangement), "planes in a picture")
     if not fits(view, arrangement):
         shown: Any = {**PAGES, **VIEWS}[view].shows
         kind = "central" if arrangement.is_central else "affine"

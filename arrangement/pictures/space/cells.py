@@ -175,7 +175,7 @@ def _cells(
     if not isinstance(explode, int | float) or not 1 <= explode <= 3:
         raise InputError(f"explode is {shown(explode)}; give a factor from 1 to 3")
     cells = cut_cells(arrangement, body, centre, radius)
-    budget.keep(len(cells.cells), "cells in a picture", "a smaller radius shows fewer")
+    budget.check_size(len(cells.cells), "cells in a picture", "a smaller radius shows fewer")
     return cells
 
 

@@ -47,7 +47,7 @@ class Globe:
         direction: Sequence[object] | None = None,
         azimuth: float = 0.0,
     ) -> None:
-        budget.keep(len(arrangement.distinct), "great circles in a picture")
+        budget.check_size(len(arrangement.distinct), "great circles in a picture")
         self.whole = sphere_arrangement(arrangement)
         if direction is not None:
             self.direction = view_direction(direction)

@@ -31,7 +31,7 @@ def question_document(grasp: Grasp, wrench: Any, taker: str) -> dict[str, Any]:
     load = [to_text(x) for x in read_wrench(wrench, grasp.dimension)]
     document = {"grasp": grasp.to_dict(), "wrench": load}
     longest = max(map(len, re.findall(r"[0-9]+", json.dumps(document))))
-    budget.keep(longest, "digits of a number on a page", taker)
+    budget.check_size(longest, "digits of a number on a page", taker)
     return document
 
 

@@ -113,7 +113,7 @@ def lab_page(
     """
     grasp = read_grasp(_EXAMPLES[0][1]) if grasp is None else grasp
     grasp.require_plane()
-    budget.keep(len(grasp), "contacts in the lab")
+    budget.check_size(len(grasp), "contacts in the lab")
     heading = "The slip lab" if title is None else title
     applied = _EXAMPLES[0][2] if wrench is None else wrench
     question = question_document(grasp, applied, "the lab")
@@ -124,7 +124,7 @@ def lab_page(
     data: dict[str, Any] = {
         "title": heading,
         "summary": summary,
-        "most": budget.most("contacts in the lab"),
+        "most": budget.max_size("contacts in the lab"),
         "first": first,
         **question,
         "examples": [

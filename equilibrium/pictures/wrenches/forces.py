@@ -256,7 +256,7 @@ def draw_methods(grasp: Grasp, *, wrenches: Iterable[Wrench], width: float = 88.
     questions = [read_wrench(wrench, grasp.dimension) for wrench in wrenches]
     if not questions:
         raise GraspError("there is no wrench; give at least one")
-    budget.keep(len(questions), "wrenches in a picture")
+    budget.check_size(len(questions), "wrenches in a picture")
     answers = [compare(grasp, wrench) for wrench in questions]
     names = [answer.method for answer in answers[0].answers]
     heads = [LABEL.vector(wrench) for wrench in questions]

@@ -53,7 +53,7 @@ def draw_polar(
     """
     if rays < 1:
         raise GraspError(f"the number of rays is {rays}; give at least 1")
-    budget.keep(rays, "rays in a picture")
+    budget.check_size(rays, "rays in a picture")
     region = resisted_region(grasp)
     radius = read_extent(extent) or _radius(grasp, region)
     step = radius / 1000 if tolerance is None else rational(tolerance, "tolerance")

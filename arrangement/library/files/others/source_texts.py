@@ -284,7 +284,7 @@ def _variables(text: str) -> list[str]:
         elif ends is None:
             raise InputError(f"the variables are {shown(part)}; write x, y, z or x_1..x_4")
         else:
-            budget.keep(int(ends[3]) - int(ends[2]) + 1, "coordinates")
+            budget.check_size(int(ends[3]) - int(ends[2]) + 1, "coordinates")
             names += [f"{ends[1]}_{k}" for k in range(int(ends[2]), int(ends[3]) + 1)]
     return names
 
