@@ -122,7 +122,7 @@ def check_cost(
     """
     costs = _costs(faces, bytes, steps, long_steps)
     factor = _needed_factor(costs)
-    if factor / times() <= 1:
+    if factor <= times():
         spend(steps)
         return
     forecast = " and ".join(c.text() for c in costs if c.amount > c.allowed * times())
@@ -135,7 +135,8 @@ def check_cost(
 
 def excess(*, faces: float = 0, bytes: float = 0, steps: float = 0, long_steps: float = 0) -> float:
     """Return how many times the budget the work would take; above 1 `check_cost` refuses it."""
-    return _needed_factor(_costs(faces, bytes, steps, long_steps)) / times()
+    factor = _needed_factor(_costs(faces, bytes, steps, long_steps))
+    return 0.0 if times() == math.inf else factor / times()
 
 
 class _Cost(NamedTuple):

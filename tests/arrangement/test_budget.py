@@ -201,6 +201,11 @@ def test_hostile_questions_are_answered_or_refused_soon(number, tmp_path):
     check(number, tmp_path)
 
 
+def test_no_limit_allows_work_without_a_finite_forecast():
+    with budget.limit(math.inf):
+        budget.check_cost("a list without an end", steps=math.inf)
+
+
 @pytest.mark.parametrize("m", range(6))
 @pytest.mark.parametrize("d", range(1, 5))
 @pytest.mark.parametrize("affine", [False, True])
