@@ -246,6 +246,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ): (
         "equilibrium.decide.solver",
         "equilibrium.decide.state_choices",
+        "equilibrium.decide.answer",
         "equilibrium.decide.verdict",
     ),
     (

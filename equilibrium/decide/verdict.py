@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from arrangement.console.number_form import counted
 from arrangement.console.plugins import named
-from arrangement.errors import HintsMixin, OutOfReachError
+from arrangement.errors import OutOfReachError
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, dot, to_text, vector_text
 from equilibrium.certificate.checker import Report, check, equilibrium_problem
@@ -44,6 +44,7 @@ from equilibrium.plane.states.contact_states import states_at
 from equilibrium.plane.states.equilibrium import Equilibrium
 
 from . import NOT_RESISTED, RESISTED, UNDECIDED, robustness
+from .answer import AnswerMixin
 from .proofs_for_all import NO_DEADLINE
 from .robustness import DEPENDS, Robustness, WithinError
 
@@ -55,7 +56,7 @@ MAX_CONTACTS_LISTED = 20
 
 
 @dataclass(frozen=True)
-class Verdict(HintsMixin):
+class Verdict(AnswerMixin):
     """The answer for one grasp and wrench, true when resisted, with what is needed to check it.
 
     Attributes:
@@ -98,28 +99,8 @@ class Verdict(HintsMixin):
         cones = pyramid_words(self.pyramid, before=", ")
         return f"<Verdict: {self.verdict}, wrench {vector_text(self.wrench)}, {count}{cones}>"
 
-    @property
-    def decided(self) -> bool:
-        """Whether there is a proof."""
-        return self.verdict != UNDECIDED
-
-    @property
-    def stable(self) -> bool:
-        """Whether the wrench is resisted: at least one equilibrium exists.
-
-        Raises:
-            UndecidedError: that is not known.
-        """
-        if not self.decided:
-            raise UndecidedError(
-                f"whether the wrench {vector_text(self.wrench)} is resisted is undecided: "
-                f"{self.reason}; ask `verdict` for the three answers"
-            )
-        return self.verdict == RESISTED
-
-    def __bool__(self) -> bool:
-        """Return whether the wrench is resisted; an undecided verdict raises UndecidedError."""
-        return self.stable
+    def _load(self) -> str:
+        return f"the wrench {vector_text(self.wrench)} is"
 
     @cached_property
     def equilibria(self) -> tuple[Equilibrium, ...]:

@@ -9,12 +9,11 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 from arrangement.console.number_form import counted, vector
-from arrangement.errors import HintsMixin
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from equilibrium.certificate.assemblies import AssemblyReport, check_assembly
 from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.reading import SCHEMA_VERSION
-from equilibrium.decide import RESISTED, UNDECIDED
+from equilibrium.decide.answer import AnswerMixin
 from equilibrium.model.assembly import SIZE, Assembly, Wrenches
 from equilibrium.model.errors import UndecidedError
 from equilibrium.model.solution import Solution
@@ -26,7 +25,7 @@ _SQUEEZED = "forces in the friction cones balance the wrenches, and no displacem
 
 
 @dataclass(frozen=True)
-class AssemblyVerdict(HintsMixin):
+class AssemblyVerdict(AnswerMixin):
     """The answer for one assembly and a wrench on each body, true when resisted.
 
     Attributes:
@@ -53,28 +52,8 @@ class AssemblyVerdict(HintsMixin):
     def __repr__(self) -> str:
         return f"<AssemblyVerdict: {self.verdict}, {self.assembly!r}>"
 
-    @property
-    def decided(self) -> bool:
-        """Whether there is a proof."""
-        return self.verdict != UNDECIDED
-
-    @property
-    def stable(self) -> bool:
-        """Whether the wrenches are resisted: at least one equilibrium exists.
-
-        Raises:
-            UndecidedError: that is not known.
-        """
-        if not self.decided:
-            raise UndecidedError(
-                f"whether the wrenches are resisted is undecided: {self.reason}; ask `verdict` for "
-                "the three answers"
-            )
-        return self.verdict == RESISTED
-
-    def __bool__(self) -> bool:
-        """Return whether they are resisted; an undecided verdict raises UndecidedError."""
-        return self.stable
+    def _load(self) -> str:
+        return "the wrenches are"
 
     @cached_property
     def motions(self) -> dict[str, RationalVector]:

@@ -1,0 +1,47 @@
+"""One of three answers to a question about equilibria: resisted, not resisted or undecided."""
+
+from __future__ import annotations
+
+from arrangement.errors import HintsMixin
+from equilibrium.model.errors import UndecidedError
+
+from . import RESISTED, UNDECIDED
+
+
+class AnswerMixin(HintsMixin):
+    """What verdicts on grasps and on assemblies have in common.
+
+    Attributes:
+        verdict: the answer in words.
+        reason: why it is undecided, if it is.
+    """
+
+    verdict: str
+    reason: str
+
+    @property
+    def decided(self) -> bool:
+        """Whether there is a proof."""
+        return self.verdict != UNDECIDED
+
+    @property
+    def stable(self) -> bool:
+        """Whether the load is resisted: at least one equilibrium exists.
+
+        Raises:
+            UndecidedError: that is not known.
+        """
+        if not self.decided:
+            raise UndecidedError(
+                f"whether {self._load()} resisted is undecided: {self.reason}; ask `verdict` for "
+                "the three answers"
+            )
+        return self.verdict == RESISTED
+
+    def __bool__(self) -> bool:
+        """Return whether the load is resisted; an undecided verdict raises UndecidedError."""
+        return self.stable
+
+    def _load(self) -> str:
+        """Return the load as the subject of a sentence, with its verb."""
+        raise NotImplementedError
