@@ -54,7 +54,7 @@ equilibrium resisted two-opposed-fingers --wrench 0 3/5 4/5 0 0 0
 
 
 def set_clock(patch: pytest.MonkeyPatch, factor: float) -> None:
-    """Let every clock of this process go so many times as fast."""
+    """Let every clock of this process go faster by a factor."""
     for name in CLOCKS:
         real = getattr(time, name)
         patch.setattr(time, name, lambda real=real: factor * real())
