@@ -563,6 +563,13 @@ class TestCommand:
         assert answer["wrench"]["lower"] == ["0", "-2", "0"]
         assert main(["verify", proof, "--grasp", stack]) == 1
 
+    @pytest.mark.parametrize("wrench", [["0", "-1", "0"], ["0,-1,0"], ["0 -1 0"]])
+    def test_names_with_spaces_stay_whole(self, wrench, tmp_path, capsys):
+        path = str(tmp_path / "stack.json")
+        assert main(["make", "stack", "-o", path]) == 0
+        assert main(["solve", path, "--on", "block 2", *wrench]) == 0
+        assert "block 2 moves by (0, -3/2, 0)" in capsys.readouterr().out
+
     @pytest.mark.parametrize(
         ("options", "words"),
         [

@@ -28,6 +28,7 @@ from .values import MAX_COUNT, rational_argument
 
 _BAD_INPUT = 2
 _NEGATIVE_NUMBER = re.compile(r"-\.?[0-9]")
+_NUMBER = re.compile(r"[+-]?\.?[0-9]")
 
 
 class Parser(argparse.ArgumentParser):
@@ -100,6 +101,8 @@ class Parser(argparse.ArgumentParser):
                 yield word
                 continue
             parts = re.split(r"[\s,]+", word.strip(", "))
+            if "," not in word and not all(map(_NUMBER.match, parts)):
+                parts = [word]  # a name with a space
             due = max(due - len(parts), 0)
             yield from parts
 
