@@ -6,13 +6,14 @@ import argparse
 import json
 import os
 from collections.abc import Iterable, Mapping
-from fractions import Fraction
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.options import values
+from arrangement.console.options.signature import options_of
 from equilibrium.model.errors import GraspError
 
-from .arguments import add_command, add_count, add_number, show
+from .arguments import add_command, show
 
 if TYPE_CHECKING:
     from equilibrium.model.assembly import Assembly
@@ -25,57 +26,14 @@ _ONE_BODY = (
 )
 
 
-_HALF = "tangent of half the angle"
-#: The kinds of make: what each is, and its options with their values and words. They are those of
-#: the functions of `equilibrium.grasps.textbook`, kept here so that ``--help`` loads no model.
-_MAKERS: dict[str, tuple[str, dict[str, tuple[Any, str]]]] = {
-    "stack": (
-        "put blocks on each other, the topmost pushed",
-        {
-            "--blocks": (2, "of the stack"),
-            "--friction": (Fraction(1, 2), "of all contacts"),
-            "--weight": (Fraction(1), "of each block"),
-            "--push": (Fraction(0), "to the right, on the topmost block"),
-        },
-    ),
-    "arch": (
-        "build a round arch of voussoirs",
-        {
-            "--voussoirs": (5, "of the arch"),
-            "--friction": (Fraction(1, 2), "of all contacts"),
-            "--inner": (Fraction(4), "radius"),
-            "--outer": (Fraction(5), "radius"),
-            "--weight": (Fraction(1), "of each voussoir"),
-        },
-    ),
-    "wedge": (
-        "put a wedge under a block at a smooth wall",
-        {
-            "--half-tangent": (Fraction(1, 3), f"{_HALF} of the wedge"),
-            "--friction": (Fraction(1, 3), "between wedge and block"),
-            "--ground": (Fraction(1, 3), "friction between wedge and ground"),
-            "--weight": (Fraction(1), "of the block"),
-        },
-    ),
-    "cylinders": (
-        "put a cylinder on two others",
-        {
-            "--half-tangent": (Fraction(1, 3), f"{_HALF} of normals and the vertical"),
-            "--friction": (Fraction(1, 3), "between cylinders"),
-            "--ground": (Fraction(1, 9), "friction on the ground"),
-            "--weight": (Fraction(1), "of each cylinder"),
-        },
-    ),
-    "ladder": (
-        "lean a ladder on a block",
-        {
-            "--friction": (Fraction(3, 8), "of the foot of the ladder"),
-            "--face": (Fraction(0), "friction between ladder and block"),
-            "--block": (Fraction(1, 4), "friction between block and ground"),
-            "--weight": (Fraction(8), "of the ladder"),
-            "--block-weight": (Fraction(12), "of the block"),
-        },
-    ),
+#: The kinds of make. Their options are the parameters of `equilibrium.grasps.textbook`, which is
+#: imported when one of them is parsed.
+_MAKERS = {
+    "stack": "put blocks on each other, the topmost pushed",
+    "arch": "build a round arch of voussoirs",
+    "wedge": "put a wedge under a block at a smooth wall",
+    "cylinders": "put a cylinder on two others",
+    "ladder": "lean a ladder on a block",
 }
 
 
@@ -180,24 +138,26 @@ def refuse_one_body(arguments: argparse.Namespace, names: Iterable[str]) -> None
 
 def add_makers(kinds: Any) -> None:
     """Add make stack, arch, wedge, cylinders and ladder."""
-    for name, (text, options) in _MAKERS.items():
-        parser = add_command(kinds, name, _make, text, grasp=False, numbers=False, heading="")
-        for option, (usual, words) in options.items():
-            if isinstance(usual, int):
-                add_count(parser, option, usual, words)
-            else:
-                add_number(parser, option, usual, words)
-        names = [option[2:].replace("-", "_") for option in options]
-        parser.set_defaults(maker=name, numbers=names)
+    for name, text in _MAKERS.items():
+        parser: Any = add_command(kinds, name, _make, text, grasp=False, numbers=False, heading="")
+        parser.set_defaults(maker=name)
+        parser.lazy_options = partial(_add_parameters, parser, name)
         parser.add_argument("-o", "--output", metavar="OUT.json", help="write the file here")
+
+
+def _add_parameters(parser: argparse.ArgumentParser, maker: str) -> None:
+    from equilibrium.grasps.textbook import TEXTBOOK
+
+    for option in options_of(TEXTBOOK[maker]).values():
+        option.add_to(parser, help=f"{option.help} (default: {option.default})")
 
 
 def _make(arguments: argparse.Namespace) -> int:
     """Print or write a textbook assembly."""
     from equilibrium.grasps.textbook import TEXTBOOK
 
-    options = {name: getattr(arguments, name) for name in arguments.numbers}
-    assembly, wrenches = TEXTBOOK[arguments.maker](**options)
+    made = TEXTBOOK[arguments.maker]
+    assembly, wrenches = made(**{name: getattr(arguments, name) for name in options_of(made)})
     if arguments.output is not None:
         assembly.save(arguments.output, wrenches)
     document = assembly.to_dict(wrenches)

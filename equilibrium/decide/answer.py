@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from arrangement.errors import HintsMixin
+from equilibrium.certificate.document import Certificate
 from equilibrium.model.errors import UndecidedError
 
 from . import RESISTED, UNDECIDED
@@ -41,6 +44,22 @@ class AnswerMixin(HintsMixin):
     def __bool__(self) -> bool:
         """Return whether the load is resisted; an undecided verdict raises UndecidedError."""
         return self.stable
+
+    @property
+    def proof(self) -> dict[str, Any]:
+        """The document of the certificate.
+
+        Raises:
+            UndecidedError: there is none.
+        """
+        if self.certificate is None:
+            raise UndecidedError(f"an undecided verdict has no certificate: {self.reason}")
+        return self.certificate.to_dict()
+
+    @property
+    def certificate(self) -> Certificate | None:
+        """The proof, checkable without the solver; None when undecided."""
+        raise NotImplementedError
 
     def _load(self) -> str:
         """Return the load as the subject of a sentence, with its verb."""

@@ -36,7 +36,6 @@ from equilibrium.model.errors import (
     CertificateError,
     EquilibriumError,
     TimeLimitError,
-    UndecidedError,
 )
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Open, Outcome, Solution, Tree
@@ -162,17 +161,6 @@ class Verdict(AnswerMixin):
         if self.solution is None:
             return refuted_certificate(self.grasp, self.wrench, self.tree, *asked)
         return resisted_certificate(self.grasp, self.wrench, self.solution, *asked)
-
-    @property
-    def proof(self) -> dict[str, Any]:
-        """The document of the certificate.
-
-        Raises:
-            UndecidedError: there is none.
-        """
-        if self.certificate is None:
-            raise UndecidedError(f"an undecided verdict has no certificate: {self.reason}")
-        return self.certificate.to_dict()
 
     def verify(self) -> Report:
         """Check the certificate, and that it answers this question; the report is true if so.

@@ -9,13 +9,19 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from fractions import Fraction
+from typing import Annotated, TypeAlias
 
+from arrangement.console.options.signature import Syntax
+from arrangement.console.options.values import rational_argument
 from arrangement.numbers.exact import Rational, RationalVector, rational, shown
 from equilibrium.model.assembly import Assembly, BodyContact, RigidBody, Wrenches
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Circle, Polygon
 from equilibrium.model.unit_normal import unit_normal
+
+#: An exact number, on a command line too.
+Number: TypeAlias = Annotated[Rational, Syntax(rational_argument, "Q")]
 
 #: Joints of an arch are this close to even angles: the tangent of the error.
 _EVEN = "1/1000"
@@ -25,9 +31,9 @@ _MAX_BODIES = 200
 def stack(
     *,
     blocks: int = 2,
-    friction: Rational = "1/2",
-    weight: Rational = 1,
-    push: Rational = 0,
+    friction: Number = "1/2",
+    weight: Number = 1,
+    push: Number = 0,
 ) -> tuple[Assembly, Wrenches]:
     """Return blocks of width 2 and height 1 on each other, the topmost pushed to the right.
 
@@ -57,10 +63,10 @@ def stack(
 def arch(
     *,
     voussoirs: int = 5,
-    friction: Rational = "1/2",
-    inner: Rational = 4,
-    outer: Rational = 5,
-    weight: Rational = 1,
+    friction: Number = "1/2",
+    inner: Number = 4,
+    outer: Number = 5,
+    weight: Number = 1,
 ) -> tuple[Assembly, Wrenches]:
     """Return a round arch of voussoirs with radial joints, two contacts each.
 
@@ -99,10 +105,10 @@ def arch(
 
 def wedge(
     *,
-    half_tangent: Rational = "1/3",
-    friction: Rational = "1/3",
-    ground: Rational = "1/3",
-    weight: Rational = 1,
+    half_tangent: Number = "1/3",
+    friction: Number = "1/3",
+    ground: Number = "1/3",
+    weight: Number = 1,
 ) -> tuple[Assembly, Wrenches]:
     """Return a wedge between the ground and a block that a smooth vertical wall guides.
 
@@ -134,10 +140,10 @@ def wedge(
 
 def cylinders(
     *,
-    half_tangent: Rational = "1/3",
-    friction: Rational = "1/3",
-    ground: Rational = "1/9",
-    weight: Rational = 1,
+    half_tangent: Number = "1/3",
+    friction: Number = "1/3",
+    ground: Number = "1/9",
+    weight: Number = 1,
 ) -> tuple[Assembly, Wrenches]:
     """Return a cylinder on two equal ones that do not touch each other.
 
@@ -172,11 +178,11 @@ def cylinders(
 
 def ladder(
     *,
-    friction: Rational = "3/8",
-    face: Rational = 0,
-    block: Rational = "1/4",
-    weight: Rational = 8,
-    block_weight: Rational = 12,
+    friction: Number = "3/8",
+    face: Number = 0,
+    block: Number = "1/4",
+    weight: Number = 8,
+    block_weight: Number = 12,
 ) -> tuple[Assembly, Wrenches]:
     """Return a ladder of rise 4 and run 3 that leans on a block on the ground.
 

@@ -12,7 +12,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from arrangement import OutOfReachError
+from arrangement import InputError, OutOfReachError
 from equilibrium import (
     Assembly,
     BodyContact,
@@ -562,6 +562,11 @@ class TestCommand:
         assert answer["verdict"] == "not resisted"
         assert answer["wrench"]["lower"] == ["0", "-2", "0"]
         assert main(["verify", proof, "--grasp", stack]) == 1
+
+    @pytest.mark.parametrize("limit", [0, -1, float("nan")])
+    def test_time_limit_that_is_not_positive_is_refused(self, limit):
+        with pytest.raises(InputError, match="limit"):
+            solve(STACK, {}, time_limit=limit)
 
     @pytest.mark.parametrize("wrench", [["0", "-1", "0"], ["0,-1,0"], ["0 -1 0"]])
     def test_names_with_spaces_stay_whole(self, wrench, tmp_path, capsys):

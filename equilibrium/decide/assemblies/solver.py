@@ -55,7 +55,7 @@ def solve_assembly(
     'resisted'
     """
     read = assembly.read_wrenches(wrenches)
-    effort = Effort(seconds=time_limit) if time_limit else Effort(STEPS[3] * budget.times())
+    effort = Effort(STEPS[3] * budget.times()) if time_limit is None else Effort(seconds=time_limit)
     return _checked(_decided(assembly, read, effort, nodes))
 
 

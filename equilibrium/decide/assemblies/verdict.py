@@ -15,7 +15,6 @@ from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.reading import SCHEMA_VERSION
 from equilibrium.decide.answer import AnswerMixin
 from equilibrium.model.assembly import SIZE, Assembly, Wrenches
-from equilibrium.model.errors import UndecidedError
 from equilibrium.model.solution import Solution
 
 from .rigid import rigid_forces
@@ -112,17 +111,6 @@ class AssemblyVerdict(AnswerMixin):
             document["motion"] = _texts(self.motions)
             document["forces"] = [list(map(to_text, force)) for force in self.forces]
         return Certificate(json.dumps(document, separators=(",", ":")))
-
-    @property
-    def proof(self) -> dict[str, Any]:
-        """The document of the certificate.
-
-        Raises:
-            UndecidedError: there is none.
-        """
-        if self.certificate is None:
-            raise UndecidedError(f"an undecided verdict has no certificate: {self.reason}")
-        return self.certificate.to_dict()
 
     def verify(self) -> AssemblyReport:
         """Check the certificate, and that it answers this question; the report is true if so.
