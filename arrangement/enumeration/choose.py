@@ -19,6 +19,8 @@ from .sequence import FaceSequence, Level
 
 #: Up to so many faces, a list of all of them is as quick as one of the regions alone.
 _FEW = 200_000
+#: What one restriction to a plane takes when regions are listed alone.
+_RESTRICTION_STEPS = 1300
 
 
 @dataclass(frozen=True)
@@ -113,11 +115,12 @@ def enumerate_regions(planes: Planes, count: Callable[[Planes], int]) -> FaceSeq
     if cone_rank(planes) < 5 or most_faces(m, planes.rank, central) < _FEW or not rational:
         return None
     restrictions = budget.choose(m + (not central), cone_rank(planes) - 2)
-    words = cone_rank(planes) + m / 64 + 1
+    of_each = cone_rank(planes) + m / 64 + 1  # coordinates of the witness, words of signs
 
     def takes() -> dict[str, float]:
-        steps = restrictions * 1300 * work_factor(planes.integer_planes) + regions * m
-        return {"faces": regions, "long_steps": steps, "bytes": 32 * words * regions}
+        steps = restrictions * _RESTRICTION_STEPS * work_factor(planes.integer_planes)
+        steps += regions * m
+        return {"faces": regions, "long_steps": steps, "bytes": 32 * of_each * regions}
 
     regions, many = most_regions(m, planes.rank, central), "up to "
     if budget.excess(**takes()) > 1:

@@ -24,12 +24,17 @@ def parser_of(program):
     return importlib.import_module(PROGRAMS[program])._parser()
 
 
-def commands_of(parser):
-    """Return the subcommands of a parser by name; options that are found out late are added."""
-    add_options, parser.lazy_options = parser.lazy_options, None
+def _actions(parser):
+    """Return the arguments and options of a parser, with those that are added when it parses."""
+    add_options, parser.lazy_options = getattr(parser, "lazy_options", None), None
     if add_options is not None:
         add_options()
-    listed = (x for x in parser._actions if isinstance(x, argparse._SubParsersAction))
+    return parser._actions
+
+
+def commands_of(parser):
+    """Return the subcommands of a parser by name."""
+    listed = (x for x in _actions(parser) if isinstance(x, argparse._SubParsersAction))
     return {name: command for action in listed for name, command in action.choices.items()}
 
 
@@ -45,7 +50,7 @@ def old_names():
 def _entries(parser):
     """Yield arguments and options in words, each with its help."""
     formatter = parser._get_formatter()
-    for action in parser._actions:
+    for action in _actions(parser):
         shown = action.help != argparse.SUPPRESS and action.dest not in COMMON
         if shown and not isinstance(action, argparse._SubParsersAction):
             words = formatter._format_action_invocation(action)
