@@ -70,6 +70,7 @@ def _parser() -> Parser:
         added: Parser = terminal.add_command(commands, name, help, *answers, heading=heading)
         if file is not None:
             added.add_argument("file", metavar="FILE", nargs=file or None, help=_FILE)
+            added.names["file"] = json_files.instances
         terminal.add_common_options(added)
         added.set_defaults(command=function)
         return added

@@ -65,16 +65,20 @@ def encodable(text: str, encoding: str) -> str:
 
 
 class _Answers:
-    """A stream that is written to as `safe_lines` and `encodable` say."""
+    """A stream that is written to as `safe_lines` and `encodable` say.
+
+    Attributes:
+        stream: where the text goes.
+    """
 
     def __init__(self, stream: TextIO) -> None:
-        self._stream = stream
+        self.stream = stream
 
     def __getattr__(self, name: str) -> Any:
-        return getattr(self._stream, name)
+        return getattr(self.stream, name)
 
     def write(self, text: str) -> int:
-        return self._stream.write(encodable(safe_lines(text), self._stream.encoding or "utf-8"))
+        return self.stream.write(encodable(safe_lines(text), self.stream.encoding or "utf-8"))
 
 
 @contextmanager

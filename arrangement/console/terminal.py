@@ -25,6 +25,7 @@ from arrangement.numbers.real import Irrational, written
 
 from . import number_form, progress
 from .entry import fault
+from .options.completion import PrintCompletion
 from .options.parser import Parser, Version
 from .options.values import (
     digits_argument,
@@ -45,7 +46,7 @@ _BROKEN_PIPE = 141
 
 
 def command_parser(prog: str, description: str, renamed: Mapping[str, str] | None = None) -> Parser:
-    """Return the parser of one program, with ``--version`` and no subcommand yet.
+    """Return the parser of one program, with the options that print and end.
 
     Args:
         renamed: commands and options of earlier releases and of other programs, with what to
@@ -54,6 +55,7 @@ def command_parser(prog: str, description: str, renamed: Mapping[str, str] | Non
     every = ("yes or done", "no or refuted", "undecided", "internal error")
     parser = Parser(prog=prog, description=description, epilog=_exit_codes(every))
     parser.add_argument("--version", action=Version)
+    parser.add_argument("--print-completion", action=PrintCompletion)
     parser.renamed = renamed or {}
     return parser
 

@@ -11,6 +11,7 @@ import re
 import textwrap
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
+from functools import partial
 from shutil import get_terminal_size
 from typing import Any, NamedTuple
 
@@ -90,6 +91,7 @@ def _add_target(parser: Parser, drawings: Drawings, more: Mapping[str, str]) -> 
             if kind == "view":
                 text += f"; several, as in {known[0]},{known[1]}, are panels of one figure"
             parser.add_argument(f"--{kind}", metavar=kind.upper(), help=text + more.get(kind, ""))
+            parser.names[kind] = partial(list, known)
 
 
 def _uses(drawings: Drawings) -> dict[str, list[_Use]]:

@@ -26,9 +26,7 @@ def parser_of(program):
 
 def _actions(parser):
     """Return the arguments and options of a parser, with those that are added when it parses."""
-    add_options, parser.lazy_options = getattr(parser, "lazy_options", None), None
-    if add_options is not None:
-        add_options()
+    parser.add_lazy_options()
     return parser._actions
 
 

@@ -10,6 +10,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from arrangement.console import terminal
+from arrangement.console.colours import print_verdict
 from arrangement.console.options import values
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, shown, to_text
@@ -60,18 +61,24 @@ def add_command(
     return parser
 
 
-def add_grasp(
-    parser: argparse.ArgumentParser, name: str, number: Any = None, preload: bool = True
-) -> None:
+def add_grasp(parser: Any, name: str, number: Any = None, preload: bool = True) -> None:
     """Add a grasp, as an argument or an option, and a preload in place of its own."""
     text = "a path (JSON, or .csv with one contact a line), - for stdin, or a built-in name"
-    parser.add_argument(name, metavar="GRASP", nargs=number, help=text)
+    action = parser.add_argument(name, metavar="GRASP", nargs=number, help=text)
+    parser.names[action.dest] = _built_in
     text = "take normals of any length: the nearest exact unit vector, with the change reported"
     parser.add_argument("--round-normals", action="store_true", help=text)
     add_as_given(parser)
     if preload:
         text = "use this preload at every contact instead of the grasp's own"
         add_number(parser, "--preload", None, text, metavar="P")
+
+
+def _built_in() -> Iterable[str]:
+    """Return the names of the built-in grasps."""
+    from arrangement.library.files.json_files import described
+
+    return described("contacts")
 
 
 def add_as_given(parser: argparse.ArgumentParser) -> None:
@@ -279,6 +286,8 @@ def show(
         stated = {"units": units.to_dict()} if units and "grasp" not in document else {}
         terminal.print_json({**document, **stated})
     else:
-        for line in [str(units), *lines] if units else lines:
-            print(line)
+        if units:
+            print(units)
+        for line in lines:
+            print_verdict(line)
     return terminal.UNDECIDED if yes is None else terminal.YES if yes else terminal.NO

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from math import gcd
 from typing import TYPE_CHECKING, Any
@@ -206,10 +206,16 @@ def _modes_lines(modes: ContactModes, count: bool) -> Iterator[str]:
     yield f"contacting-separating modes: {total} (c: stays in contact, s: separates)"
     for kept in modes.contacting_separating:
         signs = "".join("s" if sign else "c" for sign in kept.signs)
-        yield f"  {signs}  dim {kept.dimension}  {vector(kept.motion)}"
+        yield f"  {signs}  dim {kept.dimension}  {_scaled(kept.motion)}"
     yield "sliding-sticking modes (0: no slip, + and -: slip along a tangent)"
     for slid in modes.sliding_sticking():
-        yield f"  {_slips(slid.signs)}  dim {slid.dimension}  {vector(slid.motion)}"
+        yield f"  {_slips(slid.signs)}  dim {slid.dimension}  {_scaled(slid.motion)}"
+
+
+def _scaled(motion: Sequence[int]) -> str:
+    """Return a motion with its largest entry 1: a mode has its positive multiples, too."""
+    largest = max(map(abs, motion)) or 1
+    return vector(Fraction(x, largest) for x in motion)
 
 
 def _slips(signs: Slips) -> str:

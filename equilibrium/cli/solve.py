@@ -37,6 +37,11 @@ AS_PRINTED = (
 #: Options of the verdict of the full model, which the other forms do not take.
 _OF_THE_VERDICT = ("certificate", "time_limit", "max_displacement", "robust", "shorten", "all")
 _WORDS = {True: "yes", False: "no", None: "-"}
+#: What a mark of the comparison means, for those that it has.
+_MARKS = {
+    "-": "the method has no verdict on this wrench",
+    "!": "another verdict than that of the full model",
+}
 
 
 def add_command_solve(commands: Any) -> None:
@@ -135,6 +140,8 @@ def _by_methods(arguments: argparse.Namespace) -> int:
     for answer in comparison.answers:
         mark = "!" if answer.method in comparison.disagreeing else " "
         lines.append(f"{mark} {_WORDS[answer.accepts]:<4}{answer.title:<60}{answer.remark}")
+    marks = {line[0] for line in lines} | {line[2] for line in lines}
+    lines += [f"{mark}  {text}" for mark, text in _MARKS.items() if mark in marks]
     if grasp.data_error is not None:
         rounding = solve(grasp, wrench, pyramid=arguments.cone).within_error()
         document["within_error"] = rounding.to_dict()

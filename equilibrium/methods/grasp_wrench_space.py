@@ -25,6 +25,7 @@ from itertools import pairwise, product
 from math import sqrt
 from typing import Any, Literal
 
+from arrangement.console.number_form import number
 from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import (
@@ -35,7 +36,6 @@ from arrangement.numbers.exact import (
     rational,
     rational_vector,
     shown,
-    to_text,
 )
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
 from arrangement.numbers.linear.programs import (
@@ -309,7 +309,7 @@ def _decide(grasp: Grasp, wrench: RationalVector, pyramid: int = 4) -> Outcome:
     found = GraspWrenchSpace(grasp, pyramid=pyramid).verdict(wrench)
     if found.least_force is None:
         return False, "no forces inside the cones balance it"
-    return True, f"total normal force at least {to_text(found.least_force)}"
+    return True, f"total normal force at least {number(found.least_force)}"
 
 
 def _decide_in_space(grasp: Grasp, wrench: RationalVector, pyramid: int | None) -> Outcome:

@@ -29,8 +29,9 @@ from itertools import product
 from typing import Any
 
 from arrangement.arrangement import Arrangement
+from arrangement.console.number_form import vector
 from arrangement.console.progress import watched
-from arrangement.numbers.exact import RationalVector, primitive, rational, shown, to_text
+from arrangement.numbers.exact import RationalVector, primitive, rational, shown
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
 from arrangement.numbers.linear.programs import Infeasible, Unbounded, minimize, some_point
 from equilibrium.methods.method import Method, Outcome, cut
@@ -210,7 +211,7 @@ def _decide_strong(grasp: Grasp, wrench: RationalVector) -> Outcome:
     found = weak_strong(grasp, wrench)
     if found.acceleration is None:
         return found.strong, "unit mass and inertia about the origin"
-    return False, f"may start with acceleration ({', '.join(map(to_text, found.acceleration))})"
+    return False, f"may start with acceleration {vector(found.acceleration)}"
 
 
 def _decide_frictionless(

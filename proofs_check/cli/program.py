@@ -57,10 +57,10 @@ def _parser() -> Parser:
     def command(
         name: str, function: str, help: str, *answers: str, heading: str = "more"
     ) -> argparse.ArgumentParser:
-        added: argparse.ArgumentParser = terminal.add_command(
-            commands, name, help, *answers, heading=heading
-        )
+        added: Parser = terminal.add_command(commands, name, help, *answers, heading=heading)
         added.set_defaults(command=_later(function), long=True)  # it reports its progress
+        if name != "report":
+            added.names = dict.fromkeys(("ids", "source", "claim"), _claims)
         terminal.add_common_options(added)
         if name in ("run", "try", "fit", "sweep", "report"):
             terminal.add_number_options(added)
@@ -157,6 +157,13 @@ def _parser() -> Parser:
     )
     grade.add_argument("-o", "--output", metavar="POINTS.csv", help="the points of a folder")
     return parser
+
+
+def _claims() -> list[str]:
+    """Return the ids of the claims of the paper."""
+    from proofs_check.claims import registry
+
+    return [claim.id for claim in registry()]
 
 
 def _later(function: str) -> Callable[[argparse.Namespace], int]:

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from arrangement.console import terminal, workers
+from arrangement.console.colours import print_verdict
 from arrangement.console.progress import Bar, shown
 from arrangement.console.safe_text import safe_lines
 from arrangement.console.writing import write_text_atomically
@@ -135,7 +136,8 @@ def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
             entry = text.entry(found, widths, width())
             if asked.from_files:
                 entry = "\n" * bool(results) + text.details(found, width(), saved=saved)
-            print(entry, flush=True)
+            print_verdict(entry, found["verdict"] or "")
+            sys.stdout.flush()
         results.append(found)
     record = report.json_record(results, asked.seed, **_about(asked))
     if make:

@@ -151,7 +151,7 @@ def test_a_slice_without_an_end_says_how_far_it_was_tried(monkeypatch):
     monkeypatch.setattr(space_slice, "spatial_magnitudes", known)
     fingers = read_grasp("two-opposed-fingers")
     scene: Scene = draw_slice.scene(fingers, slice=("fy", "fz"), rays=3)
-    assert scene.legend.lines[-1][0] == "no boundary was found up to 64, the most tried, in all"
+    assert scene.legend.lines[-1][0] == "unbounded as far as tested (64)"
     axis, spoke = (next(x for x in scene.items if x.name == name) for name in ("", "spoke-1"))
     assert length([spoke]) == pytest.approx(64 / 160 * length([axis]))
     assert "80" in {x.text for x in scene.items if isinstance(x, Label)}

@@ -266,6 +266,18 @@ class TestCommands:
         assert main(arguments) == 0
         lines = capsys.readouterr().out.splitlines()
         assert [line for line in lines if line.startswith("!") and "linear compliance" in line]
+        assert lines[-2:] == [
+            "-  the method has no verdict on this wrench",
+            "!  another verdict than that of the full model",
+        ]
+
+    def test_compare_rounds_numbers_as_solve_does(self, capsys):
+        load = "1/12345678912345"
+        words = ["solve", "opposed-contacts", "--wrench", "0", load, "0", "--methods"]
+        main(words)
+        assert "total normal force at least ≈8.1e-14" in capsys.readouterr().out
+        main([*words, "--exact"])
+        assert f"total normal force at least {load}" in capsys.readouterr().out
 
     def test_wrench_space(self, capsys):
         assert main(["info", "paper-three-contacts", "--force-closure", "--json"]) == 0

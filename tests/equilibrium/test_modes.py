@@ -2,6 +2,7 @@
 
 import json
 import re
+from fractions import Fraction
 from itertools import product
 
 import pytest
@@ -161,3 +162,10 @@ def test_the_command_counts_and_lists(capsys):
 def test_bodies_given_by_normals_have_modes_only(capsys):
     assert main(["info", "box-on-a-box-1-wall"]) == 2
     assert "expected a grasp with contacts" in capsys.readouterr().err
+
+
+def test_modes_are_printed_with_largest_entry_one(capsys):
+    assert main(["info", "three-fingers-on-a-ball", "--modes"]) == 0
+    rows = re.findall(r"\(([-0-9/, ]+)\)$", capsys.readouterr().out, re.MULTILINE)
+    sizes = {max(abs(Fraction(x)) for x in row.split(", ")) for row in rows}
+    assert sizes == {0, 1}

@@ -44,6 +44,8 @@ class Parser(argparse.ArgumentParser):
         renamed: commands and options of earlier releases and of other programs, with what to write
             now.
         headings: the commands of a program under headings of its help: names with what they do.
+        names: for arguments and options, by their destination, a function that returns the names
+            that a shell completes them with.
     """
 
     def __init__(self, **options: Any) -> None:
@@ -55,6 +57,7 @@ class Parser(argparse.ArgumentParser):
         self.arguments: Sequence[str] = ()
         self.renamed: Mapping[str, str] = {}
         self.headings: dict[str, list[tuple[str, str]]] = {}
+        self.names: dict[str, Callable[[], Iterable[str]]] = {}
         #: Options with a value, in the order in which they are parsed.
         self._seen: list[argparse.Action] = []
 
@@ -64,13 +67,17 @@ class Parser(argparse.ArgumentParser):
         commands.program = self
         return commands
 
+    def add_lazy_options(self) -> None:
+        """Add the options that take time to find out, once."""
+        lazy_options, self.lazy_options = self.lazy_options, None
+        if lazy_options is not None:
+            lazy_options()
+
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         """Parse, with all options; ``--help`` comes through here too."""
         self.arguments = words = sys.argv[1:] if args is None else args
         self._seen = []
-        lazy_options, self.lazy_options = self.lazy_options, None
-        if lazy_options is not None:
-            lazy_options()
+        self.add_lazy_options()
         found, rest = super().parse_known_args(list(self._split_numbers(words)), namespace)
         for word in rest:
             self.error(self._unknown(word))
@@ -183,14 +190,27 @@ def _suggestion(word: str, known: Iterable[str]) -> str:
 
 
 class Version(argparse.Action):
-    """Print the version of the distribution, read only when it is asked for."""
+    """Print the version of the distribution, and of what computes exactly under it.
+
+    Distributions are read only when they are asked for; none is imported.
+    """
 
     def __init__(self, option_strings: Sequence[str], dest: str, **options: Any) -> None:
-        super().__init__(option_strings, argparse.SUPPRESS, nargs=0, help="print the version")
+        text = "print the versions of the program and of what it computes with"
+        super().__init__(option_strings, argparse.SUPPRESS, nargs=0, help=text)
 
     def __call__(self, parser: argparse.ArgumentParser, *_: Any) -> NoReturn:
-        """Print it, and end the program."""
+        """Print them, and end the program."""
+        from importlib.metadata import PackageNotFoundError, version
+        from platform import python_version
+
         from arrangement import __version__
 
-        print(f"{parser.prog} {__version__}")
+        parts = [f"Python {python_version()}"]
+        for name in ("numpy", "sympy", "python-flint"):
+            try:
+                parts.append(f"{name} {version(name)}")
+            except PackageNotFoundError:
+                parts.append(f"no {name}")
+        print(f"{parser.prog} {__version__} ({', '.join(parts)})")
         parser.exit(0)

@@ -6,7 +6,7 @@ faces there are, which of them are bounded, and what the window cuts, is exact.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cached_property
 
@@ -15,18 +15,12 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.flat_polygons import between, clipped
-from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, quotient, sign
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, sign
 from arrangement.numbers.linear.rank import cycle_edges
-from arrangement.numbers.real import rational_near
 from arrangement.pictures.sphere.globe import Globe, region_signs, sign_vectors
 from arrangement.pictures.sphere.projections import Drawn, stereographic
 
-#: The direction from which the cone is seen: the plane of the lines is at height 1 above it.
-ABOVE = (0, 0, 1)
-#: Room around the vertices as a share of the window.
-_ROOM = Fraction(1, 2)
-#: The least width of the window over its height, and the least height over its width.
-_LEAST = Fraction(4, 5), Fraction(11, 20)
+from .line_window import ABOVE, LineWindow, cone
 
 
 class LinesChart:
@@ -38,27 +32,18 @@ class LinesChart:
     Attributes:
         lines: the arrangement.
         half: exact half sides of the window.
+        left_out: how many far crossings the window leaves out.
         globe: the great circles of the cone, with the same coordinates, cut at the limb, which is
             the line at infinity.
     """
 
     def __init__(self, lines: Arrangement, window: Sequence[RationalVector] = ()) -> None:
-        """Take lines, and opposite corners of the window, if not all vertices are to be in it."""
+        """Take lines, and opposite corners of the window, if it is not to be chosen."""
         self.lines = lines
-        vertices = list(_vertices(lines))
-        feet = (((a * c, b * c), a * a + b * b) for a, b, c in lines.integer_planes)
-        nearest = [tuple(rational_near(quotient(x, square)) for x in p) for p, square in feet]
-        middle, half = _window(vertices or nearest)
-        if window:
-            columns = [sorted(column) for column in zip(*window, strict=True)]
-            middle, half = (tuple((b + s * a) / 2 for a, b in columns) for s in (1, -1))
-            vertices = [
-                p for p in vertices
-                if all(abs(x - c) <= h for x, c, h in zip(p, middle, half, strict=True))
-            ]  # fmt: skip
-        unit = _unit(vertices, middle, half)
-        self.half = [x / unit for x in half]
-        self.globe = Globe(_cone(lines, middle, unit), ABOVE)
+        chosen = LineWindow.between(lines, window) if window else LineWindow.of(lines)
+        self.left_out, unit = chosen.left_out, chosen.unit
+        self.half = [x / unit for x in chosen.half]
+        self.globe = Globe(cone(lines, chosen.middle, unit), ABOVE)
         self.sphere, self.incidence = self.globe.cut, self.globe.cut.incidence
 
     @cached_property
@@ -163,40 +148,3 @@ class LinesChart:
 
 def _places(points: Iterable[IntegerVector]) -> Floats:
     return np.array([[x / w, y / w] for x, y, w in points]).reshape(-1, 2)
-
-
-def _cone(lines: Arrangement, middle: RationalVector, unit: Fraction) -> Arrangement:
-    """Return the cone over lines in the coordinates ``(x - middle) / unit``."""
-    planes = lines.integer_planes
-    rows = [(unit * a, unit * b, dot((a, b), middle) - c) for a, b, c in planes]
-    return Arrangement(rows, dimension=3)
-
-
-def _vertices(lines: Arrangement) -> Iterator[RationalVector]:
-    """Yield the vertices of lines, or rational points near them: they make the window."""
-    sphere = Globe(_cone(lines, (Fraction(0),) * 2, Fraction(1)), ABOVE).whole
-    for v in range(sphere.vertex_count):
-        x, y, w = sphere.ray(v)
-        if w > 0:
-            yield rational_near(quotient(x, w)), rational_near(quotient(y, w))
-
-
-def _window(points: Sequence[RationalVector]) -> tuple[RationalVector, RationalVector]:
-    """Return middle and half sides of a window around points."""
-    columns = list(zip(*points, strict=True)) or [(Fraction(0),)] * 2
-    middle = tuple((min(column) + max(column)) / 2 for column in columns)
-    sizes = [(max(column) - min(column)) / 2 for column in columns]
-    room = (max(sizes) or Fraction(1)) * _ROOM
-    largest = max(sizes) + room
-    return middle, tuple(max(s + room, largest * x) for s, x in zip(sizes, _LEAST, strict=True))
-
-
-def _unit(
-    vertices: Sequence[RationalVector], middle: RationalVector, half: RationalVector
-) -> Fraction:
-    """Return the length that the disc draws half-way to infinity or nearer."""
-    sizes = (max(abs(x - c) for x, c in zip(p, middle, strict=True)) for p in vertices)
-    away = sorted(size for size in sizes if size)
-    if not away:
-        return max(half) / 2
-    return max(away[len(away) // 2] * Fraction(5, 4), away[-1] / 5)

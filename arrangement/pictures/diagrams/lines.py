@@ -48,7 +48,9 @@ from .line_charts import LinesChart
 MARGIN = 14.0
 FACES = ("regions", "all")
 _BOUNDED, _UNBOUNDED = PALETTE[2], "#ffffff"
-_LINE: dict[str, Any] = {"ec": "black", "lw": 0.9, "zorder": 3, "role": "circle"}
+_LINE: dict[str, Any] = {"ec": "black", "zorder": 3, "role": "circle"}
+#: Widths of up to so many lines in points, and of very many.
+_WIDTH, _FEW, _THIN = 0.9, 9, 0.25
 
 
 @picture()
@@ -65,10 +67,11 @@ def draw_lines(
     coordinates: str | None = None,
     window: Iterable[Corner] = (),
 ) -> Scene:
-    """Draw lines of the plane in a window with all their vertices, or in the projective plane.
+    """Draw lines of the plane in a window with their vertices, or in the projective plane.
 
     A number at its end names a line: k for the k-th one, counted from 1. The legend counts the
-    regions. Lines without a common point are shown around their points nearest to 0.
+    regions. Lines without a common point are shown around their points nearest to 0. Far crossings
+    are left out where most bounded regions would be too small to be seen; a window has its own.
 
     With `projective` the whole plane is a disc: the half sphere above it, in stereographic
     projection, so that lines are arcs of circles. The rim is the line at infinity. Opposite points
@@ -255,6 +258,11 @@ class _WindowSheet(_Sheet):
         def at(points: Floats) -> Floats:
             return self.centre + scale * points
 
+        if chart.left_out:
+            note(
+                f"the window leaves out {chart.left_out} of {len(chart.vertices)} crossings, so "
+                "that bounded regions are seen; --window has other corners"
+            )
         outside = 0
         for r, signs in chart.regions.items():
             region, outline = DrawnRegion(signs, chart.sides[signs]), at(chart.outline(r))
@@ -277,7 +285,11 @@ class _WindowSheet(_Sheet):
             if len(ends) < 2:
                 continue
             self.scene.line(
-                ends, gid=f"line-{chart.lines.firsts[label] + 1}", capstyle="butt", **_LINE
+                ends,
+                lw=max(_THIN, _WIDTH * min(1.0, (_FEW / len(names)) ** 0.75)),
+                gid=f"line-{chart.lines.firsts[label] + 1}",
+                capstyle="butt",
+                **_LINE,
             )
             self._name(ends, name)
 

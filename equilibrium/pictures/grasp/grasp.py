@@ -25,8 +25,8 @@ from equilibrium.pictures.parts.style import (
     CONE_EDGE,
     CONE_FILL,
     Wrench,
-    bar,
     explain_grasp,
+    explain_scale,
     mark,
     name_wrench,
     nice_near,
@@ -256,8 +256,7 @@ def _describe(layout: Layout, legend: Legend, scale: float) -> None:
     if layout.reference:
         force = nice_near(layout.reference)
         share = float(force / layout.reference) / layout.longest
-        unit = f" {layout.grasp.units.force}" if layout.grasp.units else ""
-        legend.key(bar(share * FORCE * scale), f"force {LABEL.number(force)}{unit}")
+        explain_scale(legend, layout.grasp, force, share * FORCE * scale)
 
 
 def _lines(layout: Layout) -> Iterator[tuple[str, bool]]:

@@ -174,6 +174,12 @@ def explain_grasp(legend: Legend, grasp: Grasp, wrench: RationalVector, forces: 
             legend.key(symbol(kind), text)
 
 
+def explain_scale(legend: Legend, grasp: Grasp, force: Fraction, length: float) -> None:
+    """Explain by a bar how long an arrow of a force is, in points; in space if seen aside."""
+    unit = f" {grasp.units.force}" if grasp.units else ""
+    legend.key(bar(length), f"force {LABEL.number(force)}{unit}")
+
+
 def bar(length: float) -> Symbol:
     """Return a bar of scale of a length in points."""
     scene, tick, style = canvas(), 0.7 * POINTS, {"ec": BLACK, "lw": 0.8}

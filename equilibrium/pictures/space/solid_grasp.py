@@ -150,13 +150,17 @@ class SolidGrasp:
         return points, merged(points, faces), True
 
     @cached_property
-    def force_scale(self) -> float:
-        """By what forces are multiplied: the largest one has the length `FORCE`."""
+    def largest_force(self) -> float:
+        """The largest contact force, preload or applied force; 0 without any."""
         sizes = [math.hypot(*map(float, f)) for f in self.forces]
         sizes += [math.hypot(*map(float, self.wrench[:3]))] if self.wrench else []
         sizes += [float(c.preload) for c in self.grasp]
-        largest = max(sizes, default=0.0)
-        return FORCE / largest if largest else 0.0
+        return max(sizes, default=0.0)
+
+    @property
+    def force_scale(self) -> float:
+        """By what forces are multiplied: the largest one has the length `FORCE`."""
+        return FORCE / self.largest_force if self.largest_force else 0.0
 
     @cached_property
     def screw(self) -> Screw | None:

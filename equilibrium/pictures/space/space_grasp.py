@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -38,7 +39,9 @@ from equilibrium.pictures.parts.style import (
     CONE_FILL,
     Wrench,
     explain_grasp,
+    explain_scale,
     name_wrench,
+    nice_near,
     symbol,
 )
 
@@ -171,6 +174,9 @@ class _SpatialGraspPicture(SolidSheet):
         if note:
             legend.line(note, True)
         explain_grasp(legend, solid.grasp, solid.wrench, any(map(any, solid.forces)))
+        if solid.largest_force:
+            force = nice_near(Fraction(solid.largest_force))
+            explain_scale(legend, solid.grasp, force, float(force) * solid.force_scale * self.scale)
         if solid.motion and solid.screw is None:
             legend.line(motion_text(solid))
         elif solid.motion:

@@ -157,5 +157,5 @@ def _explain(
     legend.line(f"{len(spokes)} directions; the shading between them is not proved")
     tried = [known.samples[-1][0] for _, known in spokes if known.samples[-1][1] == RESISTED]
     if tried:
-        part = "all" if len(tried) == len(spokes) else f"{len(tried)} of them"
-        legend.line(f"no boundary was found up to {float(max(tried)):g}, the most tried, in {part}")
+        part = "" if len(tried) == len(spokes) else f", in {len(tried)} of them"
+        legend.line(f"unbounded as far as tested ({float(max(tried)):g}){part}")

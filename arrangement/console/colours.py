@@ -1,0 +1,56 @@
+"""Verdicts in colour: on a terminal, unless the variable NO_COLOR is set."""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+
+_GREEN, _YELLOW, _RED = 32, 33, 31
+_COLOURS = {
+    "resisted": _GREEN,
+    "valid": _GREEN,
+    "yes": _GREEN,
+    "holds": _GREEN,
+    "undecided": _YELLOW,
+    "depends on the rounding": _YELLOW,
+    "holds under a hypothesis": _YELLOW,
+    "not resisted": _RED,
+    "not valid": _RED,
+    "no": _RED,
+    "refuted": _RED,
+}
+_WORDS = "|".join(sorted(_COLOURS, key=len, reverse=True))
+#: A verdict that begins a line, after the mark of a row if there is one.
+_FIRST = re.compile(rf"(?:[!=?]? +)?\b({_WORDS})\b(?! for| forces)")
+
+
+def print_verdict(text: str, verdict: str = "") -> None:
+    """Print text with its verdict in colour.
+
+    Args:
+        verdict: a column of a line, which ends with it or has a remark in parentheses after it; the
+            words at the start of the text if omitted.
+    """
+    column = re.compile(rf"(?m)  ({re.escape(verdict)})(?= \(|$)")
+    found = column.search(text) if verdict else _FIRST.match(text)
+    if found is None or not _wanted():
+        print(text)
+        return
+    start, stop = found.span(1)
+    print(text[:start], end="")
+    _control(_COLOURS[found[1]])
+    print(text[start:stop], end="")
+    _control(0)
+    print(text[stop:])
+
+
+def _wanted() -> bool:
+    dumb = os.environ.get("TERM") == "dumb" or (os.name == "nt" and "WT_SESSION" not in os.environ)
+    return sys.stdout.isatty() and not dumb and not os.environ.get("NO_COLOR")
+
+
+def _control(code: int) -> None:
+    """Write a control sequence past `safe_text`, which escapes all that is printed."""
+    stream = getattr(sys.stdout, "stream", sys.stdout)
+    stream.write(f"\x1b[{code}m")
