@@ -111,6 +111,8 @@ def make_figures(app):
     pages.mkdir(parents=True, exist_ok=True)
     for page in folder.glob("*.html"):
         shutil.copy(page, pages)
+    for page in folder.glob("*/index.html"):  # with the files that it links to
+        shutil.copytree(page.parent, pages / page.parent.name, dirs_exist_ok=True)
 
 
 def drop_bundles(app, error):

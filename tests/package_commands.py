@@ -93,6 +93,7 @@ COMMANDS = (
     Command('proofs-check try "m >= 3" --samples 2 --classes 3..3', 0, "holds"),
     Command("proofs-check fit regions --of generic(m=2..6)", 0, "m**2 - m + 2"),
     Command("proofs-check new mine", 0, writes="mine.py"),
+    Command("proofs-check paper -o paper", 0, "single files", "paper/index.html"),
     Command("proofs-check grade lecture.py answers.json", 0, "1 of 1"),
     Command("proofs-check sweep euler --elements 3..4 --samples 9 --store s.sqlite", 0, "euler"),
     Command("proofs-check sweep --store s.sqlite --status", 0, "euler"),

@@ -102,6 +102,19 @@ def _parser() -> Parser:
         default="template",
         help=f"one of {', '.join(EXAMPLES[1:])} (default: two short claims)",
     )
+    whole = command("paper", "paper.run_paper", "write the paper's figures and tables, made again")
+    whole.add_argument(
+        "-o",
+        "--output",
+        required=True,
+        metavar="FOLDER",
+        help="for the page index.html, and each figure and table as SVG, PDF and TikZ",
+    )
+    whole.add_argument(
+        "--measure",
+        action="store_true",
+        help="measure the times of Table II on this machine (default: the stored ones)",
+    )
     report = command(
         "report",
         "sweep.run_report",

@@ -92,3 +92,8 @@ def _last_number(text: str) -> str:
 THREE_CONTACT_GRASP = ((-1, 0, 1, 0), (0, -1, 0, 1), (1, 0, -1, 0))
 FOUR_CONTACT_GRASP = ((-1, 1, 1, 0), (-1, -1, 1, 0), (1, -1, -1, 0), (1, 1, -1, 0))
 FRICTION = Fraction(1, 2)
+
+#: Table II: the printed computation times in seconds, on a 2.80 GHz Core i7.
+STATE_TIMES = dict(
+    zip(STATE_COUNTS, ("0.006", "0.02", "0.09", "0.42", "1.5", "4.8", "13.8", "35.7"), strict=True)
+)

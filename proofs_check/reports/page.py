@@ -232,10 +232,10 @@ def pictures(result: Record) -> Iterator[tuple[str, str]]:
     for k, (drawings, subject, name, options, caption) in enumerate(drawn(result)):
         svg = drawings.svg(subject, name, **options)
         if svg is not None:
-            yield _for_page(svg, f"{result['id']}-{k}"), caption
+            yield svg_for_page(svg, f"{result['id']}-{k}"), caption
 
 
-def _for_page(svg: str, name: str) -> str:
+def svg_for_page(svg: str, name: str) -> str:
     """Return SVG that can stand in a page beside others: its names are its own."""
     opening, body = svg[svg.index("<svg") :].split(">", 1)
     opening = re.sub(r' (xmlns(:\w+)?|height|version)="[^"]*"', "", opening)

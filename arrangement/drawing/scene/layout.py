@@ -74,8 +74,8 @@ def composed(
     """Return several pictures as panels of one sheet, row by row, with one legend.
 
     What the legends of all panels say, and symbols and numbers that mean the same wherever they
-    occur, the common one says once. The rest, and captions, stand below their panel. The names of
-    elements have the panel first: ``panel-2-region-3``.
+    occur, the common one says once. The rest, such as bars of different scales, and captions stand
+    below their panel. The names of elements have the panel first: ``panel-2-region-3``.
 
     Args:
         titles: above the panels; if omitted, (a), (b), ...
@@ -84,8 +84,10 @@ def composed(
         raise InputError("give at least one column, and as many titles as pictures")
     own = [scene.legend for scene in scenes]
     meanings: dict[str, set[str]] = {}
+    widths: dict[str, set[float]] = {}
     for key in (key for legend in own for key in legend.keys):
         meanings.setdefault(repr(key.symbol), set()).add(key.text)
+        widths.setdefault(key.text, set()).add(key.width)
     for entry in (entry for legend in own for entry in legend.table):
         meanings.setdefault(entry.split()[0], set()).add(entry.strip())
     numbers = {entry.split()[0]: entry for legend in own for entry in legend.table}
@@ -95,7 +97,8 @@ def composed(
     for legend, scene in zip(own, scenes, strict=True):
         rest = Legend(captions=legend.captions)
         for key in legend.keys:
-            (whole if len(meanings[repr(key.symbol)]) == 1 else rest).keys.append(key)
+            same_key = len(meanings[repr(key.symbol)]) == len(widths[key.text]) == 1
+            (whole if same_key else rest).keys.append(key)
         for line in legend.lines:
             (whole if all(line in other.lines for other in own) else rest).lines.append(line)
         rest.table = [] if same else legend.table

@@ -199,7 +199,7 @@ class GraspPicture:
                 look = {"fc": BLACK, "ec": "none", "gid": f"force-{i + 1}", "zorder": 5.5}
                 edge = arrow(scene, p, p + self.scale * arm, 1.0, **look)
                 labels.avoid(edge)
-            if layout.found is not None:
+            if layout.states:
                 # Marks of contacts at one place stand one behind the other.
                 again = seen[contact.point] = seen.get(contact.point, -1) + 1
                 place = p - 7.5 * again * n
@@ -261,7 +261,7 @@ def _describe(layout: Layout, legend: Legend, scale: float) -> None:
 
 def _lines(layout: Layout) -> Iterator[tuple[str, bool]]:
     verdict, found = layout.verdict, layout.found
-    if verdict is None:
+    if verdict is None or not layout.by_model:
         return
     if layout.moved:
         assert layout.applied is not None

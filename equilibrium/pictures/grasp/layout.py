@@ -37,7 +37,9 @@ class Layout:
     """What a picture of a grasp shows, in paper coordinates (see `draw_grasp` for the arguments).
 
     Attributes:
-        found: the equilibrium that is drawn, if there is one.
+        found: the equilibrium that is drawn, if there is one; or `of_method`, the motion and the
+            forces of another method, which have no contact states.
+        by_model: whether it is an equilibrium of the full model.
         moved: whether the wrench is drawn about the middle of the contacts, as the origin is far.
         cones: the rim of each friction cone (see `_cone_rim`).
         states: at the motion that is drawn, often on the boundary of the set of solutions, where
@@ -53,6 +55,7 @@ class Layout:
         verdict: Verdict | None = None,
         outline: Iterable[Iterable[Any]] | None = None,
         equilibrium: int = 1,
+        of_method: Solution | None = None,
     ) -> None:
         shape = grasp.outline if outline is None else Polygon(outline)
         self.grasp, self.verdict, self.given = grasp, verdict, shape is not None
@@ -71,12 +74,13 @@ class Layout:
             _cone_rim(self.curve, place, normal, contact.friction)
             for contact, place, normal in zip(grasp, self.places, self.normals, strict=True)
         ]
-        self.found = _chosen(verdict, equilibrium)
+        self.by_model = of_method is None
+        self.found = _chosen(verdict, equilibrium) if of_method is None else of_method
         self._scale_forces()
         self.states: States = ()
         self.step: Fraction | None = None
         if self.found is not None:
-            self.states = states_at(grasp, self.found.motion)
+            self.states = states_at(grasp, self.found.motion) if self.by_model else ()
             # A round factor with which no contact moves further than `MOVED` on paper.
             shifts = [abs(x) for c in grasp for x in shift_at(self.found.motion, c.point)]
             if any(shifts):

@@ -1,0 +1,200 @@
+"""The seven figures of the paper, made by the package, with what is printed and what differs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from arrangement.drawing.scene.layout import composed
+from arrangement.drawing.scene.scene import Scene
+from arrangement.library.files.table import read_arrangement
+from arrangement.pictures.duals.dual import draw_dual
+from arrangement.pictures.space.planes import draw_planes
+from equilibrium.decide.solver import solve
+from equilibrium.grasps.files import read_grasp
+from equilibrium.methods.cones import cones
+from equilibrium.methods.springs import linear_compliance
+from equilibrium.model.grasp import Grasp
+from equilibrium.model.solution import Solution
+from equilibrium.pictures.grasp.grasp import draw_grasp, drawn
+from equilibrium.pictures.grasp.layout import Layout
+from equilibrium.pictures.wrenches.forces import draw_slice
+
+from .notation import contact_notation
+
+#: Widths of two and of three panels on a page of 180 mm.
+_HALF, _THIRD = 88.0, 57.0
+_SQUARE = ((-1, -1), (1, -1), (1, 1), (-1, 1))
+_TALL = ((-1, "-8/5"), (1, "-8/5"), (1, "8/5"), (-1, "8/5"))
+_DOWN = (0, -1, 0)
+
+
+@dataclass(frozen=True)
+class PaperFigure:
+    """One figure.
+
+    Attributes:
+        number: in the paper.
+        title: what it is about.
+        printed: what the paper shows, in our words.
+        made: what ours shows.
+        differs: where the two are not the same.
+        claims: the claims of the registry that it rests on.
+        scene: draws ours.
+    """
+
+    number: int
+    title: str
+    printed: str
+    made: str
+    differs: str
+    claims: tuple[str, ...]
+    scene: Callable[[], Scene]
+
+    @property
+    def name(self) -> str:
+        """The name of its files."""
+        return f"figure-{self.number}"
+
+
+def two_pushes() -> Scene:
+    """Return the three-contact grasp pushed up with preload 1, and down without any (Fig. 1)."""
+    up, down = (read_grasp(f"paper-three-contacts{end}") for end in ("-preload-1", ""))
+    pictures = [
+        draw_grasp.scene(grasp, wrench=wrench, outline=_SQUARE, width=_HALF)
+        for grasp, wrench in ((up, (0, 1, 0)), (down, _DOWN))
+    ]
+    return composed(pictures, 2, ["pushed up, preload 1: resisted", "pushed down: resisted"])
+
+
+def linear_springs() -> Scene:
+    """Return the three-contact grasp at rest, with linear springs, and in the full model."""
+    grasp = read_grasp("paper-three-contacts")
+    found = linear_compliance(grasp, solve(grasp, _DOWN).wrench)
+    return _method(grasp, found, _SQUARE, ["linear springs: refused", "full model: resisted"])
+
+
+def cones_alone() -> Scene:
+    """Return the four-contact grasp, friction 2, at rest, with cones alone, in the full model."""
+    grasp = read_grasp("paper-four-contacts").with_friction(2)
+    found = cones(grasp, _DOWN)
+    return _method(grasp, found, _TALL, ["cones alone: resisted", "full model: not resisted"])
+
+
+def _method(grasp: Grasp, found: Any, outline: Sequence[Any], titles: list[str]) -> Scene:
+    """Return a grasp at rest, with the forces of a method, and with those of the full model."""
+    verdict = solve(grasp, _DOWN)
+    layouts = [
+        Layout(grasp, outline=outline),
+        Layout(grasp, verdict, outline, of_method=Solution(found.motion, found.forces)),
+        Layout(grasp, verdict, outline),
+    ]
+    return composed([drawn(layout, _THIRD) for layout in layouts], 3, ["at rest", *titles])
+
+
+def slip_planes() -> Scene:
+    """Return the three-contact grasp beside its tangential planes in the space of motions."""
+    grasp = read_grasp("paper-three-contacts")
+    planes = draw_planes.scene(grasp.tangential_arrangement(), sides=True, width=_HALF)
+    object_ = draw_grasp.scene(grasp, outline=_SQUARE, width=_HALF)
+    return composed([object_, planes], 2, ["grasp", "planes of motions d = (x, y, r)"])
+
+
+def dual_polyhedron() -> Scene:
+    """Return four planes in general position, and their great circles beside the dual."""
+    planes = read_arrangement("cube-diagonals")
+    return draw_dual.scene(planes, width=2 * _HALF)
+
+
+def force_maps() -> Scene:
+    """Return the slice of the wrench space, and the resisted forces without and with preload."""
+    return draw_slice.scene(read_grasp("paper-three-contacts"), width=180.0)
+
+
+FIGURES = (
+    PaperFigure(
+        1,
+        "One grasp, two pushes",
+        "A hand touches an object left, below and right. On the left the object is pushed up, on "
+        "the right down; arrows sketch the contact forces that would answer.",
+        "Contacts at (-1, 0), (0, -1), (1, 0), friction 1/2: the numbers that Table I implies. "
+        "Forces are exact equilibria, all to one scale, with contact states and motion.",
+        "The printed arrows are sketches; the figure prints no numbers.",
+        ("table-three-contacts", "downward-forces", "vertical-limits"),
+        two_pushes,
+    ),
+    PaperFigure(
+        2,
+        "Notation at a contact",
+        "One contact with its normal and tangential force components, and the motion of the "
+        "object in the object frame.",
+        "The same, with the friction cone, and a force as a wrench.",
+        "The paper leaves open which way the normal points and which way is positive along the "
+        "tangent. Here the normal points into the object, and the tangent is a quarter turn to "
+        "the left of it.",
+        ("printed-signs",),
+        contact_notation,
+    ),
+    PaperFigure(
+        3,
+        "Linear springs refuse too much",
+        "The three-contact grasp at rest and pushed down. Tangential springs load the two side "
+        "contacts with friction without normal forces, so that their cones are violated.",
+        "The same push: the forces of linear springs, a third of the push at each contact, and "
+        "those of the full model.",
+        "The answer of the full model is added.",
+        ("method-linear-compliance", "downward-forces"),
+        linear_springs,
+    ),
+    PaperFigure(
+        4,
+        "Cones alone allow too much",
+        "A tall object between four contacts in two rows, without preload. A motion that mixes "
+        "translation and rotation loads springs, and friction of the loaded contacts is said to "
+        "resist any wrench.",
+        "The same with friction 2: springs and cones without dissipation find a rotation that "
+        "carries the force; the full model has no equilibrium.",
+        "With the printed friction 1/2 the argument fails: the normal forces turn the object "
+        "back, and friction outweighs them only above 1.",
+        ("method-cones-only", "table-four-contacts"),
+        cones_alone,
+    ),
+    PaperFigure(
+        5,
+        "A grasp and its planes of slip",
+        "A grasp, and the planes of its contacts in the space of motions (x, y, r). Contact 1 "
+        "sticks where a translation along y is cancelled by an equal rotation, contact 2 where "
+        "y is 0.",
+        "The three-contact grasp of Figure 1 and its tangential planes, cut where they meet; an "
+        "arrow marks the positive side of each.",
+        "Contact 1 sticks on y = r, as printed. For a contact below the middle the plane is "
+        "x + r = 0, not y = 0: the printed grasp is another one, or in another frame.",
+        ("great-circle-regions",),
+        slip_planes,
+    ),
+    PaperFigure(
+        6,
+        "The dual polyhedron",
+        "Planes with a dot in seven of their regions, and the polyhedron of all dots, joined "
+        "where regions share a facet.",
+        "Four planes in general position as great circles, with 14 regions, and their dual, the "
+        "zonohedron of the normals: convex by construction.",
+        "Dots on the unit sphere do not make the polyhedron convex: for four planes in general "
+        "position no choice of dots does.",
+        ("sphere-dual-convex", "sphere-hull-edges", "dual-planar-3-connected"),
+        dual_polyhedron,
+    ),
+    PaperFigure(
+        7,
+        "Three maps of forces",
+        "Forces at torque 0 on the three-contact grasp: (a) a slice of the Grasp Wrench Space, "
+        "L1 norm; (b) what is resisted without preload, the lower half plane; (c) with preload "
+        "1, its edge raised in the middle.",
+        "The same three sets as exact polygons. The boundary is drawn where resistance ends.",
+        "The printed maps are found by a binary search in many directions, which is right on "
+        "this grasp and errs on others. The roof of (c) runs from (-2, 0) over (0, 1) to (2, 0).",
+        ("method-grasp-wrench-space", "vertical-limits", "binary-search"),
+        force_maps,
+    ),
+)

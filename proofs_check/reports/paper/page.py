@@ -1,0 +1,170 @@
+"""All figures and tables of the paper as one HTML page and as single files, in one folder."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterable, Iterator, Mapping
+from html import escape
+from pathlib import Path
+from typing import Any
+
+from arrangement.console.progress import watched
+from arrangement.console.writing import make_folder, reason
+from arrangement.drawing.output import LEGENDS, THEMES, own_settings, require_matplotlib
+from arrangement.drawing.pages.html_page import BASE_STYLE, Template, framed
+from arrangement.errors import InputError
+from arrangement.numbers.exact import shown
+from proofs_check.reports.page import svg_for_page
+
+from .figures import FIGURES, PaperFigure
+from .tables import TABLES, PaperTable, TableContent, Times, table_scene
+
+PAGE = "index.html"
+SUFFIXES = (".svg", ".pdf", ".tex")
+_STYLE: Template = ("proofs_check.reports.paper", "paper.css")
+
+
+def file_names() -> list[str]:
+    """Return the names of all files, the page first."""
+    names = [*(figure.name for figure in FIGURES), *(table.name for table in TABLES)]
+    return [PAGE, *(f"{name}{suffix}" for name in names for suffix in SUFFIXES)]
+
+
+def write_paper(
+    folder: str | os.PathLike[str],
+    times: Times,
+    about: Mapping[str, str],
+    verdicts: Mapping[str, str],
+) -> None:
+    """Write every figure and table beside what the paper prints, all files or none.
+
+    Args:
+        folder: it is made. One that holds files of an earlier run alone is replaced.
+        times: the measured times of Table II.
+        about: title and source of the paper, with the keys "title" and "about".
+        verdicts: of the claims, by their ids.
+
+    Raises:
+        InputError: the folder holds other files, or cannot be written.
+        MissingExtraError: matplotlib is absent.
+    """
+    require_matplotlib()
+    target = Path(folder).resolve()
+    _check_folder(target)
+    make_folder(target.parent)
+    try:
+        with tempfile.TemporaryDirectory(prefix=".paper-", dir=target.parent) as place:
+            new, old = Path(place) / "new", Path(place) / "old"
+            new.mkdir()
+            contents = {table.name: table.content(times) for table in TABLES}
+            pictures = _write_pictures(new, contents)
+            page = paper_page(pictures, contents, about, verdicts)
+            (new / PAGE).write_text(page, encoding="utf-8")
+            if target.exists():
+                target.rename(old)
+            new.rename(target)
+    except OSError as error:
+        raise InputError(f"cannot write {shown(str(folder))}: {reason(error)}") from None
+
+
+def _check_folder(target: Path) -> None:
+    """Refuse a folder that holds what this command did not write."""
+    if target.exists() and not target.is_dir():
+        raise InputError(f"{shown(str(target))} is a file; name a folder")
+    for path in sorted(target.iterdir()) if target.exists() else ():
+        if path.name not in file_names():
+            raise InputError(
+                f"the folder {shown(str(target))} holds {shown(path.name)}, which is not a file of "
+                "this command; name a new or an empty folder"
+            )
+
+
+def _write_pictures(folder: Path, contents: Mapping[str, TableContent]) -> dict[str, str]:
+    """Write every figure and table in each format; return the SVG by name."""
+    from arrangement.drawing.path_artist import finished, write_scene
+
+    scenes = {}
+    with own_settings():
+        for figure in watched(FIGURES, "figures"):
+            scenes[figure.name] = finished(figure.scene(), LEGENDS[0], THEMES[0])
+        for name, content in contents.items():
+            scenes[name] = finished(table_scene(content), LEGENDS[0], THEMES[0])
+    for name, scene in scenes.items():
+        for suffix in SUFFIXES:
+            write_scene(folder / f"{name}{suffix}", lambda scene=scene: scene)  # type: ignore[misc]
+    return {name: (folder / f"{name}.svg").read_text(encoding="utf-8") for name in scenes}
+
+
+def paper_page(
+    pictures: Mapping[str, str],
+    contents: Mapping[str, TableContent],
+    about: Mapping[str, str],
+    verdicts: Mapping[str, str],
+) -> str:
+    """Return the page, from the SVG of every figure and the cells of every table."""
+    body = [
+        "<main>",
+        f"<h1>{escape(about['title'])}</h1>",
+        f"<p class='source'>{escape(about['about'])}</p>",
+        "<p>Every figure and table of the paper, made again. What is printed is described in our "
+        "words; the numbers of the tables are the printed ones. A claim in brackets is checked by "
+        "<code>proofs-check run ID</code>.</p>",
+    ]
+    for part in (*FIGURES, *TABLES):
+        kind = "Figure" if isinstance(part, PaperFigure) else "Table"
+        body += [
+            f"<section id='{part.name}'>",
+            f"<h2>{kind} {part.number}: {escape(part.title)}</h2>",
+        ]
+        body += _words(part, verdicts)
+        if isinstance(part, PaperFigure):
+            picture = svg_for_page(pictures[part.name], part.name)
+            body.append(f"<figure>{picture}</figure>")
+        else:
+            body += _table(contents[part.name])
+        links = (f"<a href='{part.name}{end}'>{end[1:].upper()}</a>" for end in SUFFIXES)
+        body += [f"<p class='files'>{' '.join(links)}</p>", "</section>"]
+    body.append("</main>")
+    policy = "; style-src-attr 'unsafe-inline'"
+    return framed("The paper, figure by figure", "\n".join(body), [BASE_STYLE, _STYLE], [], policy)
+
+
+def _words(part: PaperFigure | PaperTable, verdicts: Mapping[str, str]) -> Iterator[str]:
+    """Yield what is printed, what stands here, and what differs, with the claims behind it."""
+    yield "<dl>"
+    for name, text in (("printed", part.printed), ("here", part.made), ("differs", part.differs)):
+        yield f"<dt>{name}</dt><dd>{escape(text)}</dd>"
+    claims = (f"<code>{id}</code> ({verdicts[id]})" for id in part.claims)
+    yield f"<dt>claims</dt><dd>{', '.join(claims)}</dd></dl>"
+
+
+def _table(content: TableContent) -> Iterator[str]:
+    yield "<div class='wide'><table><thead><tr>"
+    yield "".join(f"<th>{_cell(cell)}</th>" for cell in content.head)
+    yield "</tr></thead><tbody>"
+    for row in content.rows:
+        cells = "".join(f"<td>{_cell(cell)}</td>" for cell in row.cells)
+        yield f"<tr class='{row.by}{' first' * row.first}'>{cells}</tr>"
+    yield f"</tbody></table></div><p class='note'>{escape(content.note)}</p>"
+
+
+def _cell(text: str) -> str:
+    """Return a cell; ``$f_1$`` has a lowered index."""
+    if text.startswith("$"):
+        letter, _, index = text.strip("$").partition("_")
+        return f"<i>{escape(letter)}</i><sub>{escape(index)}</sub>"
+    return escape(text)
+
+
+def document(contents: Iterable[tuple[PaperTable, TableContent]], folder: str) -> dict[str, Any]:
+    """Return a JSON form: the files, and the cells of the tables."""
+    tables = {
+        table.number: {
+            "head": list(content.head),
+            "rows": [{"by": row.by, "cells": list(row.cells)} for row in content.rows],
+            "note": content.note,
+        }
+        for table, content in contents
+    }
+    return {"output": folder, "files": file_names(), "tables": tables}
