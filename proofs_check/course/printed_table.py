@@ -85,9 +85,9 @@ def check_table(source: str) -> Iterator[Row]:
         columns = [column.strip().lower() for column in next(lines, [])]
         missing = [column for column in _COLUMNS if column not in columns]
         if missing:
-            columns = ", ".join(_COLUMNS)
+            expected = ", ".join(_COLUMNS)
             raise InputError(
-                f"{name} has no column {missing[0]}; expected a first line with {columns}"
+                f"{name} has no column {missing[0]}; expected a first line with {expected}"
             )
         for cells in lines:
             if cells and not cells[0].startswith("#"):
