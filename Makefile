@@ -145,7 +145,7 @@ atlas: $(VENV)/.stamp-install
 	$(BIN)/python docs/atlas/atlas.py docs/_build/atlas --jobs $(JOBS) $(ARGS)
 
 docs-check: docs $(VENV)/.stamp-test
-	$(BIN)/python -m pytest -q tests/test_handouts.py
+	$(BIN)/python -m pytest -q -m "slow or not slow" tests/test_handouts.py
 	$(BIN)/python tests/check_site.py docs/_build/html
 
 notebooks: docs

@@ -44,11 +44,13 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     """Mark what meets SymPy, so that it can run with each of SymPy's ground types.
 
     Tests that open pages or compile TikZ are deselected where they are not wanted or cannot run,
-    and slow ones unless the marker expression names them (`-m slow`).
+    and slow ones unless the marker expression names them (`-m slow`). All that open pages are slow.
     """
     for item in items:
         if _uses_sympy(item.path):
             item.add_marker(pytest.mark.ground_types)
+        if "browser" in getattr(item, "fixturenames", ()):
+            item.add_marker(pytest.mark.slow)
     unwanted = set()
     if left_out():
         # Questions to the modules of a page run in node, too.

@@ -253,6 +253,7 @@ OPTIONAL = {
 }
 
 
+@pytest.mark.slow
 def test_the_rest_counts_and_decides_without_each_part():
     for name in {name for names in OPTIONAL.values() for name in names}:
         path = ROOT / name.replace(".", "/")

@@ -154,7 +154,7 @@ def test_nearest_point_of_facet_on_nearest_edge(base):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("contacts", "seeds"), [(2, 50), (3, 50), (4, 15), (5, 4)])
+@pytest.mark.parametrize(("contacts", "seeds"), [(2, 40), (3, 20), (4, 6), (5, 2)])
 def test_random_grasps_agree_with_rays_and_surface(contacts, seeds):
     for seed in range(seeds):
         grasp = random_grasp(contacts, seed, preload=True)
@@ -164,7 +164,7 @@ def test_random_grasps_agree_with_rays_and_surface(contacts, seeds):
 
 
 @pytest.mark.slow
-@settings(max_examples=60)
+@settings(max_examples=20)
 @given(wide_grasps(most=5, preload=st.integers(0, 2)), loads, lengths)
 def test_awkward_grasps_agree_with_rays_and_with_the_surface(grasp, base, length):
     agrees_with_rays_and_verdicts(grasp, base, length)

@@ -120,11 +120,12 @@ def census(planes: int, *, simple: bool = False) -> Sequence[Arrangement]:
         raise InputError(
             f"planes is {shown(planes)}; the census has isomorphism classes of 3 to {MOST_PLANES}"
         )
-    types = Types(normals(planes))
+    rows = normals(planes)
+    types = Types(rows)
     if planes == MOST_PLANES:  # in the order of numbers of regions: the simple ones come last
         places = range(len(types))
         return types[bisect(places, False, key=lambda k: types[k].is_simple) :] if simple else types
-    return tuple(arrangement for arrangement in types if arrangement.is_simple or not simple)
+    return tuple(Types(rows[chirotope_of(rows).all(1)]) if simple else types)
 
 
 def without_coordinates() -> list[tuple[Signs, tuple[OrderedProducts, ...]]]:
