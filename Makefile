@@ -18,7 +18,7 @@ FOUND = $(shell for p in python3.13 python3.12 python3.11 python3; do \
 PYTHON ?= $(FOUND)
 
 help:
-	@echo "make install         create .venv with the three commands and the libraries for figures"
+	@echo "make install         create .venv with the three commands and all that they need"
 	@echo "make verify          check the claims of the paper; print the verdicts, write report/verdicts.html"
 	@echo "make test            run the tests, doctests included"
 	@echo "make test-extended   run the slow tests: thousands of random cases, every picture"
@@ -63,8 +63,8 @@ $(VENV)/.stamp-run: pyproject.toml constraints.txt | $(BIN)/python
 	@touch $@
 
 $(VENV)/.stamp-install: pyproject.toml constraints.txt | $(BIN)/python
-	@echo "installing the package with the extras for pictures and large graphs"
-	@$(INSTALL) '.[figures]'
+	@echo "installing the package with its extras"
+	@$(INSTALL) '.[all]'
 	@touch $@ $(VENV)/.stamp-run
 
 $(VENV)/.stamp-test: pyproject.toml constraints.txt | $(BIN)/python
@@ -79,7 +79,7 @@ $(VENV)/.stamp-docs: pyproject.toml constraints.txt | $(BIN)/python
 
 $(VENV)/.stamp-check: pyproject.toml constraints.txt | $(BIN)/python
 	@echo "installing the package and all of its development tools"
-	@$(INSTALL) '.[test,lint,docs,figures,package]'
+	@$(INSTALL) '.[test,lint,docs,package]'
 	@touch $@ $(VENV)/.stamp-run $(VENV)/.stamp-test $(VENV)/.stamp-docs $(VENV)/.stamp-package $(VENV)/.stamp-install
 
 $(VENV)/.stamp-package: pyproject.toml constraints.txt | $(BIN)/python

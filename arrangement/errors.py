@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, ClassVar
 
 
@@ -16,6 +17,34 @@ class InputError(ArrangementError):
 
 class MissingExtraError(ArrangementError, ImportError):
     """An optional library is absent; the message names the extra that installs it."""
+
+
+#: What each extra installs, as pyproject.toml has it.
+EXTRAS = {
+    "completion": ("shtab",),
+    "dask": ("dask", "distributed", "joblib"),
+    "figures": ("matplotlib", "scipy", "shapely"),
+    "mesh": ("scipy", "trimesh"),
+    "report": ("jinja2", "latex2mathml"),
+    "search": ("scipy",),
+    "space": ("clarabel", "scipy"),
+}
+
+
+@contextmanager
+def extra(name: str) -> Iterator[None]:
+    """Import libraries of an extra inside.
+
+    Raises:
+        MissingExtraError: one is not installed.
+    """
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        library = (error.name or "a library").partition(".")[0]
+        raise MissingExtraError(
+            f"{library} is not installed (the extra {name}): pip install {' '.join(EXTRAS[name])}"
+        ) from None
 
 
 class WorkerError(InputError):

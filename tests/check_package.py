@@ -1,7 +1,8 @@
 """Build the source archive and the wheel; see that they are whole and work where little else is.
 
 For each Python that is found, the wheel goes into an empty environment, without any extra. There
-every command must do its work, or name the extra that it needs, and answer ``--help`` quickly.
+every command must do its work, or name the extra that it needs, and answer ``--help`` quickly. Then
+the extra ``all`` is installed, and what needed an extra must work.
 
     python tests/check_package.py             with the Pythons 3.11, 3.12 and 3.13 that are found,
                                               or else with the one that runs this
@@ -32,7 +33,7 @@ from pathlib import Path
 # Run as a script, this file finds its own folder only.
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from tests.package_commands import COMMANDS, INPUTS, PROBE, PROGRAMS, Command
+from tests.package_commands import COMMANDS, INPUTS, PROBE, PROGRAMS, WITH_ALL, Command
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = ("arrangement", "equilibrium", "proofs_check")
@@ -135,18 +136,23 @@ class Installed:
         created = run([python, "-m", "venv", "--without-pip", folder / "environment"], folder)
         if created.returncode:
             raise SystemExit(f"error: {python} makes no environment\n{created.stderr}")
-        options = (
-            "--quiet",
-            "--disable-pip-version-check",
-            "--no-compile",
-            "--constraint",
-            "constraints.txt",
-        )
+        self.wheel = wheel
+        self.install()
+
+    def install(self, extras: str = "") -> None:
+        """Install the wheel, with extras such as ``[all]``; print how long it takes."""
+        options = ("--quiet", "--disable-pip-version-check", "--no-compile")
+        options += ("--constraint", "constraints.txt")
         pip = (sys.executable, "-m", "pip", "--python", str(self.bin / "python"))
-        for command in ((*pip, "install", *options, str(wheel)), (*pip, "check")):
+        start = time.monotonic()
+        for command in ((*pip, "install", *options, f"{self.wheel}{extras}"), (*pip, "check")):
             done = run(command, ROOT)
             if done.returncode:
                 raise SystemExit(f"error: {' '.join(command)}\n{done.stdout}{done.stderr}")
+        seconds = time.monotonic() - start
+        size = sum(p.stat().st_size for p in self.bin.parent.rglob("*") if p.is_file())
+        what = extras or "no extra"
+        print(f"  installed with {what} in {seconds:.0f} s: {size // 10**6} MB", flush=True)
 
     def run(self, *words: str) -> Done:
         return run([self.bin / words[0], *words[1:]], self.work)
@@ -159,10 +165,14 @@ class Installed:
         wrong += untried(programs)
         for name, text in INPUTS.items():
             (self.work / name).write_text(text, encoding="utf-8")
-        for command in COMMANDS:
-            done = self.run(*shlex.split(command.line))
-            wrong += complaints(command, done, self.work)
-        return wrong + self.slow(programs)
+        wrong += self.tried(COMMANDS) + self.slow(programs)
+        self.install("[all]")
+        return wrong + self.tried(WITH_ALL)
+
+    def tried(self, commands: Iterable[Command]) -> list[str]:
+        """Return what is wrong with the outcomes of commands."""
+        done = ((command, self.run(*shlex.split(command.line))) for command in commands)
+        return [text for command, one in done for text in complaints(command, one, self.work)]
 
     def slow(self, programs: list[list[str]]) -> list[str]:
         """Time ``--help`` of every program and subcommand; print the medians."""
@@ -261,7 +271,7 @@ def main(arguments: Sequence[str]) -> int:
             here = folder / str(number)
             here.mkdir()
             wrong += [f"{python}: {text}" for text in Installed(python, wheel, here).check()]
-            print(f"  {len(COMMANDS)} commands tried, {time.monotonic() - start:.0f} s", flush=True)
+            print(f"  {len(COMMANDS) + len(WITH_ALL)} commands tried, {time.monotonic() - start:.0f} s", flush=True)
         if options.archive:
             wrong += _unpacked(archive, folder / "unpacked")
     for text in wrong:

@@ -1,4 +1,4 @@
-"""What an installed package must answer without any extra: every command, and what needs one."""
+"""What an installed package must answer without any extra, and with all of them."""
 
 from typing import NamedTuple
 
@@ -48,9 +48,8 @@ COMMANDS = (
     Command("proofs-check run printed.csv", 0, "agree"),
     Command("arrangement list --families", 0, "threshold-functions"),
     Command("arrangement draw braid-a3 -o braid.html", 0, writes="braid.html"),
-    Command("arrangement draw braid-a3 -o dual.stl", 0, writes="dual.stl"),
-    Command("arrangement draw braid-a3 --model cells -o cells.glb", 0, writes="cells.glb"),
-    Command("arrangement draw braid-a3 -o dual.obj", 0, writes="dual.obj"),
+    _needs("mesh", "arrangement draw braid-a3 -o no.stl"),
+    _needs("mesh", "arrangement draw braid-a3 --model cells -o no.glb"),
     *(
         _needs("figures", f"arrangement draw braid-a3 --view {view} -o no.svg")
         for view in ("sphere", "planes", "stereographic", "gnomonic", "dual", "graph", "lattice")
@@ -74,7 +73,9 @@ COMMANDS = (
     Command("equilibrium make csv fingers.csv", 0, '"contacts"'),
     Command("equilibrium make floats fingers.csv", 0, '"contacts"'),
     Command("equilibrium make polygon wedge.json", 0, '"contacts"'),
-    Command("equilibrium make mesh corner.obj --at 1 1 0 --friction 1/2", 0, '"contacts"'),
+    _needs("mesh", "equilibrium make mesh corner.obj --at 1 1 0 --friction 1/2"),
+    _needs("space", "equilibrium solve three-fingers-on-a-ball --wrench 0 0 -1 0 0 0"),
+    _needs("search", f"equilibrium solve {_G} --wrench 0 -1 0 --robust friction=1%"),
     Command("equilibrium make circle --angles 0 120 --friction 1/2", 0, '"contacts"'),
     Command("equilibrium make random --contacts 3", 0, '"contacts"'),
     *(
@@ -88,16 +89,18 @@ COMMANDS = (
     ),
     Command("proofs-check list", 0, "single-solution"),
     Command("proofs-check list euler", 0, "statement"),
-    Command("proofs-check run euler --output euler.html", 0, "as expected", "euler.html"),
+    Command("proofs-check run euler --output euler.md", 0, "as expected", "euler.md"),
+    _needs("report", "proofs-check run euler --output no.html"),
     Command("proofs-check run table-three-contacts --json", 0, '"verdict"'),
     Command('proofs-check try "m >= 3" --samples 2 --classes 3..3', 0, "holds"),
     Command("proofs-check fit regions --of generic(m=2..6)", 0, "m**2 - m + 2"),
     Command("proofs-check new mine", 0, writes="mine.py"),
-    Command("proofs-check paper -o paper", 0, "single files", "paper/index.html"),
+    _needs("report", "proofs-check paper -o paper"),
     Command("proofs-check grade lecture.py answers.json", 0, "1 of 1"),
     Command("proofs-check sweep euler --elements 3..4 --samples 9 --store s.sqlite", 0, "euler"),
     Command("proofs-check sweep --store s.sqlite --status", 0, "euler"),
-    Command("proofs-check report s.sqlite --output s.html", 0, writes="s.html"),
+    Command("proofs-check report s.sqlite --output s.md", 0, writes="s.md"),
+    _needs("completion", "arrangement --print-completion bash"),
     Command("proofs-check sweep --store all.sqlite --merge s.sqlite", 0, "chunks"),
     _needs(
         "dask",
@@ -106,12 +109,26 @@ COMMANDS = (
     ),
 )
 
+#: With the extra all.
+WITH_ALL = (
+    Command("arrangement draw braid-a3 -o dual.stl", 0, writes="dual.stl"),
+    Command("arrangement draw braid-a3 --model cells -o cells.glb", 0, writes="cells.glb"),
+    Command("arrangement draw braid-a3 -o dual.obj", 0, writes="dual.obj"),
+    Command("arrangement draw braid-a3 -o sphere.svg", 0, writes="sphere.svg"),
+    Command("arrangement --print-completion bash", 0, "complete -o"),
+    Command("equilibrium make mesh corner.obj --at 1 1 0 --friction 1/2", 0, '"contacts"'),
+    Command("equilibrium solve three-fingers-on-a-ball --wrench 0 0 -1 0 0 0", 0, "resisted"),
+    Command(f"equilibrium solve {_G} --wrench 0 -1 0 --robust friction=1%", 3, "for all"),
+    Command("proofs-check run euler --output euler.html", 0, "as expected", "euler.html"),
+    Command("proofs-check paper -o paper", 0, "single files", "paper/index.html"),
+)
+
 #: Run in the environment: all modules import, all data files are read, rich display does not fail.
 PROBE = """
 import importlib, importlib.util, pkgutil
 import arrangement.errors
 from importlib.resources import files
-for absent in ("matplotlib", "igraph", "joblib", "dask", "pytest"):
+for absent in ("matplotlib", "scipy", "trimesh", "clarabel", "jinja2", "igraph", "dask", "pytest"):
     assert importlib.util.find_spec(absent) is None, absent + " is not a dependency"
 for name in ("arrangement", "equilibrium", "proofs_check"):
     package = importlib.import_module(name)
@@ -124,7 +141,7 @@ for name in ("arrangement", "equilibrium", "proofs_check"):
             try:
                 importlib.import_module(module.name)
             except arrangement.errors.MissingExtraError as error:
-                assert "figures" in str(error)
+                assert "(the extra " in str(error)
 from arrangement.library.census import census
 from arrangement.library.files.table import read_arrangement
 from arrangement.library.instances import paths as arrangements

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator, Sequence
 from importlib import import_module
 from typing import Any, TypeVar
 
-from arrangement.errors import InputError, MissingExtraError, WorkerError
+from arrangement.errors import InputError, WorkerError, extra
 
 Result = TypeVar("Result")
 #: How often in a row workers may die without any result before all is given up.
@@ -123,13 +123,8 @@ def on_dask(
         MissingExtraError: joblib or distributed is not installed.
         WorkerError: no scheduler answers at the address.
     """
-    try:
+    with extra("dask"):
         joblib, distributed = (import_module(name) for name in ("joblib", "distributed"))
-    except ImportError as error:
-        raise MissingExtraError(
-            f"{error.name} is not installed (the extra dask): pip install dask distributed joblib, "
-            "here and on workers"
-        ) from None
     try:
         client = distributed.Client(address, timeout="20s")
     except (OSError, ValueError) as error:

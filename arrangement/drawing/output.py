@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.writing import write_bytes_atomically
-from arrangement.errors import InputError, MissingExtraError, refusal
+from arrangement.errors import InputError, MissingExtraError, extra, refusal
 from arrangement.numbers.exact import rational, shown
 
 if TYPE_CHECKING:
@@ -64,14 +64,9 @@ def check_choice(name: str, value: object, known: tuple[str, ...]) -> None:
 
 def require_matplotlib() -> Any:
     """Return matplotlib, or say which extra installs it and what places labels."""
-    try:
+    with extra("figures"):
         import matplotlib as mpl
         import shapely  # noqa: F401
-    except ImportError:
-        raise MissingExtraError(
-            "pictures need matplotlib and shapely (the extra figures): pip install matplotlib "
-            "shapely"
-        ) from None
     return mpl
 
 

@@ -14,7 +14,7 @@ from functools import lru_cache
 from itertools import product
 
 from arrangement.enumeration.choose import enumerate_faces
-from arrangement.errors import InputError, refusal
+from arrangement.errors import InputError, extra, refusal
 from arrangement.numbers import budget
 from arrangement.numbers.exact import (
     IntegerVector,
@@ -153,8 +153,9 @@ def _ball() -> tuple[tuple[IntegerVector, ...], Faces]:
     It is turned out of every symmetric position, so that planes with small integers do not pass
     close to its corners.
     """
-    from scipy.spatial.transform import Rotation
-    from trimesh.creation import icosphere
+    with extra("mesh"):
+        from scipy.spatial.transform import Rotation
+        from trimesh.creation import icosphere
 
     ball = icosphere(subdivisions=_SUBDIVISIONS)
     points = Rotation.from_euler("ZXZ", (0.3719, 0.5923, 0.2281)).inv().apply(ball.vertices)

@@ -21,7 +21,7 @@ from arrangement.console.number_form import ReprMixin
 from arrangement.console.writing import write_bytes_atomically
 from arrangement.drawing.solids.meshes import KINDS, ClosedSurface, model_bytes, triangles
 from arrangement.enumeration.great_circles import Incidence, sphere_arrangement
-from arrangement.errors import ArrangementError, InputError
+from arrangement.errors import ArrangementError, InputError, extra
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
@@ -151,7 +151,8 @@ class DualPolyhedron(ReprMixin):
             InputError: the size is not positive and finite.
             ArrangementError: two vertices become one when rounded.
         """
-        import trimesh
+        with extra("mesh"):
+            import trimesh
 
         points = self._coordinates(size)
         stored = points.astype(np.float32) if single else points

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from arrangement.errors import extra
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, to_text
 from arrangement.numbers.float_filter import Floats
@@ -158,7 +159,8 @@ def _forces(rows: _FloatGrasp, holding: Sequence[int]) -> _Choice | None:
     The variables are the motion, friction and ``a = q' - c_n`` of holding contacts, sizes of a and
     of what loose contacts add, and the room. The root of their squares is bounded by their sum.
     """
-    from scipy.optimize import linprog  # slow to load, and few verdicts need it
+    with extra("search"):
+        from scipy.optimize import linprog  # slow to load, and few verdicts need it
 
     n, h, d = len(rows.load), len(holding), rows.d
     loose = [i for i in range(len(rows.grasp)) if i not in holding]
@@ -263,7 +265,8 @@ def _corrected(
 
 def _pulled(grasp: Grasp, wrench: RationalVector, bounds: Bounds) -> dict[str, Any] | None:
     """Return a proof of a no: one virtual motion."""
-    from scipy.optimize import linprog  # slow to load, and few verdicts need it
+    with extra("search"):
+        from scipy.optimize import linprog  # slow to load, and few verdicts need it
 
     rows = _FloatGrasp(grasp, wrench, bounds)
     n, more = len(wrench), 1 + float(bounds.friction)

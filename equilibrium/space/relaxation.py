@@ -22,15 +22,18 @@ from functools import cache
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-import clarabel
 import numpy as np
 
+from arrangement.errors import extra
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from equilibrium.plane.contacts import FloatContacts, nearest
 
 from .cones import Cones, State, lengths
 from .states import SpatialContinuation
+
+with extra("space"):
+    import clarabel
 
 #: Weight of the square of the motion beside the forces, in scaled units.
 _MOTION_WEIGHT = 1e-3

@@ -6,8 +6,6 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from jinja2 import UndefinedError
-
 from arrangement.console import terminal
 from arrangement.console.number_form import counted
 from arrangement.console.progress import Bar, duration, shown
@@ -151,14 +149,7 @@ def _made(make: Any, record: dict[str, Any], source: str) -> str:
         text: str = make(record)
     except InputError:
         raise
-    except (
-        AttributeError,
-        LookupError,
-        TypeError,
-        ValueError,
-        RecursionError,
-        UndefinedError,
-    ):
+    except (AttributeError, LookupError, TypeError, ValueError, RecursionError):
         raise InputError(
             f"{source} is not a complete record; proofs-check run -o FILE.json writes one"
         ) from None

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Sequence
 
 from arrangement.errors import InputError
-from proofs_check.reports.formula import mathml
+from proofs_check.reports.formula import check_formula
 
 _LETTERS = {"f_vector": "f", "p_vector": "p", "t_vector": "t"}
 _SIGNS: dict[type[ast.AST], str] = {
@@ -37,7 +37,7 @@ def formula_of(node: ast.expr) -> str:
     """
     try:
         found = _formula(node)[0]
-        mathml(found)
+        check_formula(found)
     except (InputError, LookupError):
         return ""
     return found

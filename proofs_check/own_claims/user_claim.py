@@ -34,7 +34,7 @@ from proofs_check.instances.arrangements import census_cases, line_cases
 from proofs_check.instances.domains import domain, is_domain, known_families
 from proofs_check.instances.families import Family, Member, is_family, read_family
 from proofs_check.instances.pseudolines import type_sources as pseudoline_sources
-from proofs_check.reports.formula import mathml
+from proofs_check.reports.formula import check_formula
 from proofs_check.statements.statement import (
     Case,
     Claim,
@@ -97,7 +97,7 @@ def claim(
         of = read_family(of)
     _check(statement, samples, expected)
     if formula:
-        mathml(formula)
+        check_formula(formula)
     as_dual = of == "dual"
     listed = None if isinstance(of, str) else _listed(of)
     chosen = domain("distinct" if as_dual else of) if isinstance(of, str) else None

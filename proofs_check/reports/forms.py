@@ -14,7 +14,6 @@ from arrangement.console.safe_text import printable, safe_lines
 from arrangement.errors import InputError
 
 from .formula import is_formula
-from .page import html_page
 from .report import digest
 from .text import badge_text, overview, remark, value_text, verdict
 
@@ -107,11 +106,17 @@ def _footer(record: Record) -> list[str]:
     return [f"Seed {record['seed']}; {good}.", "", *lines, *again, found]
 
 
+def _html_page(record: Record) -> str:
+    from .page import html_page
+
+    return html_page(record)
+
+
 FORMS: dict[str, Callable[[Record], str]] = {
     ".json": lambda record: json.dumps(record, indent=1) + "\n",
     ".md": markdown,
-    ".html": html_page,
-    ".htm": html_page,
+    ".html": _html_page,
+    ".htm": _html_page,
     ".txt": lambda record: safe_lines(overview(record)) + "\n",
 }
 
@@ -121,6 +126,7 @@ def form(ending: str) -> Callable[[Record], str]:
 
     Raises:
         InputError: no form has this ending.
+        MissingExtraError: it needs a library that is not installed; claims are not run first.
     """
     if ending.lower() in (".pdf", ".tex"):
         raise InputError(
@@ -128,4 +134,6 @@ def form(ending: str) -> Callable[[Record], str]:
         )
     if ending.lower() not in FORMS:
         raise InputError(f"a report ends with {', '.join(FORMS)}; got {ending!r}")
+    if FORMS[ending.lower()] is _html_page:
+        from . import page  # noqa: F401
     return FORMS[ending.lower()]

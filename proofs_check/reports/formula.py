@@ -8,9 +8,10 @@ LaTeX document as it is: it can do nothing there but print.
 from __future__ import annotations
 
 import re
+from contextlib import suppress
 from xml.etree import ElementTree as ET
 
-from arrangement.errors import InputError
+from arrangement.errors import InputError, MissingExtraError, extra
 from arrangement.numbers.exact import shown
 
 NAMES = frozenset(
@@ -48,18 +49,12 @@ def mathml(text: str) -> str:
 
     Raises:
         InputError: what is not in the part of TeX that is read, or longer than `MAX_LENGTH`.
+        MissingExtraError: latex2mathml is not installed.
     """
-    from latex2mathml.converter import convert
+    tokens = _tokens(text)
+    with extra("report"):
+        from latex2mathml.converter import convert
 
-    if len(text) > MAX_LENGTH:
-        raise InputError(f"a formula has {len(text)} characters; at most {MAX_LENGTH} are read")
-    tokens = _TOKEN.findall(text)
-    if "".join(tokens).replace(" ", "") != re.sub(r"\s", "", text):
-        raise InputError(f"the formula {shown(text)} has signs that are not read")
-    for token in tokens:
-        name = token.removeprefix("\\")
-        if token != name and name.isalpha() and name not in NAMES:
-            raise InputError(f"the formula {shown(text)} has {token}, which is not read")
     try:
         made: str = convert(text, display="block")
         complete = all(map(_is_whole, ET.fromstring(made).iter()))
@@ -79,9 +74,35 @@ def _is_whole(element: ET.Element) -> bool:
     return len(element) == _PARTS[name] if name in _PARTS else name in _OTHERS
 
 
+def check_formula(text: str) -> None:
+    """Refuse what `mathml` does; without latex2mathml a missing term is not found.
+
+    Raises:
+        InputError: see `mathml`.
+    """
+    _tokens(text)
+    with suppress(MissingExtraError):
+        mathml(text)
+
+
 def is_formula(text: str) -> bool:
     """Return whether a text is a formula that can do nothing but print."""
     try:
-        return bool(text and mathml(text))
+        check_formula(text)
     except InputError:
         return False
+    return bool(text)
+
+
+def _tokens(text: str) -> list[str]:
+    """Return the parts of a formula, all of which are read."""
+    if len(text) > MAX_LENGTH:
+        raise InputError(f"a formula has {len(text)} characters; at most {MAX_LENGTH} are read")
+    tokens = _TOKEN.findall(text)
+    if "".join(tokens).replace(" ", "") != re.sub(r"\s", "", text):
+        raise InputError(f"the formula {shown(text)} has signs that are not read")
+    for token in tokens:
+        name = token.removeprefix("\\")
+        if token != name and name.isalpha() and name not in NAMES:
+            raise InputError(f"the formula {shown(text)} has {token}, which is not read")
+    return tokens

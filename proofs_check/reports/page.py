@@ -15,15 +15,12 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import Any, TypeAlias
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
-from markupsafe import Markup
-
 from arrangement.console.number_form import counted
 from arrangement.console.safe_text import safe_lines
 from arrangement.drawing.output import require_matplotlib
 from arrangement.drawing.pages.html_page import BASE_STYLE, Template, framed
 from arrangement.drawing.registry import Drawings
-from arrangement.errors import InputError, MissingExtraError
+from arrangement.errors import InputError, MissingExtraError, extra
 from arrangement.library.files.table import read_arrangement
 from arrangement.pictures.views import DRAWINGS as OF_PLANES
 from equilibrium.decide.solver import solve
@@ -32,6 +29,10 @@ from equilibrium.pictures.views import DRAWINGS as OF_GRASPS
 from proofs_check.reports.formula import mathml
 from proofs_check.reports.report import digest
 from proofs_check.reports.text import remark, value_text, verdict
+
+with extra("report"):
+    from jinja2 import Environment, PackageLoader, StrictUndefined, UndefinedError
+    from markupsafe import Markup
 
 Record = Mapping[str, Any]
 
@@ -66,7 +67,22 @@ _SCRIPT: Template = ("proofs_check.reports", "report.js")
 
 
 def html_page(record: Record) -> str:
-    """Return one complete page: an overview, then a card for each claim."""
+    """Return one complete page: an overview, then a card for each claim.
+
+    Raises:
+        LookupError: the record is not complete.
+    """
+    try:
+        body = _body(record)
+    except UndefinedError as error:
+        raise LookupError(str(error)) from None
+    title = record.get("title") or "Verdicts"
+    return safe_lines(
+        framed(title, body, [BASE_STYLE, _STYLE], [_SCRIPT], "; style-src-attr 'unsafe-inline'")
+    )
+
+
+def _body(record: Record) -> str:
     results = record["results"]
     kinds = Counter(map(_kind, results))
     pages = Environment(
@@ -84,7 +100,7 @@ def html_page(record: Record) -> str:
         "value": value_text,
         "verdict": verdict,
     }
-    body = pages.get_template("report.html").render(
+    return pages.get_template("report.html").render(
         record={"title": "", "about": "", "command": "", **record},
         sections=[
             (name, list(group))
@@ -102,10 +118,6 @@ def html_page(record: Record) -> str:
         hint=_hint,
         kind_of=_kind,
         origins=_origins,
-    )
-    title = record.get("title") or "Verdicts"
-    return safe_lines(
-        framed(title, body, [BASE_STYLE, _STYLE], [_SCRIPT], "; style-src-attr 'unsafe-inline'")
     )
 
 

@@ -81,7 +81,7 @@ def test_other_shells_take_their_scripts(shell, tmp_path, capsys):
 def test_completion_without_its_library_names_the_extra(monkeypatch, capsys):
     monkeypatch.setitem(sys.modules, "shtab", None)
     assert run("equilibrium", "--print-completion", "bash") == 2
-    error = "error: completion needs shtab (the extra completion): pip install shtab\n"
+    error = "error: shtab is not installed (the extra completion): pip install shtab\n"
     assert capsys.readouterr().err == error
 
 

@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NoReturn
 
-from arrangement.errors import MissingExtraError
+from arrangement.errors import extra
 
 if TYPE_CHECKING:
     from .parser import Parser
@@ -45,12 +45,8 @@ def completion_script(program: Parser, shell: str) -> str:
     Raises:
         MissingExtraError: shtab is not installed.
     """
-    try:
+    with extra("completion"):
         import shtab
-    except ImportError:
-        raise MissingExtraError(
-            "completion needs shtab (the extra completion): pip install shtab"
-        ) from None
     for parser in _parsers(program):
         for action in parser._actions:
             path = bool(_PATH.search(str(action.metavar or "")))

@@ -11,6 +11,7 @@ from typing import TypeAlias
 import numpy as np
 
 from arrangement.drawing.scene.items import Floats
+from arrangement.errors import extra
 from arrangement.numbers.exact import IntegerVector, primitive, reduced
 from arrangement.numbers.linear.rank import cycle_edges, plane_through
 
@@ -137,7 +138,8 @@ def open_edges(faces: Sequence[Cycle]) -> Iterator[tuple[int, int]]:
 
 def convex_hull(points: Floats) -> tuple[Floats, list[Cycle]]:
     """Return the convex hull of points, without faces if it has no volume."""
-    from scipy.spatial import ConvexHull, QhullError
+    with extra("figures"):
+        from scipy.spatial import ConvexHull, QhullError
 
     if len(points) < 4:
         return points, []

@@ -17,7 +17,7 @@ import numpy as np
 
 from arrangement.drawing.solids.meshes import triangles
 from arrangement.duals.zonohedron import DualPolyhedron
-from arrangement.errors import InputError
+from arrangement.errors import InputError, extra
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot
 from arrangement.numbers.linear.polyhedron import from_generators
 from arrangement.numbers.linear.rank import cycle_edges, plane_through, triple_product
@@ -244,7 +244,8 @@ def _covers_once(points: list[IntegerVector], triangles: list[Triangle]) -> bool
 
 def _qhull(points: list[IntegerVector]) -> list[Triangle]:
     """Propose the triangles of the hull in floating point, oriented by exact signs."""
-    from scipy.spatial import ConvexHull, QhullError
+    with extra("search"):
+        from scipy.spatial import ConvexHull, QhullError
 
     try:
         simplices = ConvexHull(np.array([[x / p[3] for x in p[:3]] for p in points])).simplices

@@ -19,7 +19,7 @@ from typing import TypeAlias
 import networkx as nx
 import numpy as np
 
-from arrangement.errors import ArrangementError
+from arrangement.errors import ArrangementError, extra
 from arrangement.numbers.budget import spend
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.programs import Optimal, minimize
@@ -77,8 +77,9 @@ class DualDistances:
 
     def _distances(self, lengths: Sequence[float]) -> list[list[float]]:
         """Return the least weight of ways between two faces, with all edges open."""
-        from scipy.sparse import csr_array
-        from scipy.sparse.csgraph import dijkstra
+        with extra("search"):
+            from scipy.sparse import csr_array
+            from scipy.sparse.csgraph import dijkstra
 
         left, right = np.array(self.sides, np.int32).T  # scipy 1.14 takes no other indices
         shape = (len(self.across), len(self.across))
@@ -206,8 +207,9 @@ class _MarginProgram:
 
     def solve(self) -> _Optimum:
         """Maximise t in floating point."""
-        from scipy.optimize import linprog
-        from scipy.sparse import csr_array
+        with extra("search"):
+            from scipy.optimize import linprog
+            from scipy.sparse import csr_array
 
         rows, edges = self.rows(), self.graph.edges
         entries = [(i, e, -x) for i, (row, _) in enumerate(rows) for e, x in row.items()]

@@ -122,13 +122,18 @@ def _cycle_count(permutation: Indices) -> int:
 
 
 def _components(tails: NDArray[np.integer], heads: NDArray[np.integer]) -> int:
-    """Return the number of connected components of a graph on 0, 1, ..., max."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
+    """Return the number of connected components of a graph on 0, 1, ..., max.
 
-    size = int(max(tails.max(), heads.max())) + 1
-    graph = coo_array((np.ones(len(tails), np.int8), (tails, heads)), shape=(size, size))
-    return int(connected_components(graph.tocsr(), directed=False, return_labels=False))
+    The roots of trees are hooked to smaller roots beside them, until no edge joins two trees.
+    """
+    parents = np.arange(int(max(tails.max(), heads.max())) + 1)
+    while True:
+        one, other = parents[tails], parents[heads]
+        if (one == other).all():
+            return int((parents == np.arange(len(parents))).sum())
+        np.minimum.at(parents, np.maximum(one, other), np.minimum(one, other))
+        while (parents[parents] != parents).any():
+            parents = parents[parents]
 
 
 def _require(holds: bool, rule: str, found: int) -> None:

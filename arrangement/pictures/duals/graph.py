@@ -27,6 +27,7 @@ from arrangement.drawing.solids.sight import unit, unit_vectors
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.duals.zonotope import dual_polygon, dual_segment
 from arrangement.enumeration.regions import neighbours
+from arrangement.errors import extra
 from arrangement.numbers import budget
 from arrangement.pictures.parts.coordinates import in_coordinates, orbits, symmetry
 from arrangement.pictures.parts.names import (
@@ -149,7 +150,8 @@ def _clear_frame(points: Floats, units: Floats, whole: Floats) -> Floats:
     Args:
         whole: (2, d); orthonormal vectors to which they are near, or zeros.
     """
-    from scipy.spatial import KDTree
+    with extra("figures"):
+        from scipy.spatial import KDTree
 
     size = units.shape[1]
     steps = np.arange(1, _TRIED + 1)[:, None] * np.log(np.arange(2 * size) + 2.0)

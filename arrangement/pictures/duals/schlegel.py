@@ -22,6 +22,7 @@ from arrangement.drawing.solids.sight import (
     views,
 )
 from arrangement.duals.schlegel import SchlegelDiagram, schlegel_diagram
+from arrangement.errors import extra
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, dot
 from arrangement.pictures.parts.coordinates import in_coordinates, symmetry
@@ -85,7 +86,8 @@ def draw_schlegel(
 
 def _clear(diagram: SchlegelDiagram) -> Any:
     """Return a direction from above in which no two vertices are near each other."""
-    from scipy.spatial import KDTree
+    with extra("figures"):
+        from scipy.spatial import KDTree
 
     def apart(seen: Any) -> list[float]:
         flat = (diagram.places @ picture_axes(way)[:2].T for way in seen)

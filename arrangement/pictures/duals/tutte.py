@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from arrangement.drawing.scene.items import Floats
+from arrangement.errors import extra
 from arrangement.numbers.linear.rank import cycle_edges
 
 Indices: TypeAlias = npt.NDArray[np.int64]
@@ -67,8 +68,9 @@ def _even(values: Floats) -> Floats:
 
 def _means(places: Floats, pairs: Indices, weights: Floats, inner: Indices) -> Floats:
     """Solve for the inner vertices, the others being fixed."""
-    from scipy.sparse import coo_array, diags_array
-    from scipy.sparse.linalg import spsolve
+    with extra("figures"):
+        from scipy.sparse import coo_array, diags_array
+        from scipy.sparse.linalg import spsolve
 
     count = len(places)
     ends, others = np.concatenate([pairs, pairs[:, ::-1]]).T

@@ -20,7 +20,7 @@ from arrangement.drawing.solids.depth_tree import Node, depth_tree, halves, join
 from arrangement.drawing.solids.sight import face_normal
 from arrangement.drawing.solids.surface import Patch
 from arrangement.duals.cells import Cell
-from arrangement.errors import InputError
+from arrangement.errors import InputError, extra
 from arrangement.numbers.exact import IntegerVector, primitive, reduced
 from arrangement.numbers.linear.rank import cycle_edges, loop_around, plane_through
 
@@ -206,7 +206,8 @@ def _patches(stage: Stage, item: Lifted, number: int) -> Iterator[Patch]:
 
 def _meet(one: Lifted, other: Lifted) -> bool:
     """Return whether two convex solids have a common point."""
-    from scipy.optimize import linprog
+    with extra("figures"):
+        from scipy.optimize import linprog
 
     rows = np.concatenate([one.normals, other.normals])
     bounds = np.concatenate([_offsets(one), _offsets(other)])

@@ -20,6 +20,7 @@ from arrangement.drawing.scene.scene import area, arrow, measure
 from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import lit, unit
 from arrangement.drawing.solids.surface import Patch
+from arrangement.errors import extra
 from arrangement.pictures.parts.coordinates import INK
 from arrangement.pictures.parts.names import RegionLabels, plane_names, thinner
 
@@ -89,7 +90,8 @@ class PlanesSheet(SolidSheet):
         if self.round:
             angles = np.linspace(0, 2 * math.pi, 361)[:-1]
             return np.column_stack([np.cos(angles), np.sin(angles)])
-        from scipy.spatial import ConvexHull
+        with extra("figures"):
+            from scipy.spatial import ConvexHull
 
         flat = self.stage.points[: len(self.stage.cells.body.corners), :2]
         outline: Floats = flat[ConvexHull(flat).vertices]
@@ -250,7 +252,9 @@ class PlanesSheet(SolidSheet):
     def _covered(self, points: Floats) -> Floats:
         """Return 1 for points whose number would stand on or at a lifted cell, else 0."""
         from matplotlib.path import Path
-        from scipy.spatial import ConvexHull
+
+        with extra("figures"):
+            from scipy.spatial import ConvexHull
 
         reach = np.array([[max(self._gauge(p[:2]), 1e-9)] for p in points])
         length = np.maximum(np.linalg.norm(points[:, :2], axis=1, keepdims=True), 1e-9)

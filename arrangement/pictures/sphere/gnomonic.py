@@ -17,6 +17,7 @@ from arrangement.drawing.scene.curves import ring
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import best_view, picture_axes, unit_vectors, views
+from arrangement.errors import extra
 from arrangement.numbers.exact import IntegerVector, dot, reduced, unoriented
 from arrangement.numbers.linear.rank import cross
 from arrangement.pictures.parts.coordinates import in_coordinates, symmetry
@@ -206,7 +207,8 @@ def _along(ray: IntegerVector, others: Sequence[IntegerVector]) -> IntegerVector
 
 def _evenness(axes: Floats, lines: Floats) -> float:
     """Return how far apart, in the mean of logarithms, rays are in the chart with these axes."""
-    from scipy.spatial import KDTree
+    with extra("figures"):
+        from scipy.spatial import KDTree
 
     points = lines @ axes.T
     points = np.where(points[:, 2:] < 0, -points, points)

@@ -19,6 +19,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from arrangement.errors import extra
 from arrangement.numbers.exact import RationalVector, from_floats, shown, vector_text
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import cross, difference
@@ -215,7 +216,8 @@ def _nearest(
     """Return for each point its place on the surface, with the change, and a facet there."""
     if not wanted:
         return []
-    from trimesh.triangles import closest_point
+    with extra("mesh"):
+        from trimesh.triangles import closest_point
 
     centres = corners.mean(axis=1)
     reach = np.linalg.norm(corners - centres[:, None], axis=2).max(axis=1)
@@ -298,7 +300,8 @@ def _smooth_inward(
     surface: Surface, corners: Floats, facets: Sequence[int], places: Sequence[RationalVector]
 ) -> list[tuple[float, ...]]:
     """Return inward normals between those of the corners, which are means over facets by area."""
-    from trimesh.triangles import points_to_barycentric
+    with extra("mesh"):
+        from trimesh.triangles import points_to_barycentric
 
     normals = surface.outward(corners)
     at_points = np.zeros_like(surface.points)
