@@ -271,7 +271,8 @@ def main(arguments: Sequence[str]) -> int:
             here = folder / str(number)
             here.mkdir()
             wrong += [f"{python}: {text}" for text in Installed(python, wheel, here).check()]
-            print(f"  {len(COMMANDS) + len(WITH_ALL)} commands tried, {time.monotonic() - start:.0f} s", flush=True)
+            tried, seconds = len(COMMANDS) + len(WITH_ALL), time.monotonic() - start
+            print(f"  {tried} commands tried, {seconds:.0f} s", flush=True)
         if options.archive:
             wrong += _unpacked(archive, folder / "unpacked")
     for text in wrong:

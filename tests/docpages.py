@@ -21,9 +21,9 @@ import shutil
 import subprocess
 import sys
 import textwrap
+import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from importlib.metadata import metadata
 from pathlib import Path
 from typing import Any
 
@@ -184,7 +184,8 @@ class Page:
                 pass  # the suite runs in it
             case ["pip", "install", what]:
                 name, _, extras = what.rstrip("]").partition("[")
-                known = metadata("slipstates").get_all("Provides-Extra") or []
+                project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+                known = project["project"]["optional-dependencies"]
                 assert name in {"slipstates", "."}, f"{what} is another package"
                 assert set(filter(None, extras.split(","))) <= set(known), f"{what}: {known}"
             case ["dask", *rest, "&"]:
