@@ -31,6 +31,7 @@ def test_it_has_every_known_arrangement_once():
     assert len(set(names)) == len(names) == len(simplicial_entries()) + types + 3 + 16
 
 
+@pytest.mark.slow
 def test_a_page_links_files_that_are_there(folder):
     pages = list(folder.glob("*.html"))
     assert len(pages) == 3

@@ -25,7 +25,7 @@ def below(one: Face, other: Face) -> bool:
     return all(a in (0, b) for a, b in zip(one.signs, other.signs, strict=True))
 
 
-@settings(max_examples=8)
+@settings(max_examples=5)
 @given(arrangements(dimensions=(1, 3), planes=(0, 5)) | arrangements(dimensions=(4, 5)))
 def test_the_closure_of_a_face_has_the_faces_that_the_signs_say(planes):
     everything = tuple(planes.faces())

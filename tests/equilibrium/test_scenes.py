@@ -139,6 +139,7 @@ def test_options_that_data_do_not_take_are_refused(words, reason, capsys):
     assert reason in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_the_benchmark_has_sixty_scenes_that_rest():
     scenes = dict(benchmark())
     assert len(scenes) == 60

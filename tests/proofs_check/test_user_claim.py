@@ -46,6 +46,7 @@ def triangles(planes: Arrangement) -> int:
     return sum(number == 3 for number in sides)
 
 
+@pytest.mark.slow
 def test_documented_example_finds_counterexample(tmp_path, capsys):
     example = files("proofs_check.examples") / "triangles.py"
     code = main(["run", str(example), "--save", str(tmp_path), "--json"])
