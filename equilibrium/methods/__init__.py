@@ -11,6 +11,10 @@ from .compare import (
     compare as compare,
     predict as predict,
 )
+from .grasp_robustness import (
+    contact_robustness as contact_robustness,
+    grasp_robustness as grasp_robustness,
+)
 from .grasp_wrench_space import GraspWrenchSpace as GraspWrenchSpace
 from .method import Method as Method
 from .registry import METHODS as METHODS, method_named as method_named

@@ -7,6 +7,7 @@ from arrangement.numbers.exact import RationalVector, shown
 from equilibrium.decide.solver import solve
 from equilibrium.methods.cones import CONES
 from equilibrium.methods.form_closure import FORM_CLOSURE
+from equilibrium.methods.grasp_robustness import PCR, PGR
 from equilibrium.methods.grasp_wrench_space import (
     WRENCH_SPACE,
     WRENCH_SPACE_L1,
@@ -60,6 +61,8 @@ METHODS: dict[str, Method] = {
         FRICTIONLESS,
         LINEAR_COMPLIANCE,
         FRICTIONLESS_SLIP,
+        PCR,
+        PGR,
     )
 }
 #: The keys of the methods that have a verdict on a single wrench, in the plane and in space, and of

@@ -8,12 +8,15 @@ printed, alone or together.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
 from typing import Any
 
+from arrangement.numbers.linear.programs import some_point
+from arrangement.numbers.linear.rank import determinant, gauss_jordan
 from equilibrium.decide.solver import solve
+from equilibrium.plane.states.state_system import StateSystem, state_system
 from equilibrium.wrench_sets.line import resisted_magnitudes
 from proofs_check.routes.oracle import Interval, Reading
 
@@ -131,6 +134,82 @@ def _constraint_cases(largest: int) -> Iterator[Case]:
             yield Case(f"m = {m}, l = {slipping} slipping", (m, slipping), {"m": m, "l": slipping})
 
 
+#: Of the slip states those that have a solution, and how many systems are singular.
+_Solved = tuple[tuple[tuple[str, ...], ...], int]
+_ATTACHED = Reading(detachment=False)
+
+
+def _by_null_space(question: Question) -> _Solved:
+    """Solve the linear system of each slip state; in the null space where it is singular."""
+    grasp, held, singular = grasp_of(question), [], 0
+    for states in oracle.all_states(question, _ATTACHED):
+        system = state_system(grasp, states, question.wrench)  # type: ignore[arg-type]
+        rows, pivots, scale = gauss_jordan(system.equalities)
+        free = [j for j in range(system.size) if j not in pivots]
+        singular += bool(free)
+        if system.size not in pivots and _legal_point(system, rows, pivots, scale, free):
+            held.append(states)
+    return tuple(held), singular
+
+
+def _legal_point(
+    system: StateSystem,
+    rows: Sequence[Sequence[int]],
+    pivots: list[int],
+    scale: int,
+    free: list[int],
+) -> bool:
+    """Return whether some point of the null space, moved to a solution, is legal.
+
+    Its coordinates are the free variables; a regular system has none, and one point to test.
+    """
+    columns = [*free, system.size]
+    values = {
+        p: [Fraction(-row[j], scale) for j in columns] for p, row in zip(pivots, rows, strict=False)
+    }
+    values |= {j: [Fraction(int(j == k)) for k in columns] for j in free}
+    legal = []
+    for row in system.inequalities:
+        bound = [
+            sum((a * values[j][k] for j, a in enumerate(row[:-1])), Fraction(0))
+            for k in range(len(columns))
+        ]
+        bound[-1] += row[-1]
+        legal.append(bound)
+    if not free:
+        return all(bound[-1] >= 0 for bound in legal)
+    return some_point(len(free), legal) is not None
+
+
+def _at_once(question: Question) -> _Solved:
+    """Eliminate all variables from all conditions of each slip state at once."""
+    systems, held, singular = oracle.Systems(question, _ATTACHED), [], 0
+    for states in oracle.all_states(question, _ATTACHED):
+        equalities, inequalities = systems.rows(states)
+        singular += not determinant([_whole(row[:-1]) for row in equalities])
+        if project(equalities, inequalities, keep=-1) is not None:
+            held.append(states)
+    return tuple(held), singular
+
+
+def _whole(row: Sequence[Fraction | int]) -> list[int]:
+    scale = 1
+    for x in row:
+        scale *= Fraction(x).denominator
+    return [int(x * scale) for x in row]
+
+
+def _null_space_cases(_rng: random.Random) -> Iterator[Case]:
+    for contacts, rows in (
+        (printed.THREE_CONTACT_GRASP, printed.THREE_CONTACTS),
+        (printed.FOUR_CONTACT_GRASP, printed.FOUR_CONTACTS[1:7:2]),
+    ):
+        for row in rows:
+            wrench = printed.read_vector(row.wrench)[0]
+            question = paper_question(contacts, wrench, Fraction(row.preload))
+            yield grasp_case(question, f"m = {len(contacts)}, w = {row.wrench}, P = {row.preload}")
+
+
 AXES = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 
@@ -220,5 +299,16 @@ CLAIMS = (
         judge=lambda question, held: len(held) <= 1 and all(low == 0 for low, _ in held),
         cases=_axis_cases,
         search=lambda: smallest_questions(range(3, 4), AXES, preloads=(1,)),
+    ),
+    stated(
+        "algorithm-2-null-space",
+        _by_null_space,
+        _at_once,
+        judge=lambda question, found: bool(found[0]) == oracle.stable(question, _ATTACHED),
+        cases=_null_space_cases,
+        explain=lambda question, found: (
+            f"{found[1]} of {3 ** len(question.contacts)} systems are singular, "
+            f"{len(found[0])} states have a solution"
+        ),
     ),
 )

@@ -6,12 +6,22 @@ import random
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import product
+from functools import partial
+from itertools import combinations, product
+from math import hypot
 from typing import Any
 
 from equilibrium.decide.solver import solve
 from equilibrium.methods.compare import predict
+from equilibrium.methods.form_closure import form_closure
+from equilibrium.methods.grasp_robustness import (
+    RobustnessBound,
+    contact_robustness,
+    grasp_robustness,
+)
+from equilibrium.methods.weak_strong import weak_strong
 from proofs_check.routes.oracle import Touch
+from proofs_check.routes.rigid_loads import classes, immobile, within_bound
 
 from .parts import *
 
@@ -145,6 +155,154 @@ def _method(id: str, **checked: Any) -> Claim:
     return stated(id, _by_packages, _by_elimination, **checked)
 
 
+_TRIPLES = ((3, 4, 5), (5, 12, 13), (8, 15, 17))
+#: Point and normal of contacts without friction that hold an object in every direction.
+_CLOSED_IN_PLANE = (
+    ((-1, "-1/2"), (1, 0)),
+    ((1, "1/2"), (-1, 0)),
+    (("-1/2", -1), (0, 1)),
+    (("1/2", 1), (0, -1)),
+)
+_CLOSED_IN_SPACE = (
+    ((-1, 0, -1), (1, 0, 0)),
+    ((0, 1, -1), (0, 0, 1)),
+    ((0, -1, 0), (0, 1, 0)),
+    ((0, 1, -1), (0, -1, 0)),
+    ((1, 1, 1), (-1, 0, 0)),
+    ((-1, -1, -1), (0, 1, 0)),
+    ((1, -1, 1), (0, 0, -1)),
+)
+
+
+def _closure_cases(dimension: int, rng: random.Random) -> Iterator[Case]:
+    """Yield grasps of too few contacts, and one of enough with all that leave out one of them."""
+    held = [Contact(p, n, 0) for p, n in (_CLOSED_IN_PLANE if dimension == 2 else _CLOSED_IN_SPACE)]
+    for few in (held, *combinations(held, len(held) - 1)):
+        grasp = Grasp(few)
+        yield Case(f"{len(grasp)} contacts of the closed grasp", grasp, grasp.to_dict())
+    for m in range(1, len(held)):
+        for _ in range(8):
+            grasp = Grasp(_random_contact(rng, dimension) for _ in range(m))
+            yield Case(f"{m} random contacts", grasp, grasp.to_dict())
+
+
+def _random_contact(rng: random.Random, dimension: int) -> Contact:
+    a, b, c = rng.choice(_TRIPLES)
+    values = [Fraction(rng.choice((1, -1)) * x, c) for x in (a, b)]
+    normal = [*values, *[Fraction(0)] * (dimension - 2)]
+    rng.shuffle(normal)
+    return Contact([rng.randint(-5, 5) for _ in normal], normal, 0)
+
+
+def _enough(grasp: Grasp, closed: bool) -> bool:
+    """Closed exactly with all contacts of the closed grasp, one more than a motion has numbers."""
+    return closed == (len(grasp) == 3 * grasp.dimension - 2)
+
+
+#: Whether a load is strongly stable, and whether it does positive work in no virtual motion.
+_Classes = tuple[bool, bool]
+
+
+def _classes(question: Question) -> _Classes:
+    found = weak_strong(grasp_of(question), question.wrench)
+    return found.strong, found.frictionless
+
+
+def _loads(_rng: random.Random) -> Iterator[Case]:
+    for name, places in (
+        ("three", printed.THREE_CONTACT_GRASP),
+        ("four", printed.FOUR_CONTACT_GRASP),
+    ):
+        for force in (-1, 0, 1):
+            question = paper_question(places, (Fraction(0), Fraction(force), Fraction(0)), 0)
+            yield grasp_case(question, f"{name} contacts, w = (0, {force}, 0)")
+
+
+#: The second is inside the friction cone of a contact with normal (1, 0), and does work along y.
+_SIDEWAYS = ((-1, 0, 0), (-2, 1, 0), (1, 0, 0))
+
+
+def _frictionless(rng: random.Random) -> Iterator[Case]:
+    """Yield loads that normal forces alone balance, with several friction coefficients."""
+    for m, mu in product((1, 2, 3), map(Fraction, ("0", "1/10", "1/2", "1", "5"))):
+        places = [(*c.point, *c.normal) for c in (_random_contact(rng, 2) for _ in range(m))]
+        rows = tuple((*map(Fraction, place), mu, Fraction(1), Fraction(0)) for place in places)
+        touches = Question(rows, (Fraction(0),) * 3).touches
+        pushes = [rng.randint(0, 3) for _ in touches]
+        load = tuple(
+            -sum((p * t.normal[k] for p, t in zip(pushes, touches, strict=True)), Fraction(0))
+            for k in range(3)
+        )
+        yield grasp_case(Question(rows, load), f"m = {m}, friction {mu}")
+
+
+@dataclass(frozen=True)
+class Bounded:
+    """A question, and which robustness bound is applied to its wrench."""
+
+    question: Question
+    bound: Callable[[Grasp], RobustnessBound | None]
+    states: tuple[str, ...]
+
+
+def _covered(bounded: Bounded) -> tuple[bool, bool]:
+    grasp, wrench = grasp_of(bounded.question), bounded.question.wrench
+    bound = bounded.bound(grasp)
+    return bound is not None and bound.covers(wrench), Solver(grasp).solve(wrench).stable
+
+
+def _covered_by_minors(bounded: Bounded) -> tuple[bool, bool]:
+    """Return the same, by cofactors and principal minors, with no friction at rest."""
+    touches = bounded.question.touches
+    wrench = bounded.question.wrench
+    size = oracle.dot(wrench, wrench)
+    found = any(
+        within_bound(touches, states, size)
+        for states in product(bounded.states, repeat=len(touches))
+    )
+    return found, oracle.stable(bounded.question)
+
+
+def _jaws(
+    bound: Callable[[Grasp], RobustnessBound | None], states: tuple[str, ...], rng: random.Random
+) -> Iterator[Case]:
+    """Yield pairs of opposed contacts under wrenches just below a bound, and twice as large.
+
+    Their preloads balance without friction.
+    """
+    for _ in range(8):
+        rows: list[Row] = []
+        for _ in range(rng.choice((1, 2))):
+            a, b, c = rng.choice(_TRIPLES)
+            normal, reach = (Fraction(a, c), Fraction(b, c)), rng.randint(1, 3)
+            shift = (rng.randint(-2, 2), rng.randint(-2, 2))
+            rest = (Fraction(rng.randint(1, 12), 4), Fraction(rng.choice((1, 1, 4))))
+            preload = Fraction(rng.randint(1, 2))
+            for s in (1, -1):
+                point = [x - s * reach * n for x, n in zip(shift, normal, strict=True)]
+                rows.append((*point, *(s * n for n in normal), *rest, preload))
+        found = bound(grasp_of(Question(tuple(rows), (Fraction(0),) * 3)))
+        for way in ((1, 0, 0), (0, -1, 0), (1, 2, 2)):
+            size = Fraction(int(9999 * (found.value if found else 0.0) / hypot(*way)), 10000)
+            for times in (1, 2):
+                question = Question(tuple(rows), tuple(times * size * x for x in way))
+                label = f"m = {len(rows)}, w along {way}, {'beyond' if times > 1 else 'within'}"
+                yield Case(label, Bounded(question, bound, states), question.to_dict())
+
+
+def _robust(
+    id: str, bound: Callable[[Grasp], RobustnessBound | None], states: tuple[str, ...]
+) -> Claim:
+    """Return the claim that all wrenches within a bound are resisted in the full model."""
+    return stated(
+        id,
+        _covered,
+        _covered_by_minors,
+        judge=lambda _, found: found[1] or not found[0],
+        cases=partial(_jaws, bound, states),
+    )
+
+
 CLAIMS = (
     _method(
         "method-grasp-wrench-space",
@@ -168,4 +326,31 @@ CLAIMS = (
     _method(
         "method-frictionless-slip-up", cases=_three("frictionless-slip", {"1": "ny"}, preload=1)
     ),
+    *(
+        stated(
+            f"form-closure-in-{place}",
+            lambda grasp: form_closure(grasp).accepts is True,
+            lambda grasp: immobile(c.normal_wrench for c in grasp),
+            judge=_enough,
+            cases=partial(_closure_cases, dimension),
+        )
+        for place, dimension in (("the-plane", 2), ("space", 3))
+    ),
+    stated(
+        "strong-is-virtual-work",
+        _classes,
+        classes,
+        judge=lambda _, found: found[0] == found[1],
+        cases=_loads,
+        search=lambda: smallest_questions(range(1, 3), _SIDEWAYS, preloads=(0,)),
+    ),
+    stated(
+        "frictionless-implies-strong",
+        _classes,
+        classes,
+        judge=lambda _, found: found[0] or not found[1],
+        cases=_frictionless,
+    ),
+    _robust("pcr-is-safe", contact_robustness, ("stick",)),
+    _robust("pgr-is-safe", grasp_robustness, ("stick", "slip", "detached")),
 )

@@ -7,6 +7,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
+from itertools import product
+
+from equilibrium.wrench_sets.line import resisted_magnitudes
 
 from .parts import *
 
@@ -120,6 +123,30 @@ def _downward(_rng: random.Random) -> Iterator[Case]:
         yield Case(f"w = (0, {force}, 0)", row, question.to_dict())
 
 
+def _four_contacts(_rng: random.Random) -> Iterator[Case]:
+    for mu, preload in product(
+        map(Fraction, ("0", "1/10", "1/2", "1", "3/2", "2", "20")), (0, 1, 3)
+    ):
+        first = paper_question(
+            printed.FOUR_CONTACT_GRASP, (Fraction(0), Fraction(1), Fraction(0)), preload
+        )
+        rows = tuple((*row[:4], mu, *row[5:]) for row in first.contacts)
+        yield grasp_case(Question(rows, first.wrench), f"friction {mu}, preload {preload}")
+
+
+def _up_to_four_friction(question: Question, held: tuple[oracle.Interval, ...]) -> bool:
+    mu, preload = question.contacts[0][4], question.contacts[0][6]
+    return held == ((-4 * mu * preload, 4 * mu * preload),)
+
+
+def _held_both_ways(question: Question) -> tuple[oracle.Interval, ...]:
+    grasp = grasp_of(question)
+    down = [-x for x in question.wrench]
+    up, below = (resisted_magnitudes(grasp, w).intervals for w in (question.wrench, down))
+    turned = [(b and -b, a and -a) for a, b in below]
+    return oracle.united([*turned, *up])
+
+
 _table = partial(
     stated,
     judge=lambda row, value: value == ("Yes, numbers fit" if row.stable else "No"),
@@ -147,5 +174,12 @@ CLAIMS = (
         _held_solved,
         judge=lambda probes, held: held == probes.holds,
         cases=_rays,
+    ),
+    stated(
+        "vertical-limit-every-friction",
+        oracle.resisted,
+        _held_both_ways,
+        judge=_up_to_four_friction,
+        cases=_four_contacts,
     ),
 )

@@ -210,7 +210,7 @@ def resisted(question: Question, reading: Reading = MODEL) -> tuple[Interval, ..
         equalities, inequalities = systems.rows(states)
         kept = 3 + len(question.contacts)
         rows = project(equalities, inequalities, kept)
-        interval = None if rows is None else _interval(rows, kept)
+        interval = None if rows is None else interval_of(rows, kept)
         if interval is not None:
             found.append(interval)
     return united(found)
@@ -232,7 +232,7 @@ def normal_forces(question: Question) -> tuple[tuple[Interval, ...], ...]:
             named = _plus(force, _times(_unit(3 + m, size), -1))
             known = [(*row[:-1], Fraction(0), row[-1]) for row in equalities]
             remaining = project([*known, named], rows, keep=3 + m)
-            interval = None if remaining is None else _interval(remaining, 3 + m)
+            interval = None if remaining is None else interval_of(remaining, 3 + m)
             found[i] += [] if interval is None else [interval]
     return tuple(united(intervals) for intervals in found)
 
@@ -316,7 +316,7 @@ def _spring(touch: Touch, reading: Reading, size: int) -> Row:
     return (*(-touch.stiffness * x for x in touch.normal), *zeros, preload)
 
 
-def _interval(rows: Sequence[Whole], j: int) -> Interval | None:
+def interval_of(rows: Sequence[Whole], j: int) -> Interval | None:
     """Return the numbers t with ``row[j] t + constant >= 0`` for all rows, or None."""
     low: Fraction | None = None
     high: Fraction | None = None

@@ -13,12 +13,13 @@ from scipy.spatial import ConvexHull
 
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.exact import RationalVector, dot
-from equilibrium import Contact, Grasp, methods, read_grasp, solve
+from equilibrium import Contact, Grasp, ResistedSet, methods, read_grasp, solve
 from equilibrium.cli.program import main
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.methods.compare import compare, predict
 from equilibrium.methods.cones import cones
 from equilibrium.methods.form_closure import form_closure
+from equilibrium.methods.grasp_robustness import contact_robustness, grasp_robustness
 from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace, round_cones
 from equilibrium.methods.method import Method
 from equilibrium.methods.registry import (
@@ -476,3 +477,40 @@ def test_unknown_methods_and_too_many_contacts_are_refused():
         METHODS["frictionless-slip"].region(nine)
     with pytest.raises(GraspError, match="no region"):
         METHODS["strong"].region(Grasp())
+
+
+def test_robustness_of_the_four_contacts_by_hand():
+    """R^T R = diag(1/4, 1/4, 1/8), and each cone of slope 1/2 is 1/sqrt(5) away from its axis."""
+    grasp = read_grasp("paper-four-contacts-preload-1")
+    for bound in (contact_robustness(grasp), grasp_robustness(grasp)):
+        assert bound.squared_distance == Fraction(1, 5)
+        assert bound.gain == tuple(
+            tuple(Fraction(int(i == j), (4, 4, 8)[i]) for j in range(3)) for i in range(3)
+        )
+        assert bound.value == pytest.approx(2 / 5**0.5)
+        assert bound.covers((0, Fraction(894427, 10**6), 0))
+        assert not bound.covers((0, Fraction(894428, 10**6), 0))
+    found = compare(grasp, (0, "1/2", 0), methods=["pcr", "pgr"])
+    assert [answer.accepts for answer in found.answers] == [True] * 3
+    beyond = compare(grasp, (0, 1, 0), methods=["pcr", "pgr"])
+    assert [answer.accepts for answer in beyond.answers] == [True, None, None]
+
+
+def test_slip_raises_the_robustness_of_slippery_jaws():
+    """With little friction a cone is left sooner than a contact: better to let all but one slip."""
+    grasp = read_grasp("paper-four-contacts-preload-1").with_friction("1/100")
+    low, high = contact_robustness(grasp).value, grasp_robustness(grasp)
+    assert high.value >= low > 0
+    assert grasp_robustness(read_grasp("paper-three-contacts-preload-1")).value == 0
+    unbalanced = Grasp([Contact((0, 0), (1, 0), 1, preload=1)])
+    assert contact_robustness(unbalanced) is None
+    assert METHODS["pgr"].outcome(unbalanced, (0, 0, 0))[0] is None
+
+
+@pytest.mark.parametrize("name", ["paper-four-contacts-preload-1", "all-contacts-stick"])
+def test_no_smaller_wrench_than_the_robustness_is_unresisted(name):
+    grasp = read_grasp(name)
+    size = ResistedSet(grasp).smallest_outside().size_squared
+    bound = grasp_robustness(grasp)
+    assert bound is not None
+    assert size is None or bound.value**2 <= float(size) + 1e-9
