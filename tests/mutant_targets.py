@@ -256,6 +256,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "equilibrium.methods.compare",
         "equilibrium.methods.cones",
         "equilibrium.methods.form_closure",
+        "equilibrium.methods.grasp_robustness",
         "equilibrium.methods.grasp_wrench_space",
         "equilibrium.methods.method",
         "equilibrium.methods.printed_model",
@@ -333,6 +334,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ("tests/proofs_check/test_dual_graph.py",): ("proofs_check.routes.dual_graph",),
     ("tests/proofs_check/test_certificates.py",): ("proofs_check.routes.leaves",),
     ("tests/proofs_check/test_many_types.py",): ("proofs_check.routes.many_types",),
+    ("tests/proofs_check/test_rigid_loads.py",): ("proofs_check.routes.rigid_loads",),
     ("tests/proofs_check/test_rivin.py",): ("proofs_check.routes.rivin",),
     (
         "tests/proofs_check/test_evidence.py",

@@ -263,6 +263,7 @@ class TestCommands:
         assert agreeing.pop("linear-compliance") is False
         assert agreeing.pop("form-closure") is None
         assert agreeing.pop("printed") in (True, False)
+        assert agreeing.pop("pcr") is agreeing.pop("pgr") is None
         assert set(agreeing.values()) == {True}
         assert main(arguments) == 0
         lines = capsys.readouterr().out.splitlines()
