@@ -1,7 +1,7 @@
 # Each target creates .venv on first use and installs again when pyproject.toml or
 # constraints.txt change. `make help` lists the targets and variables.
 
-.PHONY: help install verify test test-extended lint types scripts check mutants census bench docs pdf atlas docs-check notebooks package-check versions-check formal clean
+.PHONY: help install verify test test-extended lint types scripts check mutants census bench docs pdf atlas docs-check notebooks package-check versions-check release-check formal clean
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
@@ -36,6 +36,7 @@ help:
 	@echo "make census          compute the lists of isomorphism classes again: ARGS='9 -o types9.npz'"
 	@echo "make formal          compile the Coq proofs, extract the checker and compare it with Python"
 	@echo "make package-check   build the packages and install them in empty environments"
+	@echo "make release-check   check all that a release needs, the suite in the source archive too"
 	@echo "make versions-check  run the tests with the lowest and the newest versions of the requirements"
 	@echo "make clean           remove all that the targets made"
 	@echo "PYTHON=python3.12 picks the interpreter, ARGS='-k faces' goes to pytest, JOBS=4 sets the"
@@ -156,6 +157,10 @@ package-check: $(VENV)/.stamp-package
 
 versions-check: $(VENV)/.stamp-package
 	$(BIN)/python tests/check_versions.py $(ARGS)
+
+release-check: $(VENV)/.stamp-package
+	$(BIN)/python tests/check_package.py --release --archive $(ARGS)
+	$(MAKE) versions-check
 
 formal: $(VENV)/.stamp-test
 	bash proofs_check/formal/build.sh

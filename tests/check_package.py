@@ -9,12 +9,14 @@ the extra ``all`` is installed, and what needed an extra must work.
     python tests/check_package.py --python P  with these only (may be repeated)
     python tests/check_package.py --archive   also `make verify` and `make test` in the unpacked
                                               source archive (long)
+    python tests/check_package.py --release   also what a release needs: a second build from a clone
+                                              has the same bytes, the tag is the version, citation
+                                              and recipe are valid
 
 Exit code 1 when something is wrong.
 """
 
 import argparse
-import email
 import os
 import re
 import resource
@@ -40,16 +42,18 @@ PACKAGES = ("arrangement", "equilibrium", "proofs_check")
 PYTHONS = ("python3.11", "python3.12", "python3.13")
 #: What must be in the source archive beside the packages, the tests and the documentation.
 FILES = {
+    ".zenodo.json",
     "CHANGELOG.md",
     "CITATION.cff",
     "CONTRIBUTING.md",
     "LICENSE",
     "Makefile",
     "README.md",
+    "conda/recipe.yaml",
     "constraints.txt",
 }
 RUBBISH = re.compile(
-    r"(^|/)(__pycache__|_build|_generated|build|dist|report|counterexamples|\.(?!gitignore)"
+    r"(^|/)(__pycache__|_build|_generated|build|dist|report|counterexamples|\.(?!gitignore|zenodo)"
     r"[^/]*)(/|$)|\.(pyc|sqlite|egg-info)$"
 )
 #: CPU seconds for --help: the median of this many runs, on a machine that may be busy.
@@ -73,9 +77,9 @@ def run(command: Sequence[str | Path], folder: Path, **variables: str) -> Done:
     )
 
 
-def build(folder: Path) -> tuple[Path, Path]:
+def build(folder: Path, source: Path = ROOT) -> tuple[Path, Path]:
     """Build the source archive, and the wheel from it."""
-    done = run([sys.executable, "-m", "build", "--outdir", folder, ROOT], folder)
+    done = run([sys.executable, "-m", "build", "--outdir", folder, source], folder)
     if done.returncode:
         raise SystemExit(f"error: the build failed\n{done.stdout}{done.stderr}")
     return next(folder.glob("*.tar.gz")), next(folder.glob("*.whl"))
@@ -109,20 +113,59 @@ def _contents(archive: Path, wheel: Path) -> list[str]:
     return wrong_files(archived, names, set(listed))
 
 
-def _metadata(wheel: Path) -> list[str]:
-    """The long description renders, and the version is the one of the file name."""
-    from readme_renderer import markdown
+def _metadata(*archives: Path) -> list[str]:
+    """An index takes the metadata, and renders the long description."""
+    done = run([sys.executable, "-m", "twine", "check", "--strict", *archives], ROOT)
+    return [f"twine check: {done.stdout}{done.stderr}"] if done.returncode else []
 
-    with zipfile.ZipFile(wheel) as packed:
-        [name] = [n for n in packed.namelist() if n.endswith(".dist-info/METADATA")]
-        metadata = email.message_from_bytes(packed.read(name))
-    wrong = []
-    if metadata["Description-Content-Type"] != "text/markdown":
-        wrong.append("the long description is not declared as Markdown")
-    if not markdown.render(metadata.get_payload()):
-        wrong.append("the long description does not render")
-    if metadata["Version"] != wheel.name.split("-")[1]:
-        wrong.append(f"the version is {metadata['Version']} in the metadata")
+
+def _release(archives: Sequence[Path], folder: Path) -> list[str]:
+    """Return what a release lacks, in a clone of the last commit."""
+    clone, again = folder / "clone", folder / "again"
+    again.mkdir()
+    done = run(["git", "clone", "--quiet", "--depth", "1", ROOT.as_uri(), clone], folder)
+    if done.returncode:
+        return [f"no clone for a second build: {done.stderr}"]
+    wrong = [
+        f"{one.name}: a build from a clone has other bytes (are all changes committed?)"
+        for one, other in zip(archives, build(again, clone), strict=True)
+        if one.read_bytes() != other.read_bytes()
+    ]
+    tags = run(["git", "tag", "--points-at", "HEAD"], ROOT).stdout.split()
+    changelog = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    wrong += wrong_tags(tags, archives[-1].name.split("-")[1], changelog)
+    uv = (sys.executable, "-m", "uv", "tool", "run")
+    for command in (
+        (*uv, "cffconvert", "--validate", "-i", "CITATION.cff"),
+        (*uv, "--from", "py-rattler-build", "python", "-c", RENDER, "conda/recipe.yaml"),
+    ):
+        done = run(command, ROOT)
+        print(f"  {command[-1]}: {(done.stdout.splitlines() or ['-'])[-1]}", flush=True)
+        if done.returncode:
+            wrong.append(f"{command[-1]}: {done.stdout}{done.stderr}")
+    return wrong
+
+
+#: What the builder of conda packages makes of a recipe; it refuses unknown fields.
+RENDER = """
+import sys
+from pathlib import Path
+from rattler_build import RenderConfig, Stage0Recipe, VariantConfig
+recipe = Stage0Recipe.from_yaml(Path(sys.argv[1]).read_text(encoding="utf-8"))
+print(*recipe.render(VariantConfig(), RenderConfig()))
+"""
+
+
+def wrong_tags(tags: Iterable[str], version: str, changelog: str) -> list[str]:
+    """Compare the tags of a commit with its version, and with the section of the changelog."""
+    [heading] = re.findall(rf"^## \[{re.escape(version)}\] - (.*)$", changelog, re.MULTILINE)
+    dated = re.fullmatch(r"\d{4}-\d\d-\d\d", heading)
+    releases = [tag for tag in tags if tag.startswith("v")]
+    wrong = [
+        f"the tag is {tag}; the version is {version}" for tag in releases if tag[1:] != version
+    ]
+    if releases and not dated:
+        wrong.append(f"the changelog dates the release {heading!r}; expected a day")
     return wrong
 
 
@@ -254,6 +297,7 @@ def main(arguments: Sequence[str]) -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--python", action="append", metavar="P", help="an interpreter to check")
     parser.add_argument("--archive", action="store_true", help="also run the suite from the sdist")
+    parser.add_argument("--release", action="store_true", help="also what a release needs")
     options = parser.parse_args(arguments)
     pythons = found_pythons(options.python or PYTHONS)
     if len(pythons) < len(options.python or ()):
@@ -264,7 +308,9 @@ def main(arguments: Sequence[str]) -> int:
         archive, wheel = build(folder)
         for path in (archive, wheel):
             print(f"{path.name}: {path.stat().st_size // 1000} kB")
-        wrong = [*_contents(archive, wheel), *_metadata(wheel)]
+        wrong = [*_contents(archive, wheel), *_metadata(archive, wheel)]
+        if options.release:
+            wrong += _release((archive, wheel), folder)
         for number, python in enumerate(pythons):
             start = time.monotonic()
             print(f"{python}: the wheel in an empty environment", flush=True)

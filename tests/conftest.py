@@ -2,6 +2,7 @@
 
 import functools
 import math
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -14,6 +15,20 @@ from tests.browser import MISSING, Browser, left_out, programs, running
 from tests.javascript.check import node
 
 ROOT = Path(__file__).resolve().parent.parent
+#: On Windows there is no fork, and no module resource.
+collect_ignore = (
+    []
+    if hasattr(os, "fork")
+    else [
+        "arrangement/test_budget.py",
+        "check_package.py",
+        "check_versions.py",
+        "mutants.py",
+        "test_check_package.py",
+        "test_clock.py",
+        "test_layers.py",
+    ]
+)
 
 # The same examples on every run and every machine; speed is not a verdict.
 settings.register_profile(

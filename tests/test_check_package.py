@@ -10,7 +10,7 @@ import pytest
 
 from tests import browser as browsers
 from tests.browser import Browser
-from tests.check_package import FILES, complaints, untried, wrong_files
+from tests.check_package import FILES, complaints, untried, wrong_files, wrong_tags
 from tests.check_site import check_page
 from tests.package_commands import PROGRAMS, Command
 
@@ -26,6 +26,24 @@ TRACKED = WHEEL | FILES | {"tests/test_a.py", "docs/index.rst", ".ci/run"}
 def test_whole_packages_are_right():
     assert wrong_files(ARCHIVE, WHEEL, TRACKED) == []
     assert wrong_files(ARCHIVE, WHEEL, set()) == []
+
+
+@pytest.mark.parametrize(
+    ("tags", "heading", "wrong"),
+    [
+        ([], "unreleased", []),
+        (["v0.1.0"], "2026-12-01", []),
+        (
+            ["v0.1.0"],
+            "unreleased",
+            ["the changelog dates the release 'unreleased'; expected a day"],
+        ),
+        (["v0.2.0", "talk"], "2026-12-01", ["the tag is v0.2.0; the version is 0.1.0"]),
+    ],
+)
+def test_a_wrong_tag_is_found(tags, heading, wrong):
+    changelog = f"# Changelog\n\n## [0.1.0] - {heading}\n\n- First.\n"
+    assert wrong_tags(tags, "0.1.0", changelog) == wrong
 
 
 RUBBISH = (

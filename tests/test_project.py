@@ -2,10 +2,12 @@
 
 import importlib
 import importlib.metadata
+import json
 import pydoc
 import re
 import subprocess
 import sys
+import tomllib
 from collections import Counter
 from pathlib import Path
 
@@ -61,8 +63,33 @@ def test_the_version_is_the_same_everywhere():
     version = arrangement.__version__
     citation = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
     assert importlib.metadata.version("slipstates") == version
+    recipe = (ROOT / "conda" / "recipe.yaml").read_text(encoding="utf-8")
     assert re.findall(r"^version: (.*)$", citation, re.MULTILINE) == [version]
-    assert f"[{version}]" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    assert re.findall(r'^  version: "(.*)"$', recipe, re.MULTILINE) == [version]
+    assert f"## [{version}]" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+
+
+def test_citation_archive_and_recipe_agree_with_the_project():
+    with (ROOT / "pyproject.toml").open("rb") as stream:
+        project = tomllib.load(stream)["project"]
+    citation = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+    archive = json.loads((ROOT / ".zenodo.json").read_text(encoding="utf-8"))
+    recipe = (ROOT / "conda" / "recipe.yaml").read_text(encoding="utf-8")
+    assert archive["license"] == project["license"]
+    assert archive["title"] == project["name"]
+    assert [one["name"] for one in archive["creators"]] == [a["name"] for a in project["authors"]]
+    assert archive["description"].rstrip(".") == project["description"]
+    home = project["urls"]["Repository"]
+    assert f"repository-code: {home}\n" in citation
+    assert f"homepage: {home}\n" in recipe
+    needed = re.search(r"\n  run:\n    - python .*\n((?:    - .*\n)+)", recipe)[1]
+    assert re.findall(r"- (\S+) (\S+)", needed) == [
+        (name, f">{rest}")
+        for entry in project["dependencies"]
+        for name, _, rest in [entry.partition(">")]
+    ]
+    for name, place in project["scripts"].items():
+        assert f"- {name} = {place}\n" in recipe
 
 
 def test_every_command_of_the_project_resolves():

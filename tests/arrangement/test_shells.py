@@ -1,6 +1,7 @@
 """What a shell and a terminal get: completion, versions, colours."""
 
 import io
+import os
 import shutil
 import subprocess
 import sys
@@ -50,7 +51,9 @@ printf '%s\\n' "${{COMPREPLY[@]}}"
     return found.stdout.split()
 
 
-@pytest.mark.skipif(shutil.which("bash") is None, reason="there is no bash")
+@pytest.mark.skipif(
+    os.name == "nt" or shutil.which("bash") is None, reason="there is no bash, or one of Windows"
+)
 def test_bash_completes_commands_options_and_names(tmp_path, capsys):
     pytest.importorskip("shtab")
     for program in PROGRAMS:
@@ -112,6 +115,7 @@ def printed(monkeypatch, stream, *arguments):
 def test_verdicts_have_colours_on_a_terminal(arguments, text, monkeypatch):
     monkeypatch.delenv("NO_COLOR", raising=False)
     monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setenv("WT_SESSION", "1")
     assert printed(monkeypatch, Terminal(), *arguments) == text
 
 
