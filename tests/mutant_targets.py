@@ -277,6 +277,10 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_space_checker.py",
     ): ("equilibrium.model.solution",),
     ("tests/equilibrium/test_rows.py",): ("equilibrium.model.rows",),
+    ("tests/equilibrium/test_assembly_magnitudes.py",): (
+        "equilibrium.decide.assemblies.contact_program",
+        "equilibrium.decide.assemblies.magnitudes",
+    ),
     ("tests/equilibrium/test_assemblies.py",): (
         "equilibrium.decide.assemblies.parts",
         "equilibrium.decide.assemblies.rigid",

@@ -19,6 +19,7 @@ from equilibrium.model.labels import AS_ROUNDED
 
 if TYPE_CHECKING:
     from equilibrium.grasps.inputs import Conversion
+    from equilibrium.model.assembly import Assembly
     from equilibrium.model.grasp import Grasp
 
 _AXES = ("F_X", "F_Y", "TAU")
@@ -26,6 +27,9 @@ _SPANNING = ("fx", "fy", "tau")
 
 #: More incidences than this that rounding kept are only counted.
 _MOST_KEPT = 6
+
+#: Keys of documents that have units.
+_STATING = {"grasp", "assembly"}
 
 _Command: TypeAlias = Callable[[argparse.Namespace], int]
 
@@ -272,7 +276,7 @@ def show(
     document: dict[str, Any],
     lines: Iterable[str],
     yes: bool | None = True,
-    grasp: Grasp | None = None,
+    grasp: Grasp | Assembly | None = None,
 ) -> int:
     """Print one JSON object or the lines, with the units of a grasp; return the exit code.
 
@@ -280,10 +284,10 @@ def show(
         yes: None is undecided.
     """
     units = None if grasp is None else grasp.units
-    if grasp is not None and grasp.data_error and not {"within_error", "robust"} & document.keys():
+    if getattr(grasp, "data_error", None) and not {"within_error", "robust"} & document.keys():
         document, lines = document | {"as_rounded": True}, [*lines, AS_ROUNDED]
     if arguments.json:
-        stated = {"units": units.to_dict()} if units and "grasp" not in document else {}
+        stated = {"units": units.to_dict()} if units and not _STATING & document.keys() else {}
         terminal.print_json({**document, **stated})
     else:
         if units:

@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 _AXES = ("BODY", "F_X", "F_Y", "TAU")
 #: Options of solve that are about one body.
 _ONE_BODY = (
-    *("wrench", "force", "weight", "at", "preload", "cone", "max_displacement", "robust"),
-    *("methods", "as_printed", "shorten", "all", "round_normals", "as_given"),
+    *("wrench", "force", "weight", "at", "cone", "max_displacement", "robust"),
+    *("as_printed", "shorten", "all", "round_normals", "as_given"),
 )
 
 
@@ -37,7 +37,7 @@ _MAKERS = {
 }
 
 
-class _OnBody(argparse.Action):
+class _OnBody(argparse._AppendAction):
     """Collects a wrench for each body."""
 
     def __call__(self, parser: Any, namespace: Any, given: Any, option: Any = None) -> None:
@@ -52,15 +52,14 @@ class _OnBody(argparse.Action):
         setattr(namespace, self.dest, wrenches)
 
 
-def add_on_body(ways: Any) -> None:
+def add_on_body(
+    ways: Any,
+    name: str = "--on",
+    text: str = "the wrench on one body, instead of that in its file",
+) -> None:
     """Add wrenches on the bodies of an assembly, to the ways in which a wrench can be given."""
-    ways.add_argument(
-        "--on",
-        nargs=4,
-        action=_OnBody,
-        metavar=_AXES,
-        help="of an assembly: the wrench on one body, instead of that in its file; repeatable",
-    )
+    text = f"of an assembly: {text}; repeatable"
+    ways.add_argument(name, nargs=4, action=_OnBody, metavar=_AXES, help=text)
 
 
 def assembly_document(arguments: argparse.Namespace) -> Mapping[str, Any] | None:
@@ -78,8 +77,14 @@ def assembly_document(arguments: argparse.Namespace) -> Mapping[str, Any] | None
     return None
 
 
-def asked_assembly(document: Mapping[str, Any], given: Any = None) -> tuple[Assembly, Any]:
+def asked_assembly(
+    document: Mapping[str, Any], given: Any = None, preload: Any = None, *, required: bool = True
+) -> tuple[Assembly, Any]:
     """Return the assembly of a document, and the wrenches given or those that stand in it.
+
+    Args:
+        preload: in place of those of its contacts.
+        required: whether there have to be wrenches.
 
     Raises:
         GraspError: there are none.
@@ -87,8 +92,10 @@ def asked_assembly(document: Mapping[str, Any], given: Any = None) -> tuple[Asse
     from equilibrium.model.assembly import Assembly, wrenches_of
 
     assembly, stated = Assembly.from_dict(document), wrenches_of(document)
+    if preload is not None:
+        assembly = assembly.with_preload(preload)
     wrenches = {**(stated or {}), **(given or {})}
-    if stated is None and given is None:
+    if required and stated is None and given is None:
         raise GraspError(
             "the assembly has no wrenches; give --on BODY F_X F_Y TAU for each body that has one, "
             'or write the key "wrench" into its file'
@@ -96,30 +103,35 @@ def asked_assembly(document: Mapping[str, Any], given: Any = None) -> tuple[Asse
     return assembly, assembly.read_wrenches(wrenches)
 
 
+def assembly_question(
+    arguments: argparse.Namespace, document: Mapping[str, Any]
+) -> tuple[Assembly, Any]:
+    """Return the assembly of a document, and the wrenches that solve is asked about."""
+    refuse_one_body(arguments, _ONE_BODY)
+    return asked_assembly(document, arguments.on, arguments.preload)
+
+
 def solve_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> int:
     """Print the verdict on an assembly."""
     from equilibrium.decide.solver import solve
 
-    refuse_one_body(arguments, _ONE_BODY)
-    assembly, wrenches = asked_assembly(document, arguments.on)
+    assembly, wrenches = assembly_question(arguments, document)
     verdict = solve(assembly, wrenches, time_limit=arguments.time_limit)
     if arguments.certificate is not None and verdict.certificate is not None:
         verdict.certificate.save(arguments.certificate)
-    units = [] if assembly.units is None else [str(assembly.units)]
     yes = verdict.stable if verdict.decided else None
-    return show(arguments, verdict.to_dict(), [*units, *verdict.lines()], yes)
+    return show(arguments, verdict.to_dict(), verdict.lines(), yes, assembly)
 
 
 def draw_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> int:
     """Draw the assembly of a document, solved if it has wrenches."""
     from arrangement.drawing.command import given_options, write
     from equilibrium.decide.solver import solve
-    from equilibrium.model.assembly import Assembly, wrenches_of
     from equilibrium.pictures.views import DRAWINGS, OF_ASSEMBLIES
 
-    refuse_one_body(arguments, ("wrench", "force", "weight", "at", "preload", "origin"))
-    assembly, wrenches = Assembly.from_dict(document), wrenches_of(document)
-    subject = assembly if wrenches is None else solve(assembly, wrenches)
+    refuse_one_body(arguments, ("wrench", "force", "weight", "at", "origin"))
+    assembly, wrenches = asked_assembly(document, None, arguments.preload, required=False)
+    subject = solve(assembly, wrenches) if "wrench" in document else assembly
     options = given_options(arguments, OF_ASSEMBLIES, DRAWINGS)
     return write(arguments, OF_ASSEMBLIES, subject, options)
 

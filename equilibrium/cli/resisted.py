@@ -1,9 +1,12 @@
-"""The subcommand ``equilibrium resisted``: which wrenches a grasp resists, in six forms."""
+"""The subcommand ``equilibrium resisted``: which wrenches a grasp resists, in six forms.
+
+Two of them, magnitudes of a load and its margin, are for assemblies of several bodies, too.
+"""
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -24,12 +27,15 @@ from .arguments import (
     show,
     spanning_wrench,
 )
+from .assemblies import add_on_body, asked_assembly, assembly_document, refuse_one_body
 
 if TYPE_CHECKING:
     from arrangement.numbers.linear.intervals import Interval
+    from equilibrium.model.assembly import Assembly
     from equilibrium.model.grasp import Grasp
     from equilibrium.wrench_sets import (
         Magnitudes,
+        Margin,
         Region,
         ResistedSet,
         SearchMap,
@@ -59,6 +65,9 @@ def add_command_resisted(commands: Any) -> None:
     parser: Any = add_command(commands, "resisted", _resisted, text, *answers, heading="common")
     text = "only the magnitudes resisted along this force (f_x, f_y) and torque tau"
     forms = add_applied(parser, text=text, required=False)
+    text = "the magnitudes of this wrench on one body that are resisted besides those of its file"
+    add_on_body(forms, "--along", text)
+    add_on_body(parser)
     parser.description += " In space: along a load only, with or without --margin."
     text = "planar grasps: find the smallest wrench that is not resisted, in any direction"
     forms.add_argument("--smallest", action="store_true", help=text)
@@ -82,7 +91,20 @@ def add_command_resisted(commands: Any) -> None:
     add_displacement(parser)
 
 
+#: Options that are about one body.
+_ONE_BODY = (
+    *("wrench", "force", "weight", "at", "base", "max_displacement", "smallest", "torque_length"),
+    *("slice", "origin", "search", "rays", "max_magnitude", "round_normals", "as_given"),
+)
+
+
 def _resisted(arguments: argparse.Namespace) -> int:
+    assembly = assembly_document(arguments)
+    if assembly is not None:
+        return _of_assembly(arguments, assembly)
+    for option in ("on", "along"):
+        if getattr(arguments, option) is not None:
+            raise GraspError(f"--{option} is for an assembly; a grasp takes --wrench F_X F_Y TAU")
     form = _form(arguments)
     if arguments.margin and form != "--margin":
         raise GraspError(f"--margin goes with {_LOAD}, not with {form}")
@@ -101,6 +123,26 @@ def _resisted(arguments: argparse.Namespace) -> int:
         _WHOLE: _whole,
     }[form]
     return command(arguments, grasp_of(arguments))
+
+
+def _of_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> int:
+    """Print magnitudes of wrenches on bodies, or the margin of those of the file."""
+    from equilibrium.wrench_sets import ResistedSet
+
+    refuse_one_body(arguments, _ONE_BODY)
+    if arguments.margin == (arguments.along is not None):
+        raise GraspError(
+            "an assembly takes either --along BODY F_X F_Y TAU, the direction of a wrench besides "
+            "those of its file, or --margin, how far these may be scaled"
+        )
+    given = document, arguments.on, arguments.preload
+    assembly, wrenches = asked_assembly(*given, required=arguments.margin)
+    resisted = ResistedSet(assembly)
+    if arguments.margin:
+        return _show_margin(arguments, resisted, resisted.margin(wrenches))
+    magnitudes: Any = resisted.along(arguments.along, wrenches)
+    lines = [f"resisted for t in {_intervals(magnitudes.intervals)}"]
+    return show(arguments, magnitudes.to_dict(), lines, bool(magnitudes.intervals), assembly)
 
 
 def _form(arguments: argparse.Namespace) -> str:
@@ -245,13 +287,17 @@ def _margin(arguments: argparse.Namespace, grasp: Grasp) -> int:
     if grasp.dimension == 3:
         return _along(arguments, grasp)
     resisted = _set(arguments, grasp)
-    factors = resisted.margin(wrench)
-    preloads = factors.preloads
+    return _show_margin(arguments, resisted, resisted.margin(wrench))
+
+
+def _show_margin(arguments: argparse.Namespace, resisted: ResistedSet, factors: Margin) -> int:
+    """Print a margin, with the preload and the friction that resist the wrench."""
+    grasp, preloads = resisted.grasp, factors.preloads
     tolerance = Fraction(1, 2**20) if arguments.tolerance is None else arguments.tolerance
     friction = factors.friction(tolerance)
     remedies = {"preload": preloads.to_dict(), "friction": friction.to_dict()}
-    more, again = _rounded(resisted, factors.magnitudes) if any(wrench) else ({}, [])
-    doubt = grasp.data_error is not None and resisted.solve(wrench).doubt
+    more, again = _rounded(resisted, factors.magnitudes) if any(factors.wrench) else ({}, [])
+    doubt = "within_error" in more and resisted.solve(factors.wrench).doubt
     word = "yes" if factors.resisted else "no"
     word += f", for the rounded data; it {doubt}" if doubt else ""
     yes = None if doubt else factors.resisted
@@ -285,7 +331,7 @@ def _map_lines(found: SearchMap, unit: str) -> Iterator[str]:
         yield f"  ({shown})  {answer}{wrong}"
 
 
-def _force(grasp: Grasp) -> str:
+def _force(grasp: Grasp | Assembly) -> str:
     """Return what to write after a number that is a force."""
     return f" {grasp.units.force}" if grasp.units else ""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from arrangement.numbers.deadline import Deadline
@@ -18,11 +19,12 @@ from .arguments import (
     seconds,
     show,
 )
-from .assemblies import add_on_body, assembly_document, solve_assembly
+from .assemblies import add_on_body, assembly_document, assembly_question, solve_assembly
 from .verdict_words import piece_lines, verdict_lines
 
 if TYPE_CHECKING:
     from equilibrium.decide.verdict import Verdict
+    from equilibrium.model.assembly import Assembly
 
 #: The names of `printed_model.OPTIONS`, kept here so that ``--help`` loads no solver.
 AS_PRINTED = (
@@ -104,14 +106,14 @@ def _bound(text: str) -> tuple[str, str]:
 
 
 def _solve(arguments: argparse.Namespace) -> int:
-    assembly = assembly_document(arguments)
-    if assembly is not None:
-        return solve_assembly(arguments, assembly)
-    if arguments.on is not None:
+    document = assembly_document(arguments)
+    if document is None and arguments.on is not None:
         raise GraspError("--on is for an assembly; a grasp takes --wrench F_X F_Y TAU")
     if arguments.methods is not None:
         _refuse(arguments, "methods", _OF_THE_VERDICT)
-        return _by_methods(arguments)
+        return _by_methods(arguments, document)
+    if document is not None:
+        return solve_assembly(arguments, document)
     if arguments.as_printed:
         _refuse(arguments, "as-printed", (*_OF_THE_VERDICT, "cone"))
         return _as_printed(arguments)
@@ -125,15 +127,21 @@ def _refuse(arguments: argparse.Namespace, form: str, options: tuple[str, ...]) 
             raise GraspError(f"--{form} does not take --{option.replace('_', '-')}; omit one")
 
 
-def _by_methods(arguments: argparse.Namespace) -> int:
+def _by_methods(arguments: argparse.Namespace, document: Mapping[str, Any] | None) -> int:
     """Print the verdict of the full model and of other methods."""
     from equilibrium.decide.solver import solve
     from equilibrium.grasps.inputs.documents import question_document
     from equilibrium.methods.compare import compare
+    from equilibrium.model.grasp import Grasp
 
-    grasp = grasp_of(arguments)
-    wrench = applied(arguments, grasp)
-    question_document(grasp, wrench, "compare")
+    grasp: Grasp | Assembly
+    wrench: Any
+    if document is not None:
+        grasp, wrench = assembly_question(arguments, document)
+    else:
+        grasp = grasp_of(arguments)
+        wrench = applied(arguments, grasp)
+        question_document(grasp, wrench, "compare")
     comparison = compare(grasp, wrench, methods=arguments.methods or None, pyramid=arguments.cone)
     lines, document = list[str](), comparison.to_dict()
     yes = comparison.answers[0].accepts
@@ -142,7 +150,7 @@ def _by_methods(arguments: argparse.Namespace) -> int:
         lines.append(f"{mark} {_WORDS[answer.accepts]:<4}{answer.title:<60}{answer.remark}")
     marks = {line[0] for line in lines} | {line[2] for line in lines}
     lines += [f"{mark}  {text}" for mark, text in _MARKS.items() if mark in marks]
-    if grasp.data_error is not None:
+    if isinstance(grasp, Grasp) and grasp.data_error is not None:
         rounding = solve(grasp, wrench, pyramid=arguments.cone).within_error()
         document["within_error"] = rounding.to_dict()
         lines += rounding.lines()

@@ -209,6 +209,11 @@ class Solver(ReprMixin):
         self._edges = None if pyramid is None else pyramid_edges(pyramid, grasp.dimension)
         self._scaled: dict[Fraction | None, IntegerContacts] = {}
 
+    @property
+    def no_wrench(self) -> RationalVector:
+        """The wrench 0."""
+        return (Fraction(0),) * (3 if self.grasp.dimension == 2 else 6)
+
     def for_grasp(self, grasp: Grasp) -> Solver:
         """Return the solver of another grasp, with the same cones and largest displacement."""
         return Solver(grasp, self.max_displacement, self.pyramid)

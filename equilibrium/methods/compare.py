@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from arrangement.console.progress import watched
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, shown, to_text
+from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.rows import ContactRows
 from equilibrium.plane.contacts import FloatContacts
 
-from .registry import DECIDING, DECIDING_IN_SPACE, METHODS, method_named
+from .registry import DECIDING, DECIDING_ASSEMBLIES, DECIDING_IN_SPACE, METHODS, method_named
 
 
 @dataclass(frozen=True)
@@ -51,8 +52,8 @@ class Comparison:
         pyramid: edges of the friction pyramids asked for; None for round cones, or in the plane.
     """
 
-    grasp: Grasp
-    wrench: RationalVector
+    grasp: Grasp | Assembly
+    wrench: RationalVector | Wrenches
     answers: tuple[Answer, ...]
     pyramid: int | None = None
 
@@ -101,8 +102,7 @@ class Comparison:
                 }
                 for answer in self.answers
             ],
-            "wrench": [to_text(x) for x in self.wrench],
-            "grasp": self.grasp.to_dict(),
+            **question_entries(self.grasp, self.wrench),
         }
 
 
@@ -111,10 +111,19 @@ def predict(method: str, grasp: Grasp, wrench: RationalVector) -> bool | None:
     return method_named(method).outcome(grasp, wrench)[0]
 
 
-def check_cost(grasp: Grasp) -> None:
+def question_entries(grasp: Grasp | Assembly, wrench: Any) -> dict[str, Any]:
+    """Return the entries of a document for its question."""
+    if isinstance(grasp, Assembly):
+        wrenches = {name: list(map(to_text, row)) for name, row in wrench.items()}
+        return {"wrench": wrenches, "assembly": grasp.to_dict()}
+    return {"wrench": list(map(to_text, wrench)), "grasp": grasp.to_dict()}
+
+
+def check_cost(grasp: Grasp | Assembly) -> None:
     """Refuse more contacts than all methods can take."""
+    rows = grasp.rows if isinstance(grasp, Assembly) else ContactRows.of_grasp(grasp)
     # Programs with huge or tiny numbers are solved without floats.
-    each = 1 if FloatContacts(ContactRows.of_grasp(grasp)).moderate else 100
+    each = 1 if FloatContacts(rows).moderate else 100
     budget.check_cost(
         f"all methods on {len(grasp)} contacts",
         "ask the full model (solve)",
@@ -123,8 +132,8 @@ def check_cost(grasp: Grasp) -> None:
 
 
 def compare(
-    grasp: Grasp,
-    wrench: Iterable[Any],
+    grasp: Grasp | Assembly,
+    wrench: Iterable[Any] | Mapping[str, Iterable[Any]],
     *,
     methods: Iterable[str] | None = None,
     pyramid: int | None = None,
@@ -132,8 +141,9 @@ def compare(
     """Decide one wrench by the full model and by other methods.
 
     Args:
-        grasp: contacts.
-        wrench: applied, ``(f_x, f_y, tau)``, or six numbers in space, where fewer methods answer.
+        grasp: contacts; or an assembly, for which the full model and those for rigid bodies answer.
+        wrench: applied, ``(f_x, f_y, tau)``, or six numbers in space, where fewer methods answer;
+            for an assembly one for each body, by name.
         methods: keys of `METHODS`, besides the full model; all that answer if omitted.
         pyramid: in space, edges of friction pyramids in place of the round cones, for the complete
             model and all methods with friction; see `equilibrium.model.contact`.
@@ -152,9 +162,15 @@ def compare(
     ('linear-compliance',)
     """
     check_cost(grasp)
-    applied = read_wrench(wrench, grasp.dimension)
-    if pyramid is not None:
-        pyramid_edges(pyramid, grasp.dimension)
+    applied: Any
+    if isinstance(grasp, Assembly):
+        applied = grasp.read_wrenches(wrench)
+        if pyramid is not None:
+            raise GraspError("an assembly takes no pyramid; leave it out")
+    else:
+        applied = read_wrench(wrench, grasp.dimension)
+        if pyramid is not None:
+            pyramid_edges(pyramid, grasp.dimension)
     answers = [
         Answer(key, METHODS[key].title, *METHODS[key].outcome(grasp, applied, pyramid))
         for key in watched(_chosen(grasp, methods), "methods")
@@ -162,9 +178,12 @@ def compare(
     return Comparison(grasp, applied, tuple(answers), pyramid)
 
 
-def _chosen(grasp: Grasp, methods: Iterable[str] | None) -> list[str]:
+def _chosen(grasp: Grasp | Assembly, methods: Iterable[str] | None) -> list[str]:
     """Return the methods in the order of the table, the full model first."""
-    answering = DECIDING if grasp.dimension == 2 else DECIDING_IN_SPACE
+    if isinstance(grasp, Assembly):
+        answering = DECIDING_ASSEMBLIES
+    else:
+        answering = DECIDING if grasp.dimension == 2 else DECIDING_IN_SPACE
     wanted = answering if methods is None else (answering[0], *methods)
     for name in wanted:
         if name not in answering:

@@ -9,6 +9,7 @@ from typing import Any, TypeAlias
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.polyhedron import Polyhedron
+from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets.plane import FORCES, Region, region_of
@@ -18,6 +19,8 @@ Outcome: TypeAlias = tuple[bool | None, str]
 Decide: TypeAlias = Callable[[Grasp, RationalVector], Outcome]
 #: The same in space, with edges of friction pyramids; None for round cones.
 DecideInSpace: TypeAlias = Callable[[Grasp, RationalVector, int | None], Outcome]
+#: The same for an assembly, with a wrench for each body.
+DecideAssembly: TypeAlias = Callable[[Assembly, Wrenches], Outcome]
 FindRegion: TypeAlias = Callable[[Grasp, Sequence[Iterable[Any]], Iterable[Any]], Region]
 
 
@@ -40,6 +43,7 @@ class Method:
         decide: its verdict on one wrench; None if it has only a region.
         find_region: the accepted wrenches of a plane; None if it has only verdicts.
         decide_in_space: its verdict on a grasp in space; None if it knows the plane only.
+        decide_assembly: its verdict on an assembly; None if it knows one body only.
     """
 
     key: str
@@ -48,14 +52,18 @@ class Method:
     decide: Decide | None = None
     find_region: FindRegion | None = None
     decide_in_space: DecideInSpace | None = None
+    decide_assembly: DecideAssembly | None = None
 
-    def outcome(self, grasp: Grasp, wrench: RationalVector, pyramid: int | None = None) -> Outcome:
+    def outcome(self, grasp: Grasp | Assembly, wrench: Any, pyramid: int | None = None) -> Outcome:
         """Return the verdict on one wrench, with what it rests on.
 
         Args:
             pyramid: in space, edges of friction pyramids in place of the round cones.
         """
         try:
+            if isinstance(grasp, Assembly):
+                assert self.decide_assembly is not None
+                return self.decide_assembly(grasp, wrench)
             if grasp.dimension == 2 and self.decide:
                 return self.decide(grasp, wrench)
             if grasp.dimension == 3 and self.decide_in_space:

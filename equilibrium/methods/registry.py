@@ -17,6 +17,7 @@ from equilibrium.methods.method import Method, Outcome
 from equilibrium.methods.printed_model import PRINTED
 from equilibrium.methods.springs import FRICTIONLESS_SLIP, LINEAR_COMPLIANCE
 from equilibrium.methods.weak_strong import FRICTIONLESS, STRONG, WEAK
+from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
@@ -35,6 +36,11 @@ def _decide(grasp: Grasp, wrench: RationalVector, pyramid: int | None = None) ->
     return found.stable, equilibria_words(found.equilibria)
 
 
+def _decide_assembly(assembly: Assembly, wrenches: Wrenches) -> Outcome:
+    found = solve(assembly, wrenches)
+    return (found.stable if found.decided else None), found.reason or "an equilibrium was found"
+
+
 COMPLETE = Method(
     "complete",
     "full model (springs, cones, dissipation, detachment)",
@@ -42,6 +48,7 @@ COMPLETE = Method(
     _decide,
     resisted_region,
     decide_in_space=_decide,
+    decide_assembly=_decide_assembly,
 )
 
 
@@ -65,11 +72,14 @@ METHODS: dict[str, Method] = {
         PGR,
     )
 }
-#: The keys of the methods that have a verdict on a single wrench, in the plane and in space, and of
-#: those with a region.
+#: The keys of the methods that have a verdict on a single wrench in the plane, in space and on an
+#: assembly, and of those with a region.
 DECIDING = tuple(key for key, method in METHODS.items() if method.decide is not None)
 DECIDING_IN_SPACE = tuple(
     key for key, method in METHODS.items() if method.decide_in_space is not None
+)
+DECIDING_ASSEMBLIES = tuple(
+    key for key, method in METHODS.items() if method.decide_assembly is not None
 )
 WITH_REGION = tuple(key for key, method in METHODS.items() if method.find_region is not None)
 

@@ -30,11 +30,13 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import vector
+from arrangement.console.plugins import named
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector, primitive, rational, shown
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
 from arrangement.numbers.linear.programs import Infeasible, Unbounded, minimize, some_point
 from equilibrium.methods.method import Method, Outcome, cut
+from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
@@ -207,6 +209,19 @@ def _decide_weak_in_space(grasp: Grasp, wrench: RationalVector, pyramid: int | N
     return accepts, f"forces inside the round cones {verb}, proved"
 
 
+def _decide_weak_assembly(assembly: Assembly, wrenches: Wrenches) -> Outcome:
+    held = _balances(assembly, wrenches)
+    return held, f"rigid bodies: {'' if held else 'no '}forces inside the cones balance"
+
+
+def _decide_frictionless_assembly(assembly: Assembly, wrenches: Wrenches) -> Outcome:
+    return _balances(assembly.with_friction(0), wrenches), "rigid bodies: normal forces alone"
+
+
+def _balances(assembly: Assembly, wrenches: Wrenches) -> bool:
+    return named("equilibrium.decide.assemblies.rigid:rigid_forces")(assembly, wrenches) is not None
+
+
 def _decide_strong(grasp: Grasp, wrench: RationalVector) -> Outcome:
     found = weak_strong(grasp, wrench)
     if found.acceleration is None:
@@ -234,6 +249,7 @@ WEAK = Method(
     _decide_weak,
     cut(lambda grasp: _balanced(edge for c in grasp for edge in friction_edges(c))),
     decide_in_space=_decide_weak_in_space,
+    decide_assembly=_decide_weak_assembly,
 )
 STRONG = Method("strong", "strongly stable (Pang, Trinkle 2000)", "strongly stable", _decide_strong)
 FRICTIONLESS = Method(
@@ -243,4 +259,5 @@ FRICTIONLESS = Method(
     _decide_frictionless,
     cut(lambda grasp: _balanced(c.normal_wrench for c in grasp)),
     decide_in_space=_decide_frictionless,
+    decide_assembly=_decide_frictionless_assembly,
 )

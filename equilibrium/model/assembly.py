@@ -12,7 +12,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import Any, ClassVar
@@ -256,6 +256,18 @@ class Assembly(HintsMixin):
         return cls(
             [RigidBody(name, outline)], [BodyContact(name, None, c) for c in grasp], grasp.units
         )
+
+    def with_preload(self, preload: Any) -> Assembly:
+        """Return the same assembly with one preload at every contact."""
+        return self._with_each(preload=preload)
+
+    def with_friction(self, friction: Any) -> Assembly:
+        """Return the same assembly with one friction coefficient at every contact."""
+        return self._with_each(friction=friction)
+
+    def _with_each(self, **values: Any) -> Assembly:
+        changed = [replace(c, contact=replace(c.contact, **values)) for c in self.contacts]
+        return Assembly(self.bodies, changed, self.units)
 
     def to_dict(self, wrenches: Any = None) -> dict[str, Any]:
         """Return the file form, with wrenches on the bodies if given; every number is a string."""

@@ -9,7 +9,8 @@ the range resists the wrench. Ranges that are not refuted are halved, the lower 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from abc import ABC, abstractmethod
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -19,8 +20,11 @@ from arrangement.console.progress import watched
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, rational, shown
 from arrangement.numbers.linear import programs
+from equilibrium.decide.assemblies.magnitudes import Survivors, surviving_states
+from equilibrium.decide.assemblies.solver import AssemblySolver, solve_assembly
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.grasps.inputs.conversion import simplest_between
+from equilibrium.model.assembly import Wrenches
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.contact_rows import (
@@ -59,7 +63,7 @@ class FrictionBracket(JsonMixin):
 
     json_fields = ("low", "high", "width", "impossible")
 
-    wrench: RationalVector
+    wrench: RationalVector | Wrenches
     low: Fraction | None
     high: Fraction | None
 
@@ -75,12 +79,12 @@ class FrictionBracket(JsonMixin):
 
 
 def least_friction(
-    grasp: Grasp | Solver, wrench: Iterable[Any], tolerance: Any = TOLERANCE
+    grasp: Grasp | Solver | AssemblySolver, wrench: Any, tolerance: Any = TOLERANCE
 ) -> FrictionBracket:
     """Bracket the least coefficient that, the same at all contacts, makes a grasp resist a wrench.
 
     Args:
-        grasp: its own coefficients are replaced.
+        grasp: its own coefficients are replaced; or an assembly, with a wrench for each body.
         tolerance: the wanted length of the bracket. It comes out longer where coefficients are
             resisted only on a range shorter than this, or just missed by less than this.
 
@@ -100,15 +104,15 @@ def least_friction(
     goal = rational(tolerance, "tolerance")
     if goal < _LEAST_WIDTH:
         raise GraspError(f"tolerance is {shown(goal)}; it must be at least 2^-100")
-    search = _Search(prepare(grasp), read_wrench(wrench), goal)
-    return search.run()
+    if isinstance(grasp, AssemblySolver):
+        return _OfAssembly(grasp, grasp.grasp.read_wrenches(wrench), goal).run()
+    return _OfGrasp(prepare(grasp), read_wrench(wrench), goal).run()
 
 
-class _Search:
+class _Search(ABC):
     """The state of one search, from small coefficients to large ones."""
 
-    def __init__(self, solver: Solver, wrench: RationalVector, width: Fraction) -> None:
-        self.grasp, self.max_displacement = solver.grasp, solver.max_displacement
+    def __init__(self, wrench: Any, width: Fraction) -> None:
         self.wrench, self.width = wrench, width
         self.first_open: Fraction | None = None
         self.open = 0
@@ -117,7 +121,7 @@ class _Search:
         """Look at ever larger ranges until one holds a sufficient coefficient."""
         if self.resists(Fraction(0)):
             return FrictionBracket(self.wrench, Fraction(0), Fraction(0))
-        alive = self.possible(contact_states(self.grasp), Fraction(0), None)
+        alive = self.possible(None, Fraction(0), None)
         if not alive:
             return FrictionBracket(self.wrench, None, None)
         for low, high in _ranges():
@@ -130,7 +134,7 @@ class _Search:
             return FrictionBracket(self.wrench, low, None)
         return FrictionBracket(self.wrench, None, None)
 
-    def lowest(self, states: Sequence[States], low: Fraction, high: Fraction) -> Fraction | None:
+    def lowest(self, states: list[Any], low: Fraction, high: Fraction) -> Fraction | None:
         """Return a sufficient coefficient of a range, after all ranges below it are looked at."""
         alive = self.possible(states, low, high)
         if not alive:
@@ -150,12 +154,33 @@ class _Search:
         simple = simplest_between(low, high)
         return simple if self.resists(simple) else high
 
+    @abstractmethod
+    def possible(self, states: list[Any] | None, low: Fraction, high: Fraction | None) -> list[Any]:
+        """Return states that the relaxation over a range does not refute; none if all are refuted.
+
+        Args:
+            states: those of a wider range; None for all.
+        """
+
+    @abstractmethod
+    def resists(self, coefficient: Fraction) -> bool:
+        """Return whether the wrench is resisted at one coefficient; exact."""
+
+
+class _OfGrasp(_Search):
+    """A search that tries all contact states of a grasp."""
+
+    def __init__(self, solver: Solver, wrench: RationalVector, width: Fraction) -> None:
+        super().__init__(wrench, width)
+        self.grasp, self.max_displacement = solver.grasp, solver.max_displacement
+
     def possible(
-        self, states: Iterable[States], low: Fraction, high: Fraction | None
+        self, states: list[States] | None, low: Fraction, high: Fraction | None
     ) -> list[States]:
         """Return the states that the relaxation over a range does not refute."""
         kept = []
-        for choice in watched(states, "contact states"):
+        listed = contact_states(self.grasp) if states is None else states
+        for choice in watched(listed, "contact states"):
             equalities, inequalities, n = _relaxed_rows(self.grasp, choice, self.wrench, low, high)
             inequalities += displacement_rows(self.max_displacement, self.grasp, n)
             if programs.Program(n, inequalities, equalities).feasible:
@@ -166,6 +191,27 @@ class _Search:
         """Return whether the wrench is resisted at one coefficient; exact."""
         solver = Solver(self.grasp.with_friction(coefficient), self.max_displacement)
         return solver.solve(self.wrench).stable
+
+
+class _OfAssembly(_Search):
+    """A search in the trees of the parts of an assembly, each up to the first states that do."""
+
+    def __init__(self, solver: AssemblySolver, wrenches: Wrenches, width: Fraction) -> None:
+        super().__init__(wrenches, width)
+        self.assembly = solver.grasp
+
+    def possible(
+        self, states: list[Survivors] | None, low: Fraction, high: Fraction | None
+    ) -> list[Survivors]:
+        """Return states of each part that a range does not refute."""
+        known = states[0] if states else ()
+        found = surviving_states(self.assembly, self.wrench, (low, high), known)
+        return [] if found is None else [found]
+
+    def resists(self, coefficient: Fraction) -> bool:
+        """Return whether the wrenches are resisted at one coefficient; not if it is undecided."""
+        verdict = solve_assembly(self.assembly.with_friction(coefficient), self.wrench)
+        return verdict.decided and verdict.stable
 
 
 def _relaxed_rows(

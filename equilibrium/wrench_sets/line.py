@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import product
 from typing import Any
 
 from arrangement.console.number_form import JsonMixin, ReprMixin
@@ -19,6 +18,7 @@ from arrangement.numbers.exact import RationalVector, dot, primitive
 from arrangement.numbers.linear import programs
 from arrangement.numbers.linear.intervals import (
     Interval,
+    common,
     holds,
     intersection,
     texts,
@@ -26,8 +26,10 @@ from arrangement.numbers.linear.intervals import (
     where_positive,
 )
 from arrangement.numbers.linear.rank import gauss_jordan
+from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.robustness import DEPENDS, MAX_ROUNDINGS, others
 from equilibrium.decide.solver import Solver, prepare
+from equilibrium.model.assembly import Wrenches
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.contact_rows import sum_row
@@ -43,14 +45,14 @@ class Magnitudes(JsonMixin):
     """All t >= 0 with ``base + t direction`` resisted.
 
     Attributes:
-        base, direction: wrenches ``(f_x, f_y, tau)``.
+        base, direction: wrenches ``(f_x, f_y, tau)``; of an assembly one for each body.
         intervals: disjoint, closed, increasing; an upper end None means unbounded.
     """
 
     json_fields = ("intervals",)
 
-    base: RationalVector
-    direction: RationalVector
+    base: RationalVector | Wrenches
+    direction: RationalVector | Wrenches
     intervals: tuple[Interval, ...]
 
     @property
@@ -61,6 +63,21 @@ class Magnitudes(JsonMixin):
     def contains(self, magnitude: Fraction) -> bool:
         """Return whether this magnitude is resisted."""
         return holds(self.intervals, magnitude)
+
+
+def assembly_magnitudes(solver: AssemblySolver, direction: Any, base: Any) -> Magnitudes:
+    """Return the exact set of t >= 0 for which an assembly resists ``base + t direction``.
+
+    Args:
+        direction, base: a wrench for each body.
+
+    Raises:
+        GraspError: all of the direction is zero, or a wrench on what is no body.
+    """
+    along, start = map(solver.grasp.read_wrenches, (direction, base))
+    if not any(map(any, along.values())):
+        raise GraspError("all wrenches of the direction are zero; give one other than zero")
+    return Magnitudes(start, along, solver.magnitudes(start, along))
 
 
 def resisted_magnitudes(
@@ -136,14 +153,15 @@ def ends_within_error(solver: Solver, found: Magnitudes) -> RoundedEnds | None:
     if solver.grasp.data_error is None:
         return None
     low, high = found.intervals[-1] if found.intervals else (Fraction(0), None)
-    at = sum_row(found.base, found.direction, (low or Fraction(0)) + 1 if high is None else high)
+    base: Any = found.base
+    along: Any = found.direction
+    at = sum_row(base, along, (low or Fraction(0)) + 1 if high is None else high)
     verdict, ends = solver.solve(at), [_ends(found.intervals)]
     for k, grasp in enumerate(others(verdict)):
         prepared = Solver(grasp, solver.max_displacement)
-        other = resisted_magnitudes(prepared, found.direction, found.base).intervals
+        other = resisted_magnitudes(prepared, along, base).intervals
         if k >= MAX_ROUNDINGS and not solver.grasp.data_error.as_given:
-            common = (intersection(*two) for two in product(other, found.intervals))
-            other = union(part for part in common if part is not None)
+            other = common(other, found.intervals)
         ends.append(_ends(other))
         if [end is None for end in ends[0]] != [end is None for end in ends[-1]]:
             return RoundedEnds(len(ends) - 1, (), other)

@@ -8,7 +8,6 @@ w / p, if no range bounds motions and forces.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -18,8 +17,10 @@ from arrangement.console.number_form import JsonMixin
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.intervals import Interval, holds, union
+from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.decide.state_choices import StateChoices
+from equilibrium.model.assembly import Wrenches
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.states.contact_states import states_of_code
 from equilibrium.plane.states.state_system import state_system
@@ -39,10 +40,10 @@ class Margin(JsonMixin):
 
     json_fields = ("resisted", "around", "nearest", "intervals")
 
-    wrench: RationalVector
+    wrench: RationalVector | Wrenches
     resisted: bool
     intervals: tuple[Interval, ...]
-    _solver: Solver = field(compare=False)
+    _solver: Solver | AssemblySolver = field(compare=False)
 
     def __bool__(self) -> bool:
         """Return whether the wrench itself is resisted."""
@@ -68,11 +69,14 @@ class Margin(JsonMixin):
     @property
     def magnitudes(self) -> Magnitudes:
         """The factors as magnitudes of the wrench."""
-        return Magnitudes((Fraction(0),) * len(self.wrench), self.wrench, self.intervals)
+        return Magnitudes(self._solver.no_wrench, self.wrench, self.intervals)
 
     @cached_property
     def preloads(self) -> Preloads:
-        """All uniform preloads with which the grasp resists the wrench, exactly."""
+        """All uniform preloads with which the wrench is resisted, exactly."""
+        if isinstance(self._solver, AssemblySolver):
+            wrenches = self._solver.grasp.read_wrenches(self.wrench)
+            return Preloads(wrenches, self._solver.preloads(wrenches))
         return sufficient_preloads(self._solver, self.wrench)
 
     def friction(self, tolerance: Any = TOLERANCE) -> FrictionBracket:
@@ -88,8 +92,8 @@ class Margin(JsonMixin):
 _QUERIES = 6
 
 
-def margin(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Margin:
-    """Return the exact factors by which a wrench may be scaled.
+def margin(grasp: Grasp | Solver | AssemblySolver, wrench: Any) -> Margin:
+    """Return the exact factors by which a wrench, or those on all bodies, may be scaled.
 
     Raises:
         OutOfReachError: too many choices of contact states, for its preloads and friction, too.
@@ -98,6 +102,10 @@ def margin(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Margin:
     >>> margin(read_grasp("paper-three-contacts-preload-1"), [0, "1/2", 0]).around
     (Fraction(0, 1), Fraction(2, 1))
     """
+    if isinstance(grasp, AssemblySolver):
+        wrenches = grasp.grasp.read_wrenches(wrench)
+        scaled = grasp.magnitudes(grasp.no_wrench, wrenches)
+        return Margin(wrenches, holds(scaled, Fraction(1)), scaled, grasp)
     solver, w = prepare(grasp), read_wrench(wrench)
     solver.choices.check_cost(_QUERIES)
     if any(w):
@@ -109,7 +117,7 @@ def margin(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Margin:
 
 @dataclass(frozen=True)
 class Preloads(JsonMixin):
-    """All p >= 0 for which a grasp resists a wrench when every preload is p.
+    """All p >= 0 for which a wrench is resisted when every preload is p.
 
     Attributes:
         intervals: disjoint, closed, increasing; an upper end None means unbounded.
@@ -117,7 +125,7 @@ class Preloads(JsonMixin):
 
     json_fields = ("least", "intervals")
 
-    wrench: RationalVector
+    wrench: RationalVector | Wrenches
     intervals: tuple[Interval, ...]
 
     @property
@@ -126,7 +134,7 @@ class Preloads(JsonMixin):
         return self.intervals[0][0] if self.intervals else None
 
 
-def sufficient_preloads(grasp: Grasp | Solver, wrench: Iterable[Any]) -> Preloads:
+def sufficient_preloads(grasp: Grasp | Solver, wrench: Any) -> Preloads:
     """Return all uniform preloads with which a grasp resists a wrench, exactly.
 
     The preloads of the grasp itself are replaced. A larger preload is not always better, so the

@@ -1,4 +1,4 @@
-"""The set of wrenches that a grasp resists: one object with a method for each query.
+"""The set of wrenches that a grasp or an assembly resists: one object with a method for each query.
 
 The other modules of this package compute; here they share one solver, and the polyhedra.
 """
@@ -8,18 +8,26 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 
 from arrangement.console.number_form import JsonMixin
 from arrangement.errors import HintsMixin
 from arrangement.numbers.exact import vector_text
+from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
+from equilibrium.model.assembly import Assembly
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
 
 from .any_direction import SmallestUnresisted, smallest_unresisted_wrench
-from .line import Magnitudes, RoundedEnds, ends_within_error, resisted_magnitudes
+from .line import (
+    Magnitudes,
+    RoundedEnds,
+    assembly_magnitudes,
+    ends_within_error,
+    resisted_magnitudes,
+)
 from .loads import CheckedLoads, check_loads
 from .margin import Margin, margin
 from .plane import FORCES, Region, resisted_region
@@ -29,6 +37,10 @@ from .space import Piece, resisted_pieces
 if TYPE_CHECKING:
     from arrangement.drawing.path_artist import Drawing
     from equilibrium.wrench_sets.spatial import SpatialMagnitudes
+
+
+#: A wrench; of an assembly one for each body.
+Load: TypeAlias = Iterable[Any] | Mapping[str, Iterable[Any]]
 
 
 class ResistedSet(HintsMixin, JsonMixin):
@@ -41,8 +53,11 @@ class ResistedSet(HintsMixin, JsonMixin):
 
     Nothing is computed before a method is called, and what one call computes serves the next.
 
+    Of an assembly of bodies, `contains`, `solve`, `along` and `margin` answer, exactly; a load is
+    a wrench for each body then, by name.
+
     Args:
-        grasp: contacts.
+        grasp: contacts, or an assembly.
         max_displacement: only equilibria within it count; see `equilibrium.solve`.
         pyramid: in space, edges of the friction pyramids in place of round cones; see
             `equilibrium.solve`.
@@ -83,24 +98,44 @@ class ResistedSet(HintsMixin, JsonMixin):
     }
 
     def __init__(
-        self, grasp: Grasp, *, max_displacement: Any = None, pyramid: int | None = None
+        self, grasp: Grasp | Assembly, *, max_displacement: Any = None, pyramid: int | None = None
     ) -> None:
-        self._solver = Solver(grasp, max_displacement, pyramid)
+        self._solver: Solver | AssemblySolver
+        if isinstance(grasp, Assembly):
+            for name, value in (("max_displacement", max_displacement), ("pyramid", pyramid)):
+                if value is not None:
+                    raise GraspError(f"an assembly takes no {name}; leave it out")
+            self._solver = AssemblySolver(grasp)
+        else:
+            self._solver = Solver(grasp, max_displacement, pyramid)
+
+    def _of_grasp(self) -> Solver:
+        """Return the solver of a grasp.
+
+        Raises:
+            GraspError: this is about an assembly.
+        """
+        if isinstance(self._solver, AssemblySolver):
+            raise GraspError(
+                f"{self._solver.grasp!r} has no list of resisted wrenches; use `along`, `margin`, "
+                "`solve` or `contains`"
+            )
+        return self._solver
 
     @property
-    def grasp(self) -> Grasp:
-        """The contacts."""
+    def grasp(self) -> Any:
+        """The contacts: a `Grasp` or an `Assembly`."""
         return self._solver.grasp
 
     @property
     def max_displacement(self) -> Fraction | None:
         """How far contact points may move for an equilibrium to count; None: any distance."""
-        return self._solver.max_displacement
+        return None if isinstance(self._solver, AssemblySolver) else self._solver.max_displacement
 
     @property
     def pyramid(self) -> int | None:
         """Edges of the friction pyramids; None: round cones, or in the plane."""
-        return self._solver.pyramid
+        return None if isinstance(self._solver, AssemblySolver) else self._solver.pyramid
 
     @cached_property
     def polyhedra(self) -> tuple[Piece, ...]:
@@ -111,9 +146,9 @@ class ResistedSet(HintsMixin, JsonMixin):
         Raises:
             OutOfReachError: too many choices of contact states.
         """
-        return resisted_pieces(self._solver)
+        return resisted_pieces(self._of_grasp())
 
-    def contains(self, wrench: Iterable[Any]) -> bool:
+    def contains(self, wrench: Load) -> bool:
         """Return whether a wrench is resisted; ``wrench in resisted`` is the same.
 
         Raises:
@@ -121,33 +156,30 @@ class ResistedSet(HintsMixin, JsonMixin):
                 from float data and the answer depends on the rounding.
         """
         verdict = self.solve(wrench)
-        if verdict.decided and verdict.doubt:
+        if isinstance(verdict, Verdict) and verdict.decided and verdict.doubt:
             raise UndecidedError(
                 f"whether the wrench {vector_text(verdict.wrench)} is resisted {verdict.doubt}; "
                 "`solve(wrench).stable` is the answer for the rounded data"
             )
-        return verdict.stable
+        return bool(verdict)
 
-    def __contains__(self, wrench: Iterable[Any]) -> bool:
+    def __contains__(self, wrench: Load) -> bool:
         """Return whether a wrench is resisted; see `contains`."""
         return self.contains(wrench)
 
-    def solve(
-        self,
-        wrench: Iterable[Any],
-        *,
-        time_limit: float | None = None,
-        shorten: bool = False,
-        nodes: int | None = None,
-    ) -> Verdict:
-        """Decide one wrench, with a certificate; see `equilibrium.solve`."""
-        return self._solver.solve(wrench, time_limit=time_limit, shorten=shorten, nodes=nodes)
+    def solve(self, wrench: Load, **options: Any) -> Any:
+        """Decide one wrench, with a certificate: a `Verdict`, of an assembly an `AssemblyVerdict`.
+
+        Args:
+            options: time_limit, nodes and, of a grasp, shorten; see `equilibrium.solve`.
+        """
+        return self._solver.solve(wrench, **options)  # type: ignore[arg-type]
 
     def solve_many(
         self, wrenches: Iterable[Iterable[Any]], *, jobs: int = 1, dask: str | None = None
     ) -> Iterator[Verdict]:
         """Yield the verdict of each wrench, in order; see `equilibrium.solve_many`."""
-        return self._solver.solve_many(wrenches, jobs=jobs, dask=dask)
+        return self._of_grasp().solve_many(wrenches, jobs=jobs, dask=dask)
 
     def check(self, wrenches: Any) -> CheckedLoads:
         """Decide an array of wrenches by `polyhedra`: in floats where these decide, else exactly.
@@ -168,16 +200,14 @@ class ResistedSet(HintsMixin, JsonMixin):
         >>> ResistedSet(grasp).check([[0, 0.5, 0], [0, 1, 0], [0, 1.5, 0]]).resisted.tolist()
         [True, True, False]
         """
-        self.grasp.require_plane()
+        self._of_grasp().grasp.require_plane()
         return check_loads(self, wrenches)
 
-    def along(
-        self, direction: Iterable[Any], base: Iterable[Any] | int = 0
-    ) -> Magnitudes | SpatialMagnitudes:
+    def along(self, direction: Load, base: Load | int = 0) -> Magnitudes | SpatialMagnitudes:
         """Return the magnitudes t >= 0 for which ``base + t direction`` is resisted.
 
-        In the plane they are exact intervals. In space verdicts at sampled magnitudes are returned,
-        and each change between neighbours in a bracket of two proofs.
+        In the plane, and of an assembly, they are exact intervals. In space verdicts at sampled
+        magnitudes are returned, and each change between neighbours in a bracket of two proofs.
 
         Args:
             direction: a wrench other than zero.
@@ -185,10 +215,13 @@ class ResistedSet(HintsMixin, JsonMixin):
 
         Raises:
             GraspError: a zero direction, a wrench of wrong length, or friction pyramids.
+            OutOfReachError: too many choices of contact states.
         """
-        start = self._load(base)
-        if self.grasp.dimension == 2:
-            return resisted_magnitudes(self._solver, direction, start)
+        start: Any = self._load(base)
+        if isinstance(self._solver, AssemblySolver):
+            return assembly_magnitudes(self._solver, direction, start)
+        if self._solver.grasp.dimension == 2:
+            return resisted_magnitudes(self._of_grasp(), direction, start)
         from .spatial import spatial_magnitudes
 
         if self.pyramid is not None:
@@ -197,7 +230,7 @@ class ResistedSet(HintsMixin, JsonMixin):
                 "cones only. Leave pyramid out, or `solve` one wrench after the other"
             )
         bound = self.max_displacement
-        return spatial_magnitudes(self.grasp, direction, start, max_displacement=bound)
+        return spatial_magnitudes(self._solver.grasp, direction, start, max_displacement=bound)
 
     def within_error(self, magnitudes: Magnitudes) -> RoundedEnds | None:
         """Return the ends of magnitudes in the plane for others within the error of the data.
@@ -207,6 +240,8 @@ class ResistedSet(HintsMixin, JsonMixin):
         Args:
             magnitudes: what `along` returned.
         """
+        if isinstance(self._solver, AssemblySolver):
+            return None
         return ends_within_error(self._solver, magnitudes)
 
     def slice(
@@ -222,10 +257,10 @@ class ResistedSet(HintsMixin, JsonMixin):
         Raises:
             GraspError: u and v are parallel, or a wrench has the wrong length.
         """
-        return resisted_region(self._solver, (u, v), self._load(origin))
+        return resisted_region(self._of_grasp(), (u, v), self._load(origin))
 
-    def margin(self, wrench: Iterable[Any]) -> Margin:
-        """Return the exact factors by which a wrench may be scaled.
+    def margin(self, wrench: Load) -> Margin:
+        """Return the exact factors by which a wrench may be scaled; of an assembly, all wrenches.
 
         Its `Margin.preloads` and `Margin.friction` are what would resist the wrench.
         """
@@ -246,6 +281,7 @@ class ResistedSet(HintsMixin, JsonMixin):
             GraspError: a torque_length that is not above 0, or a base of wrong length.
             OutOfReachError: too many choices of contact states.
         """
+        self._of_grasp()
         return smallest_unresisted_wrench(self, self._load(base), torque_length)
 
     def search(
@@ -264,7 +300,7 @@ class ResistedSet(HintsMixin, JsonMixin):
         Raises:
             GraspError: an argument that is not above 0.
         """
-        return search_map(self._solver, rays, tolerance, max_magnitude)
+        return search_map(self._of_grasp(), rays, tolerance, max_magnitude)
 
     def draw(self, view: str = "wrench-set", **options: Any) -> Drawing:
         """Draw the set, or another view of the grasp; see `Grasp.draw`.
@@ -277,9 +313,8 @@ class ResistedSet(HintsMixin, JsonMixin):
                 "the set of wrenches with bounded displacements is not drawn; leave "
                 "max_displacement out, or use `slice` and `polyhedra`"
             )
-        return self.grasp.draw(view, **options)
+        return self._of_grasp().grasp.draw(view, **options)
 
-    def _load(self, load: Iterable[Any] | int) -> Iterable[Any]:
+    def _load(self, load: Load | int) -> Load:
         """Return a load that may be omitted: 0 is the zero wrench."""
-        zero = (0,) * (3 if self.grasp.dimension == 2 else 6)
-        return zero if isinstance(load, int) and load == 0 else load  # type: ignore[return-value]
+        return self._solver.no_wrench if isinstance(load, int) and load == 0 else load  # type: ignore[return-value]

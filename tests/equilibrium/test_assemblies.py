@@ -23,6 +23,7 @@ from equilibrium import (
     GraspError,
     Polygon,
     RigidBody,
+    compare,
     read_assembly,
     solve,
     verify,
@@ -521,6 +522,17 @@ class TestRigid:
         assert verdict.balances_rigidly
         assert verdict.lines()[1].startswith("rigid bodies would hold")
 
+    def test_methods_for_rigid_bodies_disagree_with_springs(self):
+        assembly, wrenches = asked(self.BOOKS, self.BOOKS["questions"][0])
+        found = compare(assembly, wrenches)
+        assert [answer.accepts for answer in found.answers] == [False, True, False]
+        assert found.disagreeing == ("weak",)
+        assert found.to_dict()["wrench"]["left"] == ["0", "-1", "-1/2"]
+        assert not compare(assembly, wrenches, methods=["weak"])
+        for options in ({"methods": ["strong"]}, {"pyramid": 4}):
+            with pytest.raises(GraspError):
+                compare(assembly, wrenches, **options)
+
     def test_what_no_forces_balance_fails_rigidly(self):
         verdict = solve(*asked(WEDGE, WEDGE["questions"][1]))
         assert verdict.verdict == "not resisted"
@@ -604,9 +616,21 @@ class TestCommand:
         assert main(["solve", "ladder"]) == 2
         assert "there is no wrench" in capsys.readouterr().err
 
-    @pytest.mark.parametrize("command", [["info"], ["resisted", "--wrench", "0", "0", "1"]])
-    def test_other_commands_say_who_takes_it(self, stack, command, capsys):
-        assert main([command[0], stack, *command[1:]]) == 2
+    def test_methods_are_compared(self, stack, capsys):
+        assert main(["solve", stack, "--methods"]) == 0
+        lines = capsys.readouterr().out.splitlines()
+        assert [line.split()[0] for line in lines] == ["yes", "yes", "yes"]
+        assert main(["solve", stack, "--methods", "weak", "--on", "upper", "1", "0", "0"]) == 1
+        assert main(["solve", stack, "--methods", "--certificate", "a.json"]) == 2
+
+    def test_each_body_has_a_wrench_of_its_own(self, stack, capsys):
+        both = ["--on", "lower", "0", "0", "0", "--on", "upper", "0", "-2", "0"]
+        assert main(["solve", stack, *both, "--json"]) == 0
+        wrench = json.loads(capsys.readouterr().out)["wrench"]
+        assert wrench == {"lower": ["0", "0", "0"], "upper": ["0", "-2", "0"]}
+
+    def test_info_says_who_takes_it(self, stack, capsys):
+        assert main(["info", stack]) == 2
         assert "is an assembly of several bodies; expected a grasp" in capsys.readouterr().err
 
     def test_verified_checker_is_for_one_body(self, stack, tmp_path, capsys):

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from itertools import product, starmap
 from typing import TypeAlias
 
 from arrangement.numbers.exact import to_text
@@ -73,6 +74,16 @@ def intersection(one: Interval, other: Interval) -> Interval | None:
     highs = [x for x in (one[1], other[1]) if x is not None]
     low, high = max(lows, default=None), min(highs, default=None)
     return None if low is not None and high is not None and low > high else (low, high)
+
+
+def common(one: Iterable[Interval], other: Iterable[Interval]) -> tuple[Interval, ...]:
+    """Return the common part of two unions.
+
+    >>> common([(Fraction(0), Fraction(2)), (Fraction(3), None)], [(Fraction(1), Fraction(3))])
+    ((Fraction(1, 1), Fraction(2, 1)), (Fraction(3, 1), Fraction(3, 1)))
+    """
+    parts = starmap(intersection, product(one, tuple(other)))
+    return union(part for part in parts if part is not None)
 
 
 def remainder(whole: Interval, removed: Sequence[Interval]) -> tuple[Interval, ...]:

@@ -16,10 +16,8 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-import networkx as nx
-
 from arrangement.numbers.exact import RationalVector
-from equilibrium.model.assembly import SIZE, Assembly, Wrenches
+from equilibrium.model.assembly import SIZE, Assembly, BodyContact, Wrenches
 
 #: The ground as a vertex; bodies are their names.
 _GROUND = 0
@@ -52,6 +50,8 @@ class Floating(NamedTuple):
 
 def parts_of(assembly: Assembly, wrenches: Wrenches) -> tuple[list[AssemblyPart], list[Floating]]:
     """Return the parts, those nearer to the ground first, and what floats."""
+    import networkx as nx
+
     graph: Any = nx.Graph()
     graph.add_nodes_from([_GROUND, *assembly.names])
     graph.add_edges_from((c.body_a, c.body_b or _GROUND) for c in assembly.contacts)
@@ -70,10 +70,24 @@ def parts_of(assembly: Assembly, wrenches: Wrenches) -> tuple[list[AssemblyPart]
     return parts, floating
 
 
+def with_root_as_ground(assembly: Assembly, part: AssemblyPart) -> Assembly:
+    """Return the bodies of a part, with its root in the place of the ground."""
+    contacts = []
+    for i in part.contacts:
+        c = assembly.contacts[i]
+        if c.body_a == part.root:
+            c = c.reversed
+        body_b = None if c.body_b == part.root else c.body_b
+        contacts.append(BodyContact(c.body_a, body_b, c.contact))
+    return Assembly(part.bodies, contacts)
+
+
 def _hung_on(
     graph: Any, root: Any, assembly: Assembly, wrenches: Wrenches
 ) -> Iterator[AssemblyPart]:
     """Yield the parts of what is connected with a vertex, those nearer to it first."""
+    import networkx as nx
+
     blocks_at: dict[Any, list[set[Any]]] = {vertex: [] for vertex in graph}
     for block in nx.biconnected_components(graph):
         for vertex in block:

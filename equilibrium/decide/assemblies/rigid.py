@@ -9,8 +9,9 @@ from __future__ import annotations
 from fractions import Fraction
 
 from arrangement.numbers.exact import RationalVector
-from arrangement.numbers.linear.programs import Infeasible, Program
 from equilibrium.model.assembly import Assembly, Wrenches
+
+from .contact_program import ContactProgram, LinearQuestion
 
 
 def rigid_forces(assembly: Assembly, wrenches: Wrenches) -> tuple[RationalVector, ...] | None:
@@ -26,19 +27,7 @@ def rigid_forces(assembly: Assembly, wrenches: Wrenches) -> tuple[RationalVector
     >>> [str(normal) for normal, _ in rigid_forces(book, book.read_wrenches({"book": [0, -1, 0]}))]
     ['1', '1']
     """
-    rows, size = assembly.rows, 2 * len(assembly.contacts)
-    load = [x for name in assembly.names for x in wrenches[name]]
-    balance = [[Fraction(0)] * size + [w] for w in load]
-    inside: list[RationalVector] = []
-    for i, row in enumerate(rows):
-        for j, axis in enumerate((row.normal_wrench, *row.tangential_wrenches)):
-            for line, x in zip(balance, axis, strict=True):
-                line[2 * i + j] = x
-        for normal, tangential in ((1, 0), (row.friction, 1), (row.friction, -1)):
-            side = [Fraction(0)] * (size + 1)
-            side[2 * i : 2 * i + 2] = Fraction(normal), Fraction(tangential)
-            inside.append(tuple(side))
-    found = Program(size, inside, list(map(tuple, balance))).point()
-    if isinstance(found, Infeasible):
-        return None
-    return tuple(found[k : k + 2] for k in range(0, size, 2))
+    load = tuple(x for name in assembly.names for x in wrenches[name])
+    question = LinearQuestion(assembly.rows, load, (Fraction(0),) * len(load))
+    found = ContactProgram(question, ("loose",) * len(assembly.contacts)).solution()
+    return None if found is None else found.forces

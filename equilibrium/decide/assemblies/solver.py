@@ -7,27 +7,66 @@ cones: with all states decided a node is an exact program, so the search ends un
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, to_text, vector_text
+from arrangement.numbers.linear.intervals import Interval
 from equilibrium.certificate.assemblies import joints_of, law_problem
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
 from equilibrium.decide.solver import STEPS, Solver
-from equilibrium.model.assembly import SIZE, Assembly, BodyContact, Wrenches
+from equilibrium.model.assembly import SIZE, Assembly, Wrenches
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import EquilibriumError, TimeLimitError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Open, Solution
 
-from .parts import AssemblyPart, parts_of
+from .magnitudes import assembly_magnitudes
+from .parts import AssemblyPart, parts_of, with_root_as_ground
 from .verdict import AssemblyVerdict
 
 #: Up to this many contacts the equilibrium of least norm of a body is looked for.
 _FEW = 4
 _FLOATS = "the load does not balance as a whole"
+
+
+@dataclass(frozen=True)
+class AssemblySolver:
+    """An assembly for many questions: what `equilibrium.decide.solver.Solver` is of a grasp."""
+
+    grasp: Assembly
+
+    @property
+    def no_wrench(self) -> Wrenches:
+        """The wrench 0 on each body."""
+        return self.grasp.read_wrenches({})
+
+    def solve(
+        self,
+        wrenches: Mapping[str, Any],
+        *,
+        time_limit: float | None = None,
+        nodes: int | None = None,
+    ) -> AssemblyVerdict:
+        """Decide one set of wrenches; see `solve_assembly`."""
+        return solve_assembly(self.grasp, wrenches, time_limit=time_limit, nodes=nodes)
+
+    def magnitudes(self, base: Wrenches, along: Wrenches) -> tuple[Interval, ...]:
+        """Return all t >= 0 with ``base + t along`` resisted."""
+        if base == self.no_wrench and not any(c.contact.preload for c in self.grasp.contacts):
+            # Without preload the law scales: one verdict is that of all t > 0.
+            verdict = self.solve(along)
+            if verdict.decided:
+                return ((Fraction(0), None if verdict else Fraction(0)),)
+        return assembly_magnitudes(self.grasp, base, along)
+
+    def preloads(self, wrenches: Wrenches) -> tuple[Interval, ...]:
+        """Return all uniform preloads with which the wrenches are resisted."""
+        bare, slope = self.grasp.with_preload(0), Fraction(1)
+        return assembly_magnitudes(bare, wrenches, self.no_wrench, preload_slope=slope)
 
 
 def solve_assembly(
@@ -102,7 +141,7 @@ def _decide_part(
     assembly: Assembly, part: AssemblyPart, effort: Effort, nodes: int | None
 ) -> Solution | dict[str, Any] | str:
     """Return an equilibrium of a part, a tree that refutes the assembly, or why it is open."""
-    inside = _with_root_as_ground(assembly, part)
+    inside = with_root_as_ground(assembly, part)
     if len(part.bodies) > 1:
         return _searched(inside, part, effort, nodes)
     (name,) = part.bodies
@@ -117,18 +156,6 @@ def _decide_part(
         return Solution(least.motion, least.forces)
     contacts = list(part.contacts)
     return {"part": list(part.hanging[name]), "contacts": contacts, "tree": verdict.tree}
-
-
-def _with_root_as_ground(assembly: Assembly, part: AssemblyPart) -> Assembly:
-    """Return the bodies of a part, with its root in the place of the ground."""
-    contacts = []
-    for i in part.contacts:
-        c = assembly.contacts[i]
-        if c.body_a == part.root:
-            c = c.reversed
-        body_b = None if c.body_b == part.root else c.body_b
-        contacts.append(BodyContact(c.body_a, body_b, c.contact))
-    return Assembly(part.bodies, contacts)
 
 
 def _searched(

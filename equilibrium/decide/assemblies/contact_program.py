@@ -1,0 +1,264 @@
+"""The law of contacts as one exact linear program, with some of the contact states still open.
+
+Unknowns are the motion, forces at contacts whose state leaves them open, and a magnitude t: the
+load is ``w + t w'``, and each preload ``q + t q'``. The law of a contact, by its state:
+
+* loose: a force in the friction cone, without a spring;
+* undecided: ``c_n >= q - k N . d``, in the cone;
+* detached: no force, ``q - k N . d <= 0``;
+* attached: ``c_n = q - k N . d``, in the cone;
+* stick: attached, and ``T . d = 0``;
+* slip+, slip-: attached, T . d >= 0 or <= 0, and the friction is the opposite end of the cone.
+
+With all contacts decided this is the law itself, else a relaxation: it has every solution.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import NamedTuple
+
+from arrangement.numbers.exact import RationalVector, dot
+from arrangement.numbers.linear.intervals import Interval
+from arrangement.numbers.linear.programs import Infeasible, Program
+from equilibrium.model.effort import Effort
+from equilibrium.model.rows import ContactRow, ContactRows
+from equilibrium.model.solution import Solution
+
+#: The states of all contacts.
+Node = tuple[str, ...]
+#: A linear expression in the unknowns: coefficients by columns.
+_Terms = dict[int, Fraction]
+_SIGNS = {"slip+": 1, "slip-": -1}
+#: Whether a contact touches is split before how it slips, by this factor of what is missed.
+_LIFT_WEIGHT = 3
+
+
+@dataclass(frozen=True)
+class LinearQuestion:
+    """What a program is about; all that changes with the magnitude t has its slope beside it.
+
+    Attributes:
+        rows: the contacts.
+        load, load_slope: the wrench at t = 0, and what each unit of t adds.
+        preload_slope: what each unit of t adds to every preload.
+        frictions: the least and the largest coefficient, in place of those of the contacts, which
+            may differ between contacts; the largest may be None, for any.
+        max_displacement: how far contact points may move, if bounded.
+    """
+
+    rows: ContactRows
+    load: RationalVector
+    load_slope: RationalVector
+    preload_slope: Fraction = Fraction(0)
+    frictions: Interval | None = None
+    max_displacement: Fraction | None = None
+
+    def coefficients(self, contact: ContactRow) -> tuple[Fraction, Fraction | None]:
+        """Return the least and the largest friction coefficient of a contact."""
+        if self.frictions is None:
+            return contact.friction, contact.friction
+        return self.frictions[0] or Fraction(0), self.frictions[1]
+
+    def is_smooth(self, contact: ContactRow) -> bool:
+        """Return whether a contact has no friction."""
+        return self.coefficients(contact)[1] == 0
+
+    def is_open(self, i: int, state: str) -> bool:
+        """Return whether a contact is not decided."""
+        return state == "undecided" or (state == "attached" and not self.is_smooth(self.rows[i]))
+
+
+class End(NamedTuple):
+    """A solution of a program.
+
+    Attributes:
+        t: its magnitude, the least or the largest one; None where that is unbounded.
+        violations: how far each contact is from the law: the change of force that it would take.
+        states: of the contacts at its motion.
+    """
+
+    t: Fraction | None
+    violations: list[Fraction]
+    states: Node
+
+    @property
+    def is_lawful(self) -> bool:
+        """Whether it is an equilibrium."""
+        return self.t is not None and not any(self.violations)
+
+
+class ContactProgram:
+    """The program of one node.
+
+    Args:
+        deadline: looked at before each pivot.
+    """
+
+    def __init__(
+        self, question: LinearQuestion, states: Node, deadline: Effort | None = None
+    ) -> None:
+        self.question, self.states = question, states
+        n = question.rows.n
+        forces: list[tuple[int | None, int | None]] = []
+        size = n
+        for contact, state in zip(question.rows, states, strict=True):
+            presses = state in ("loose", "undecided")
+            slips_surely = state in _SIGNS and question.frictions is None
+            rubs = not (state == "detached" or slips_surely or question.is_smooth(contact))
+            forces.append((size if presses else None, size + presses if rubs else None))
+            size += presses + rubs
+        self.size, self._t = size + 1, size
+        self._magnitude = [Fraction(0)] * size + [Fraction(1)]
+        self._equal: list[RationalVector] = []
+        self._least: list[RationalVector] = [self._row({self._t: Fraction(1)})]
+        self._normal: list[_Terms] = []
+        self._tangential: list[_Terms] = []
+        pairs = zip(question.rows, states, forces, strict=True)
+        for contact, state, (pressing, rubbing) in pairs:
+            self._add_contact(contact, state, pressing, rubbing)
+        for j in range(n):
+            line: _Terms = {-1: question.load[j], self._t: question.load_slope[j]}
+            for i, contact in enumerate(question.rows):
+                _add(line, self._normal[i], contact.normal_wrench[j])
+                _add(line, self._tangential[i], contact.tangential_wrenches[0][j])
+            self._equal.append(self._row(line))
+        self._program = Program(self.size, self._least, self._equal, deadline)
+
+    def _add_contact(
+        self, contact: ContactRow, state: str, pressing: int | None, rubbing: int | None
+    ) -> None:
+        question, one = self.question, Fraction(1)
+        slip = dict(enumerate(contact.tangential_wrenches[0]))
+        along = dict(enumerate(contact.normal_wrench))
+        spring: _Terms = {j: -contact.stiffness * x for j, x in along.items()}
+        spring[-1], spring[self._t] = contact.preload, question.preload_slope
+        normal = spring if pressing is None else {pressing: one}
+        tangential: _Terms = {} if rubbing is None else {rubbing: one}
+        low, high = question.coefficients(contact)
+        sign = _SIGNS.get(state, 0)
+        if question.max_displacement is not None and state != "loose":
+            for row in (along, slip):
+                self._bounded(row, {-1: question.max_displacement})
+        if state == "detached":
+            self._at_least(_times(spring, -1))
+            normal = tangential = {}
+        else:
+            self._at_least(normal)
+            if state == "undecided":
+                self._at_least(_sum(normal, spring, -1))
+            if rubbing is None:
+                tangential = _times(normal, -sign * low)
+            elif sign:
+                self._at_least(_sum(_times(tangential, -sign), normal, -low))
+                if high is not None:
+                    self._at_least(_sum(_times(normal, high), tangential, sign))
+            elif high is not None:
+                self._bounded(tangential, _times(normal, high))
+            if sign:
+                self._at_least(_times(slip, sign))
+            elif state == "stick":
+                self._equal.append(self._row(slip))
+        self._normal.append(normal)
+        self._tangential.append(tangential)
+
+    def _bounded(self, terms: _Terms, most: _Terms) -> None:
+        """Add that the size of an expression is at most another one."""
+        for sign in (1, -1):
+            self._at_least(_sum(most, terms, sign))
+
+    def _at_least(self, terms: _Terms) -> None:
+        self._least.append(self._row(terms))
+
+    def _row(self, terms: _Terms) -> RationalVector:
+        row = [Fraction(0)] * (self.size + 1)
+        for j, x in terms.items():
+            row[j] += x
+        return tuple(row)
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether no contact is open: the program is the law."""
+        return not any(self.question.is_open(i, state) for i, state in enumerate(self.states))
+
+    @property
+    def feasible(self) -> bool:
+        """Whether there is a solution."""
+        return self._program.feasible
+
+    def start(self) -> End | None:
+        """Return the solution of the least magnitude; None if there is none."""
+        low = self._program.least(self._magnitude)
+        return None if low is None else self._end(low)
+
+    def ends(self) -> list[End]:
+        """Return the solutions of the least and the largest magnitude; none if there are none."""
+        start = self.start()
+        if start is None:
+            return []
+        high = self._program.least([-x for x in self._magnitude])
+        unbounded = End(None, [Fraction(0)] * len(self.states), self.states)
+        return [start, unbounded if high is None else self._end(-high)]
+
+    def solution(self) -> Solution | None:
+        """Return the solution that the last program ended with; None if there is none."""
+        found = self._program.point()
+        if isinstance(found, Infeasible):
+            return None
+        point = (*found, Fraction(1))
+        pairs = zip(self._normal, self._tangential, strict=True)
+        forces = tuple(tuple(_value(terms, point) for terms in pair) for pair in pairs)
+        return Solution(found[: self.question.rows.n], forces)
+
+    def _end(self, t: Fraction) -> End:
+        """Return how far each contact is from the law, and in which state it is, at a solution."""
+        solution, question = self.solution(), self.question
+        assert solution is not None
+        violations, states = [], []
+        for contact, (pressed, rubbed) in zip(question.rows, solution.forces, strict=True):
+            slip = dot(contact.tangential_wrenches[0], solution.motion)
+            least, most = question.coefficients(contact)
+            opposed = -rubbed if slip > 0 else rubbed
+            missed = max(Fraction(0), least * pressed - opposed) if slip else Fraction(0)
+            if slip and most is not None:
+                missed = max(missed, opposed - most * pressed)
+            preload = contact.preload + t * question.preload_slope
+            spring = preload - contact.stiffness * dot(contact.normal_wrench, solution.motion)
+            rub, lift = min(contact.stiffness * abs(slip), missed), pressed - max(spring, 0)
+            violations.append(rub + _LIFT_WEIGHT * lift)
+            slips = "slip+" if slip > 0 else "slip-" if slip < 0 else "stick"
+            slips = "attached" if question.is_smooth(contact) else slips
+            states.append(slips if spring > 0 else "detached")
+        return End(t, violations, tuple(states))
+
+    def split(self, violations: Sequence[Fraction]) -> list[Node]:
+        """Return the node with the open contact furthest from the law decided, likeliest last."""
+        is_open = self.question.is_open
+        open_ = [i for i, state in enumerate(self.states) if is_open(i, state)]
+        # Of contacts that miss nothing those go first of which less is known.
+        i = max(open_, key=lambda i: (violations[i], self.states[i] == "undecided", -i))
+        first = self.states[i] == "undecided"
+        parts = ("detached", "attached") if first else ("slip-", "slip+", "stick")
+        return [(*self.states[:i], part, *self.states[i + 1 :]) for part in parts]
+
+
+def _add(terms: _Terms, others: _Terms, factor: Fraction) -> None:
+    if factor:
+        for j, x in others.items():
+            terms[j] = terms.get(j, Fraction(0)) + factor * x
+
+
+def _sum(terms: _Terms, others: _Terms, factor: Fraction | int = 1) -> _Terms:
+    found = dict(terms)
+    _add(found, others, Fraction(factor))
+    return found
+
+
+def _times(terms: _Terms, factor: Fraction | int) -> _Terms:
+    return {j: factor * x for j, x in terms.items()}
+
+
+def _value(terms: _Terms, point: Sequence[Fraction]) -> Fraction:
+    return sum((x * point[j] for j, x in terms.items()), Fraction(0))

@@ -1,0 +1,224 @@
+"""Magnitudes and margins of assemblies: textbook values, planar grasps, brute force, commands."""
+
+import json
+import random
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from arrangement import OutOfReachError, limit
+from equilibrium import Assembly, BodyContact, Contact, EquilibriumError, GraspError, ResistedSet
+from equilibrium.cli import main
+from equilibrium.grasps.inputs import random_grasp
+from equilibrium.grasps.textbook import TEXTBOOK, stack, wedge
+from equilibrium.wrench_sets.friction import LARGEST
+
+from .bodies_oracle import random_question, resisted
+
+CASES = json.loads((Path(__file__).parent / "bodies.json").read_text(encoding="utf-8"))["cases"]
+NEAR = Fraction(1, 10**9)
+
+
+def known(name, k=0):
+    case = next(case for case in CASES if case["name"] == name)
+    question = case["questions"][k]
+    document = {"bodies": case["bodies"], "contacts": question["contacts"]}
+    return Assembly.from_dict(document), question["wrench"]
+
+
+class TestTextbook:
+    @pytest.mark.parametrize(
+        ("push", "end"),
+        [
+            ({"upper": [1, 0, "-3/2"]}, "1/4"),
+            ({"lower": [1, 0, "-1/2"]}, "3/2"),
+            ({"upper": [1, 0, "-3/2"], "lower": [1, 0, "-1/2"]}, "1/4"),
+            ({"upper": [0, -1, 0]}, None),
+        ],
+    )
+    def test_pushed_block_slides_at_its_friction(self, push, end):
+        assembly, weights = known("two-blocks-on-a-table")
+        found = ResistedSet(assembly).along(push, weights)
+        assert found.intervals == ((0, None if end is None else Fraction(end)),)
+
+    def test_books_need_a_preload(self):
+        assembly, weights = known("books-between-walls")
+        margin = ResistedSet(assembly).margin(weights)
+        assert not margin
+        assert margin.intervals == ((0, 0),)
+        assert margin.preloads.intervals == ((1, None),)
+
+    def test_arch_needs_friction(self):
+        assembly, weights = known("arch-of-5")
+        friction = ResistedSet(assembly).margin(weights).friction("1/10000")
+        assert friction.low < 0.30523 < friction.low + Fraction(1, 5000)
+        assert friction.low <= friction.high <= friction.low + Fraction(1, 10**4)
+
+    def test_wedge_locks_at_the_sum_of_the_friction_angles(self):
+        friction = ResistedSet(wedge()[0]).margin(wedge()[1]).friction()
+        assert friction.high == Fraction(1, 3)
+
+    def test_pushed_tower_is_decided_block_by_block(self):
+        assembly, weights = stack(blocks=30)
+        found = ResistedSet(assembly).along({"block 30": [1, 0, "-59/2"]}, weights)
+        assert found.intervals == ((0, Fraction(1, 2)),)
+
+    def test_set_contains_wrenches(self):
+        assembly, weights = stack()
+        everything = ResistedSet(assembly)
+        assert weights in everything
+        assert {**weights, "block 2": [1, -1, "-3/2"]} not in everything
+        assert everything.solve(weights).verdict == "resisted"
+        assert everything.grasp is assembly
+
+
+class TestPlane:
+    def questions(self, count):
+        rng = random.Random(7)
+        for seed in range(count):
+            grasp = random_grasp(2 + seed % 4, seed)
+            grasp = grasp.with_preload(rng.choice([0, 1])) if seed % 3 else grasp
+            yield grasp, *([Fraction(rng.randint(-4, 4), 4) for _ in range(3)] for _ in range(2))
+
+    def agree(self, count):
+        for grasp, base, direction in self.questions(count):
+            if not any(direction):
+                continue
+            plane, one = ResistedSet(grasp), ResistedSet(Assembly.of_grasp(grasp))
+            found = one.along({"object": direction}, {"object": base})
+            assert found.intervals == plane.along(direction, base).intervals
+            margins = plane.margin(direction), one.margin({"object": direction})
+            assert margins[0].intervals == margins[1].intervals
+            assert margins[0].preloads.intervals == margins[1].preloads.intervals
+            alone, body = (margin.friction("1/8") for margin in margins)
+            assert alone.high == body.high
+            # That no friction at all is enough is not always shown in a tree.
+            assert alone.low == body.low or (alone.impossible and body.low == LARGEST)
+
+    def test_one_body_has_the_magnitudes_of_the_planar_grasp(self):
+        self.agree(7)
+
+    @pytest.mark.slow
+    def test_one_body_has_the_magnitudes_of_many_planar_grasps(self):
+        self.agree(150)
+
+
+class TestBruteForce:
+    def agree(self, seeds):
+        for seed in seeds:
+            document, base = random_question(seed, 4)
+            rng, names = random.Random(seed), document["bodies"]
+            along = {name: [Fraction(rng.randint(-2, 2)) for _ in range(3)] for name in names}
+            if not any(map(any, along.values())):
+                continue
+            found = ResistedSet(Assembly.from_dict(document)).along(along, base).intervals
+            ends = [end for part in found for end in part if end is not None]
+            tried = {Fraction(0), Fraction(1), Fraction(rng.randint(1, 40), 8), *ends}
+            tried |= {end + step for end in ends for step in (NEAR, -NEAR) if end + step >= 0}
+            for t in tried:
+                load = {
+                    name: [
+                        Fraction(x) + t * y for x, y in zip(base[name], along[name], strict=True)
+                    ]
+                    for name in names
+                }
+                inside = any(low <= t and (high is None or t <= high) for low, high in found)
+                assert inside == resisted(document, load), (seed, t)
+
+    def test_random_assemblies_agree(self):
+        self.agree(range(15))
+
+    @pytest.mark.slow
+    @pytest.mark.parametrize("seeds", [range(k, k + 40) for k in range(1000, 1200, 40)], ids=str)
+    def test_many_random_assemblies_agree(self, seeds):
+        self.agree(seeds)
+
+
+class TestLimits:
+    def test_floating_bodies_hold_where_their_wrenches_cancel(self):
+        pair = Assembly(["a", "b"], [BodyContact("a", "b", Contact((0, 0), (0, 1), 1, preload=1))])
+        found = ResistedSet(pair).along({"a": [0, -1, 0]}, {"b": [0, "1/2", 0]})
+        assert found.intervals == ((Fraction(1, 2), Fraction(1, 2)),)
+        assert not ResistedSet(pair).along({"a": [0, 1, 0]}, {"b": [0, "1/2", 0]}).intervals
+        assert ResistedSet(pair).margin({"a": [1, 0, 0]}).friction("1/4").impossible
+
+    def test_zero_direction_is_refused(self):
+        with pytest.raises(GraspError, match="zero"):
+            ResistedSet(stack()[0]).along({})
+
+    def test_large_tree_is_refused_with_its_limit(self):
+        assembly, weights = TEXTBOOK["arch"](voussoirs=4)
+        push = {"voussoir 2": [1, 0, 0]}
+        with limit(0.001), pytest.raises(OutOfReachError, match="--limit"):
+            ResistedSet(assembly).along(push, weights)
+
+    @pytest.mark.parametrize(
+        "ask",
+        [
+            lambda found: found.polyhedra,
+            lambda found: found.slice(),
+            lambda found: found.search(),
+            lambda found: found.smallest_outside(),
+            lambda found: found.draw(),
+            lambda found: found.check([[0, 0, 0]]),
+            lambda found: list(found.solve_many([{}])),
+        ],
+    )
+    def test_what_is_of_one_body_is_refused(self, ask):
+        with pytest.raises(EquilibriumError, match="no list of resisted wrenches"):
+            ask(ResistedSet(stack()[0]))
+
+    def test_cones_are_refused(self):
+        with pytest.raises(GraspError, match="an assembly takes no pyramid"):
+            ResistedSet(stack()[0], pyramid=4)
+
+
+class TestCommand:
+    @pytest.fixture(name="file")
+    def stack_file(self, tmp_path):
+        path = tmp_path / "stack.json"
+        assembly, weights = stack()
+        assembly.save(path, weights)
+        return str(path)
+
+    def test_magnitudes_of_a_push(self, file, capsys):
+        assert main(["resisted", file, "--along", "block 2", "1", "0", "-3/2"]) == 0
+        assert capsys.readouterr().out == "resisted for t in [0, 1/2]\n"
+        lighter = ["--on", "block 1", "0", "0", "0", "--on", "block 2", "0", "-1/2", "0"]
+        assert main(["resisted", file, "--along", "block 2", "1", "0", "-3/2", *lighter]) == 0
+        assert capsys.readouterr().out == "resisted for t in [0, 1/4]\n"
+
+    def test_margin_has_the_documents_of_a_grasp(self, file, capsys):
+        assert main(["resisted", file, "--margin", "--json"]) == 0
+        document = json.loads(capsys.readouterr().out)
+        assert document["intervals"] == [["0", None]]
+        assert document["friction"]["high"] == "0"
+        tipped = ["--on", "block 2", "1", "-1", "-3/2"]
+        assert main(["resisted", file, "--margin", *tipped]) == 1
+        assert "resisted: no" in capsys.readouterr().out
+
+    def test_preload_replaces_that_of_the_file(self, file, capsys):
+        push = ["--along", "block 2", "1", "0", "-3/2"]
+        assert main(["resisted", file, *push, "--preload", "1"]) == 0
+        assert capsys.readouterr().out == "resisted for t in [0, 1/2]\n"
+        assert main(["solve", file, "--preload", "1"]) == 0
+        assert "block 1 moves by (0, 0, 0)" in capsys.readouterr().out
+
+    @pytest.mark.parametrize(
+        ("options", "words"),
+        [
+            ([], "--along BODY"),
+            (["--along", "block 1", "0", "0", "1", "--margin"], "either --along"),
+            (["--along", "block 3", "0", "0", "1"], "one of the bodies"),
+            (["--wrench", "0", "0", "1"], "--wrench is for one body"),
+            (["--slice", "fx", "fy"], "--slice is for one body"),
+        ],
+    )
+    def test_bad_options_are_refused(self, file, options, words, capsys):
+        assert main(["resisted", file, *options]) == 2
+        assert words in capsys.readouterr().err
+
+    def test_grasp_has_no_bodies(self, capsys):
+        assert main(["resisted", "ladder", "--along", "a", "0", "0", "1"]) == 2
+        assert "--along is for an assembly" in capsys.readouterr().err
