@@ -26,7 +26,9 @@ from arrangement.errors import InputError, OutOfTimeError
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import IntegerVector, primitive, rational_vector
+from equilibrium.model.assembly import Assembly
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.rows import ContactRows
 
 Contacts: TypeAlias = tuple[int, ...]
 #: For each contact the sign of its slip along each tangent, all 0 where it sticks; None where it
@@ -43,7 +45,8 @@ class Mode(JsonMixin, Generic[S]):
         signs: contacting-separating: for each contact 0 where it stays, 1 where it separates;
             sliding-sticking: `Slips`.
         dimension: of the cone of its motions.
-        motion: one of them, coprime integers ``(x, y, r)``, or ``(v, omega)`` in space.
+        motion: one of them, coprime integers ``(x, y, r)``, or ``(v, omega)`` in space; of several
+            bodies, of each.
     """
 
     json_fields = ("signs", "dimension", "motion")
@@ -74,8 +77,8 @@ class ContactModes(ReprMixin):
     deadline: Deadline = Deadline()  # noqa: RUF009
 
     @classmethod
-    def of_grasp(cls, grasp: Grasp, *, time_limit: float | None = None) -> ContactModes:
-        """Return the modes of the contacts of a grasp.
+    def of_grasp(cls, grasp: Grasp | Assembly, *, time_limit: float | None = None) -> ContactModes:
+        """Return the modes of the contacts of a grasp, or of an assembly of bodies.
 
         Args:
             time_limit: in seconds from now.
@@ -85,10 +88,11 @@ class ContactModes(ReprMixin):
         >>> len(modes.contacting_separating), modes.sliding_sticking_count
         (10, 196)
         """
+        rows = grasp.rows if isinstance(grasp, Assembly) else ContactRows.of_grasp(grasp)
         return cls(
-            tuple(primitive(c.normal_wrench) for c in grasp),
-            tuple(tuple(primitive(row) for row in c.tangential_wrenches) for c in grasp),
-            3 if grasp.dimension == 2 else 6,
+            tuple(primitive(row.normal_wrench) for row in rows),
+            tuple(tuple(map(primitive, row.tangential_wrenches)) for row in rows),
+            rows.n,
             Deadline(time_limit),
         )
 
@@ -96,16 +100,19 @@ class ContactModes(ReprMixin):
     def from_dict(
         cls, document: Mapping[str, Any], *, time_limit: float | None = None
     ) -> ContactModes:
-        """Return the modes of contacts between bodies of any number, from the rows of the class.
+        """Return the modes of contacts between bodies of any number.
 
         Args:
-            document: ``schema_version``, ``normals`` and ``tangents``; see the built-in
-                ``box-on-a-box``.
+            document: of an assembly in the plane; or the rows of the class, in the plane or in
+                space: ``schema_version``, ``normals`` and ``tangents``, see the built-in
+                ``box-on-a-box-1-wall``.
             time_limit: in seconds from now.
 
         Raises:
-            InputError: it is not such a document.
+            InputError: it is neither.
         """
+        if "bodies" in document:
+            return cls.of_grasp(Assembly.from_dict(document), time_limit=time_limit)
         check_keys(document, ("schema_version", "normals", "tangents"), ("description",), "it")
         normals = check_list(document["normals"], "normals")
         tangents = check_list(document["tangents"], "tangents", len(normals))

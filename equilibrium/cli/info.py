@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from math import gcd
 from typing import TYPE_CHECKING, Any
@@ -14,6 +14,7 @@ from equilibrium.model.contact import pyramid_words
 from equilibrium.model.errors import GraspError
 
 from .arguments import add_command, add_cone, add_number, grasp_of, seconds, show
+from .assemblies import asked_assembly, assembly_document
 
 if TYPE_CHECKING:
     from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
@@ -76,6 +77,9 @@ def _description(arguments: argparse.Namespace) -> int:
     from arrangement.numbers.linear.rank import rank
     from equilibrium.methods.form_closure import form_closure
 
+    assembly = assembly_document(arguments)
+    if assembly is not None:
+        return _of_assembly(arguments, assembly)
     grasp = grasp_of(arguments)
     rows = [primitive(row) for contact in grasp for row in contact.tangential_wrenches]
     closed = form_closure(grasp, friction=True).accepts is True
@@ -88,6 +92,28 @@ def _description(arguments: argparse.Namespace) -> int:
         "force_closure": closed,
     }
     return show(arguments, document, _description_lines(grasp, document), True, grasp)
+
+
+def _of_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> int:
+    """Print bodies, contacts, and the rank of the tangential hyperplanes of an assembly."""
+    from arrangement.numbers.exact import primitive
+    from arrangement.numbers.linear.rank import rank
+
+    assembly, wrenches = asked_assembly(document, None, arguments.preload, required=False)
+    rows = [primitive(row.tangential_wrenches[0]) for row in assembly.rows]
+    known = {"tangential_hyperplanes": len(rows), "rank": rank(rows) if rows else 0}
+    lines = [f"bodies           {len(assembly.bodies)}"]
+    stated = wrenches if "wrench" in document else None
+    for name, wrench in wrenches.items():
+        lines.append(f"  {name}" if stated is None else f"  {name}  wrench {vector(wrench)}")
+    lines.append(f"contacts         {len(assembly)}")
+    for i, c in enumerate(assembly.contacts[:_MOST_CONTACTS], 1):
+        lines.append(f"  contact {i} {c.pair} {c.contact.words}")
+    if len(assembly) > _MOST_CONTACTS:
+        lines.append(f"  ... and {counted(len(assembly) - _MOST_CONTACTS, 'contact')} more")
+    planes = counted(len(rows), "tangential hyperplane")
+    lines.append(f"rank             {known['rank']} of {planes} in R^{assembly.rows.n}")
+    return show(arguments, assembly.to_dict(stated) | known, lines, True, assembly)
 
 
 def _description_lines(grasp: Grasp, document: dict[str, Any]) -> Iterator[str]:
@@ -166,14 +192,14 @@ def _space_lines(space: GraspWrenchSpace) -> Iterator[str]:
 
 
 def _modes(arguments: argparse.Namespace) -> int:
-    """Print the contact modes of a grasp, or of bodies given by normals."""
+    """Print the contact modes of a grasp, of an assembly, or of bodies given by normals."""
     from arrangement.library.files.json_files import read_document
     from equilibrium.modes import ContactModes
 
     limit, document = arguments.time_limit, {}
     if not str(arguments.grasp).lower().endswith(".csv"):
         arguments.grasp = document = read_document(arguments.grasp, ("contacts", "normals"))
-    if "normals" in document:
+    if {"normals", "bodies"} & document.keys():
         modes = ContactModes.from_dict(document, time_limit=limit)
     else:
         modes = ContactModes.of_grasp(grasp_of(arguments), time_limit=limit)
