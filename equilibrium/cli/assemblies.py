@@ -13,7 +13,7 @@ from arrangement.console.options import values
 from arrangement.console.options.signature import options_of
 from equilibrium.model.errors import GraspError
 
-from .arguments import add_command, show
+from .arguments import add_command, show, tell_rounding
 
 if TYPE_CHECKING:
     from equilibrium.model.assembly import Assembly
@@ -31,9 +31,11 @@ _ONE_BODY = (
 _MAKERS = {
     "stack": "put blocks on each other, the topmost pushed",
     "arch": "build a round arch of voussoirs",
+    "ramp": "put a block on a ramp",
     "wedge": "put a wedge under a block at a smooth wall",
     "cylinders": "put a cylinder on two others",
     "ladder": "lean a ladder on a block",
+    "tongs": "lift a block with the jaws of tongs",
 }
 
 
@@ -68,7 +70,13 @@ def assembly_document(arguments: argparse.Namespace) -> Mapping[str, Any] | None
 
     source = arguments.grasp
     if isinstance(source, (str, os.PathLike)) and str(source).lower().endswith(".csv"):
-        return None
+        from equilibrium.grasps.inputs.csv_file import read_bodies
+
+        found = read_bodies(source, as_given=arguments.as_given)
+        if found is None:
+            return None
+        tell_rounding(found[1])
+        return found[0].to_dict()
     document = read_contacts(source)
     if "bodies" in document:
         return document
@@ -149,7 +157,7 @@ def refuse_one_body(arguments: argparse.Namespace, names: Iterable[str]) -> None
 
 
 def add_makers(kinds: Any) -> None:
-    """Add make stack, arch, wedge, cylinders and ladder."""
+    """Add the kinds of make that are assemblies."""
     for name, text in _MAKERS.items():
         parser: Any = add_command(kinds, name, _make, text, grasp=False, numbers=False, heading="")
         parser.set_defaults(maker=name)

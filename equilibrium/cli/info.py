@@ -196,10 +196,12 @@ def _modes(arguments: argparse.Namespace) -> int:
     from arrangement.library.files.json_files import read_document
     from equilibrium.modes import ContactModes
 
-    limit, document = arguments.time_limit, {}
-    if not str(arguments.grasp).lower().endswith(".csv"):
+    limit = arguments.time_limit
+    if str(arguments.grasp).lower().endswith(".csv"):
+        document = assembly_document(arguments) or {}
+    else:
         arguments.grasp = document = read_document(arguments.grasp, ("contacts", "normals"))
-    if {"normals", "bodies"} & document.keys():
+    if {"normals", "bodies"} & set(document):
         modes = ContactModes.from_dict(document, time_limit=limit)
     else:
         modes = ContactModes.of_grasp(grasp_of(arguments), time_limit=limit)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 import json
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -37,7 +38,7 @@ def add_commands(commands: Any) -> None:
     make = terminal.add_command(commands, "make", text, heading="more")
     kinds = make.add_subparsers(required=True, metavar="KIND")
 
-    text = "read one contact a line: x, y, normal_x, normal_y (or angle), friction, ..."
+    text = "read a contact a line: [body_a, body_b,] x, y, normal_x, normal_y (or angle), ..."
     lines = _add(kinds, "csv", text, "read_csv")
     lines.add_argument("file", metavar="FILE.csv")
 
@@ -161,19 +162,28 @@ def _labelled(grasp: Grasp, arguments: argparse.Namespace) -> Grasp:
 
 def _converted(arguments: argparse.Namespace) -> int:
     from equilibrium import inputs
+    from equilibrium.model.labels import Units
 
     options = {name: getattr(arguments, name) for name in arguments.options}
     read = getattr(inputs, arguments.reader)
-    found: Conversion = read(*(getattr(arguments, name) for name in arguments.given), **options)
-    document = {**found.to_dict(), "grasp": _labelled(found.grasp, arguments).to_dict()}
+    given = [getattr(arguments, name) for name in arguments.given]
+    bodies = inputs.read_bodies(*given, **options) if read is inputs.read_csv else None
+    found: Conversion = read(*given, **options) if bodies is None else bodies[1]
+    document = found.to_dict()
+    if bodies is None:
+        document["grasp"] = _labelled(found.grasp, arguments).to_dict()
+    else:
+        units = Units(*arguments.units) if arguments.units else None
+        del document["grasp"]
+        document["assembly"] = replace(bodies[0], units=units).to_dict()
     if not arguments.json:
         tell_rounding(found)
     return _give(arguments, document)
 
 
 def _give(arguments: argparse.Namespace, document: dict[str, Any]) -> int:
-    """Print or write the grasp file of a document."""
-    text = json.dumps(document["grasp"], indent=2)
+    """Print or write the file of the grasp or assembly of a document."""
+    text = json.dumps(document.get("grasp") or document["assembly"], indent=2)
     if arguments.output is not None:
         write_text_atomically(arguments.output, f"{text}\n")
     return show(arguments, document, [text] if arguments.output is None else [])

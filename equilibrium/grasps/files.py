@@ -20,7 +20,6 @@ from arrangement.library.files.json_files import (
 )
 from equilibrium.certificate.checker import Question, Report, check
 from equilibrium.certificate.reading import SCHEMA_VERSION
-from equilibrium.model.assembly import Assembly
 from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp
 
@@ -92,15 +91,6 @@ def read_grasp(source: Source) -> Grasp:
     3
     """
     return Grasp.from_dict(read_contacts(source))
-
-
-def read_assembly(source: Source) -> Assembly:
-    """Read an assembly from a path, ``"-"`` (stdin) or a mapping; wrenches in it are left out.
-
-    Raises:
-        InputError: for anything that is not exactly a valid document.
-    """
-    return Assembly.from_dict(read_contacts(source))
 
 
 def tangential_arrangement(document: Mapping[str, Any]) -> Arrangement:

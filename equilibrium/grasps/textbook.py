@@ -212,8 +212,85 @@ def ladder(
     return Assembly(bodies, contacts), {n: (Fraction(0), -w, -w * x) for n, w, x in pairs}
 
 
+def ramp(
+    *,
+    half_tangent: Number = "1/3",
+    friction: Number = "3/4",
+    ground: Number = "1/2",
+    weight: Number = 1,
+    push: Number = 0,
+) -> tuple[Assembly, Wrenches]:
+    """Return a block on a ramp that lies on the ground.
+
+    The block slides if the tangent of the angle is above the friction; a push on it, level and
+    towards the ramp, is borne by the friction on the ground, which carries both weights.
+
+    Args:
+        half_tangent: tangent of half the angle of the ramp, above 0 and below 1.
+        friction: between block and ramp.
+        ground: friction between ramp and ground.
+        weight: of the block and of the ramp, each.
+        push: on the block, in the middle of its contacts.
+
+    >>> from equilibrium import solve
+    >>> [solve(*ramp(friction=friction)).verdict for friction in ("3/4", "74/100")]
+    ['resisted', 'not resisted']
+    >>> [solve(*ramp(push=push)).verdict for push in (1, "11/10")]
+    ['resisted', 'not resisted']
+    """
+    load, side = rational(weight, "weight"), rational(push, "push")
+    c, s = _angle(half_tangent, Fraction(0))
+    foot, top = [(2 * c, 2 * s), (4 * c, 4 * s)], [(4 * c - s, 4 * s + c), (2 * c - s, 2 * s + c)]
+    bodies = [
+        RigidBody("ramp", Polygon([(0, 0), (6 * c, 0), (6 * c, 6 * s)])),
+        RigidBody("block", Polygon([*foot, *top])),
+    ]
+    contacts = [BodyContact("ramp", None, Contact((x, 0), (0, 1), ground)) for x in (0, 6 * c)]
+    contacts += [BodyContact("block", "ramp", Contact(p, (-s, c), friction)) for p in foot]
+    none = Fraction(0)
+    wrenches: Wrenches = {
+        "ramp": (none, -load, -4 * c * load),
+        "block": (side, -load, -(3 * c - s / 2) * load - 3 * s * side),
+    }
+    return Assembly(bodies, contacts), wrenches
+
+
+def tongs(
+    *,
+    friction: Number = "1/2",
+    squeeze: Number = 1,
+    weight: Number = 1,
+) -> tuple[Assembly, Wrenches]:
+    """Return two jaws of tongs that squeeze and lift a block; nothing touches the ground.
+
+    The block slips out if twice the squeeze times the friction is less than its weight.
+
+    Args:
+        friction: between jaws and block.
+        squeeze: force on either jaw, towards the block.
+        weight: of the block; either jaw is held up by half of it, in its middle.
+
+    >>> from equilibrium import solve
+    >>> [solve(*tongs(squeeze=squeeze)).verdict for squeeze in (1, "99/100")]
+    ['resisted', 'not resisted']
+    """
+    load, force = rational(weight, "weight"), rational(squeeze, "squeeze")
+    bodies = [RigidBody("block", Polygon([(-1, 0), (1, 0), (1, 2), (-1, 2)]))]
+    contacts = list[BodyContact]()
+    wrenches: Wrenches = {"block": (Fraction(0), -load, Fraction(0))}
+    for name, side in (("left", -1), ("right", 1)):
+        corners = [(side, 0), (2 * side, 0), (2 * side, 2), (side, 2)]
+        bodies.append(RigidBody(name, Polygon(corners)))
+        contacts += [
+            BodyContact("block", name, Contact((side, y), (-side, 0), friction)) for y in (0, 2)
+        ]
+        # The force acts at half of the height.
+        wrenches[name] = (-side * force, load / 2, side * (force + Fraction(3, 4) * load))
+    return Assembly(bodies, contacts), wrenches
+
+
 #: All of them, by name.
-TEXTBOOK = {made.__name__: made for made in (stack, arch, wedge, cylinders, ladder)}
+TEXTBOOK = {made.__name__: made for made in (stack, arch, ramp, wedge, cylinders, ladder, tongs)}
 
 
 def _along(

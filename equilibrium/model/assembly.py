@@ -18,17 +18,18 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 from arrangement.console.number_form import counted
+from arrangement.console.plugins import named
 from arrangement.console.writing import write_text_atomically
 from arrangement.errors import HintsMixin
 from arrangement.library.arguments import entries
 from arrangement.library.files.json_files import check_keys, check_list
-from arrangement.numbers.exact import RationalVector, rational_vector, shown, to_text
+from arrangement.numbers.exact import RationalVector, rational, rational_vector, shown, to_text
 
 from .contact import Contact, contact_of
 from .errors import GraspError
-from .grasp import Grasp, ask_contacts
+from .grasp import Grasp, ask_contacts, wrench_of
 from .labels import Units
-from .outline import Circle, Polygon, read_outline
+from .outline import Circle, Polygon, centroid, coordinates, read_outline
 from .rows import TURNS, ContactRow, ContactRows
 
 #: How many numbers a body has.
@@ -46,12 +47,20 @@ class RigidBody:
     Attributes:
         name: by which contacts and wrenches refer to it.
         outline: a `Polygon` or a `Circle`, for pictures; no decision looks at it.
+        weight: downwards, for `Assembly.weights`; no decision looks at it.
+        centre: where the weight acts; None: in the centroid of the outline.
     """
 
     name: str
     outline: Polygon | Circle | None = field(default=None, compare=False)
+    weight: Fraction = field(default=Fraction(0), compare=False)
+    centre: RationalVector | None = field(default=None, compare=False)
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "weight", rational(self.weight, "the weight"))
+        if self.centre is not None:
+            where = f"the centre of {self.name}"
+            object.__setattr__(self, "centre", coordinates(self.centre, where, 2))
         if not isinstance(self.name, str) or not 0 < len(self.name) <= _MAX_NAME:
             raise GraspError(
                 f"the name of a body is {shown(self.name)}; expected 1 to {_MAX_NAME} characters"
@@ -67,19 +76,39 @@ class RigidBody:
                 "Circle or None"
             )
 
+        if self.weight and self.centre is None and self.outline is None:
+            raise GraspError(
+                f"{self.name} has a weight and neither centre nor outline; expected one of them"
+            )
+
+    @property
+    def weight_wrench(self) -> RationalVector:
+        """The wrench of the weight."""
+        if not self.weight:
+            return _ZERO
+        place = self.centre or centroid(self.outline)  # type: ignore[arg-type]
+        return wrench_of((0, -self.weight), place)
+
     def to_dict(self) -> dict[str, Any]:
         """Return the file form."""
-        outline = {} if self.outline is None else {"outline": self.outline.to_dict()}
-        return {"name": self.name, **outline}
+        known: dict[str, Any] = {"name": self.name}
+        if self.outline is not None:
+            known["outline"] = self.outline.to_dict()
+        if self.weight:
+            known["weight"] = to_text(self.weight)
+        if self.centre is not None:
+            known["centre"] = list(map(to_text, self.centre))
+        return known
 
     @classmethod
     def from_dict(cls, entry: Any, where: str = "the body") -> RigidBody:
-        """Return the body of a name, or of an object with a name and maybe an outline."""
+        """Return the body of a name, or of an object with a name and maybe more."""
         if not isinstance(entry, Mapping):
             return cls(entry)
-        check_keys(entry, ("name",), ("outline",), where)
+        check_keys(entry, ("name",), ("outline", "weight", "centre"), where)
         outline: Any = read_outline(entry["outline"]) if "outline" in entry else None
-        return cls(entry["name"], outline)
+        centre = check_list(entry["centre"], f"{where}: centre", 2) if "centre" in entry else None
+        return cls(entry["name"], outline, entry.get("weight", 0), centre)  # type: ignore[arg-type]
 
 
 @dataclass(frozen=True)
@@ -244,6 +273,35 @@ class Assembly(HintsMixin):
         points = tuple(c.contact.point for c in self.contacts)
         return ContactRows(tuple(rows), points, TURNS[2] * len(place), 1)
 
+    @property
+    def weights(self) -> Wrenches:
+        """The wrench of the weight of each body."""
+        return {body.name: body.weight_wrench for body in self.bodies}
+
+    @classmethod
+    def from_polygons(cls, polygons: Mapping[str, Any], friction: Any, **options: Any) -> Assembly:
+        """Return the bodies of polygons that touch, with a contact wherever they do.
+
+        Args:
+            polygons: the corners of each body, by name.
+            friction: of all contacts.
+            options: ground, stiffness, preload, density, angle_tolerance; see
+                `equilibrium.grasps.touching`.
+
+        Raises:
+            GraspError: polygons overlap, or an edge in touch has no exact unit normal.
+
+        >>> block = [[0, 0], [2, 0], [2, 1], [0, 1]]
+        >>> floor = [[-5, -1], [5, -1], [5, 0], [-5, 0]]
+        >>> made = Assembly.from_polygons({"block": block}, "1/2", ground=[floor], density=1)
+        >>> made, [str(x) for x in made.weights["block"]]
+        (<Assembly: 1 body, 2 contacts>, ['0', '-2', '-2'])
+        """
+        made: Assembly = named("equilibrium.grasps.touching:touching_polygons")(
+            polygons, friction, **options
+        )
+        return made
+
     @classmethod
     def of_grasp(cls, grasp: Grasp, name: str = "object") -> Assembly:
         """Return the one body of a grasp in the plane, whose contacts are all with the ground.
@@ -267,7 +325,7 @@ class Assembly(HintsMixin):
 
     def _with_each(self, **values: Any) -> Assembly:
         changed = [replace(c, contact=replace(c.contact, **values)) for c in self.contacts]
-        return Assembly(self.bodies, changed, self.units)
+        return replace(self, contacts=tuple(changed))
 
     def to_dict(self, wrenches: Any = None) -> dict[str, Any]:
         """Return the file form, with wrenches on the bodies if given; every number is a string."""
@@ -351,12 +409,15 @@ class Assembly(HintsMixin):
 
 
 def wrenches_of(document: Mapping[str, Any]) -> Mapping[str, Any] | None:
-    """Return the wrenches that stand in the document of an assembly, if any do.
+    """Return the wrenches of the document of an assembly: those that stand there, else its weights.
+
+    None if there are neither.
 
     Raises:
         InputError: they are not an object.
     """
     if "wrench" not in document:
-        return None
+        assembly = Assembly.from_dict(document)
+        return assembly.weights if any(body.weight for body in assembly.bodies) else None
     wrenches = check_keys(document["wrench"], (), document["wrench"], "wrench")
     return {name: check_list(row, f"wrench.{name}", SIZE) for name, row in wrenches.items()}

@@ -257,7 +257,7 @@ class Grasp(HintsMixin):
         if isinstance(document, Mapping) and "bodies" in document:
             raise GraspError(
                 "the document is an assembly of several bodies; expected a grasp. `read_assembly` "
-                "reads it, and `equilibrium solve` and `draw` take it"
+                "reads it, and `equilibrium solve`, `resisted`, `info` and `draw` take it"
             )
         optional = ("description", "units", "outline", "data_error")
         check_keys(document, ("schema_version", "contacts"), optional, "the grasp")

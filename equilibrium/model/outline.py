@@ -10,6 +10,7 @@ from typing import Any, ClassVar, TypeAlias
 from arrangement.console.number_form import JsonMixin, ReprMixin
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.exact import RationalVector, rational, rational_vector, shown, to_text
+from arrangement.numbers.linear.rank import cycle_edges
 
 from .errors import GraspError
 
@@ -99,6 +100,28 @@ class Mesh(JsonMixin):
     def extremes(self) -> tuple[RationalVector, ...]:
         """Points whose bounding box is that of the object."""
         return self.vertices
+
+
+def centroid(outline: Polygon | Circle) -> RationalVector:
+    """Return the centroid of the area.
+
+    Raises:
+        GraspError: a polygon without area.
+
+    >>> [str(x) for x in centroid(Polygon([[0, 0], [3, 0], [0, 3]]))]
+    ['1', '1']
+    """
+    if isinstance(outline, Circle):
+        return outline.centre
+    pairs = list(cycle_edges(outline.corners))
+    parts = [a[0] * b[1] - a[1] * b[0] for a, b in pairs]
+    if not sum(parts):
+        raise GraspError("the outline has no area; expected a polygon with one, or a centre")
+    sums = (
+        sum((a[j] + b[j]) * part for (a, b), part in zip(pairs, parts, strict=True))
+        for j in range(2)
+    )
+    return tuple(Fraction(total) / (3 * sum(parts)) for total in sums)
 
 
 Outline: TypeAlias = Polygon | Circle | Mesh

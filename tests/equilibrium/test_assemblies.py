@@ -629,8 +629,8 @@ class TestCommand:
         wrench = json.loads(capsys.readouterr().out)["wrench"]
         assert wrench == {"lower": ["0", "0", "0"], "upper": ["0", "-2", "0"]}
 
-    def test_info_says_who_takes_it(self, stack, capsys):
-        assert main(["info", stack]) == 2
+    def test_force_closure_is_of_grasps(self, stack, capsys):
+        assert main(["info", stack, "--force-closure"]) == 2
         assert "is an assembly of several bodies; expected a grasp" in capsys.readouterr().err
 
     def test_verified_checker_is_for_one_body(self, stack, tmp_path, capsys):

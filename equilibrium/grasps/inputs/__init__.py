@@ -10,7 +10,7 @@ from .conversion import (
     simplest_between as simplest_between,
     snapped as snapped,
 )
-from .csv_file import read_csv as read_csv
+from .csv_file import read_bodies as read_bodies, read_csv as read_csv
 from .documents import read_any as read_any
 from .floats import from_float_data as from_float_data, read_float_data as read_float_data
 from .mesh import on_mesh as on_mesh

@@ -7,6 +7,9 @@ separated by commas, semicolons or tabs; short names are ``nx``, ``ny``, ``nz``,
 towards the y axis. Empty lines and lines that begin with ``#`` are skipped. Numbers are decimals or
 ratios, as ``-0.25``, ``7/3``. A normal may have any length; one of irrational length is replaced by
 a near unit vector and the error reported.
+
+A table of an assembly also has ``body_a``, into which the normal points, and ``body_b``; the ground
+is an empty entry or the word ``ground``.
 """
 
 from __future__ import annotations
@@ -19,10 +22,11 @@ import re
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from arrangement.library.files.json_files import read_text
 from arrangement.numbers.exact import rational, shown
+from equilibrium.model.assembly import Assembly, BodyContact
 from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import ask_contacts
@@ -37,7 +41,9 @@ if TYPE_CHECKING:
 _REQUIRED = ("x", "y", "normal_x", "normal_y", VALUES[0])
 _IN_SPACE = ("z", "normal_z")
 _ANGLE = "angle"
-_KNOWN = (*_REQUIRED, *_IN_SPACE, _ANGLE, *VALUES[1:])
+_BODIES = ("body_a", "body_b")
+_GROUND = ("", "ground")
+_KNOWN = (*_BODIES, *_REQUIRED, *_IN_SPACE, _ANGLE, *VALUES[1:])
 _SHORT = {"nx": "normal_x", "ny": "normal_y", "nz": "normal_z"} | {
     "mu": "friction",
     "k": "stiffness",
@@ -45,6 +51,8 @@ _SHORT = {"nx": "normal_x", "ny": "normal_y", "nz": "normal_z"} | {
 }
 _SEPARATORS = (",", ";", "\t")
 T = TypeVar("T")
+#: Makes contacts of points, normals and columns of values.
+Convert: TypeAlias = Callable[[list[Any], list[Any], dict[str, Any]], Conversion]
 
 
 def read_csv(
@@ -77,17 +85,63 @@ def parse_csv(text: str, how: Rounding | None = None) -> Conversion:
     >>> found.grasp.contacts[0].normal, found.exact
     ((Fraction(1, 1), Fraction(0, 1)), True)
     """
+    return each_line(text, _exact_parts, _converting(how))
+
+
+def read_bodies(
+    path: str | os.PathLike[str],
+    *,
+    angle_tolerance: Any = DEFAULT_TOLERANCE,
+    tolerance: Any = DEFAULT_TOLERANCE,
+    as_given: bool = False,
+) -> tuple[Assembly, Conversion] | None:
+    """Read an assembly from a CSV file; None of a table without bodies.
+
+    Args:
+        angle_tolerance, tolerance, as_given: as in `read_csv`.
+
+    Returns:
+        The assembly, and its contacts as one grasp, with the errors.
+
+    Raises:
+        GraspError: as `read_csv`.
+    """
+    text = read_text(Path(path))[0]
+    if not re.search(rf"\b{_BODIES[0]}\b", next(_lines(text), "")):
+        return None
+    pairs: list[tuple[str, str | None]] = []
+
+    def read(row: dict[str, str]) -> tuple[Any, Any, dict[str, Any]]:
+        first, second = (row.pop(name) for name in _BODIES)
+        pairs.append((first, None if second in _GROUND else second))
+        return _exact_parts(row)
+
+    how = rounding(0, tolerance, angle_tolerance, as_given)
+    found = each_line(text, read, _converting(how))
+    contacts = [BodyContact(*pair, c) for pair, c in zip(pairs, found.grasp, strict=True)]
+    names = dict.fromkeys(name for pair in pairs for name in pair if name is not None)
+    return Assembly(names, contacts), found
+
+
+def _exact_parts(row: dict[str, str]) -> tuple[Any, Any, dict[str, Any]]:
+    if _BODIES[0] in row:
+        raise GraspError("the table has bodies; expected a grasp. `read_assembly` reads it")
+    return parts_of({name: rational(entry, name) for name, entry in row.items()})
+
+
+def _converting(how: Rounding | None) -> Convert:
     used = how or rounding(0, DEFAULT_TOLERANCE, DEFAULT_TOLERANCE, False)
 
     def convert(points: list[Any], normals: list[Any], values: dict[str, list[Any]]) -> Conversion:
         rows = [dict(zip(values, row, strict=True)) for row in zip(*values.values(), strict=True)]
         return converted([(point, Fraction(0)) for point in points], normals, rows, used)
 
-    return each_line(
-        text,
-        lambda row: parts_of({name: rational(entry, name) for name, entry in row.items()}),
-        convert,
-    )
+    return convert
+
+
+def _lines(text: str) -> Iterator[str]:
+    """Yield the lines that are neither empty nor comments."""
+    return (line for line in text.splitlines() if line.strip() and not line.startswith("#"))
 
 
 def tangential_arrangement(text: str) -> Arrangement | None:
@@ -96,8 +150,7 @@ def tangential_arrangement(text: str) -> Arrangement | None:
     Raises:
         GraspError: as `parse_csv`, and where a normal had to be rounded.
     """
-    lines = (line for line in text.splitlines() if line.strip() and not line.startswith("#"))
-    if not re.search(r"\b(nx|normal_x)\b", next(lines, "")):
+    if not re.search(r"\b(nx|normal_x)\b", next(_lines(text), "")):
         return None
     found = parse_csv(text)
     if not found.exact:
@@ -118,7 +171,7 @@ def parts_of(row: dict[str, T]) -> tuple[tuple[T, ...], tuple[T, ...], dict[str,
 def each_line(
     text: str,
     read: Callable[[dict[str, str]], tuple[Any, Any, dict[str, Any]]],
-    convert: Callable[[list[Any], list[Any], dict[str, Any]], Conversion],
+    convert: Convert,
 ) -> Conversion:
     """Return the contacts that functions make from the lines; errors name the line.
 
@@ -181,6 +234,8 @@ def _check_header(header: list[str]) -> None:
         if both := [name for name in header if name.startswith("normal_")]:
             raise GraspError(f"the columns are {_ANGLE} and {both[0]}; keep one")
         required = ("x", "y", _ANGLE, VALUES[0])
+    if any(name in header for name in _BODIES):
+        required = (*_BODIES, *required)
     missing = [name for name in required if name not in header]
     if missing:
         where = ", for contacts in space" if in_space else f" (or {_ANGLE}, in degrees)"

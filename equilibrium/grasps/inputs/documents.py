@@ -1,4 +1,4 @@
-"""Grasps from whatever names one: a document, a CSV file, a built-in name."""
+"""Grasps and assemblies from whatever names one: a document, a CSV file, a built-in name."""
 
 from __future__ import annotations
 
@@ -13,11 +13,13 @@ from arrangement.library.files.json_files import Source, check_keys, check_list
 from arrangement.numbers import budget
 from arrangement.numbers.exact import to_text
 from equilibrium.grasps.files import read_contacts
+from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import VALUES
+from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, unit_normals
-from .csv_file import read_csv
+from .csv_file import read_bodies, read_csv
 from .incidences import converted
 from .rounding import rounding
 
@@ -82,3 +84,25 @@ def read_any(
         outline=grasp.outline,
     )
     return replace(found, grasp=replace(found.grasp, units=grasp.units))
+
+
+def read_assembly(source: Source) -> Assembly:
+    """Read an assembly from a path, ``"-"`` (stdin) or a mapping; wrenches in it are left out.
+
+    A path that ends with ``.csv`` is a table with a contact in each line, see
+    `csv_file`.
+
+    Raises:
+        InputError: for anything that is not exactly a valid document or table.
+    """
+    if isinstance(source, (str, os.PathLike)) and str(source).lower().endswith(".csv"):
+        found = read_bodies(source)
+        if found is None:
+            raise GraspError(f"{source} has no columns body_a and body_b; expected an assembly")
+        if not found[1].exact:
+            raise GraspError(
+                f"{source} has normals without an exact length; `equilibrium make csv` writes a "
+                "document with rounded ones, and reports the change"
+            )
+        return found[0]
+    return Assembly.from_dict(read_contacts(source))

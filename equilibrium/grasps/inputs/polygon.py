@@ -147,7 +147,7 @@ def from_polygon(
     """
     given = entries(vertices, "vertices", "points")
     corners = [coordinates(v, f"vertices[{i}]", 2) for i, v in enumerate(given)]
-    inside = _orientation(corners)
+    inside = orientation(corners)
     found = [
         _placed(corners, place, i) if isinstance(place, OnEdge) else _located(corners, place, i)
         for i, place in enumerate(entries(places, "places", "places"))
@@ -165,7 +165,7 @@ def from_polygon(
     )
 
 
-def _orientation(corners: Sequence[RationalVector]) -> int:
+def orientation(corners: Sequence[RationalVector]) -> int:
     """Return 1 for a counter-clockwise simple polygon, -1 for a clockwise one.
 
     Raises:
@@ -181,7 +181,7 @@ def _orientation(corners: Sequence[RationalVector]) -> int:
                     f"edges {i} and {j} of the polygon meet outside a common corner; "
                     "list the corners of a simple polygon in order"
                 )
-    area = sum(_cross(a, b) for a, b in cycle_edges(corners))
+    area = sum(turn(a, b) for a, b in cycle_edges(corners))
     return sign(area)
 
 
@@ -195,7 +195,7 @@ def _clash(corners: Sequence[RationalVector], i: int, j: int) -> bool:
     if j == i + 1 or (i == 0 and j == n - 1):
         first, shared, last = (a, b, d) if j == i + 1 else (c, a, b)
         back, ahead = difference(first, shared), difference(last, shared)
-        return _cross(back, ahead) == 0 and back[0] * ahead[0] + back[1] * ahead[1] > 0
+        return turn(back, ahead) == 0 and back[0] * ahead[0] + back[1] * ahead[1] > 0
     return _segments_meet(a, b, c, d)
 
 
@@ -203,17 +203,17 @@ def _segments_meet(
     a: RationalVector, b: RationalVector, c: RationalVector, d: RationalVector
 ) -> bool:
     cases = ((a, b, c), (a, b, d), (c, d, a), (c, d, b))
-    turns = [sign(_cross(difference(q, p), difference(r, p))) for p, q, r in cases]
+    turns = [sign(turn(difference(q, p), difference(r, p))) for p, q, r in cases]
     crossing = turns[0] * turns[1] < 0 and turns[2] * turns[3] < 0
-    return crossing or any(_parameter(*case) is not None for case in cases)
+    return crossing or any(place_on_segment(*case) is not None for case in cases)
 
 
-def _parameter(
+def place_on_segment(
     start: RationalVector, end: RationalVector, point: RationalVector
 ) -> Fraction | None:
     """Return where a point lies on a segment, 0 to 1, or None."""
     along, away = difference(end, start), difference(point, start)
-    if _cross(along, away) != 0:
+    if turn(along, away) != 0:
         return None
     s = (along[0] * away[0] + along[1] * away[1]) / (along[0] ** 2 + along[1] ** 2)
     return s if 0 <= s <= 1 else None
@@ -232,7 +232,7 @@ def _located(
             "name the edge with OnEdge(edge, at)"
         )
     for edge, start in enumerate(corners):
-        if _parameter(start, corners[(edge + 1) % len(corners)], point) is not None:
+        if place_on_segment(start, corners[(edge + 1) % len(corners)], point) is not None:
             return edge, point
     raise GraspError(f"places[{index}] is not on the boundary; name the edge with OnEdge(edge, at)")
 
@@ -249,7 +249,8 @@ def _placed(
     return edge, tuple(x + s * (y - x) for x, y in zip(start, end, strict=True))
 
 
-def _cross(a: RationalVector, b: RationalVector) -> Fraction:
+def turn(a: RationalVector, b: RationalVector) -> Fraction:
+    """Return the cross product, above 0 where b is to the left of a."""
     return a[0] * b[1] - a[1] * b[0]
 
 
