@@ -168,7 +168,7 @@ def paths_named(text: str) -> set[str]:
 
 @pytest.mark.parametrize("page", ["README.md", "CONTRIBUTING.md", "docs/architecture.rst"])
 def test_every_path_on_a_page_for_developers_exists(page):
-    folders = (ROOT / name for name in (*PACKAGES, "docs", "tests"))
+    folders = (ROOT / name for name in (*PACKAGES, "conda", "docs", "tests"))
     known = [
         f"/{path.relative_to(ROOT).as_posix()}" for folder in folders for path in folder.rglob("*")
     ]
