@@ -355,11 +355,12 @@ def _identify(arguments: argparse.Namespace) -> int:
         return terminal.YES
     name = f"not in the catalogue; it has rank 3 and up to {MOST_PLANES} distinct planes"
     if found.type is not None:
-        name = ", ".join([f"{found.planes}.{found.type}", *found.names])
+        name = ", ".join([found.label, *found.names])
     order = zip(found.order or (), found.sides or (), strict=True)
     rows = {
         "type": name,
-        "Finschi-Fukuda": found.finschi_fukuda and f"IC({found.planes},3,{found.finschi_fukuda})",
+        "Finschi-Fukuda": found.finschi_fukuda
+        and f"IC({len(found.order)},3,{found.finschi_fukuda})",
         "distinct planes": found.planes,
         "rank": found.rank,
         "f-vector": " ".join(map(str, found.f_vector)),

@@ -181,15 +181,12 @@ def convert(arguments: argparse.Namespace) -> int:
 
 def list_file(arguments: argparse.Namespace) -> int:
     """Print the arrangements of a file, each with its isomorphism class."""
-    from arrangement.counts import cone
-
     from .census import identify
 
     found = _entries(arguments)
     for number in watched(range(1, len(found) + 1), "arrangements", len(found)):
         planes = found[number]
-        known = identify(planes if planes.is_central else cone(planes))
-        name = "-" if known.type is None else f"{known.planes}.{known.type}"
+        name = identify(planes).label or "-"
         row = {"number": number, "planes": len(planes), "central": planes.is_central, "type": name}
         if arguments.json:
             terminal.print_json(row)

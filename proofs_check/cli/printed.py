@@ -6,6 +6,7 @@ from collections import Counter
 from dataclasses import asdict
 
 from arrangement.console import terminal
+from arrangement.errors import InputError
 from proofs_check.course.printed_table import Row, check_table, value_text
 
 _WORDS = {True: "agree", False: "differ", None: "not computed"}
@@ -14,31 +15,39 @@ _WORDS = {True: "agree", False: "differ", None: "not computed"}
 def run_table(path: str, as_json: bool) -> int:
     """Print each row of a table with both values; exit 1 if two differ.
 
-    Rows of one quantity that print different numbers are in conflict, computed or not. Nothing is
-    printed of a table that cannot be read to its end.
+    Rows of one quantity that print different numbers are in conflict, computed or not.
 
     Args:
         path: of a CSV file, or "-" for standard input.
+
+    Raises:
+        InputError: some rows cannot be read; the others are printed before.
     """
     total: Counter[str] = Counter()
     first: dict[tuple[str, str], Row] = {}
-    for row in list(check_table(path)):
-        other = first.setdefault((row.arrangement, row.quantity), row)
-        verdict = "conflict" if row.printed != other.printed else _WORDS[row.agrees]
+    for row in check_table(path):
+        verdict, other = "not read", row
+        if not row.mistake:
+            other = first.setdefault((row.arrangement, row.quantity), row)
+            verdict = "conflict" if row.printed != other.printed else _WORDS[row.agrees]
         total[verdict] += 1
         if as_json:
             terminal.print_json({**asdict(row), "verdict": verdict})
         else:
-            note = f", line {other.line} prints {value_text(other.printed)}"
+            note = f", line {other.line} prints {value_text(other.printed, row.quantity)}"
             print(f"{verdict:<12}  {_line(row)}{note if verdict == 'conflict' else ''}")
     if not as_json:
         print(", ".join(f"{number} {verdict}" for verdict, number in total.items()))
+    if total["not read"]:
+        raise InputError(f"{total['not read']} of {total.total()} rows cannot be read")
     return terminal.NO if total["differ"] or total["conflict"] else terminal.YES
 
 
 def _line(row: Row) -> str:
-    what = f"{row.arrangement}, {row.quantity}: printed {value_text(row.printed)}"
+    if row.mistake:
+        return f"line {row.line}: {row.mistake}"
+    what = f"{row.arrangement}, {row.quantity}: printed {value_text(row.printed, row.quantity)}"
     if row.computed is None:
         return f"{what}, {row.reason}"
-    hint = f" ({row.reason}; see relatively-bounded-regions)" if row.reason else ""
-    return f"{what}, computed {value_text(row.computed)}{hint}"
+    hint = f" ({row.reason}; see relatively_bounded_regions)" if row.reason else ""
+    return f"{what}, computed {value_text(row.computed, row.quantity)}{hint}"

@@ -4,49 +4,61 @@ A table is a CSV file with the columns ``arrangement``, ``quantity`` and ``print
 others, such as ``source``, are ignored. The arrangement is
 
 * a built-in name or a file, in any format that is read;
-* a member of a family with its parameters: ``near-pencil m=7``, ``simplicial planes=13 number=2``;
+* a member of a family with its parameters, ``near-pencil m=7``, or several of them,
+  ``catalan(n=2..5)``, with a printed value for each;
 * ``lines n=7`` or ``pseudolines n=7``: all of them, for numbers of types.
 
-Counts of single arrangements are closed forms (`arrangement.counts`). Types of lines are counted in
-the census, isomorphism classes of pseudolines by extending chirotopes, without coordinates.
+The quantity is a name or an expression of claims in one line (`own_claims.one_line`), such as
+``bounded_p_vector`` or ``chi(2)``. Types of lines are counted in the census, isomorphism classes of
+pseudolines by extending chirotopes, without coordinates.
 """
 
 from __future__ import annotations
 
+import ast
 import csv
 import inspect
 import io
+import operator
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
 
-from arrangement import counts, read_arrangement
+from arrangement import read_arrangement
 from arrangement.arrangement import Arrangement
 from arrangement.counts.whitney import why_none_is_bounded
-from arrangement.errors import InputError
-from arrangement.library.census import MOST_PLANES, census
+from arrangement.errors import ArrangementError, InputError, OutOfReachError, refusal
+from arrangement.library.census import MOST_LINES, MOST_PLANES, census
+from arrangement.library.census.affine_lines import line_count
 from arrangement.library.census.chirotopes import (
     Signs,
     canonical,
-    chirotope_of,
     extended,
     extensions,
 )
 from arrangement.library.families import FAMILIES
 from arrangement.library.files.json_files import read_text
 from arrangement.numbers.exact import integer, shown
+from proofs_check.instances.families import is_family, read_family
+from proofs_check.own_claims.one_line import computed, read
+from proofs_check.own_claims.quantities import QUANTITIES
 
 _COLUMNS = ("arrangement", "quantity", "printed")
 _GROUPING = re.compile(r"(?<=[0-9])[,'_\u2009\u202f](?=[0-9]{3})")
+_PAIR = re.compile(r"[a-z]?_?([0-9]{1,6})[=:]([0-9]{1,9})", re.ASCII)
+#: The letter of a polynomial, and not that of t2=3.
+_VARIABLE = re.compile(r"(?<![a-z])t(?![a-z0-9_])")
+_TRUTH = {"yes": 1, "true": 1, "no": 0, "false": 0}
 #: Pseudolines whose types are counted: 4,890 types in a minute, and 135 simple ones in a second.
 MOST_PSEUDOLINES = 8
 
 #: A number, or numbers by place or by name.
-Value = int | tuple[int, ...] | dict[int, int]
+Value = int | Fraction | tuple[Any, ...] | dict[int, int]
 
 
 class NotComputed(Exception):
@@ -58,14 +70,18 @@ class Row:
     """A row of a table, with the value computed; None with a reason where there is none.
 
     A value that may be meant otherwise, such as 0 bounded regions, has a reason too.
+
+    Attributes:
+        mistake: why the row cannot be read, if it cannot: it has no values then.
     """
 
     line: int
     arrangement: str
     quantity: str
-    printed: Value
+    printed: Value | None
     computed: Value | None
     reason: str = ""
+    mistake: str = ""
 
     @property
     def agrees(self) -> bool | None:
@@ -74,10 +90,10 @@ class Row:
 
 
 def check_table(source: str) -> Iterator[Row]:
-    """Yield the rows of a CSV file, each with the value computed.
+    """Yield the rows of a CSV file, each with the value computed, or with what is wrong in it.
 
     Raises:
-        InputError: names the line and the rule.
+        InputError: it is not a CSV file, or has not the columns.
     """
     text, name = read_text(source)
     lines = csv.reader(io.StringIO(text), strict=True, skipinitialspace=True)
@@ -91,8 +107,13 @@ def check_table(source: str) -> Iterator[Row]:
             )
         for cells in lines:
             if cells and not cells[0].startswith("#"):
-                yield _row(dict(zip(columns, map(str.strip, cells), strict=False)), lines.line_num)
-    except (csv.Error, InputError) as error:
+                row = dict(zip(columns, map(str.strip, cells), strict=False))
+                try:
+                    yield _row(row, lines.line_num)
+                except ArrangementError as error:
+                    subject, quantity = (row.get(column, "") for column in _COLUMNS[:2])
+                    yield Row(lines.line_num, subject, quantity, None, None, mistake=str(error))
+    except csv.Error as error:
         raise InputError(f"{name}, line {lines.line_num}: {error}") from None
 
 
@@ -100,57 +121,102 @@ def _row(cells: Mapping[str, str], line: int) -> Row:
     if any(not cells.get(column) for column in _COLUMNS):
         raise InputError(f"a row needs {', '.join(_COLUMNS)}")
     subject, quantity, text = (cells[column] for column in _COLUMNS)
-    quantity = re.sub("[ _]", "-", quantity)
+    named = re.sub("[ -]", "_", quantity.lower())
+    named = {"planes": "m"}.get(named, named)
     kind, _, rest = subject.partition(" ")
-    known: Mapping[str, Callable[[Any], Value]] = _OF_ALL.get(kind, _OF_ONE)
-    if quantity not in known:
-        raise InputError(f"the quantity is {shown(quantity)}; expected one of {', '.join(known)}")
-    printed, reason = _printed(text, quantity), ""
+    quantity = named if named in (*QUANTITIES, *_OF_ALL.get(kind, ())) else quantity
+    found: Value | None = None
+    over, reason = None, ""
     try:
-        over = _number(rest) if kind in _OF_ALL else _arrangement(kind, rest, subject)
-        computed: Value | None = known[quantity](over)
-    except NotComputed as error:
-        computed, reason = None, str(error)
-    if quantity == "bounded-regions" and printed != computed and isinstance(over, Arrangement):
+        if kind in _OF_ALL:
+            if quantity not in _OF_ALL[kind]:
+                raise refusal(f"the quantity is {shown(quantity)}", quantity, _OF_ALL[kind])
+            found = _OF_ALL[kind][quantity](_number(rest))
+        else:
+            over, found = _of_arrangements(subject, quantity)
+    except (NotComputed, OutOfReachError) as error:
+        reason = str(error)
+    printed = _printed(text, quantity, found)
+    if quantity == "bounded_regions" and printed != found and isinstance(over, Arrangement):
         reason = why_none_is_bounded(over)
-    return Row(line, subject, quantity, printed, computed, reason)
+    return Row(line, subject, quantity, printed, found, reason)
 
 
-def _printed(text: str, quantity: str) -> Value:
-    """Read ``41,693,377``, ``1 14 36 24``, or ``t2=3 t3=4``."""
+def _of_arrangements(subject: str, quantity: str) -> tuple[Arrangement | None, Value]:
+    """Return the value for an arrangement, and the arrangement; or the values for several."""
+    kind, _, rest = subject.partition(" ")
+    if kind in FAMILIES and rest and not rest.startswith("("):
+        subject = f"{kind}({', '.join(rest.split())})"
+    elif kind in FAMILIES and not rest and inspect.signature(FAMILIES[kind]).parameters:
+        return _computed(quantity, read_arrangement(subject), {})
+    if not is_family(subject):
+        return _computed(quantity, read_arrangement(subject), {})
+    members = [case.subject for case in read_family(subject).cases()]
+    values = [_computed(quantity, member.planes, member.parameters) for member in members]
+    return values[0] if len(values) == 1 else (None, tuple(value for _, value in values))
+
+
+def _computed(
+    quantity: str, planes: Arrangement, parameters: Mapping[str, Any]
+) -> tuple[Arrangement, Value]:
+    integers = {name: value for name, value in parameters.items() if type(value) is int}
+    value = computed(read(quantity, integers), planes, integers)
+    if isinstance(value, Mapping):
+        return planes, {k: number for k, number in value.items() if number}
+    return planes, tuple(value) if isinstance(value, (list, tuple)) else value
+
+
+def _printed(text: str, quantity: str, computed: Value | None) -> Value:
+    """Read ``41,693,377``, ``1 14 36 24``, ``t2=3 t3=4``, or ``t**2 - 3*t + 2``."""
+    if _VARIABLE.search(text) and quantity == "polynomial":
+        return _coefficients(read(text.replace("^", "**"), ["t"]))
     words = _GROUPING.sub("", text).replace(";", " ").split()
-    if quantity == "t-vector":
-        pairs = [re.fullmatch(r"t?_?([0-9]{1,6})[=:]([0-9]{1,9})", w, re.ASCII) for w in words]
-        found = {int(p[1]): int(p[2]) for p in pairs if p}
-        if not words or len(found) != len(words):
-            raise InputError(f"the t-vector is {shown(text)}; write t2=3 t3=4")
-        return {k: number for k, number in sorted(found.items()) if number}
-    if not words or not all(re.fullmatch(r"-?[0-9]+", word, re.ASCII) for word in words):
-        raise InputError(f"the printed value is {shown(text)}; write integers")
-    numbers = tuple(map(integer, words))
-    return numbers if quantity in _VECTORS else _single(numbers, text)
+    pairs = list(map(_PAIR.fullmatch, words))
+    found: Value
+    if words and all(pairs):
+        numbers = {int(pair[1]): int(pair[2]) for pair in pairs if pair}
+        found = {k: number for k, number in sorted(numbers.items()) if number}
+    elif words and all(re.fullmatch(r"-?[0-9]+", w, re.ASCII) or w in _TRUTH for w in words):
+        found = tuple(_TRUTH[word] if word in _TRUTH else integer(word) for word in words)
+    else:
+        raise InputError(f"the printed value is {shown(text)}; write integers, or t2=3 t3=4")
+    if isinstance(computed, (tuple, dict)):
+        if type(found) is not type(computed):
+            how = "write t2=3 t3=4" if isinstance(computed, dict) else "write integers"
+            raise InputError(f"{quantity} is {shown(text)}; {how}")
+    elif isinstance(found, tuple) and len(found) == 1:
+        return int(found[0])
+    elif computed is not None:
+        raise InputError(f"{quantity} is {shown(text)}; write one number")
+    return found
 
 
-def _single(numbers: tuple[int, ...], text: str) -> int:
-    if len(numbers) != 1:
-        raise InputError(f"the printed value is {shown(text)}; write one number")
-    return numbers[0]
+def _coefficients(node: ast.expr) -> tuple[int, ...]:
+    """Return the coefficients of a polynomial in t, the highest first, of a text that was read."""
+    from sympy import ZZ, Poly, Symbol
 
+    t = Symbol("t")
+    arithmetic = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul}
 
-def _arrangement(kind: str, rest: str, subject: str) -> Arrangement:
-    if kind not in FAMILIES or (not rest and inspect.signature(FAMILIES[kind]).parameters):
-        return read_arrangement(subject)
-    values = dict(word.partition("=")[::2] for word in rest.split())
-    try:
-        bound = inspect.signature(FAMILIES[kind]).bind(
-            **{
-                k: int(v) if re.fullmatch(r"[0-9]{1,9}", v, re.ASCII) else v
-                for k, v in values.items()
-            }
+    def value(part: ast.expr) -> Any:
+        match part:
+            case ast.Name(id="t"):
+                return Poly(t, t, domain=ZZ)
+            case ast.Constant(value=int(number)):
+                return Poly(number, t, domain=ZZ)
+            case ast.UnaryOp(op=ast.USub(), operand=inner):
+                return -value(inner)
+            case ast.BinOp(left=left, op=op, right=right) if type(op) in arithmetic:
+                return arithmetic[type(op)](value(left), value(right))
+            case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=int(power))) if (
+                0 <= power <= 99
+            ):
+                return value(left) ** power
+        raise InputError(
+            f"{ast.unparse(part)} is not a polynomial in t; write t**2 - 3*t + 2, or t*(t - 1)"
         )
-    except TypeError as error:
-        raise InputError(f"{shown(subject)}: {error}; write {kind} parameter=value ...") from None
-    return FAMILIES[kind](*bound.args, **bound.kwargs)
+
+    return tuple(map(int, value(node).all_coeffs()))
 
 
 def _number(rest: str) -> int:
@@ -166,11 +232,10 @@ def _in_census(n: int) -> int:
     return n
 
 
-def _affine_simple(n: int) -> int:
-    """Count classes of n lines in general position in the plane: of n + 1, one is at infinity."""
-    rows = [planes.normals for planes in census(_in_census(n + 1), simple=True)]
-    signs = chirotope_of(np.array(rows, dtype=np.int64))
-    return int(canonical(signs, n + 1).orbits.sum())
+def _affine(n: int, *, simple: bool = False) -> int:
+    if not 1 <= n <= MOST_LINES:
+        raise NotComputed(f"the census has 1 to {MOST_LINES} lines of the affine plane")
+    return line_count(n, simple=simple)
 
 
 @lru_cache
@@ -189,34 +254,25 @@ def _pseudolines(n: int, simple: bool) -> Signs:
     return everything[first]
 
 
-_VECTORS = ("f-vector", "polynomial")
-_OF_ONE: Mapping[str, Callable[[Arrangement], Value]] = {
-    "planes": lambda planes: len(planes.distinct),
-    "rank": lambda planes: planes.rank,
-    "regions": counts.region_count,
-    "bounded-regions": counts.bounded_region_count,
-    "relatively-bounded-regions": partial(counts.bounded_region_count, relative=True),
-    "f-vector": counts.f_vector,
-    "polynomial": lambda planes: tuple(
-        map(int, counts.characteristic_polynomial(planes).all_coeffs())
-    ),
-    "t-vector": lambda planes: dict(counts.t_vector(planes)),
-}
 _OF_ALL: Mapping[str, Mapping[str, Callable[[int], Value]]] = {
     "lines": {
         "types": lambda n: len(census(_in_census(n))),
-        "simple-types": lambda n: len(census(_in_census(n), simple=True)),
-        "affine-simple-types": _affine_simple,
+        "simple_types": lambda n: len(census(_in_census(n), simple=True)),
+        "affine_types": _affine,
+        "affine_simple_types": partial(_affine, simple=True),
     },
     "pseudolines": {
         "types": lambda n: len(_pseudolines(n, False)),
-        "simple-types": lambda n: len(_pseudolines(n, True)),
+        "simple_types": lambda n: len(_pseudolines(n, True)),
     },
 }
 
 
-def value_text(value: Value) -> str:
-    """Return a value as it is written in tables."""
+def value_text(value: Value | None, quantity: str) -> str:
+    """Return a value of a quantity as it is written in tables."""
     if isinstance(value, dict):
-        return " ".join(f"t{k}={number}" for k, number in value.items())
-    return " ".join(map(str, value)) if isinstance(value, tuple) else f"{value:,}"
+        letter = quantity.removeprefix("bounded_")[:1]
+        return " ".join(f"{letter}{k}={number}" for k, number in value.items())
+    if isinstance(value, tuple):
+        return " ".join(value_text(x, quantity).replace(",", "") for x in value)
+    return f"{value:,}" if isinstance(value, int) else str(value)

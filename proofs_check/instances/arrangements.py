@@ -80,28 +80,11 @@ def census_cases(counts: range, *, simple: bool = False) -> Iterator[Case]:
             yield arrangement_case(Arrangement(planes.normals), label)
 
 
-def line_cases(counts: range) -> Iterator[Case]:
-    """Yield every isomorphism class of m lines of R^2 that are not all parallel, for each m.
-
-    They are the types of m + 1 lines of the projective plane, with each of these at infinity; a
-    type comes as often as its projective one has symmetries that move the line at infinity.
-    """
+def line_cases(counts: range, *, simple: bool = False) -> Iterator[Case]:
+    """Yield every isomorphism class of m different lines of R^2, for each m."""
     for m in counts:
-        types = census.census(m + 1)
-        for k, planes in enumerate(types, 1):
-            for infinity in range(m + 1):
-                label = f"m = {m}, type {k} of {len(types)} with line {infinity + 1} at infinity"
-                yield arrangement_case(_without_line(planes, infinity), label)
-
-
-def _without_line(planes: Arrangement, infinity: int) -> Arrangement:
-    """Return the other lines of the projective plane, in coordinates with one at infinity."""
-    rows = [plane[:-1] for plane in planes.integer_planes]
-    far = rows.pop(infinity)
-    last = next(k for k, x in enumerate(far) if x)
-    one, two = (k for k in range(3) if k != last)
-    normals = [[far[last] * row[k] - row[last] * far[k] for k in (one, two)] for row in rows]
-    return Arrangement(normals, [-row[last] for row in rows])
+        for k, lines in enumerate(census.lines(m, simple=simple), 1):
+            yield arrangement_case(lines, f"m = {m}, {'simple ' * simple}type {k}")
 
 
 def types_and_samples(

@@ -149,6 +149,15 @@ def _affine(d: int) -> Domain:
     return Domain(f"affine(d={d})", text, _UNITS_OF_DIMENSION[d], 1, draw, partial(_is_in, d))
 
 
+def _are_lines(planes: Any) -> bool:
+    return _is_in(2, planes) and _is_distinct(planes)
+
+
+def _are_simple_lines(planes: Any) -> bool:
+    """Return whether any two lines meet, and no three in a point, be it the origin."""
+    return _are_lines(planes) and planes.is_simple and not (planes.is_central and len(planes) > 2)
+
+
 def _simple_affine(d: int) -> Domain:
     return _belonging(
         f"simple-affine(d={d})",
@@ -223,6 +232,15 @@ _LISTED = (
         lambda planes: _is_central(planes) and _is_distinct(planes) and planes.is_simple,
     ),
     *(make(d) for make in _IN_DIMENSIONS.values() for d in _UNITS_OF_DIMENSION),
+    _belonging("lines", "different lines of the plane", 1, _are_lines, 2, affine=True),
+    _belonging(
+        "simple-lines",
+        "lines of the plane in general position",
+        1,
+        _are_simple_lines,
+        2,
+        affine=True,
+    ),
     Domain("grasp", "grasps", "contacts", 1, _random_grasp, lambda x: isinstance(x, Grasp)),
     Domain(
         "question",

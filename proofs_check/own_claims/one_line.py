@@ -1,9 +1,9 @@
 """Claims in one line: a comparison of counts of an arrangement, in a small language of its own.
 
 ``p_vector.get(3, 0) >= m`` is read by Python's parser and computed by this module, node by node: a
-text has names of `QUANTITIES`, integers, arithmetic, comparisons, ``and``, ``or`` and ``not``,
-indices, ``.get(key, default)`` and the functions of `_FUNCTIONS`, and nothing else. It is never
-run as a program.
+text has names and functions of `quantities`, integers, arithmetic, comparisons, ``and``, ``or``
+and ``not``, indices, ``.get(key, default)`` and the functions of `_FUNCTIONS`, and nothing else. It
+is never run as a program.
 """
 
 from __future__ import annotations
@@ -14,46 +14,24 @@ import operator
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any, TypeAlias
+from typing import Any
 
-from arrangement import counts
-from arrangement.arrangement import Arrangement
 from arrangement.errors import refusal
 from arrangement.numbers.exact import shown
 from proofs_check.errors import OwnClaimError
 from proofs_check.instances.domains import is_domain
 from proofs_check.instances.families import Family, is_family, read_family
-from proofs_check.instances.pseudolines import Pseudolines
 from proofs_check.statements.statement import Claim
 
 from .false_comparison import compare_values
 from .formula_of import formula_of
+from .quantities import FUNCTIONS, QUANTITIES, Planes
 from .user_claim import claim
 
 _LONGEST = 500  # characters of a text
 _BITS = 4096  # of a number on the way
 _COMPUTED = (int, Fraction)
-Planes: TypeAlias = Arrangement | Pseudolines
-
-#: What a text can name, and how it is computed; besides there is ``chi(t)``.
-QUANTITIES: Mapping[str, Callable[[Any], Any]] = {
-    "m": lambda planes: len(planes.distinct),
-    "rank": lambda planes: planes.rank,
-    "regions": lambda planes: sum(map(abs, _whitney(planes))),
-    "bounded_regions": lambda planes: (
-        abs(sum(_whitney(planes))) * (planes.rank == planes.dimension)
-    ),
-    "relatively_bounded_regions": lambda planes: abs(sum(_whitney(planes))),
-    "f_vector": lambda planes: planes.f_vector,
-    "p_vector": lambda planes: planes.p_vector,
-    "bounded_p_vector": lambda planes: planes.bounded_p_vector,
-    "t_vector": lambda planes: (
-        planes.t_vector if isinstance(planes, Pseudolines) else counts.t_vector(planes)
-    ),
-    "central": lambda planes: planes.is_central,
-    "simple": lambda planes: planes.is_simple,
-    "simplicial": lambda planes: planes.is_simplicial,
-}
+_OF_ARRANGEMENT = {text.partition("(")[0]: function for text, function in FUNCTIONS.items()}
 _ARITHMETIC: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
@@ -128,12 +106,6 @@ def computed(node: ast.expr, planes: Planes, parameters: Mapping[str, Any]) -> A
     return _Computed(planes, parameters).value(node)
 
 
-def _whitney(planes: Planes) -> tuple[int, ...]:
-    if isinstance(planes, Pseudolines):
-        return planes.whitney_numbers
-    return counts.first_whitney_numbers(planes)
-
-
 def read(text: str, names: Collection[str] = ()) -> ast.expr:
     """Return the syntax tree of a text, every node of which is in the language.
 
@@ -162,7 +134,7 @@ def _check(node: ast.expr, text: str, names: Collection[str]) -> None:
         case ast.Name(id=name):
             if name not in names:
                 mistake = f"{shown(name)} is not a quantity"
-                listed = [*QUANTITIES, "chi(t)", *sorted({*names} - {*QUANTITIES})]
+                listed = [*QUANTITIES, *FUNCTIONS, *sorted({*names} - {*QUANTITIES})]
                 raise OwnClaimError(str(refusal(mistake, name, listed)))
         case ast.Constant(value=int(number)) if (
             not isinstance(number, bool) and abs(number).bit_length() <= _BITS
@@ -189,14 +161,14 @@ def _check(node: ast.expr, text: str, names: Collection[str]) -> None:
         ):
             _check(value, text, names)
         case ast.Call(func=ast.Name(id=name), args=[_, *_] as given) if (
-            not node.keywords and name in (*_FUNCTIONS, "chi")
+            not node.keywords and name in (*_FUNCTIONS, *_OF_ARRANGEMENT)
         ):
             _check_all(given, text, names)
         case _:
             part = shown(ast.get_source_segment(text.strip(), node) or text)
             raise OwnClaimError(
                 f"{part} is not in the language of claims in one line; it has "
-                f"{', '.join(QUANTITIES)}, chi(t), integers, + - * / // % **, "
+                f"{', '.join([*QUANTITIES, *FUNCTIONS])}, integers, + - * / // % **, "
                 f"comparisons, and, or, not, [index], .get(key, default), {', '.join(_FUNCTIONS)}"
             )
 
@@ -283,14 +255,9 @@ class _Computed:
         if isinstance(function, ast.Attribute):
             return getattr(self.value(function.value), function.attr)(*given)
         assert isinstance(function, ast.Name)
-        if function.id != "chi":
+        if function.id in _FUNCTIONS:
             return _FUNCTIONS[function.id](*given)
-        (point,) = map(_number, given)
-        whole: int | Fraction = 0
-        for coefficient in _whitney(self.planes):
-            whole = whole * point + coefficient
-        # Below the rank all coefficients are zero.
-        return whole * point ** (self.planes.dimension + 1 - len(_whitney(self.planes)))
+        return _OF_ARRANGEMENT[function.id](self.planes, *map(_number, given))
 
 
 def _number(value: Any) -> int | Fraction:

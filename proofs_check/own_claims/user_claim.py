@@ -29,6 +29,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.counts.whitney import why_none_is_bounded
 from arrangement.duals.zonohedron import dual_polyhedron
+from arrangement.library.census import MOST_LINES
 from proofs_check.errors import OwnClaimError
 from proofs_check.instances.arrangements import census_cases, line_cases
 from proofs_check.instances.domains import domain, is_domain, known_families
@@ -263,20 +264,23 @@ def type_sources(chosen: Domain, low: int, high: int) -> tuple[Source, ...]:
     Raises:
         OwnClaimError: the census has no such numbers.
     """
-    largest = chosen.most or (7 if chosen.unit == "lines" else 8)
+    smallest, largest = (1 if chosen.unit == "lines" else 3), chosen.most or MOST_LINES
     sizes = (low, high)
-    if any(type(m) is not int for m in sizes) or not 3 <= low <= high <= largest:
+    if any(type(m) is not int for m in sizes) or not smallest <= low <= high <= largest:
         unit = "planes" if chosen.unit == "contacts" else chosen.unit
         raise OwnClaimError(
-            f"classes is {low}..{high}; expected numbers of {unit} from 3 to {largest}"
+            f"classes is {low}..{high}; expected numbers of {unit} from {smallest} to {largest}"
         )
     if chosen.unit == "contacts":
         return ()
     if chosen.unit == "pseudolines":
         return pseudoline_sources(low, high)
     if chosen.unit == "lines":
-        over = f"every isomorphism class of {low} to {high} lines of the plane, not all parallel"
-        return (Source(Kind.EXHAUSTIVE, over, lambda _: line_cases(range(low, high + 1))),)
+        simple = chosen.name.startswith("simple")
+        kind = " in general position" if simple else ""
+        over = f"every isomorphism class of {low} to {high} lines of the plane{kind}"
+        cases = partial(line_cases, range(low, high + 1), simple=simple)
+        return (Source(Kind.EXHAUSTIVE, over, lambda _: cases()),)
     over = f"one arrangement of every isomorphism class of {low} to {high} planes"
     return (Source(Kind.EXHAUSTIVE, over, lambda _: census_cases(range(low, high + 1))),)
 

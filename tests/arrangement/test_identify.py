@@ -4,6 +4,7 @@ import itertools
 import json
 from collections import Counter
 from hashlib import sha256
+from random import Random
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from arrangement import Arrangement, InputError, cli, families
 from arrangement.cli import main
 from arrangement.library.census import (
     PUBLISHED,
+    affine_lines,
     catalogue,
     census,
     final_polynomials,
@@ -140,11 +142,78 @@ def test_the_nine_mirrors_of_the_cube_have_their_name():
     assert (found.automorphisms, found.t_vector) == (24, {2: 6, 3: 4, 4: 3})
 
 
-@pytest.mark.parametrize("rows", [[], [[1, 0, 0], [0, 1, 0]]])
-def test_what_has_no_type_is_refused(rows):
-    arrangement = Arrangement(rows, [1] * len(rows), dimension=3)
+def test_what_has_no_type_is_refused():
     with pytest.raises(InputError):
-        identify(arrangement)
+        identify(Arrangement([], dimension=3))
+
+
+#: OEIS A241600, lines of the affine plane, from one line on.
+AFFINE = {1: 1, 2: 2, 3: 4, 4: 9, 5: 47, 6: 791, 7: 37_830}
+#: OEIS A090338, those in general position.
+AFFINE_SIMPLE = {1: 1, 2: 1, 3: 1, 4: 1, 5: 6, 6: 43, 7: 922, 8: 38_609}
+
+
+@pytest.mark.parametrize(
+    ("m", "simple"),
+    [
+        *((m, False) for m in range(1, 7)),
+        *((m, True) for m in range(1, 8)),
+        pytest.param(7, False, marks=pytest.mark.slow),
+        pytest.param(8, True, marks=pytest.mark.slow),
+    ],
+)
+def test_affine_lines_have_published_numbers_of_classes(m, simple):
+    assert affine_lines.line_count(m, simple=simple) == (AFFINE_SIMPLE if simple else AFFINE)[m]
+
+
+def moved(lines: Arrangement) -> Arrangement:
+    """The lines elsewhere, none of them through the origin but by chance."""
+    offsets = [7001 * int(a) + 7919 * int(b) for a, b in lines.normals]
+    pairs = zip(lines.offsets, offsets, strict=True)
+    return Arrangement(lines.normals, [x + y for x, y in pairs])
+
+
+@pytest.mark.parametrize("m", [*range(1, 6), pytest.param(6, marks=pytest.mark.slow)])
+def test_each_class_of_affine_lines_is_listed_once(m):
+    listed = [moved(lines) for lines in affine_lines.lines(m)]
+    labels = {identify(lines).label for lines in listed}
+    assert len(labels) == len(listed) == AFFINE[m]
+    assert all(len(lines.distinct) == m and lines.dimension == 2 for lines in listed)
+    plain = {identify(lines).label for lines in listed if lines.is_simple}
+    assert plain == {identify(moved(lines)).label for lines in affine_lines.lines(m, simple=True)}
+    source = Random(m)
+    drawn = set()
+    for _ in range((0, 20, 100, 200, 1000, 4000, 0)[m]):
+        rows = [[source.randint(-2, 2) for _ in range(3)] for _ in range(m)]
+        if all(any(row[:2]) for row in rows):
+            lines = Arrangement([row[:2] for row in rows], [row[2] for row in rows])
+            if len(lines.distinct) == m and not lines.is_central:
+                drawn.add(identify(lines).label)
+    assert drawn <= labels
+    assert m > 4 or len(drawn) == len(labels)
+
+
+def test_number_of_affine_lines_is_checked():
+    with pytest.raises(InputError, match="1 to 8 lines of the plane"):
+        affine_lines.line_count(9)
+
+
+def test_affine_lines_are_identified_by_cone_and_infinity(capsys):
+    square = Arrangement([[1, 0], [1, 0], [0, 1], [0, 1], [0, 2]], [0, 1, 0, 1, 2])
+    found = identify(square)
+    assert (found.planes, found.rank, found.t_vector) == (4, 2, {2: 4})
+    assert found.f_vector == square.f_vector == (4, 12, 9)
+    assert found.automorphisms == 8  # of a square, where two opposite sides may change places
+    assert found.order.count(len(square)) == 1
+    moved = Arrangement([[2, 3], [1, 1], [2, 3], [1, 1]], [0, 5, 1, 3])
+    assert identify(moved).label == found.label
+    assert found.label.endswith("at infinity")
+    parallel = identify(Arrangement([[1, 0]] * 3, [1, 2, 3]))
+    assert (parallel.label, parallel.automorphisms) == ("3 parallel", None)
+    assert cli.main(["identify", "shi-a2-affine"]) == 0
+    assert "at infinity" in capsys.readouterr().out
+    high = identify(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], [0, 0, 0, 1]))
+    assert (high.label, high.infinity, high.is_simple, high.rank) == ("", None, True, 3)
 
 
 def pappus(ninth: int) -> dict[tuple[int, int, int], int]:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from arrangement.cli import main as count
 from equilibrium.grasps.files import read_grasp
 from proofs_check import ClaimVerdict, evaluate, registry
 from proofs_check.cli.program import main
@@ -70,12 +71,58 @@ def test_table_says_why_no_region_is_bounded(tmp_path, capsys):
     assert agree.startswith("agree")
 
 
-def test_table_with_a_bad_row_prints_nothing(tmp_path, capsys):
-    path = table(tmp_path, "24,braid-a3,regions", "24,braid-a3,regoins")
+def test_bad_row_does_not_stop_the_others(tmp_path, capsys):
+    path = table(
+        tmp_path,
+        "24,braid-a3,regoins",
+        "25,braid-a3,regions",
+        "x,braid-a3,regions",
+        "1 2,braid-a3,regions",
+        "1 2,braid-a3,t-vector",
+        "24,no-such-file,regions",
+        "4,catalan(k=2),regions",
+        "24,braid-a3,regions",
+    )
     assert main(["run", path]) == 2
     out, err = capsys.readouterr()
-    assert out == ""
-    assert "line 3" in err
+    assert [line.split("  ")[0] for line in out.splitlines()[:-1]] == [
+        *("not read", "differ", "not read", "not read", "not read", "not read", "not read"),
+        "conflict",
+    ]
+    assert "line 2: 'regoins' is not a quantity; did you mean regions?" in out
+    assert err == "error: 6 of 8 rows cannot be read\n"
+
+
+def test_table_takes_every_quantity_of_a_claim_in_one_line(tmp_path):
+    path = table(
+        tmp_path,
+        "1 -6 11 -6,braid-a3,polynomial",
+        "(t - 1)*(t - 2)*(t - 3),braid-a3,polynomial",
+        "t^3 - 6 t^2,braid-a3,polynomial",
+        "-24,braid-a3,chi(-1)",
+        "3=24,braid-a3,p_vector",
+        "24,braid-a3,p_vector[3]",
+        "yes,braid-a3,simplicial",
+        "6,braid-a3,planes",
+        'p3=1,"generic(m=3, d=2, affine=true)",bounded_p_vector',
+        '1,generic m=3 d=2 affine=true,"bounded_p_vector.get(3, 0)"',
+        "4 30 336,catalan(n=2..4),regions",
+        "3 16 125,shi(n=2..4),(n + 1) ** (n - 1)",
+    )
+    rows = list(check_table(path))
+    assert "cannot be read" in rows.pop(2).mistake
+    assert [row.agrees for row in rows] == [True] * 11, rows
+
+
+def test_table_reads_the_polynomial_that_count_prints(tmp_path, capsys):
+    assert count(["count", "braid-a3"]) == 0
+    printed_rows = [line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines()]
+    values = [value for name, value in printed_rows if name in ("chi(t)", "factors")]
+    path = table(tmp_path, *(f"{value},braid(n=4),polynomial" for value in [*values, "t - 1"]))
+    assert [row.computed for row in check_table(path)] == [(1, -6, 11, -6, 0)] * 3
+    assert [row.agrees for row in check_table(path)] == [False] * 3
+    path = table(tmp_path, *(f"{value},braid-a3,polynomial" for value in values))
+    assert [row.agrees for row in check_table(path)] == [True] * 2
 
 
 def test_there_are_seven_and_ten_rows_and_eight_counts():
@@ -153,4 +200,4 @@ def test_quantities_may_have_underscores_or_blanks(tmp_path):
     table.write_text("arrangement,quantity,printed\nbraid-a3,f_vector,1 14 36 24\n")
     assert [row.agrees for row in check_table(str(table))] == [True]
     table.write_text("arrangement,quantity,printed\nbraid-a3,bounded regions,0\n")
-    assert [row.quantity for row in check_table(str(table))] == ["bounded-regions"]
+    assert [row.quantity for row in check_table(str(table))] == ["bounded_regions"]

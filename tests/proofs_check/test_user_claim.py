@@ -10,7 +10,6 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement import Arrangement, read_arrangement
-from arrangement.counts import cone
 from arrangement.library.census import census, identify
 from equilibrium.grasps.files import read_grasp
 from proofs_check import ClaimVerdict, claim, evaluate
@@ -327,6 +326,10 @@ def test_integers_of_libraries_are_integers(write):
         ("bounded_regions == comb(m - 1, 2)", ["--of", "simple-affine(d=2)"], 0),
         ("sum(bounded_p_vector.values()) == bounded_regions", ["--of", "affine(d=2)"], 0),
         ("bounded_p_vector.get(3, 0) >= m - 1", ["--of", "simple-affine(d=2)"], 1),
+        ("bounded_p_vector.get(3, 0) <= m * (m - 2) // 3", ["--of", "lines"], 0),  # Kobon
+        ("bounded_p_vector.get(3, 0) >= m - 2", ["--of", "simple-lines"], 0),  # Roberts
+        ("relatively_bounded_regions == comb(m - 1, 2)", ["--of", "simple-lines"], 0),
+        ("bounded_regions == comb(m - 1, 2)", ["--of", "lines"], 1),
         ("rank == 3 and central and min(f_vector) != abs(-1)", [], 1),
     ],
 )
@@ -364,7 +367,7 @@ def test_lines_are_tried_on_every_type():
     assert {lines.dimension for lines in found} == {2}
     five = (lines for lines in found if len(lines) == 5 and not lines.is_central)
     simple = [lines for lines in five if lines.is_simple]
-    assert len({identify(cone(lines)).type for lines in simple}) == 4  # of six projective lines
+    assert len({identify(lines).label for lines in simple}) == 6
     triangles = [lines.bounded_p_vector[3] for lines in simple]
     assert (min(triangles), max(triangles)) == (3, 5)  # Roberts, and Kobon
 

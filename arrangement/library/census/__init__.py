@@ -5,6 +5,7 @@ sign vectors are concerned. The list ships with the package; ``make census`` com
 checkout (`tests/census`).
 """
 
+from .affine_lines import MOST_LINES as MOST_LINES, lines as lines
 from .catalogue import (
     MOST_PLANES as MOST_PLANES,
     PSEUDOLINES as PSEUDOLINES,

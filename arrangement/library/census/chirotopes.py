@@ -125,7 +125,7 @@ class Coded(NamedTuple):
         sides: (N, n); the sign by which element p of the canonical form was multiplied.
         automorphisms: (N,), the order of the group that keeps the chirotope up to sign, by
             relabelling and reorientation, all elements at once counting as nothing.
-        orbits: (N,), the number of orbits of elements under that group.
+        orbits: (N, n), for each element the least one of its orbit under that group.
     """
 
     codes: Integers
@@ -181,8 +181,9 @@ def _canonical(chi: Signs, n: int) -> Coded:
     # The flags with the least text are one orbit, so what they have at one place is one too.
     least = np.full((total, n), n)
     np.minimum.at(least, of, order)
-    orbits = (np.diff(np.sort(least, axis=1), axis=1) > 0).sum(1) + 1
-    return Coded(np.stack(words, 1), order[first], sides[first, :n], number, orbits)
+    orders, orbits = order[first], np.empty_like(least)
+    np.put_along_axis(orbits, orders, least, axis=1)
+    return Coded(np.stack(words, 1), orders, sides[first, :n], number, orbits)
 
 
 def _parts(rows: NDArray[np.intp]) -> list[NDArray[np.intp]]:

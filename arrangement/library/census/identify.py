@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement import counts
 from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import sphere_arrangement
 from arrangement.enumeration.reduction import in_dimension
@@ -42,6 +43,10 @@ class Identification:
         chirotope: the signs by which that catalogue represents the type, "" where type is None.
         order: plane p of the catalogue's representative is plane ``order[p]`` here.
         sides: and its normal is turned by ``sides[p]``.
+        infinity: of planes that miss the origin, such as lines of R^2, which plane of the
+            representative is at infinity, the first of its orbit. Their `type`, `names`,
+            `finschi_fukuda`, `chirotope`, `order` and `sides` are those of the m + 1 planes of the
+            cone, where infinity has the number of planes here.
     """
 
     planes: int
@@ -57,26 +62,42 @@ class Identification:
     chirotope: str
     order: tuple[int, ...]
     sides: tuple[int, ...]
+    infinity: int | None = None
+
+    @property
+    def label(self) -> str:
+        """The isomorphism class in short, as ``6.13``, or "" where it is not in the census."""
+        if self.type is None:
+            return ""
+        if self.infinity is None:
+            return f"{self.planes}.{self.type}"
+        if self.rank == 1:
+            return f"{self.planes} parallel"
+        return f"{self.planes + 1}.{self.type} with line {self.infinity + 1} at infinity"
 
 
 def identify(arrangement: Planes) -> Identification:
-    """Find the isomorphism class of a central arrangement among those of the census.
+    """Find the isomorphism class of an arrangement among those of the census.
 
     Types are up to relabelling of planes and exchange of sides. Planes that coincide count once;
     `order` then names the first of them. In rank 1 and 2 there is one type for each number of
     planes; of rank 4 and more, and of more planes than the census has, only the counts are given.
+    Lines of R^2 that do not all contain the origin have the class of their cone together with the
+    one at infinity (`census.lines` has all of them), and so have other affine planes.
 
     Raises:
-        InputError: the arrangement is not central, or has no plane.
+        InputError: the arrangement has no plane.
 
     >>> found = identify(Arrangement([[1, 2, 0], [0, 1, 1], [3, 0, 1], [1, 3, 1]]))
     >>> found.type, found.names, found.order, found.sides
     (1, ('near-pencil',), (2, 0, 3, 1), (1, 1, 1, -1))
+    >>> identify(Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])).label
+    '4.2 with line 1 at infinity'
     """
     from .finschi_fukuda import number as ic_number, representatives, texts
 
     if not arrangement.is_central:
-        raise InputError("the arrangement is not central; identify its cone (counts.cone)")
+        return _of_cone(arrangement)
     if not len(arrangement):
         raise InputError("the arrangement has no plane; an empty one has no type in the census")
     firsts = arrangement.firsts
@@ -121,6 +142,33 @@ def identify(arrangement: Planes) -> Identification:
         chirotope=text,
         order=order,
         sides=sides,
+    )
+
+
+def _of_cone(arrangement: Planes) -> Identification:
+    """Return the class of planes that miss the origin, by that of their cone."""
+    planes = arrangement.distinct_planes
+    m = len(planes)
+    affine = Arrangement([plane[:-1] for plane in planes], [plane[-1] for plane in planes])
+    found = identify(counts.cone(affine))
+    infinity = None if found.type is None else 0  # of parallel lines any is alike
+    automorphisms, order = found.automorphisms, found.order
+    if found.type is not None and automorphisms is not None:
+        representative = canonical(chirotopes(m + 1, slice(found.type - 1, found.type)), m + 1)
+        orbit = representative.orbits[0] == representative.orbits[0, order.index(m)]
+        infinity, automorphisms = int(orbit.argmax()), automorphisms // int(orbit.sum())
+    firsts = (*arrangement.firsts, len(arrangement))
+    return replace(
+        found,
+        planes=m,
+        rank=affine.rank,
+        f_vector=affine.f_vector,
+        t_vector=counts.t_vector(affine) if affine.rank == 2 else {},
+        automorphisms=automorphisms,
+        is_simple=affine.is_simple,
+        is_simplicial=affine.is_simplicial,
+        order=tuple(firsts[k] for k in order),
+        infinity=infinity,
     )
 
 

@@ -1,0 +1,58 @@
+"""What claims in one line, fits and printed tables can name: quantities of an arrangement."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import Any, TypeAlias
+
+from arrangement import counts
+from arrangement.arrangement import Arrangement
+from proofs_check.instances.pseudolines import Pseudolines
+
+Planes: TypeAlias = Arrangement | Pseudolines
+
+
+def _whitney(planes: Planes) -> tuple[int, ...]:
+    """Return the coefficients of chi, without the zeros below the rank."""
+    if isinstance(planes, Pseudolines):
+        return planes.whitney_numbers
+    return counts.first_whitney_numbers(planes)
+
+
+def _polynomial(planes: Planes) -> tuple[int, ...]:
+    numbers = _whitney(planes)
+    return (*numbers, *(0 for _ in range(planes.dimension + 1 - len(numbers))))
+
+
+def _chi(planes: Planes, t: int | Fraction) -> int | Fraction:
+    whole: int | Fraction = 0
+    for coefficient in _polynomial(planes):
+        whole = whole * t + coefficient
+    return whole
+
+
+#: By name, how each is computed.
+QUANTITIES: Mapping[str, Callable[[Any], Any]] = {
+    "m": lambda planes: len(planes.distinct),
+    "rank": lambda planes: planes.rank,
+    "regions": lambda planes: sum(map(abs, _whitney(planes))),
+    "bounded_regions": lambda planes: (
+        abs(sum(_whitney(planes))) * (planes.rank == planes.dimension)
+    ),
+    "relatively_bounded_regions": lambda planes: abs(sum(_whitney(planes))),
+    "polynomial": _polynomial,
+    "f_vector": lambda planes: (
+        planes.f_vector if isinstance(planes, Pseudolines) else counts.f_vector(planes)
+    ),
+    "p_vector": lambda planes: planes.p_vector,
+    "bounded_p_vector": lambda planes: planes.bounded_p_vector,
+    "t_vector": lambda planes: (
+        planes.t_vector if isinstance(planes, Pseudolines) else counts.t_vector(planes)
+    ),
+    "central": lambda planes: planes.is_central,
+    "simple": lambda planes: planes.is_simple,
+    "simplicial": lambda planes: planes.is_simplicial,
+}
+#: Functions of an arrangement and numbers, as they are written.
+FUNCTIONS: Mapping[str, Callable[..., Any]] = {"chi(t)": _chi}
