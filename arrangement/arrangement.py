@@ -18,7 +18,7 @@ from .console.writing import write_text_atomically
 from .counts import completeness
 from .counts.whitney import f_vector, region_count
 from .enumeration import regions
-from .enumeration.choose import enumerate_faces, enumerate_regions
+from .enumeration.choose import enumerate_faces, enumerate_regions, enumerate_regions_inside
 from .enumeration.great_circles import SphereArrangement, sphere_arrangement
 from .enumeration.sequence import FaceSequence
 from .errors import HintsMixin, InputError
@@ -99,15 +99,30 @@ class Arrangement(HintsMixin, Planes):
     def _faces(self) -> FaceSequence:
         return enumerate_faces(self, count=f_vector)
 
-    def regions(self) -> FaceSequence:
+    def regions(self, inside: Planes | Face | None = None) -> FaceSequence:
         """Return the faces of full dimension: the cells that no plane meets.
 
         Many of them, from rank 5 on (4 for affine planes), are listed without the other faces.
 
+        Args:
+            inside: planes that bound a polyhedron, which is on the positive side of each, or a
+                region of other planes: only the regions that meet it are listed, each with a
+                witness in it.
+
         Raises:
             OutOfReachError: the list takes more than the budget (`arrangement.numbers.budget`).
+
+        >>> box = Arrangement([[1, 0], [0, 1], [-1, 0], [0, -1]], [0, 0, -1, -1])
+        >>> len(Arrangement([[1, 1], [1, 1], [1, 1]], [0, 1, 5]).regions(inside=box))
+        2
         """
-        return self._regions
+        if inside is None:
+            return self._regions
+        if isinstance(inside, Face):
+            inside = inside.sides
+        if not isinstance(inside, Planes):
+            raise InputError(f"inside is {shown(inside)}; give planes, or a region of some")
+        return enumerate_regions_inside(self, inside)
 
     @cached_property
     def _regions(self) -> FaceSequence:
@@ -343,6 +358,18 @@ class Arrangement(HintsMixin, Planes):
         ({2: 3, 3: 6, 4: 2}, {3: 2, 4: 1})
         """
         return self._numbers_of_facets({region.signs for region in self.bounded_regions()})
+
+    @property
+    def level_vector(self) -> dict[int, int]:
+        """How many regions have level k, by k, by enumeration; see `Face.level`.
+
+        Bounded regions have level 0, and relatively bounded ones the least level that there is.
+
+        >>> Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1]).level_vector
+        {0: 1, 2: 6}
+        """
+        levels = Counter(regions.levels(self, self.regions()).tolist())
+        return dict(sorted(levels.items()))
 
     def _numbers_of_facets(self, among: Container[tuple[int, ...]] | None = None) -> dict[int, int]:
         listed = self.faces().of_dimension(self.dimension)

@@ -42,6 +42,7 @@ from .whitney import (
     f_vector as f_vector,
     first_whitney_numbers as first_whitney_numbers,
     fukuda_bound as fukuda_bound,
+    level_vector as level_vector,
     region_count as region_count,
     whitney_numbers as whitney_numbers,
 )

@@ -20,7 +20,7 @@ from arrangement.planes.planes import Planes
 from .configuration import Configuration, configuration, is_generic
 from .lattice import intersection_lattice
 from .low_rank import MAX_RANK, WhitneyMatrix, whitney_matrix, with_top
-from .operations import over_factors
+from .operations import over_factors, restriction
 
 if TYPE_CHECKING:
     import sympy
@@ -202,6 +202,36 @@ def bounded_region_count(arrangement: Planes, *, relative: bool = False) -> int:
     if not relative and arrangement.rank < arrangement.dimension:
         return 0
     return abs(sum(first_whitney_numbers(arrangement)))
+
+
+def level_vector(arrangement: Planes) -> dict[int, int]:
+    """Return how many regions have level k, the dimension of the recession cone, by k.
+
+    The cone of a region spans a flat X of the planes moved to the origin. Those planes cut X in
+    as many parts as there are cones that span it, and along each of them go as many regions as the
+    planes that contain X in their direction have relatively bounded ones. Equal to
+    `Arrangement.level_vector`, which enumerates; the two share no code.
+
+    Source: T. Zaslavsky, Faces of a hyperplane arrangement enumerated by ideal dimension, with
+    application to plane, plaids, and Shi, Geometriae Dedicata 98 (2003).
+
+    >>> from arrangement import Arrangement
+    >>> level_vector(Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1]))
+    {0: 1, 2: 6}
+    """
+    rows = arrangement.integer_planes
+    moved = Planes([row[:-1] for row in rows], dimension=arrangement.dimension)
+    found: dict[int, int] = {}
+    for flat in (flat for level in intersection_lattice(moved).flats for flat in level):
+        along = Planes(
+            [rows[i][:-1] for i in flat.planes],
+            [rows[i][-1] for i in flat.planes],
+            dimension=arrangement.dimension,
+        )
+        if regions := bounded_region_count(along, relative=True):
+            cones = region_count(restriction(moved, flat.planes))
+            found[flat.dimension] = found.get(flat.dimension, 0) + cones * regions
+    return dict(sorted(found.items()))
 
 
 def why_none_is_bounded(arrangement: Planes) -> str:

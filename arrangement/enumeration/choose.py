@@ -9,18 +9,18 @@ from copy import copy
 from dataclasses import dataclass
 from math import comb
 
+import numpy as np
+
 from arrangement.errors import InputError, OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import largest, shown, work_factor
 from arrangement.planes.planes import Planes
 
 from . import affine_space, any_dimension, deletion_restriction, great_circles
-from .sequence import FaceSequence, Level
+from .sequence import FaceSequence, Level, no_faces
 
 #: Up to so many faces, a list of all of them is as quick as one of the regions alone.
 _FEW = 200_000
-#: What one restriction to a plane takes when regions are listed alone.
-_RESTRICTION_STEPS = 1300
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,11 @@ def enumerate_regions(planes: Planes, count: Callable[[Planes], int]) -> FaceSeq
     of_each = cone_rank(planes) + m / 64 + 1  # coordinates of the witness, words of signs
 
     def takes() -> dict[str, float]:
-        steps = restrictions * _RESTRICTION_STEPS * work_factor(planes.integer_planes)
+        steps = (
+            restrictions
+            * deletion_restriction.RESTRICTION_STEPS
+            * work_factor(planes.integer_planes)
+        )
         steps += regions * m
         return {"faces": regions, "long_steps": steps, "bytes": 32 * of_each * regions}
 
@@ -134,6 +138,39 @@ def enumerate_regions(planes: Planes, count: Callable[[Planes], int]) -> FaceSeq
     except deletion_restriction.TooCloseError:
         return None
     return FaceSequence(planes, [level], "deletion-restriction", planes.dimension)
+
+
+def enumerate_regions_inside(planes: Planes, sides: Planes) -> FaceSequence:
+    """Return the regions that meet the positive side of all of some other planes.
+
+    What is outside is not listed, unless its points are too close for floats, or the planes are
+    irrational or have a low rank: then all regions are, and those inside are chosen.
+
+    Raises:
+        InputError: planes of another space.
+        OutOfReachError: the list takes more than the budget.
+    """
+    if sides.dimension != planes.dimension:
+        raise InputError(
+            f"inside is in R^{sides.dimension} and the planes are in R^{planes.dimension}; give "
+            "planes of one space"
+        )
+    rows = [*sides.integer_planes, *planes.integer_planes]
+    joined = Planes([r[:-1] for r in rows], [r[-1] for r in rows], dimension=planes.dimension)
+    engine, level = "deletion-restriction", no_faces(len(rows), planes.dimension)
+    if set(sides.orientation) <= {1}:  # else two sides are one plane with nothing between
+        try:
+            if joined.rank < 2 or not largest(joined.integer_planes) < math.inf:
+                raise deletion_restriction.TooCloseError
+            level = deletion_restriction.list_regions(joined, len(sides.distinct))
+        except deletion_restriction.TooCloseError:
+            every = enumerate_faces(joined).of_dimension(planes.dimension)
+            found = every.where(np.all(every.signs[:, : len(sides)] > 0, axis=1))
+            engine, (level,) = every.engine, found.levels
+    inside = Level(
+        level.count, lambda at: level.signs(at)[:, len(sides) :], level.points, scalable=False
+    )
+    return FaceSequence(copy(planes), [inside], engine, planes.dimension)
 
 
 def most_regions(m: int, rank: int, central: bool) -> float:

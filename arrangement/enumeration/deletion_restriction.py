@@ -4,7 +4,9 @@ Hyperplanes are added one by one. A new one, H, cuts exactly those regions of th
 region of the restriction to H in their closure, and these have the same signs at the others. So the
 regions of the restriction, listed first in the same way, say which regions are cut in two, and
 every other region is on one side of H. Of a central arrangement only the half on the positive
-side of the first hyperplane is listed; of an affine one that is all, if infinity comes first.
+side of the first hyperplane is listed; of an affine one that is all, if infinity comes first. So
+may the regions be listed that are on the positive side of several hyperplanes, the first ones: a
+linear program has a point there or none, in each restriction.
 
 **Exactness.** Restrictions are integral, so the number of regions listed is exact whatever floats
 do: m on one side of the first of m lines of rank 2, and beyond that
@@ -13,7 +15,9 @@ do: m on one side of the first of m lines of rank 2, and beyond that
 
 Witnesses are floats, hence rational numbers. In the end each sign of each witness is compared with
 a bound on the rounding error, and the sign vectors are seen to be distinct: then they are regions,
-and all of them. Where floats do not suffice (`TooCloseError`), the caller lists all faces instead.
+and all of them. Inside several hyperplanes the same holds from the first one on that is no side; in
+rank 2 all points are compared before those outside are left out. Where floats do not suffice
+(`TooCloseError`), the caller lists all faces instead.
 Sums are formed in one order, elementwise, so that witnesses are the same on every machine.
 
 Source: T. Zaslavsky, Facing up to arrangements, Memoirs AMS 154 (1975), for the counts; B. Sleumer,
@@ -34,8 +38,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.console.progress import watched
+from arrangement.numbers import budget
 from arrangement.numbers.coefficients import Integers
-from arrangement.numbers.exact import IntegerVector, fast_integers, largest, one_way, reduced
+from arrangement.numbers.exact import (
+    IntegerVector,
+    fast_integers,
+    largest,
+    one_way,
+    primitive,
+    reduced,
+)
+from arrangement.numbers.linear.programs import some_point
 from arrangement.numbers.packing import Bits, Words, chunks, distinct_rows, grouped, pack, unpack
 from arrangement.planes.planes import Planes
 
@@ -50,6 +63,10 @@ _ROUNDING = 2.0**-53
 _BITS = (3, 6, 12, 24, 52)
 #: Points whose signs are compared at once.
 _PORTION = 1 << 16
+#: So many regions are listed before their number is looked at.
+_MANY = 10_000
+#: What a restriction takes.
+RESTRICTION_STEPS = 1300
 
 
 class TooCloseError(ArithmeticError):
@@ -69,59 +86,107 @@ class _HalfRegions:
     points: Floats
 
 
-def list_regions(planes: Planes) -> Level:
+def list_regions(planes: Planes, inside: int = 0) -> Level:
     """Return the regions of rational hyperplanes of rank 3 or more, affine ones of rank 2 or more.
+
+    Args:
+        inside: only those on the positive side of the first so many classes of hyperplanes, which
+            miss the origin or not; all are then taken as affine.
 
     Raises:
         TooCloseError: floats do not separate them.
     """
     essential, columns = in_dimension(planes, planes.rank)
     rows = list(essential.distinct_planes)
-    if essential.is_central:
+    if essential.is_central and not inside:
         rows = [row[:-1] for row in rows]
     else:
         infinity = (0,) * planes.rank + (1,)
         rows = [infinity, *((*row[:-1], -row[-1]) for row in rows)]
     floats = _as_floats(rows)
-    found = _by_insertion(rows, floats, watched(range(1, len(rows)), "hyperplanes"))
+    numbers = watched(range(1 + inside, len(rows)), "hyperplanes")
+    found = _by_insertion(rows, floats, numbers, 1 + inside)
     _check(found, floats)
     if len(distinct_rows(found.signs)) < len(found.signs):
         raise TooCloseError
     return from_dimension([_as_level(essential, rows, found)], planes, columns)[-1]
 
 
-def _regions(rows: Sequence[IntegerVector]) -> _HalfRegions:
-    """Return the regions of distinct central hyperplanes, by recursion on the dimension."""
+def _regions(rows: Sequence[IntegerVector], inside: int) -> _HalfRegions:
+    """Return the regions of distinct central hyperplanes, by recursion on the dimension.
+
+    Only those on the positive side of the first `inside` of them.
+    """
     floats = _as_floats(rows)
     if len(rows) == 1:
         return _HalfRegions(np.ones((1, 1), np.uint64), floats)
     if len(rows[0]) == 2:
-        return _in_the_plane(floats)
-    return _by_insertion(rows, floats, range(1, len(rows)))
+        return _kept(_in_the_plane(floats), floats, inside)  # distinct: in order around the origin
+    return _by_insertion(rows, floats, range(inside, len(rows)), inside)
 
 
 def _by_insertion(
-    rows: Sequence[IntegerVector], floats: Floats, numbers: Iterable[int]
+    rows: Sequence[IntegerVector], floats: Floats, numbers: Iterable[int], inside: int
 ) -> _HalfRegions:
     """Add the hyperplanes one by one; each cuts the regions that its restriction names."""
     m = len(rows)
     bits = pack(np.eye(m, dtype=np.bool_))
-    signs, points = bits[:1], floats[:1]
+    signs, points = bits[:inside].sum(axis=0, keepdims=True), _first_point(rows, floats, inside)
+    signs = signs[: len(points)]
     for j in numbers:
+        if inside > 1:
+            _check_growth(signs, points)
+        if not len(signs):
+            break
         normal = floats[j]
         pivot = int(np.abs(normal).argmax())
-        below, class_of, flipped = _restriction(rows[:j], rows[j], pivot)
-        inside = _regions(below)
-        sides = unpack(inside.signs, len(below))[:, class_of] ^ flipped
-        cut_signs = pack(sides, m)
+        below, class_of, flipped, sides = _restriction(rows[:j], rows[j], pivot, inside)
+        if not sides:
+            cut_signs, on_both_sides = signs[:0], points[:0]
+        else:
+            found = _regions(below, sides)
+            cut_signs = pack(unpack(found.signs, len(below))[:, class_of] ^ flipped, m)
+            on_both_sides = _moved(_lifted(found.points, normal, pivot), normal, floats[:j])
         cut = np.zeros(len(signs), np.bool_)
         cut[_places(cut_signs, signs)] = True
-        on_both_sides = _moved(_lifted(inside.points, normal, pivot), normal, floats[:j])
         whole_points, whole_signs = points[~cut], signs[~cut]
         whole_signs[_products(whole_points, normal[None])[:, 0] > 0] |= bits[j]
         signs = np.concatenate([whole_signs, cut_signs, cut_signs | bits[j]])
         points = np.concatenate([whole_points, on_both_sides])
     return _HalfRegions(signs, points)
+
+
+def _first_point(rows: Sequence[IntegerVector], floats: Floats, inside: int) -> Floats:
+    """Return a point on the positive side of the first hyperplanes, or none."""
+    if inside == 1:
+        return floats[:1]
+    point = some_point(len(rows[0]), [(*row, -1) for row in rows[:inside]])
+    if point is None:
+        return floats[:0]
+    found = _as_floats([primitive(point)])
+    _check(_HalfRegions(pack(np.ones((1, inside), np.bool_)), found), floats[:inside])
+    return found
+
+
+def _kept(found: _HalfRegions, floats: Floats, inside: int) -> _HalfRegions:
+    """Return those of all regions that are on the positive side of the first hyperplanes."""
+    if inside == 1:
+        return found
+    _check(found, floats)
+    kept = unpack(found.signs, len(floats))[:, :inside].all(axis=1)
+    return _HalfRegions(found.signs[kept], found.points[kept])
+
+
+def _check_growth(signs: Words, points: Floats) -> None:
+    """Refuse more regions inside than the limits allow: their number is not known before."""
+    budget.spend(RESTRICTION_STEPS + len(signs))
+    if len(signs) > _MANY:
+        budget.check_cost(
+            f"a list of more than {len(signs):,} regions inside planes",
+            "give a smaller polytope",
+            faces=len(signs),
+            bytes=2 * (signs.nbytes + points.nbytes),
+        )
 
 
 def _in_the_plane(floats: Floats) -> _HalfRegions:
@@ -140,13 +205,14 @@ def _in_the_plane(floats: Floats) -> _HalfRegions:
 
 
 def _restriction(
-    rows: Sequence[IntegerVector], normal: IntegerVector, pivot: int
-) -> tuple[list[IntegerVector], list[int], Bits]:
+    rows: Sequence[IntegerVector], normal: IntegerVector, pivot: int, inside: int
+) -> tuple[list[IntegerVector], list[int], Bits, int]:
     """Restrict hyperplanes to another one, whose coordinate `pivot` is eliminated.
 
     Returns:
-        The distinct restrictions, the first oriented as the first hyperplane; for each hyperplane
-        which one it is, and whether it has the other orientation.
+        The distinct restrictions, the first oriented as the first hyperplanes, of which regions are
+        on the positive side; for each hyperplane which one it is, and whether it has the other
+        orientation; how many the first are, 0 if two of them leave nothing between them.
     """
     scale = abs(normal[pivot])
     others = [x if normal[pivot] > 0 else -x for q, x in enumerate(normal) if q != pivot]
@@ -159,14 +225,17 @@ def _restriction(
         class_of.append(found.setdefault(oriented, len(found)))
         flipped.append(oriented != image)
     below = list(found)
-    if flipped[0]:
-        below[0] = tuple(-x for x in below[0])
-        flipped = [f ^ (k == 0) for f, k in zip(flipped, class_of, strict=True)]
-    return below, class_of, np.array(flipped)
+    sides = dict(zip(class_of[:inside], flipped[:inside], strict=True))
+    for k in (k for k, turned in sides.items() if turned):
+        below[k] = tuple(-x for x in below[k])
+    turned = np.array(flipped) ^ np.array([sides.get(k, False) for k in class_of])
+    return below, class_of, turned, 0 if turned[:inside].any() else len(sides)
 
 
 def _places(wanted: Words, signs: Words) -> NDArray[np.intp]:
     """Return where the wanted rows, all distinct, are among the others."""
+    if not len(wanted):
+        return np.zeros(0, np.intp)
     order, new = grouped(np.concatenate([signs, wanted]))
     places = order[np.flatnonzero(~new) - 1]
     if len(places) != len(wanted) or (places >= len(signs)).any():
@@ -230,7 +299,7 @@ def _check(found: _HalfRegions, floats: Floats) -> None:
 
 def _as_level(planes: Planes, rows: Sequence[IntegerVector], found: _HalfRegions) -> Level:
     """Return the regions over all input planes; of central ones the opposites, too."""
-    infinity = int(not planes.is_central)
+    infinity = len(rows) - len(planes.distinct)  # 1 or 0 planes
     columns = np.array(planes.class_of, np.intp) + infinity
     orientation = np.array(planes.orientation, np.int8)
     half = len(found.points)

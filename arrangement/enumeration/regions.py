@@ -9,6 +9,7 @@ from collections import Counter
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from arrangement.errors import InputError
 from arrangement.numbers.exact import shown
@@ -38,16 +39,35 @@ def bounded_regions(
     lineality = planes.dimension - planes.rank
     if (lineality and not relative) or planes.has_common_point or not len(regions):
         return regions.where(np.full(len(regions), not planes.rank and (relative or not lineality)))
-    normals = Planes(planes.normals)
-    directions = enumerate_faces(normals).of_dimension(1 + lineality).signs.astype(np.float32)
-    sizes = np.abs(directions).sum(axis=1)
+    rays = enumerate_faces(Planes(planes.normals)).of_dimension(1 + lineality)
+    return regions.where(~_recede_along(rays, regions))
+
+
+def levels(planes: Planes, regions: FaceSequence) -> NDArray[np.intp]:
+    """Return the level of each region: the dimension of its recession cone.
+
+    That is the closure of a face of the planes moved to the origin, and the largest one that has
+    none of the signs of the region reversed.
+    """
+    found = np.full(len(regions), planes.dimension - planes.rank)
+    moved = enumerate_faces(Planes(planes.normals, dimension=planes.dimension))
+    for dimension in range(planes.dimension - planes.rank + 1, planes.dimension + 1):
+        found[_recede_along(moved.of_dimension(dimension), regions)] = dimension
+    return found
+
+
+def _recede_along(directions: FaceSequence, regions: FaceSequence) -> NDArray[np.bool_]:
+    """Return which regions contain, from any of their points on, one of some central faces."""
+    columns = directions.signs.astype(np.float32).T
+    sizes = np.abs(columns).sum(axis=0)
     rows = max(1, _BLOCK // len(directions))
-    bounded = [
-        # sums of at most m products of signs, which floats hold exactly
-        (regions.signs[start : start + rows] @ directions.T < sizes).all(axis=1)
-        for start in range(0, len(regions), rows)
-    ]
-    return regions.where(np.concatenate(bounded))
+    # sums of at most m products of signs, which floats hold exactly
+    return np.concatenate(
+        [
+            (regions.signs[start : start + rows] @ columns == sizes).any(axis=1)
+            for start in range(0, len(regions), rows)
+        ]
+    )
 
 
 def neighbours(planes: Planes, faces: FaceSequence) -> list[tuple[int, int, int]]:

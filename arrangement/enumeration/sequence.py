@@ -43,11 +43,13 @@ class Level:
         count: their number.
         signs: from chosen rows to their signs, one column for each input plane.
         points: from chosen rows to exact points, d + 1 integers ``(X, W)`` with W > 0 for X / W.
+        scalable: of central planes, whether any positive multiple of a point will do as well.
     """
 
     count: int
     signs: Callable[[Rows], Signs]
     points: Callable[[Rows], Integers]
+    scalable: bool = True
 
 
 def no_faces(planes: int, dimension: int) -> Level:
@@ -70,6 +72,7 @@ class FaceSequence(ReprMixin, Sequence[Face]):
 
     Attributes:
         engine: the name of the engine that found them.
+        levels: as that engine handed them over.
     """
 
     repr_fields = ("f_vector", "engine")
@@ -79,44 +82,44 @@ class FaceSequence(ReprMixin, Sequence[Face]):
     ) -> None:
         self.engine = engine
         self._planes = planes
-        self._levels = tuple(levels)
+        self.levels = tuple(levels)
         self._lowest = lowest
         self._ends = np.cumsum([level.count for level in levels], dtype=np.intp)
 
     @property
     def f_vector(self) -> tuple[int, ...]:
         """The number of faces of each dimension, lowest first."""
-        return tuple(level.count for level in self._levels)
+        return tuple(level.count for level in self.levels)
 
     @cached_property
     def dimensions(self) -> Signs:
         """(count); the dimension of each face."""
-        dimensions = np.arange(self._lowest, self._lowest + len(self._levels), dtype=np.int8)
+        dimensions = np.arange(self._lowest, self._lowest + len(self.levels), dtype=np.int8)
         return _frozen(np.repeat(dimensions, self.f_vector))
 
     @cached_property
     def signs(self) -> Signs:
         """(count, m); the sign of every face at every input plane. Count times m bytes."""
         empty = np.empty((0, len(self._planes)), np.int8)
-        parts = [level.signs(slice(None)) for level in self._levels if level.count]
+        parts = [level.signs(slice(None)) for level in self.levels if level.count]
         return _frozen(np.concatenate([empty, *parts]))
 
     @cached_property
     def points(self) -> Integers:
         """(count, d + 1); an exact point in every face: integers ``(X, W)``, W > 0, for X / W."""
         empty = np.empty((0, self._planes.dimension + 1), np.int64)
-        parts = [level.points(slice(None)) for level in self._levels if level.count]
+        parts = [level.points(slice(None)) for level in self.levels if level.count]
         return _frozen(np.concatenate([empty, *parts]))
 
     def of_dimension(self, dimension: int) -> FaceSequence:
         """Return the faces of one dimension."""
         place = dimension - self._lowest if type(dimension) is int else -1
-        if not 0 <= place < len(self._levels):
-            highest = self._lowest + len(self._levels) - 1
+        if not 0 <= place < len(self.levels):
+            highest = self._lowest + len(self.levels) - 1
             raise InputError(
                 f"dimension is {shown(dimension)}; faces have dimension {self._lowest} to {highest}"
             )
-        return FaceSequence(self._planes, [self._levels[place]], self.engine, dimension)
+        return FaceSequence(self._planes, [self.levels[place]], self.engine, dimension)
 
     def where(self, chosen: Sequence[bool] | NDArray[np.bool_]) -> FaceSequence:
         """Return the faces that an array of truth values chooses, in their order.
@@ -132,7 +135,7 @@ class FaceSequence(ReprMixin, Sequence[Face]):
         parts = np.split(truth, self._ends[:-1])
         levels = [
             _part(level, np.flatnonzero(part))
-            for level, part in zip(self._levels, parts, strict=True)
+            for level, part in zip(self.levels, parts, strict=True)
         ]
         return FaceSequence(self._planes, levels, self.engine, self._lowest)
 
@@ -163,7 +166,7 @@ class FaceSequence(ReprMixin, Sequence[Face]):
         return self is other or (len(self) == len(other) and tuple(self) == tuple(other))
 
     def __hash__(self) -> int:
-        return hash((self._planes, self.engine, self._lowest, len(self._levels)))
+        return hash((self._planes, self.engine, self._lowest, len(self.levels)))
 
     def __repr__(self) -> str:
         return f"<FaceSequence: {len(self)} faces, f-vector {self.f_vector}, by {self.engine}>"
@@ -175,10 +178,10 @@ class FaceSequence(ReprMixin, Sequence[Face]):
         for run, of in zip(np.split(places, cuts), np.split(levels, cuts), strict=True):
             if not len(run):
                 continue
-            level, dimension = self._levels[of[0]], self._lowest + int(of[0])
+            level, dimension = self.levels[of[0]], self._lowest + int(of[0])
             rows = run - (self._ends[of[0]] - level.count)
             points = level.points(rows)
-            if self._planes.is_central:  # every positive multiple of a point is in the same face
+            if self._planes.is_central and level.scalable:
                 directions = primitive_rows(points[:, :-1])
                 points = np.column_stack([directions, np.ones_like(points[:, -1])])
             witnesses = rational_points(points)
@@ -191,6 +194,7 @@ def _part(level: Level, chosen: NDArray[np.intp]) -> Level:
         len(chosen),
         lambda rows: level.signs(chosen[rows]),
         lambda rows: level.points(chosen[rows]),
+        level.scalable,
     )
 
 

@@ -151,9 +151,36 @@ class Face(ReprMixin):
         return found
 
     @property
+    def sides(self) -> Planes:
+        """The planes of the facets of a region, each with the region on its positive side.
+
+        Raises:
+            InputError: if the face is of a dimension less than d.
+        """
+        if self.dimension < self.planes.dimension:
+            raise InputError(f"{self!r} is not a region of R^{self.planes.dimension}; give one")
+        rows = [
+            [self.signs[i] * x for x in self.planes.integer_planes[i]] for i in sorted(self.walls)
+        ]
+        return Planes(
+            [r[:-1] for r in rows], [r[-1] for r in rows], dimension=self.planes.dimension
+        )
+
+    @property
     def is_bounded(self) -> bool:
         """Whether the face has an end in every direction."""
         return self.closure.bounded
+
+    @property
+    def level(self) -> int:
+        """The dimension of the recession cone: of the directions in which the face is unbounded.
+
+        >>> from arrangement import Arrangement
+        >>> strips = Arrangement([[1, 0], [1, 0]], [0, 1])
+        >>> [strips.region_at([x, 0]).level for x in ("1/2", 2)]
+        [1, 2]
+        """
+        return rank([*self.rays, *self.lines])
 
     @property
     def vertices(self) -> tuple[RationalVector, ...]:

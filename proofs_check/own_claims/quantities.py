@@ -50,6 +50,11 @@ QUANTITIES: Mapping[str, Callable[[Any], Any]] = {
     "t_vector": lambda planes: (
         planes.t_vector if isinstance(planes, Pseudolines) else counts.t_vector(planes)
     ),
+    "level_vector": lambda planes: (
+        {3: sum(map(abs, planes.whitney_numbers))}
+        if isinstance(planes, Pseudolines)
+        else counts.level_vector(planes)
+    ),
     "central": lambda planes: planes.is_central,
     "simple": lambda planes: planes.is_simple,
     "simplicial": lambda planes: planes.is_simplicial,

@@ -1,13 +1,18 @@
 """Regions that can be asked: double description against the engines, counts and formulas."""
 
+import json
+from collections import Counter
 from fractions import Fraction
 from itertools import combinations
+from math import comb, factorial
+from pathlib import Path
 
 import networkx as nx
 import pytest
 import sympy
 from hypothesis import assume, given, settings, strategies as st
 from scipy.spatial import ConvexHull
+from sympy.functions.combinatorial.numbers import stirling
 
 from arrangement import Arrangement, Face, InputError, counts, families
 from arrangement.enumeration.choose import ENGINES
@@ -263,3 +268,96 @@ def test_rays_lie_on_the_walls():
         for ray in region.rays:
             values = [dot(plane[:-1], ray) for plane in SHI.integer_planes]
             assert all(v * s >= 0 for v, s in zip(values, region.signs, strict=True))
+
+
+@given(arrangements(dimensions=(1, 3), planes=(0, 6)))
+def test_levels_of_regions_are_counted_by_three_routes(planes):
+    levels = Counter(region.level for region in planes.regions())
+    assert planes.level_vector == counts.level_vector(planes) == dict(sorted(levels.items()))
+    assert levels[0] == counts.bounded_region_count(planes)
+    least = planes.dimension - planes.rank
+    assert levels[least] == counts.bounded_region_count(planes, relative=True)
+
+
+def power(series: list[Fraction], exponent: int) -> list[Fraction]:
+    """The power of a power series, cut off."""
+    found = [Fraction(int(k == 0)) for k in range(len(series))]
+    for _ in range(exponent):
+        found = [
+            sum((found[i] * series[k - i] for i in range(k + 1)), Fraction(0))
+            for k in range(len(series))
+        ]
+    return found
+
+
+#: Regions of level l of the arrangements in R^n: Y. Chen, S. Wang, J. Yang, C. Zhao, Regions of
+#: level l of Catalan/semiorder-type arrangements, arXiv:2410.10198 (first two); by the exponential
+#: formula from the counts of all regions (R. Stanley, PNAS 93, 1996) the others.
+LEVELS = {
+    "catalan": lambda n, k: factorial(n) * k * comb(2 * n - k, n) // (2 * n - k),
+    "semiorder": lambda n, k: sum(
+        (-1) ** (n - j) * stirling(n, j) * factorial(j) * k * comb(2 * j - k, j) // (2 * j - k)
+        for j in range(k, n + 1)
+    ),
+    "shi": lambda n, k: (
+        k * sum((-1) ** j * comb(k - 1, j) * (n - 1 - j) ** (n - 1) for j in range(k))
+    ),
+    "linial": lambda n, k: (
+        k
+        * sum(
+            (-1) ** j * comb(k - 1, j) * comb(n, i) * (i - 1 - j) ** (n - 1)
+            for j in range(k)
+            for i in range(n + 1)
+        )
+        // 2**n
+    ),
+}
+
+
+@pytest.mark.parametrize("name", LEVELS)
+@pytest.mark.parametrize("n", [2, 3, 4, pytest.param(5, marks=pytest.mark.slow)])
+def test_levels_of_deformations_have_published_numbers(name, n):
+    planes = getattr(families, name)(n)
+    expected = {k: LEVELS[name](n, k) for k in range(1, n + 1)}
+    assert counts.level_vector(planes) == {k: number for k, number in expected.items() if number}
+    assert planes.level_vector == counts.level_vector(planes)
+    sizes = [Fraction(getattr(families, name)(k).region_count(), factorial(k)) for k in range(1, n)]
+    whole = [Fraction(1), *sizes, Fraction(planes.region_count(), factorial(n))]
+    bounded = [Fraction(0)]  # 1 - 1 / whole
+    for k in range(1, n + 1):
+        bounded.append(whole[k] - sum(bounded[i] * whole[k - i] for i in range(1, k)))
+    assert all(factorial(n) * power(bounded, k)[n] == expected[k] for k in expected)
+
+
+def kobon(m: int) -> Arrangement:
+    """The best known arrangement of a number of lines."""
+    if m == len(KOBON):
+        return KOBON
+    rows = json.loads((Path(__file__).parent / "kobon.json").read_text(encoding="utf-8"))[str(m)]
+    normals = [(y2 - y1, x1 - x2) for x1, y1, x2, y2 in rows]
+    pairs = zip(normals, rows, strict=True)
+    return Arrangement(normals, [a * x + b * y for (a, b), (x, y, *_) in pairs])
+
+
+def triangles(lines: Arrangement) -> int:
+    """Triangles that no other line cuts, by the signs of determinants alone."""
+    rows = lines.integer_planes
+    found = 0
+    for chosen in combinations(range(len(rows)), 3):
+        corners = []
+        for i, j in combinations(chosen, 2):
+            (a, b, c), (d, e, f) = rows[i], rows[j]
+            w = a * e - b * d
+            corners.append([w * x for x in (c * e - b * f, a * f - c * d, w)])
+        if all(corner[2] for corner in corners):
+            others = (row for i, row in enumerate(rows) if i not in chosen)
+            values = ([a * x + b * y - c * w for x, y, w in corners] for a, b, c in others)
+            found += all(min(value) >= 0 or max(value) <= 0 for value in values)
+    return found
+
+
+@pytest.mark.parametrize(("m", "expected"), [(11, 32), (16, 72), (21, 133), (27, 225), (33, 341)])
+def test_best_known_arrangements_of_lines_have_their_triangles(m, expected):
+    lines = kobon(m)
+    assert len(lines) == m
+    assert lines.bounded_p_vector[3] == triangles(lines) == expected <= m * (m - 2) // 3

@@ -1,14 +1,17 @@
 """Regions by deletion and restriction are those that engines for all faces list."""
 
+import math
 from random import Random
 
 import numpy as np
 import pytest
 
-from arrangement import Arrangement, OutOfReachError, counts, families
+from arrangement import Arrangement, InputError, OutOfReachError, counts, families
+from arrangement.counts.in_cone import f_vector_in_cone
 from arrangement.enumeration import choose
 from arrangement.enumeration.deletion_restriction import TooCloseError, list_regions
 from arrangement.enumeration.sequence import FaceSequence
+from arrangement.planes.planes import Planes
 
 
 def _random(number: int, d: int, m: int, bound: int) -> Arrangement:
@@ -82,3 +85,75 @@ def test_planes_too_close_for_floats_are_left_to_exact_engines(monkeypatch):
     regions = Arrangement(close).regions()
     assert regions.engine == "any-dimension"
     assert len(regions) == counts.region_count(Arrangement(close))
+
+
+def _inside(planes: Arrangement, sides: Arrangement) -> FaceSequence:
+    """The regions inside, compared with all regions of both, and with a count by flats."""
+    found = planes.regions(inside=sides)
+    rows = [*sides.integer_planes, *planes.integer_planes]
+    joined = Arrangement([r[:-1] for r in rows], [r[-1] for r in rows])
+    every = joined.regions().signs
+    expected = every[(every[:, : len(sides)] > 0).all(axis=1), len(sides) :]
+    assert sorted(map(bytes, found.signs)) == sorted(map(bytes, expected))
+    for region in found:
+        assert planes.signs_at(region.witness) == region.signs
+        assert set(sides.signs_at(region.witness)) <= {1}
+    cone = Planes([(*row[:-1], -row[-1]) for row in planes.integer_planes])
+    bounds = [(*row[:-1], -row[-1]) for row in sides.integer_planes]
+    upper = (*(0 for _ in range(planes.dimension)), 1)
+    assert f_vector_in_cone(cone, [*bounds, upper])[-1] == len(found)
+    return found
+
+
+@pytest.mark.parametrize("bound", [1, 2, 9, 1000])
+@pytest.mark.parametrize("d", [1, 2, 3, 4])
+def test_regions_inside_are_those_of_all_that_meet_it(d, bound):
+    for number in range(8):
+        planes = _random(1000 * d + number, d, 1 + number % 6, bound)
+        _inside(planes, _random(7 + number // 2, d, 1 + number % 5, bound))
+
+
+def test_regions_inside_are_found_where_all_would_be_too_many():
+    source = Random(5)
+    normals = [[source.randint(-99, 99) for _ in range(6)] for _ in range(60)]
+    planes = Arrangement(normals, [source.randint(-99, 99) for _ in normals])
+    axes = [[int(i == j) for j in range(6)] for i in range(6)]
+    box = Arrangement([*axes, *([-x for x in row] for row in axes)], ["-1/30"] * 12)
+    found = planes.regions(inside=box)
+    assert found.engine == "deletion-restriction"
+    assert 1 < len(found) < 100  # of about 55 million
+    cone = Planes([(*row[:-1], -row[-1]) for row in planes.integer_planes])
+    bounds = [(*row[:-1], -row[-1]) for row in box.integer_planes]
+    assert f_vector_in_cone(cone, [*bounds, (0, 0, 0, 0, 0, 0, 1)])[-1] == len(found)
+
+
+def test_regions_inside_a_region_and_inside_nothing():
+    lines = Arrangement([[1, 0], [1, 0], [0, 1]], [1, 2, 1])
+    square = Arrangement([[1, 0], [1, 0], [0, 1], [0, 1]], [0, 3, 0, 3]).region_at([1, 1])
+    assert len(lines.regions(inside=square)) == 6
+    assert square.sides.signs_at([1, 1]) == (1, 1, 1, 1)
+    between = Arrangement([[1, 0], [-1, 0]], [0, 0])
+    assert len(lines.regions(inside=between)) == 0
+    assert len(lines.regions(inside=Arrangement([], dimension=2))) == len(lines.regions())
+    golden = families.h3()
+    octant = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    assert len(golden.regions(inside=octant)) == 15
+    for wrong, message in (
+        (square.facets[0], "not a region"),
+        (7, "give planes"),
+        (golden, "R\\^3"),
+    ):
+        with pytest.raises(InputError, match=message):
+            lines.regions(inside=wrong)
+
+
+def test_witnesses_inside_stay_inside_though_planes_are_central():
+    cross = Arrangement([[1, 0], [0, 1]])
+    box = Arrangement([[1, 0], [-1, 0], [0, 1], [0, -1]], ["-1/9"] * 4)
+    assert all(set(box.signs_at(r.witness)) == {1} for r in cross.regions(inside=box))
+
+
+def test_regions_of_a_layer_of_neurons_have_known_numbers():
+    neurons = families.generic(12, 4, affine=True)
+    assert (len(neurons.regions()), len(neurons.bounded_regions())) == (794, 330)  # C(11, 4)
+    assert neurons.region_count() == sum(math.comb(12, i) for i in range(5))
