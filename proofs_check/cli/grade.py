@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import argparse
-import csv
-import io
 import shutil
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -15,6 +13,7 @@ from arrangement.console import terminal
 from arrangement.console.number_form import number
 from arrangement.console.writing import write_text_atomically
 from arrangement.errors import InputError
+from proofs_check.course.class_list import ClassList
 from proofs_check.course.exercise import (
     FORMS,
     Exercise,
@@ -25,6 +24,9 @@ from proofs_check.course.exercise import (
 )
 from proofs_check.reports import text
 
+#: The mistake of a student without a file.
+_NOTHING = "nothing handed in"
+
 
 def run_grade(arguments: argparse.Namespace) -> int:
     """Grade a file of answers, or a folder of them; without one, list the questions."""
@@ -33,8 +35,9 @@ def run_grade(arguments: argparse.Namespace) -> int:
         return _list(exercises, arguments.json)
     if Path(arguments.answers).is_dir():
         return _class(exercises, grade_folder(exercises, Path(arguments.answers)), arguments)
-    if arguments.output:
-        raise InputError(f"-o writes the points of a folder; {arguments.answers} is one file")
+    for option, given in (("-o", arguments.output), ("--students", arguments.students)):
+        if given:
+            raise InputError(f"{option} is for a folder; {arguments.answers} is one file")
     marks = grade(exercises, arguments.answers)
     got, most = _total(marks)
     if arguments.json:
@@ -52,26 +55,20 @@ def _class(
     found: Mapping[str, dict[str, GradedAnswer] | InputError],
     arguments: argparse.Namespace,
 ) -> int:
-    """Print the points of a class, a line a file, and write them as CSV.
+    """Print the points of a class, a line a student, and write them as CSV.
 
     Raises:
         InputError: a file could not be marked; this is said after all others are.
     """
+    students = arguments.students
+    rows = ClassList.read(students, found) if students else ClassList.of(found)
+    nothing = {id: GradedAnswer(Fraction(), one.points, _NOTHING) for id, one in exercises.items()}
+    marked = {row[0]: found.get(row[0], nothing) for row in rows.rows}
     if arguments.output:
-        lines = io.StringIO()
-        table = csv.writer(lines, lineterminator="\n")
-        table.writerow(["name", *exercises, "total", "error"])
-        for name, marks in found.items():
-            if isinstance(marks, InputError):
-                table.writerow([_cell(name), *("" for _ in exercises), "", _cell(str(marks))])
-            else:
-                points = [marks[id].points for id in exercises]
-                # As decimals: a spreadsheet takes 3/2 for a day.
-                table.writerow(
-                    [_cell(name), *(f"{float(x):g}" for x in (*points, sum(points))), ""]
-                )
-        write_text_atomically(arguments.output, lines.getvalue())
-    for name, marks in found.items() if arguments.json else ():
+        columns = [*exercises, "total", "error"]
+        results = {name: _results(marks, exercises) for name, marks in marked.items()}
+        write_text_atomically(arguments.output, rows.table(columns, results))
+    for name, marks in marked.items() if arguments.json else ():
         if isinstance(marks, InputError):
             terminal.print_json({"name": name, "error": str(marks)})
         else:
@@ -79,24 +76,29 @@ def _class(
             document = {"exercises": _documents(marks), "points": _json(got), "most": most}
             terminal.print_json({"name": name, **document})
     if not arguments.json:
-        _table([(name, *_line_of_class(marks)) for name, marks in found.items()])
-    marked = [marks for marks in found.values() if not isinstance(marks, InputError)]
-    if len(marked) < len(found):
-        lost = len(found) - len(marked)
+        _table([(name, *_line_of_class(marks)) for name, marks in marked.items()])
+    right = [marks for marks in marked.values() if not isinstance(marks, InputError)]
+    if lost := len(marked) - len(right):
         raise InputError(
-            f"{lost} of {len(found)} files could not be marked; their lines give the reason"
+            f"{lost} of {len(marked)} files could not be marked; their lines give the reason"
         )
-    return max(map(_code, marked))
+    return max(map(_code, right))
 
 
-def _cell(text: str) -> str:
-    """Return a text that no spreadsheet takes for a formula."""
-    return f"'{text}" if text.startswith(("=", "+", "-", "@")) else text
+def _results(marks: dict[str, GradedAnswer] | InputError, ids: Iterable[str]) -> list[str]:
+    """Return points, their sum and an error; decimals, since a spreadsheet takes 3/2 for a day."""
+    if isinstance(marks, InputError):
+        return [*("" for _ in ids), "", str(marks)]
+    points = [one.points for one in marks.values()]
+    empty = all(one.mistake is _NOTHING for one in marks.values())
+    return [*(f"{float(x):g}" for x in (*points, sum(points))), _NOTHING if empty else ""]
 
 
 def _line_of_class(marks: dict[str, GradedAnswer] | InputError) -> tuple[str, str]:
     if isinstance(marks, InputError):
         return "not marked", str(marks)
+    if all(one.mistake is _NOTHING for one in marks.values()):
+        return _of(*_total(marks)), _NOTHING
     wrong = [f"{id} {number(one.points)} of {one.most}" for id, one in marks.items() if one.mistake]
     return _of(*_total(marks)), ", ".join(wrong) or "all right"
 

@@ -161,7 +161,8 @@ def _parser() -> Parser:
         "all are right",
         "one is wrong",
     )
-    grade.add_argument("exercises", metavar="FILE.py", help="the exercises; it is run as a program")
+    text = "the exercises; it is run as a program. Or those of a lab: slip-lab, arrangement-lab, "
+    grade.add_argument("exercises", metavar="FILE.py", help=f"{text}or the .json of its editor")
     grade.add_argument(
         "answers",
         nargs="?",
@@ -169,6 +170,8 @@ def _parser() -> Parser:
         help="or a folder with such a file for each student (default: list the questions)",
     )
     grade.add_argument("-o", "--output", metavar="POINTS.csv", help="the points of a folder")
+    text = "the class, in whose order students are listed: a first column with the names of files"
+    grade.add_argument("--students", metavar="LIST.csv", help=text)
     return parser
 
 

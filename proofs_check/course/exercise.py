@@ -40,6 +40,8 @@ from equilibrium.model.grasp import Grasp
 from proofs_check.errors import OwnClaimError
 from proofs_check.own_claims.claim_file import defined, id_of, line_of
 
+from .lab_exercises import BUILT_IN, lab_judges, read_link
+
 
 @dataclass(frozen=True, repr=False)
 class Exercise(ReprMixin):
@@ -140,11 +142,21 @@ def exercise(
 
 
 def load_exercises(path: str) -> dict[str, Exercise]:
-    """Run a Python file and return the exercises in it by id, in order of definition.
+    """Return the exercises of a file by id, in its order.
+
+    Args:
+        path: of a Python file, which is run; or those of a lab: a JSON file, ``slip-lab`` or
+            ``arrangement-lab``. Their ids are their names.
 
     Raises:
         OwnClaimError: the file cannot be read or run, has no exercises, or two with one id.
+        InputError: a JSON file has no exercises of a lab.
     """
+    if path in BUILT_IN or path.lower().endswith(".json"):
+        return {
+            name: Exercise(name, task, "link", 1, judge)
+            for name, (task, judge) in lab_judges(path).items()
+        }
     found = defined(path, Exercise, "exercises; decorate a function with @exercise(...)")
     named = {one.id: one for one in found}
     if len(named) < len(found):
@@ -240,4 +252,5 @@ FORMS: Mapping[str, tuple[Callable[[Any], Any], str]] = {
     "certificate": (_certificate, "what `equilibrium solve --certificate` writes"),
     "grasp": (lambda answer: Grasp.from_dict(_object(answer)), "a grasp file"),
     "planes": (_planes, "an arrangement file"),
+    "link": (read_link, "what the button `copy link` of the lab gives"),
 }

@@ -33,6 +33,7 @@ READ: dict[str, tuple[Any, Any, dict[Any, str]]] = {
         Arrangement([[1, 0]]),
         {"coordinate-planes": "JSON object"},
     ),
+    "link": ("file:///lab.html#1%7C2%7C", ("1|2|", None), {7: "a link of the lab"}),
 }
 
 

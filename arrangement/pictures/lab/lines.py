@@ -98,7 +98,7 @@ def line_exercises(path: str | Path | None = None) -> list[dict[str, Any]]:
         InputError: the file holds no exercises; the message says which, and why.
     """
     own = files(__package__).joinpath("lines_exercises.json")
-    return read_exercises(own if path is None else path, _GOALS, FIXED, read_start)
+    return read_exercises(own if path is None else path, GOALS, FIXED, read_start)
 
 
 def _check_counts(value: Any) -> None:
@@ -137,7 +137,7 @@ def _named(most: int) -> Iterator[tuple[str, Arrangement]]:
             yield f"A({m},{k})", simplicial(m, k)
 
 
-_GOALS = {"counts": _check_counts, "meet": _check_meet, "closes": _check_closes}
+GOALS = {"counts": _check_counts, "meet": _check_meet, "closes": _check_closes}
 
 
 #: Planes up to which all types have names.
