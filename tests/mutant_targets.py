@@ -74,6 +74,19 @@ FORECASTS = tuple(
         "flats_of_a_high_rank_are_refused_before_any_is_made",
     )
 )
+#: What is listed or refused.
+LISTS = tuple(
+    f"tests/arrangement/test_budget.py::test_{name}"
+    for name in (
+        "the_bound_is_attained_in_general_position",
+        "list_refused_by_size_unless_limit_allows",
+        "larger_limit_lists_what_a_smaller_one_lists",
+        "refusals_name_what_allows_it_in_python_and_in_commands",
+        "a_tuple_of_faces_asks_for_all_their_signs",
+        "what_cannot_be_counted_is_not_to_be_counted_instead",
+        "very_long_entries_counted_as_short_ones",
+    )
+)
 #: What is counted by symmetries, or until a time is over.
 GIVEN = tuple(
     f"{SYMMETRIC}::test_{name}"
@@ -154,7 +167,9 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ): (
         "arrangement.enumeration.any_dimension",
         "arrangement.enumeration.reduction",
-        "arrangement.enumeration.sequence",
+    ),
+    ("tests/arrangement/test_regions.py", FIELD, ENGINES): ("arrangement.enumeration.sequence",),
+    (*LISTS, "tests/arrangement/test_regions_alone.py", ENGINES): (
         "arrangement.enumeration.choose",
     ),
     ("tests/arrangement/test_fan.py",): ("arrangement.enumeration.fan",),

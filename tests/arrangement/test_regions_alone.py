@@ -65,6 +65,7 @@ def test_bound_on_regions_is_attained(rank, affine):
     for m in range(rank, 7):
         planes = families.generic(m, rank, affine=affine)
         assert choose.most_regions(m, rank, not affine) == counts.region_count(planes)
+    assert choose.most_regions(50, 45, True) > 1e12
 
 
 def test_regions_of_many_planes_are_listed_alone():
