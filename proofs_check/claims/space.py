@@ -1,13 +1,14 @@
-"""Our own claims: on grasps in space, and on the size of proofs that nothing balances a load."""
+"""Our own claims: on grasps in space, on several bodies, and on the size of proofs of a "no"."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from itertools import product
 from math import comb
+from operator import mul
 from random import Random
 from typing import TypeAlias
 
@@ -15,6 +16,10 @@ from arrangement.numbers.linear.programs import some_point
 from equilibrium.decide.solver import solve
 from equilibrium.decide.verdict import Verdict
 from equilibrium.grasps.inputs.random import random_grasp
+from equilibrium.model.assembly import Assembly, BodyContact
+from equilibrium.model.rows import ContactRows
+from proofs_check.instances.bodies import BodiesQuestion, textbook_questions
+from proofs_check.routes.bodies import resisted
 from proofs_check.routes.leaves import leaf_count
 
 from .parts import *
@@ -113,20 +118,32 @@ def _slip_planes(_: Random) -> Iterator[Case]:
         yield Case(name, grasp, grasp.to_dict())
 
 
-def _general_faces(planes: int) -> int:
-    """Return the faces of planes with normals on the moment curve, any six of them independent."""
-    curve = [[Fraction(t) ** k for k in range(6)] for t in range(planes)]
-    return sum(Arrangement(curve, dimension=6).f_vector)
+def _general_faces(planes: int, d: int) -> int:
+    """Return the faces of planes with normals on the moment curve, any d of them independent."""
+    curve = [[Fraction(t) ** k for k in range(d)] for t in range(planes)]
+    return sum(Arrangement(curve, dimension=d).f_vector)
 
 
-def _slip_arrangement(grasp: Grasp) -> Arrangement:
-    return Arrangement([row for c in grasp for row in c.tangential_wrenches], dimension=6)
+def _slip_arrangement(rows: ContactRows) -> Arrangement:
+    """Return the planes on which some contact does not slip along a tangent."""
+    return Arrangement([t for row in rows for t in row.tangential_wrenches], dimension=rows.n)
 
 
-def _zaslavsky_bound(planes: int) -> int:
-    """Return the faces of this many planes in general position through the origin of R^6.
+def _slips_listed(rows: ContactRows) -> tuple[int, int]:
+    planes = _slip_arrangement(rows)
+    bound = _zaslavsky_bound(len(planes), rows.n)
+    return len({face.signs for face in planes.faces()}), bound
 
-    A flat of k < 6 planes is one of ``comb(planes, k)``, and the others cut it into regions; all
+
+def _slips_counted(rows: ContactRows) -> tuple[int, int]:
+    planes = _slip_arrangement(rows)
+    return sum(counts.f_vector(planes)), _general_faces(len(planes), rows.n)
+
+
+def _zaslavsky_bound(planes: int, d: int) -> int:
+    """Return the faces of this many planes in general position through the origin of R^d.
+
+    A flat of k < d planes is one of ``comb(planes, k)``, and the others cut it into regions; all
     planes together leave the origin.
     """
 
@@ -134,9 +151,119 @@ def _zaslavsky_bound(planes: int) -> int:
         total: int = 2 * sum(comb(n - 1, i) for i in range(d))
         return total if n else 1
 
-    if planes <= 6:
+    if planes <= d:
         return int(3**planes)
-    return 1 + sum(comb(planes, k) * regions(planes - k, 6 - k) for k in range(6))
+    return 1 + sum(comb(planes, k) * regions(planes - k, d - k) for k in range(d))
+
+
+#: For each contact of two bodies: the two that it joins; in a cycle with the ground, or in a stack.
+_STACK: tuple[tuple[str, str | None], ...] = (("lower", None), ("upper", "lower"))
+_CYCLE = (*_STACK, ("upper", None))
+
+
+def _two_bodies(m: int, pairs: Sequence[tuple[str, str | None]]) -> Assembly:
+    """Return two bodies with m random contacts, between each pair in turn."""
+    contacts = enumerate(random_grasp(m, seed=m))
+    joined = [BodyContact(*pairs[i % len(pairs)], contact) for i, contact in contacts]
+    return Assembly(["lower", "upper"], joined)
+
+
+def _slips_of_two(_: Random) -> Iterator[Case]:
+    for m, (text, pairs) in product(range(4, 10), (("a cycle", _CYCLE), ("a stack", _STACK))):
+        assembly = _two_bodies(m, pairs)
+        label = f"{m} contacts of two bodies in {text}"
+        yield Case(label, assembly.rows, assembly.to_dict())
+
+
+#: An assembly that is a stack, and the grasps of its upper and its lower body alone.
+_Stack: TypeAlias = tuple[Assembly, tuple[Grasp, Grasp]]
+
+
+def _stacks(_: Random) -> Iterator[Case]:
+    for m in range(2, 9):
+        assembly = _two_bodies(m, _STACK)
+        contacts = [c.contact for c in assembly.contacts]
+        alone = Grasp(contacts[1::2]), Grasp(contacts[::2])
+        yield Case(f"{m} contacts", (assembly, alone), assembly.to_dict())
+
+
+def _product(count: Callable[[Arrangement], int]) -> Callable[[_Stack], tuple[int, int]]:
+    """Return what counts the slip states of a stack, and multiplies those of its bodies."""
+
+    def counted(stack: _Stack) -> tuple[int, int]:
+        whole, parts = stack
+        upper, lower = (count(_slip_arrangement(ContactRows.of_grasp(one))) for one in parts)
+        return count(_slip_arrangement(whole.rows)), upper * lower
+
+    return counted
+
+
+def _loaded_stacks(rng: Random) -> Iterator[Case]:
+    """Yield questions on stacks of two bodies, with 1 and 3 contacts, 2 and 2, or 3 and 1."""
+    names = ("lower", "upper")
+    for k in range(24):
+        lower, contacts = 1 + k % 3, random_grasp(4, seed=k).contacts
+        joined = [BodyContact(*_STACK[i >= lower], c) for i, c in enumerate(contacts)]
+        assembly = Assembly(names, joined).with_preload(k % 4 and 1)
+        document = {**assembly.to_dict(), "bodies": list(names)}
+        loads = [Fraction(rng.randint(-2, 2)) for _ in range(6)]
+        if k % 2:
+            loads = _balanced(assembly.rows, loads)
+        texts = list(map(str, loads))
+        wrench = {"lower": texts[:3], "upper": texts[3:]}
+        question = BodiesQuestion("", document, wrench, False, None)
+        yield Case(f"stack {k}", question, {**document, "wrench": wrench})
+
+
+def _balanced(rows: ContactRows, motion: Sequence[Fraction]) -> list[Fraction]:
+    """Return a load that the contacts balance, at a motion."""
+    load = [Fraction(0)] * rows.n
+    for row in rows:
+        slip = sum(map(mul, row.tangential_wrenches[0], motion))
+        pressed = row.preload - row.stiffness * sum(map(mul, row.normal_wrench, motion))
+        rub = -row.friction if slip > 0 else row.friction if slip < 0 else 0
+        for j, (x, y) in enumerate(zip(row.normal_wrench, row.tangential_wrenches[0], strict=True)):
+            load[j] -= max(pressed, Fraction(0)) * (x + rub * y)
+    return load
+
+
+def _apart(question: BodiesQuestion) -> list[Question]:
+    """Return the question of each body of a stack: the lower one carries both loads."""
+    upper = tuple(map(Fraction, question.wrench["upper"]))
+    own = zip(map(Fraction, question.wrench["lower"]), upper, strict=True)
+    loads = {None: tuple(x + y for x, y in own), "lower": upper}
+    found = []
+    for below, load in loads.items():
+        rows = [c for c in question.document["contacts"] if c["body_b"] == below]
+        values = ("friction", "stiffness", "preload")
+        defaults = {"stiffness": "1", "preload": "0"}
+        numbers = [
+            (*c["point"], *c["normal"], *(c.get(x, defaults.get(x)) for x in values)) for c in rows
+        ]
+        found.append(Question(tuple(tuple(map(Fraction, row)) for row in numbers), load))
+    return found
+
+
+def _bodies_solved(question: BodiesQuestion) -> bool:
+    """Return the verdict of the solver, whose certificate the checker accepts."""
+    verdict = solve(Assembly.from_dict(question.document), question.wrench)
+    assert verdict.verify()
+    return verdict.stable
+
+
+def _bodies_by_force(question: BodiesQuestion) -> bool:
+    return resisted(question.document, question.wrench)
+
+
+#: With more contacts brute force takes minutes.
+_MOST_CONTACTS = 8
+
+
+def _textbook(_: Random) -> Iterator[Case]:
+    for question in textbook_questions():
+        if len(question.document["contacts"]) <= _MOST_CONTACTS:
+            document = {**question.document, "wrench": question.wrench}
+            yield Case(question.case, question, document)
 
 
 #: Two fingers and a load that pyramids of 4 edges hold, and finer ones and round cones do not.
@@ -213,14 +340,49 @@ CLAIMS = (
     ),
     stated(
         "slip-states-in-space",
-        lambda grasp: (
-            len({face.signs for face in _slip_arrangement(grasp).faces()}),
-            _zaslavsky_bound(2 * len(grasp)),
-        ),
-        lambda grasp: (sum(_slip_arrangement(grasp).f_vector), _general_faces(2 * len(grasp))),
+        lambda grasp: _slips_listed(ContactRows.of_grasp(grasp)),
+        lambda grasp: _slips_counted(ContactRows.of_grasp(grasp)),
         judge=lambda grasp, numbers: numbers[0] <= numbers[1],
         cases=_slip_planes,
         explain=lambda grasp, numbers: f"{numbers[0]} of at most {numbers[1]}",
+    ),
+    stated(
+        "slip-states-of-two-bodies",
+        _slips_listed,
+        _slips_counted,
+        judge=lambda rows, numbers: numbers[0] <= numbers[1],
+        cases=_slips_of_two,
+        explain=lambda rows, numbers: f"{numbers[0]} of at most {numbers[1]}",
+    ),
+    stated(
+        "slip-states-of-a-stack",
+        _product(lambda planes: len({face.signs for face in planes.faces()})),
+        _product(lambda planes: sum(counts.f_vector(planes))),
+        judge=lambda stack, numbers: numbers[0] == numbers[1],
+        cases=_stacks,
+        explain=lambda stack, numbers: f"{numbers[0]}, and the product is {numbers[1]}",
+    ),
+    stated(
+        "stacks-are-decided-apart",
+        lambda question: (
+            _bodies_by_force(question),
+            all(map(oracle.stable, _apart(question))),
+        ),
+        lambda question: (
+            _bodies_solved(question),
+            all(_decided(one).stable for one in _apart(question)),
+        ),
+        judge=lambda question, verdicts: verdicts[0] == verdicts[1],
+        cases=_loaded_stacks,
+        explain=lambda question, verdicts: f"together {verdicts[0]}, apart {verdicts[1]}",
+    ),
+    stated(
+        "textbook-bodies",
+        _bodies_by_force,
+        _bodies_solved,
+        judge=lambda question, verdict: verdict == question.resisted,
+        cases=_textbook,
+        explain=lambda question, verdict: "resisted" if verdict else "not resisted",
     ),
     stated(
         "planar-verdicts-embed",

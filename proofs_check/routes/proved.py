@@ -38,11 +38,12 @@ def _regions_in_print(planes: Planes) -> Any:
         return NotImplemented
 
 
-def _slip_states_in_space(grasp: Any) -> tuple[int, int]:
-    """The faces of the tangent planes of contacts in space, and of as many in general position."""
-    slips = [row for contact in grasp for row in contact.tangential_wrenches]
-    curve = [[t**k for k in range(6)] for t in range(len(slips))]
-    planes = (Planes(rows, dimension=6) for rows in (slips, curve))
+def _slip_states(contacts: Any) -> tuple[int, int]:
+    """The faces of the tangent planes of contacts, and of as many in general position."""
+    slips = [row for contact in contacts for row in contact.tangential_wrenches]
+    n = len(slips[0])
+    curve = [[t**k for k in range(n)] for t in range(len(slips))]
+    planes = (Planes(rows, dimension=n) for rows in (slips, curve))
     found, general = (sum(proved_f_vector(one)) for one in planes)
     return found, general
 
@@ -71,7 +72,8 @@ COUNTS: Mapping[str, Callable[[Any], Any]] = {
     "model-faces-without-preload": _of_motions,
     "model-faces-with-preload": _of_motions,
     "model-linear-by-regions": _of_motions,
-    "slip-states-in-space": _slip_states_in_space,
+    "slip-states-in-space": _slip_states,
+    "slip-states-of-two-bodies": _slip_states,
     "regions-in-print": _regions_in_print,
     "small-regions-in-print": _regions_in_print,
     "large-regions-in-print": _regions_in_print,

@@ -7,7 +7,7 @@ import json
 import math
 import random
 from fractions import Fraction
-from pathlib import Path
+from importlib.resources import files
 
 import jsonschema
 import pytest
@@ -40,11 +40,13 @@ from equilibrium.pictures.assemblies import draw_assembly
 from equilibrium.plane.contacts import FloatContacts
 from equilibrium.space.cones import LineCones
 from equilibrium.space.tree import SpatialSearch
+from proofs_check import instances
+from proofs_check.routes.bodies import resisted
 from tests.drawn import elements
 
-from .bodies_oracle import random_question, resisted
+from .random_assemblies import random_question
 
-CASES = json.loads((Path(__file__).parent / "bodies.json").read_text(encoding="utf-8"))["cases"]
+CASES = json.loads(files(instances).joinpath("bodies.json").read_text(encoding="utf-8"))["cases"]
 QUESTIONS = [
     pytest.param(case, question, id=f"{case['name']}-{k}")
     for case in CASES

@@ -1,27 +1,30 @@
 """Several bodies by brute force: each choice of contact states decided by elimination.
 
 It shares no code with `equilibrium`: its rows are written here, from the plain numbers of a
-document, and what is eliminated stands in `proofs_check.routes.oracle`.
+document, and `oracle` eliminates.
 """
 
+from __future__ import annotations
+
 import math
-import random
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from itertools import product
 from typing import Any
 
-from proofs_check.routes.oracle import project
-
-Row = list[Fraction]
-NORMALS = ((1, 0), (0, 1), (-1, 0), (0, -1), ("3/5", "4/5"), ("-4/5", "3/5"), ("5/13", "-12/13"))
+from .oracle import project
 
 
 def resisted(document: Mapping[str, Any], wrench: Mapping[str, Sequence[Any]]) -> bool:
-    """Whether some motion and forces obey the law, tried for each of up to 4^m states."""
+    """Return whether some motion and forces obey the law, tried for each of up to 4^m states.
+
+    Args:
+        document: bodies and contacts.
+        wrench: on bodies, by name; zero where none is given.
+    """
     names, contacts = document["bodies"], document["contacts"]
     n = 3 * len(names)
-    rows = [_lines(contact, names, n) for contact in contacts]
+    rows = [body_rows(contact, names, n) for contact in contacts]
     # In integers: N and T times one number, forces times another, friction times a third.
     arm = _common(x for normal, tangent, *_ in rows for x in (*normal, *tangent))
     load = [Fraction(x) for name in names for x in wrench.get(name, (0, 0, 0))]
@@ -45,8 +48,8 @@ def _common(numbers: Iterable[Fraction]) -> int:
     return math.lcm(*(x.denominator for x in numbers))
 
 
-def _lines(contact: Mapping[str, Any], names: Sequence[str], n: int) -> tuple[Any, ...]:
-    """N and T in the numbers of all bodies; friction, stiffness and preload."""
+def body_rows(contact: Mapping[str, Any], names: Sequence[str], n: int) -> tuple[Any, ...]:
+    """Return N and T in the numbers of all bodies; friction, stiffness and preload."""
     (x, y), (p, q) = (map(Fraction, contact[key]) for key in ("point", "normal"))
     found = []
     for u, v in ((p, q), (-q, p)):
@@ -61,7 +64,10 @@ def _lines(contact: Mapping[str, Any], names: Sequence[str], n: int) -> tuple[An
 
 
 def _holds(lines: Sequence[Any], states: Sequence[str], load: list[int], n: int, rub: int) -> bool:
-    """Whether one choice of states has a solution; only sticking contacts have an unknown more."""
+    """Return whether one choice of states has a solution.
+
+    Each sticking contact has an unknown besides the motion.
+    """
     size = n + states.count("stick")
     equal: list[Any] = []
     least: list[Any] = []
@@ -95,56 +101,3 @@ def _holds(lines: Sequence[Any], states: Sequence[str], load: list[int], n: int,
             if factor:
                 row[:] = [z + factor * x for z, x in zip(row, pressed, strict=True)]
     return project([*equal, *balance], least, keep=-1) is not None
-
-
-def random_question(seed: int, most: int = 4) -> tuple[dict[str, Any], dict[str, list[str]]]:
-    """A random assembly of 1 to 4 bodies and up to `most` contacts, and wrenches on the bodies.
-
-    Contacts coincide at times, have no friction or no preload, and bodies touch nothing. The
-    wrenches balance forces of the law at times, or nearly.
-    """
-    rng = random.Random(seed)
-    names = [f"body {k + 1}" for k in range(rng.randint(1, 4))]
-    preload, smooth = rng.random() < 0.5, rng.random() < 0.2
-    contacts: list[dict[str, Any]] = []
-    for _ in range(rng.randint(1, most)):
-        if contacts and rng.random() < 0.1:
-            contacts.append(dict(rng.choice(contacts)))
-            continue
-        a, b = rng.sample([*names, None], 2)
-        a, b = (b, a) if a is None else (a, b)
-        contacts.append(
-            {
-                "body_a": a,
-                "body_b": b,
-                "point": [str(rng.randint(-3, 3)), str(rng.randint(-3, 3))],
-                "normal": [str(x) for x in rng.choice(NORMALS)],
-                "friction": "0" if smooth else rng.choice(["0", "1/4", "1/2", "1", "2"]),
-                "stiffness": rng.choice(["1", "1", "2"]),
-                "preload": rng.choice(["0", "1", "1/2"]) if preload else "0",
-            }
-        )
-    load = _balancing(rng, names, contacts) if rng.random() < 0.7 else None
-    load = load or [Fraction(rng.randint(-2, 2), rng.choice([1, 2])) for _ in range(3 * len(names))]
-    if rng.random() < 0.2:
-        load[rng.randrange(len(load))] += Fraction(rng.choice([-1, 1]), rng.choice([1, 10**9]))
-    wrench = {name: [str(x) for x in load[3 * k :][:3]] for k, name in enumerate(names)}
-    return {"bodies": names, "contacts": contacts}, wrench
-
-
-def _balancing(rng: random.Random, names: list[str], contacts: list[dict[str, Any]]) -> Row:
-    """What balances forces that obey the law, at a random motion or at none."""
-    n = 3 * len(names)
-    still = rng.random() < 0.3
-    motion = [Fraction(0) if still else Fraction(rng.randint(-2, 2), 2) for _ in range(n)]
-    total = [Fraction(0)] * n
-    for contact in contacts:
-        normal, tangent, mu, k, q = _lines(contact, names, n)
-        slip, moved = (sum(map(Fraction.__mul__, row, motion)) for row in (tangent, normal))
-        pressed = max(Fraction(0), q - k * moved)
-        share = Fraction(rng.randint(-2, 2), 2) if not slip else Fraction(-1 if slip > 0 else 1)
-        total = [
-            z - pressed * (a + mu * share * b)
-            for z, a, b in zip(total, normal, tangent, strict=True)
-        ]
-    return total
