@@ -295,6 +295,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ("tests/equilibrium/test_assembly_magnitudes.py",): (
         "equilibrium.decide.assemblies.contact_program",
         "equilibrium.decide.assemblies.magnitudes",
+        "proofs_check.routes.bodies",
     ),
     ("tests/equilibrium/test_assemblies.py",): (
         "equilibrium.decide.assemblies.parts",
