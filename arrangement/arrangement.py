@@ -70,7 +70,7 @@ class Arrangement(HintsMixin, Planes):
         "plot": "draw()",
         "poincare_polynomial": "characteristic_polynomial() or whitney_numbers()",
         "show": "draw()",
-        "tutte_polynomial": "characteristic_polynomial()",
+        "tutte_polynomial": "counts.tutte_polynomial(A)",
         "zonotope": "dual()",
     }
 

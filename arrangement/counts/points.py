@@ -8,6 +8,9 @@ Reduction is good when planes meet modulo q as they do over the reals. With the 
 of the planes and infinity (0, ..., 0, 1), that is: every basis of their span stays independent.
 Then so does every independent set, which some basis contains, and no set becomes independent.
 
+Modulo any q, prime or not, the points of (Z/q)^d off rational central planes are counted by a
+quasi-polynomial in q, which is chi where no minor has a divisor in common with q.
+
 Entries in a field Q(a) are reduced modulo primes q at which the minimal polynomial of a has a root
 in F_q, which stands for a: integral vectors are over Z[a], which F_q is then an image of.
 """
@@ -16,13 +19,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from itertools import combinations, count, islice
-from math import comb, gcd
+from math import comb, gcd, lcm
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from arrangement.errors import InputError
 from arrangement.numbers import budget
+from arrangement.numbers.coefficients import Integers
 from arrangement.numbers.exact import IntegerVector, shown
 from arrangement.numbers.linear.rank import determinant, rank
 from arrangement.numbers.real import residues
@@ -57,7 +61,6 @@ def by_points(arrangement: Planes, primes: Iterable[int] | None = None) -> sympy
     """
     import sympy
 
-    t = sympy.Symbol("t")
     d = arrangement.dimension
     needed = max(1, d)
     minors = list(_minors(arrangement))
@@ -69,50 +72,118 @@ def by_points(arrangement: Planes, primes: Iterable[int] | None = None) -> sympy
         chosen = sorted({_checked(q, arrangement, minors) for q in primes})
     if len(chosen) < needed:
         raise InputError(f"there are {len(chosen)} different primes; give at least {needed}")
-    values = {q: points_off(arrangement, q) - q**d for q in chosen}
+    return _interpolated(arrangement, chosen)
+
+
+def characteristic_quasi_polynomial(arrangement: Planes) -> dict[int, sympy.Poly]:
+    """Return a polynomial for each divisor g of the period: it counts the points off the planes.
+
+    There are f_g(q) points of (Z/q)^d on none of the planes, where g = gcd(q, period). The period,
+    the largest key, is the least common multiple of the largest elementary divisors of the bases.
+    f_1 is the characteristic polynomial.
+
+    Raises:
+        InputError: planes that miss the origin, or with irrational entries.
+        OutOfReachError: too many bases or points.
+
+    Source: H. Kamiya, A. Takemura, H. Terao, Periodicity of hyperplane arrangements with integral
+    coefficients modulo positive integers, Journal of Algebraic Combinatorics 27 (2008).
+
+    >>> from arrangement.library import families
+    >>> found = characteristic_quasi_polynomial(families.type_b(2))
+    >>> [(g, f.as_expr().factor()) for g, f in found.items()]
+    [(1, (t - 3)*(t - 1)), (2, (t - 2)**2)]
+    """
+    from sympy import ZZ, divisors
+    from sympy.polys.matrices import DM
+    from sympy.polys.matrices.normalforms import invariant_factors
+
+    if not arrangement.is_central or arrangement.field is not None:
+        raise InputError(
+            f"{arrangement!r} has no quasi-polynomial here; give rational planes through the origin"
+        )
+    period = 1
+    for _, planes in _minors(arrangement):
+        rows = [arrangement.integer_planes[i][:-1] for i in planes]
+        period = lcm(period, int(invariant_factors(DM(rows, ZZ))[-1]))
+    needed = max(1, arrangement.dimension)
+    found: dict[int, sympy.Poly] = {}
+    for g in map(int, divisors(period)):
+        moduli = islice((q for q in count(g, g) if gcd(q, period) == g), needed)
+        found[g] = _interpolated(arrangement, moduli)
+    return found
+
+
+def _interpolated(arrangement: Planes, moduli: Iterable[int]) -> sympy.Poly:
+    """Return the polynomial of degree d, beginning with t^d, that counts points for d moduli."""
+    import sympy
+
+    t, d = sympy.Symbol("t"), arrangement.dimension
+    values = {q: points_off(arrangement, q) - q**d for q in moduli}
     rest = sympy.Poly(sympy.interpolate(list(values.items()), t), t)
     return sympy.Poly(rest + sympy.Poly(t**d, t), t, domain=sympy.ZZ)
 
 
-def points_off(arrangement: Planes, prime: int) -> int:
-    """Return the number of points of F_q^d on none of the planes, whatever the reduction.
+def points_off(arrangement: Planes, q: int) -> int:
+    """Return the number of points of (Z/q)^d on none of the planes, whatever the reduction.
 
     Along each line in the last direction, the points on planes are counted.
 
+    Args:
+        q: an integer of at least 1; for entries in a field a prime.
+
     Raises:
-        InputError: a number that is not a prime, or too large, or has no image of the field.
+        InputError: another number, or one that is too large, or has no image of the field.
 
     >>> from arrangement import Arrangement
-    >>> points_off(Arrangement([[1, 0], [0, 1], [1, 1]]), 5)
-    12
+    >>> lines = Arrangement([[1, 0], [0, 1], [1, 1]])
+    >>> points_off(lines, 5), points_off(lines, 6)
+    (12, 20)
     """
     d = arrangement.dimension
-    _check_prime(prime, arrangement)
+    if arrangement.field is not None:
+        _check_prime(q, arrangement)
+    elif type(q) is not int or q < 1:
+        raise InputError(f"q is {shown(q)}; give an integer, at least 1")
     if not d:
         return 1
-    if d * prime**2 >= 1 << 63:
-        raise InputError(f"{prime} is too large for words of 64 bits in dimension {d}")
-    budget.check_cost(
-        f"the points of F_{prime}^{d} off {len(arrangement)} planes",
-        "use characteristic_polynomial",
-        steps=budget.power(prime, d - 1) * max(1, len(arrangement)) / 10,
-    )
-    planes = np.array(residues(arrangement.integer_planes, prime)).reshape(-1, d + 1)
+    if d * q**2 >= 1 << 63:
+        raise InputError(f"{q} is too large for words of 64 bits in dimension {d}")
+    planes = np.array(residues(arrangement.integer_planes, q), np.int64).reshape(-1, d + 1)
     along, across = planes[planes[:, d - 1] == 0], planes[planes[:, d - 1] != 0]
-    scale = np.array([pow(int(x), -1, prime) for x in across[:, d - 1]], dtype=np.int64)
-    across = across * scale[:, None] % prime
-    powers = prime ** np.arange(d - 1)
-    step = max(1, _CHUNK // max(1, len(planes)))
+    divisors = np.gcd(across[:, d - 1], q)
+    columns = len(along) + int(divisors.sum())
+    budget.check_cost(
+        f"the points of (Z/{q})^{d} off {len(arrangement)} planes",
+        "use characteristic_polynomial",
+        steps=budget.power(q, d - 1) * max(1, columns) / 10,
+    )
+    powers = q ** np.arange(d - 1)
+    step = max(1, _CHUNK // max(1, columns))
     found = 0
-    for first in range(0, prime ** (d - 1), step):
-        numbers = np.arange(first, min(first + step, prime ** (d - 1)))
-        points = numbers[:, None] // powers % prime
-        on = ((points @ along[:, : d - 1].T - along[:, d]) % prime == 0).any(axis=1)
+    for first in range(0, q ** (d - 1), step):
+        numbers = np.arange(first, min(first + step, q ** (d - 1)))
+        points = numbers[:, None] // powers % q
+        on = ((points @ along[:, : d - 1].T - along[:, d]) % q == 0).any(axis=1)
         points = points[~on]
-        hit = np.sort((across[:, d] - points @ across[:, : d - 1].T) % prime, axis=1)
-        different = (hit[:, 1:] != hit[:, :-1]).sum() + (len(hit) if len(across) else 0)
-        found += prime * len(points) - int(different)
+        hits = [_hits(points, across[divisors == g], q, int(g)) for g in np.unique(divisors)]
+        hit = np.sort(np.hstack([np.full((len(points), 1), q), *hits]), axis=1)
+        found += q * len(points) - int((hit[:, 1:] != hit[:, :-1]).sum())
     return found
+
+
+def _hits(points: Integers, planes: Integers, q: int, divisor: int) -> Integers:
+    """Return where lines in the last direction meet planes: columns of numbers below q, or q.
+
+    Args:
+        planes: whose last coefficient has this greatest common divisor with q.
+    """
+    d, part = points.shape[1] + 1, q // divisor
+    inverse = np.array([pow(int(x) // divisor, -1, part) for x in planes[:, d - 1]], dtype=np.int64)
+    sums = (planes[:, d] - points @ planes[:, : d - 1].T) % q
+    place = sums // divisor * inverse % part
+    meets = sums % divisor == 0
+    return np.hstack([np.where(meets, place + k * part, q) for k in range(divisor)])
 
 
 def _minors(arrangement: Planes) -> Iterator[tuple[list[Any], tuple[int, ...]]]:

@@ -32,6 +32,11 @@ def _chi(planes: Planes, t: int | Fraction) -> int | Fraction:
     return whole
 
 
+def _number(value: Any) -> int | Fraction:
+    """Return a rational number of SymPy as one of Python."""
+    return Fraction(int(value.p), int(value.q)) if value.q != 1 else int(value)
+
+
 #: By name, how each is computed.
 QUANTITIES: Mapping[str, Callable[[Any], Any]] = {
     "m": lambda planes: len(planes.distinct),
@@ -55,9 +60,14 @@ QUANTITIES: Mapping[str, Callable[[Any], Any]] = {
         if isinstance(planes, Pseudolines)
         else counts.level_vector(planes)
     ),
+    "nbc_sets": lambda planes: tuple(map(len, counts.nbc_sets(planes))),
     "central": lambda planes: planes.is_central,
     "simple": lambda planes: planes.is_simple,
     "simplicial": lambda planes: planes.is_simplicial,
 }
 #: Functions of an arrangement and numbers, as they are written.
-FUNCTIONS: Mapping[str, Callable[..., Any]] = {"chi(t)": _chi}
+FUNCTIONS: Mapping[str, Callable[..., Any]] = {
+    "chi(t)": _chi,
+    "tutte(x, y)": lambda planes, x, y: _number(counts.tutte_polynomial(planes).eval((x, y))),
+    "points_off(q)": counts.points_off,
+}

@@ -207,8 +207,41 @@ def test_points_over_finite_fields_give_the_polynomial(planes):
 @given(arrangements(dimensions=(1, 3), planes=(0, 6)))
 def test_points_of_random_planes(planes):
     assert counts.by_points(planes) == oracle.by_subsets(planes)
-    for prime in (2, 3, 5):
-        assert counts.points_off(planes, prime) == oracle.points_by_hand(planes, prime)
+    for q in range(1, 7):
+        assert counts.points_off(planes, q) == oracle.points_by_hand(planes, q)
+
+
+@pytest.mark.parametrize(
+    ("planes", "expected"),
+    [
+        # Kamiya, Takemura, Terao 2008, examples: (q - 1)(q - 3) for odd q, (q - 2)^2 for even q
+        (families.type_b(2), {1: (T - 1) * (T - 3), 2: (T - 2) ** 2}),
+        (families.braid(4), {1: T * (T - 1) * (T - 2) * (T - 3)}),
+        (families.type_b(3), {1: (T - 1) * (T - 3) * (T - 5), 2: (T - 2) * (T - 3) * (T - 4)}),
+        (Arrangement([], dimension=2), {1: T**2}),
+        (Arrangement([[2, 3], [1, 0], [4, 9]]), None),
+        (families.coxeter("G2"), None),
+    ],
+)
+def test_quasi_polynomial_counts_points_modulo_every_number(planes, expected):
+    found = counts.characteristic_quasi_polynomial(planes)
+    period = max(found)
+    if expected:
+        assert {g: sympy.expand(f.as_expr() - expected[g]) for g, f in found.items()} == (
+            dict.fromkeys(expected, 0)
+        )
+    assert found[1] == counts.characteristic_polynomial(planes)
+    for q in range(1, 14):
+        assert found[math.gcd(q, period)].eval(q) == oracle.points_by_hand(planes, q)
+
+
+def test_planes_without_a_quasi_polynomial_are_refused():
+    for planes in (families.shi(3), families.h3()):
+        with pytest.raises(InputError, match="rational planes through the origin"):
+            counts.characteristic_quasi_polynomial(planes)
+    for q in (0, -3, "5", True):
+        with pytest.raises(InputError, match="give an integer, at least 1"):
+            counts.points_off(families.shi(2), q)
 
 
 def test_primes_of_bad_reduction_are_refused():
@@ -279,8 +312,8 @@ def test_points_and_bases_are_foreseen(monkeypatch):
         counts.by_points(planes, [5, 7, 11])
         return [takes["steps"] for what, takes in asked if word in what]
 
-    assert steps(families.generic(4, 3), "points of F_5^3") == [pytest.approx(5**2 * 4 / 10)]
-    assert steps(Arrangement([], dimension=2), "points of F_11^2") == [pytest.approx(11 / 10)]
+    assert steps(families.generic(4, 3), "points of (Z/5)^3") == [pytest.approx(5**2 * 4 / 10)]
+    assert steps(Arrangement([], dimension=2), "points of (Z/11)^2") == [pytest.approx(11 / 10)]
     assert steps(families.generic(4, 3), "bases of 4") == [pytest.approx(4 * 5**3 * 4)]
     affine = families.generic(4, 2, affine=True)
     assert steps(affine, "bases of 4") == [pytest.approx(10 * 5**3 * 4)]

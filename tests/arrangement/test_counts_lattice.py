@@ -333,3 +333,71 @@ def test_what_flats_take_is_foreseen_from_those_that_are_known(planes, bits, mon
         return {"steps": pytest.approx(1e7 * seconds * 1e-6), "bytes": pytest.approx(most)}
 
     assert asked == [expected(rank) for rank in range(top - 1)]
+
+
+def tutte_by_subsets(planes: Arrangement) -> sympy.Poly:
+    """The definition as it stands, over all sets of planes with a common point."""
+    x, y = sympy.symbols("x y")
+    augmented = [(*n, b) for n, b in zip(planes.normals, planes.offsets, strict=True)]
+    found = sympy.Poly(0, x, y)
+    for size in range(len(planes) + 1):
+        for chosen in combinations(augmented, size):
+            order = oracle.rank(list(chosen))
+            if oracle.rank([row[:-1] for row in chosen]) == order:
+                term = (x - 1) ** (planes.rank - order) * (y - 1) ** (size - order)
+                found += sympy.Poly(term, x, y)
+    return found
+
+
+@given(arrangements(dimensions=(1, 4), planes=(0, 6)))
+def test_tutte_polynomial_is_its_sum_over_subsets_and_gives_chi(planes):
+    found = counts.tutte_polynomial(planes)
+    assert found == tutte_by_subsets(planes)
+    assert found.eval((2, 0)) == counts.region_count(planes) == len(planes.regions())
+    assert found.eval((0, 0)) == counts.bounded_region_count(planes, relative=True)
+    chi = (
+        (-1) ** planes.rank
+        * T ** (planes.dimension - planes.rank)
+        * found.as_expr().subs(
+            dict(zip(sympy.symbols("x y"), (1 - T, 0), strict=True)), simultaneous=True
+        )
+    )
+    assert sympy.Poly(chi, T) == counts.characteristic_polynomial(planes)
+
+
+@pytest.mark.parametrize("graph", [nx.complete_graph(4), nx.cycle_graph(5), nx.petersen_graph()])
+def test_tutte_polynomial_of_a_graph_is_that_of_networkx(graph):
+    """K4: 24 acyclic orientations and 16 spanning trees (Cayley)."""
+    if len(graph) == 10:
+        graph = graph.subgraph(range(8))
+    found = counts.tutte_polynomial(families.graphical(graph))
+    assert sympy.expand(found.as_expr() - nx.tutte_polynomial(graph)) == 0
+    if len(graph) == 4:
+        assert (found.eval((2, 0)), found.eval((1, 1))) == (24, 16)
+
+
+@given(arrangements(dimensions=(1, 4), planes=(0, 6)))
+def test_sets_without_broken_circuits_are_as_many_as_whitney_numbers_say(planes):
+    found = counts.nbc_sets(planes)
+    signed = tuple((-1) ** k * len(sets) for k, sets in enumerate(found))
+    assert signed == counts.first_whitney_numbers(planes)
+    every = {chosen for sets in found for chosen in sets}
+    firsts = planes.firsts
+    for size in range(len(firsts) + 1):
+        for chosen in combinations(firsts, size):
+            flat = [closure_by_ranks(planes, chosen[k:]) for k in range(size)]
+            independent = (
+                None not in flat and oracle.rank([planes.integer_planes[i] for i in chosen]) == size
+            )
+            unbroken = independent and all(
+                planes.class_of[chosen[k]] == min(planes.class_of[i] for i in flat[k])
+                for k in range(size)
+            )
+            assert (chosen in every) == unbroken
+
+
+def test_tutte_polynomial_beyond_the_limits_is_refused():
+    with pytest.raises(InputError, match="the Tutte polynomial of 63 planes of rank 6"):
+        counts.tutte_polynomial(families.resonance(6))
+    with pytest.raises(InputError, match="sets without broken circuits"):
+        counts.nbc_sets(families.resonance(6))

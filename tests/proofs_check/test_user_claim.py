@@ -330,6 +330,13 @@ def test_integers_of_libraries_are_integers(write):
         ("bounded_p_vector.get(3, 0) >= m - 2", ["--of", "simple-lines"], 0),  # Roberts
         ("relatively_bounded_regions == comb(m - 1, 2)", ["--of", "simple-lines"], 0),
         ("bounded_regions == comb(m - 1, 2)", ["--of", "lines"], 1),
+        ("tutte(2, 0) == regions and tutte(0, 0) == relatively_bounded_regions", [], 0),
+        ("sum(nbc_sets) == regions and nbc_sets[1] == m", ["--of", "affine(d=2)"], 0),
+        ("points_off(1009) == chi(1009)", ["--of", "distinct"], 0),
+        ("points_off(2) == chi(2)", ["--of", "distinct"], 1),
+        ("sum(level_vector.values()) == regions", ["--of", "affine(d=3)"], 0),
+        ("level_vector.get(0, 0) == bounded_regions", ["--of", "lines"], 0),
+        ("level_vector[3] == regions and polynomial[0] == 1", ["--of", "pseudolines"], 0),
         ("rank == 3 and central and min(f_vector) != abs(-1)", [], 1),
     ],
 )
