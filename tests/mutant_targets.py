@@ -31,6 +31,7 @@ SPACE = (
     "tests/equilibrium/test_space_checker.py",
     "tests/equilibrium/test_space.py::TestChecker",
 )
+ASSEMBLIES = "tests/equilibrium/test_assemblies.py::TestForged"
 FIELD = "tests/arrangement/test_number_field.py"
 SPACE_SEARCH = (
     *(
@@ -103,7 +104,8 @@ TARGETS = {
     "leaf rule": Target("equilibrium.certificate.plane", (*CHECKER, PLANES, PYRAMIDS)),
     "law": Target("equilibrium.certificate.law", (*CHECKER, SPACE[0])),
     "reading": Target("equilibrium.certificate.reading", (*CHECKER, *SPACE, PLANES)),
-    "space": Target("equilibrium.certificate.space", SPACE),
+    "state rule": Target("equilibrium.certificate.states", (*SPACE, ASSEMBLIES)),
+    "assemblies": Target("equilibrium.certificate.assemblies", (ASSEMBLIES,)),
     "enclosure": Target("equilibrium.certificate.enclosure", SPACE),
     "uncertain": Target("equilibrium.certificate.uncertain", ROBUST),
     "robust": Target("equilibrium.certificate.robust", ROBUST),
@@ -303,7 +305,6 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "equilibrium.decide.assemblies.rigid",
         "equilibrium.decide.assemblies.solver",
         "equilibrium.decide.assemblies.verdict",
-        "equilibrium.certificate.assemblies",
         "equilibrium.model.assembly",
     ),
     (

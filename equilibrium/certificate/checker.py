@@ -5,7 +5,7 @@
 * "not resisted": a tree. Each node cuts a region of motions, or distinguishes the states of one
   contact; a split whose children do not cover it is refused here. Each leaf has a virtual motion,
   on which load and contacts do work together, whatever the contacts do: the rule is that of
-  `equilibrium.certificate.plane`, or of `equilibrium.certificate.space`, where a tree has states
+  `equilibrium.certificate.plane`, or of `equilibrium.certificate.states`, where a tree has states
   alone. So nothing balances the load at any motion.
 * With "bounds": for all grasps within them, see `equilibrium.certificate.robust`.
 
@@ -20,7 +20,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, TypeAlias
 
 from arrangement.console.number_form import ReprMixin
 from arrangement.console.plugins import named
@@ -31,11 +31,13 @@ from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp, in_plane, read_wrench
 
 from .enclosure import enclosure_problem
-from .law import displacement_problem, law_problem, short
-from .plane import Generator, PlanarQuestion, cut_edge, orthants, planar_leaf_problem
+from .law import displacement_problem, law_problem, law_rows, short
+from .plane import Generator, PlanarQuestion, cut_edge, orthants
 from .reading import (
+    FORMS,
     STATES,
     Leaf,
+    Place,
     Split,
     read_bound,
     read_enclosure,
@@ -45,7 +47,7 @@ from .reading import (
     read_question,
 )
 from .robust import read_bounds, robust_problem
-from .space import SpatialQuestion, State, spatial_leaf_problem, split_states
+from .states import State, StateQuestion, split_states
 from .uncertain import Bounds
 
 #: A grasp and a wrench.
@@ -184,26 +186,26 @@ def check(
         report = Report(kind, problem, bounds=read_bounds(document))
     elif kind == "resisted":
         report = Report(kind, _equilibrium_problem(document, grasp, wrench, bound))
-    elif grasp.dimension == 3:
-        report = _spatial_report(document, grasp, wrench, bound)
     else:
-        report = _walk(document["tree"], PlanarQuestion(grasp, wrench, bound))
+        report = _refuted(document, grasp, wrench, bound)
     pyramid_of = document.get("pyramid")
     report = replace(report, pyramid=pyramid_of, max_displacement=bound, grasp=grasp, wrench=wrench)
     return report.asked(question, pyramid, max_displacement)
 
 
-def _spatial_report(
+def _refuted(
     document: Mapping[str, Any],
     grasp: Grasp,
     wrench: RationalVector,
     max_displacement: Fraction | None,
 ) -> Report:
-    """Check a tree in space, or one in the plane that has all contacts and the load."""
-    tree, edges = document["tree"], edges_of(document)
-    plane = read_plane(tree)
+    """Check a tree; in space also one in the plane that has all contacts and the load."""
+    tree, form = document["tree"], FORMS[grasp.dimension]
+    edges, plane = edges_of(document), read_plane(tree) if form.tangents == 2 else None
+    if form.tangents == 1:
+        return walk(tree, PlanarQuestion(grasp, wrench, max_displacement))
     if plane is None:
-        return _walk(tree, SpatialQuestion(grasp, wrench, edges, max_displacement))
+        return walk(tree, StateQuestion(law_rows(grasp), wrench, form, edges, max_displacement))
     if edges:
         raise CertificateError("tree.plane is for round cones")
     try:
@@ -213,7 +215,7 @@ def _spatial_report(
     if max_displacement is not None and not along_tangents(grasp, plane.axes):
         problem = "displacements along tangents that are at an angle to the plane are bounded"
         return Report("not resisted", f"tree.plane: {problem}")
-    return _walk(plane.tree, question)
+    return walk(plane.tree, question)
 
 
 def _equilibrium_problem(
@@ -226,7 +228,7 @@ def _equilibrium_problem(
     if "enclosure" in document:
         box = read_enclosure(document["enclosure"], len(grasp))
         return enclosure_problem(grasp, wrench, box, max_displacement)
-    found = read_equilibrium(document, len(grasp), grasp.dimension)
+    found = read_equilibrium(document, len(grasp), FORMS[grasp.dimension])
     return equilibrium_problem(grasp, wrench, *found, edges_of(document), max_displacement)
 
 
@@ -239,9 +241,10 @@ def equilibrium_problem(
     max_displacement: Fraction | None = None,
 ) -> str:
     """Return what is wrong with a motion and forces, normal ones first; empty if they are proof."""
-    if problem := displacement_problem(grasp, motion, max_displacement):
+    rows = law_rows(grasp)
+    if problem := displacement_problem(rows, motion, max_displacement):
         return problem
-    return law_problem(grasp, wrench, motion, forces, edges)
+    return law_problem(rows, wrench, motion, forces, edges)
 
 
 def edges_of(document: Mapping[str, Any]) -> tuple[RationalVector, ...]:
@@ -249,51 +252,34 @@ def edges_of(document: Mapping[str, Any]) -> tuple[RationalVector, ...]:
     return pyramid_edges(document["pyramid"]) if "pyramid" in document else ()
 
 
-class Place(NamedTuple):
-    """Where a node stands: its region, and the states of the contacts decided there."""
-
-    path: str
-    depth: int
-    region: Sequence[Generator]
-    states: Mapping[int, State]
-
-
-def _walk(tree: Any, question: PlanarQuestion | SpatialQuestion) -> Report:
+def walk(tree: Any, question: PlanarQuestion | StateQuestion) -> Report:
     """Check all leaves. After the first that fails the rest is read, as its form may be wrong."""
     leaves, problem = 0, ""
     for leaf, place in placed_leaves(tree, question):
         leaves += 1
-        if problem:
-            continue
-        if isinstance(question, PlanarQuestion):
-            problem = planar_leaf_problem(question, leaf, place.region, place.states, place.path)
-        else:
-            problem = spatial_leaf_problem(question, leaf, place.states, place.path)
+        problem = problem or question.leaf_problem(leaf, place)
     return Report("not resisted", problem, leaves)
 
 
 def placed_leaves(
-    tree: Any, question: PlanarQuestion | SpatialQuestion
+    tree: Any, question: PlanarQuestion | StateQuestion
 ) -> Iterator[tuple[Leaf, Place]]:
     """Yield the leaves of a tree with their places, in the order of the document.
 
     Raises:
         CertificateError: what stands in a place is not a node, or a split that does not fit there.
     """
-    region = question.half_space() if isinstance(question, PlanarQuestion) else []
-    waiting = [(tree, Place("tree", 0, region, {}))]
+    waiting = [(tree, Place("tree", 0, question.root, {}))]
     while waiting:
         content, place = waiting.pop()
-        node = read_node(content, place.path, len(question.contacts), question.dimension)
+        node = read_node(content, place.path, len(question.contacts), question.form)
         if isinstance(node, Split):
-            waiting += reversed(_parts(node, place, getattr(question, "edges", ())))
+            waiting += reversed(_parts(node, place, question.edges))
         else:
             yield node, place
 
 
-def _parts(
-    split: Split, place: Place, edges: Sequence[RationalVector] = ()
-) -> list[tuple[Any, Place]]:
+def _parts(split: Split, place: Place, edges: Sequence[RationalVector]) -> list[tuple[Any, Place]]:
     """Return the children of a node with their places; refuse a split that does not cover."""
     path, depth, region, states = place
     if depth == MAX_DEPTH:

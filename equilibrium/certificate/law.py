@@ -7,12 +7,30 @@ mistake of the solver.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
+from typing import NamedTuple
 
 from arrangement.numbers.exact import RationalVector, number_text
 from equilibrium.model.contact import Contact
-from equilibrium.model.grasp import Grasp
+
+
+class LawRow(NamedTuple):
+    """A contact of a grasp or of an assembly as the checker sees it, in R^n.
+
+    Attributes:
+        wrenches: of unit forces along the normal and the tangents.
+    """
+
+    wrenches: tuple[RationalVector, ...]
+    friction: Fraction
+    stiffness: Fraction
+    preload: Fraction
+
+
+def law_rows(contacts: Iterable[Contact]) -> list[LawRow]:
+    """Return the rows of the contacts of a grasp."""
+    return [LawRow(frame(c), c.friction, c.stiffness, c.preload) for c in contacts]
 
 
 def frame(contact: Contact) -> tuple[RationalVector, ...]:
@@ -30,7 +48,7 @@ def _cross(left: RationalVector, right: RationalVector) -> RationalVector:
 
 
 def law_problem(
-    grasp: Grasp,
+    rows: Sequence[LawRow],
     wrench: RationalVector,
     motion: RationalVector,
     forces: Sequence[RationalVector],
@@ -46,9 +64,8 @@ def law_problem(
     """
     pushes: list[Fraction] = []
     along_axes: list[RationalVector] = []
-    for i, (contact, (normal, *friction)) in enumerate(zip(grasp, forces, strict=True), 1):
-        wrenches = frame(contact)
-        along, *slip = (_dot(row, motion) for row in wrenches)
+    for i, (contact, (normal, *friction)) in enumerate(zip(rows, forces, strict=True), 1):
+        along, *slip = (_dot(row, motion) for row in contact.wrenches)
         spring = max(Fraction(0), contact.preload - contact.stiffness * along)
         if normal != spring:
             return f"contact {i}: normal force {short(normal)}, its spring gives {short(spring)}"
@@ -58,7 +75,7 @@ def law_problem(
             given = f"contact {i}: friction {_shown(friction)} of at most {short(limit)}"
             return given + f" while it slips by {_shown(slip)}" * inside
         pushes += normal, *friction
-        along_axes += wrenches
+        along_axes += contact.wrenches
     columns = zip(*along_axes, strict=True) if along_axes else ([] for _ in wrench)
     total = [w + _dot(pushes, column) for w, column in zip(wrench, columns, strict=True)]
     return f"the forces add up to {_shown(total)}, not 0" if any(total) else ""
@@ -101,11 +118,11 @@ def _does_most(
 
 
 def displacement_problem(
-    grasp: Grasp, motion: RationalVector, max_displacement: Fraction | None
+    rows: Sequence[LawRow], motion: RationalVector, max_displacement: Fraction | None
 ) -> str:
     """Return which contact point moves further than the largest displacement, or nothing."""
-    for i, contact in enumerate(grasp if max_displacement is not None else (), 1):
-        for row in frame(contact):
+    for i, contact in enumerate(rows if max_displacement is not None else (), 1):
+        for row in contact.wrenches:
             if abs(_dot(row, motion)) > max_displacement:  # type: ignore[operator]
                 moved, most = short(_dot(row, motion)), short(max_displacement)  # type: ignore[arg-type]
                 return f"contact {i}: its point moves by {moved}, and at most {most} counts"

@@ -1,7 +1,7 @@
 """What the leaves of a proof say, in the plane and in space.
 
-The rule is that of `equilibrium.certificate.plane`; this module reads trees that the checker has
-accepted.
+The rules are those of `equilibrium.certificate.plane` and `equilibrium.certificate.states`; this
+module reads trees that the checker has accepted.
 """
 
 from __future__ import annotations
@@ -14,10 +14,10 @@ from arrangement.numbers.exact import IntegerVector, RationalVector, dot, vector
 from equilibrium.model.grasp import Grasp
 
 from .checker import edges_of, placed_leaves
-from .law import displacement_work, frame
-from .plane import PlanarQuestion, has_no_force, least_work, work_factor
-from .reading import Leaf, read_bound, read_plane, read_question
-from .space import SlipFace, SpatialQuestion, State, slip_faces
+from .law import displacement_work, law_rows
+from .plane import PlanarQuestion
+from .reading import FORMS, Leaf, read_bound, read_plane, read_question
+from .states import SlipFace, State, StateQuestion, slip_faces
 
 
 class ClosedPart(NamedTuple):
@@ -63,7 +63,8 @@ def works(
     max_displacement: Fraction | None = None,
 ) -> Works:
     """Return the works on the virtual motion of one part, or of several that share it."""
-    each = [_works(grasp, wrench, part, max_displacement) for part in together]
+    question = PlanarQuestion(grasp, wrench, max_displacement)
+    each = [_works(question, Fraction(dot(wrench, part.leaf.motion)), part) for part in together]
     factors = [
         min((factor for factor in some if factor is not None), default=None)
         for some in zip(*(done.factors for done in each), strict=True)
@@ -71,33 +72,14 @@ def works(
     return Works(each[0].load, factors, min(done.least for done in each))
 
 
-def _works(
-    grasp: Grasp, wrench: RationalVector, part: ClosedPart, max_displacement: Fraction | None
-) -> Works:
-    region, states, leaf = part
-    load, factors = Fraction(dot(wrench, leaf.motion)), []
-    _, taken = displacement_work(max_displacement, leaf.displacements)
-    work = [(load - taken) * g[0] for g in region]
-    for i, contact in enumerate(grasp):
-        normal, tangent = frame(contact)
-        e = [contact.preload * g[0] - contact.stiffness * dot(normal, g[1:]) for g in region]
-        s = [dot(tangent, g[1:]) for g in region]
-        state, idle = states.get(i), has_no_force(states.get(i), e)
-        a, mu_b = dot(leaf.motion, normal), contact.friction * dot(leaf.motion, tangent)
-        kappa = work_factor(a, mu_b, state, s)
-        factors.append(None if idle else Fraction(kappa))
-        for x, moved in zip(leaf.displacements.get(i, ()), (normal, tangent), strict=False):
-            work = [w + x * dot(moved, g[1:]) for w, g in zip(work, region, strict=True)]
-        if i in leaf.multipliers:
-            alpha, h = leaf.multipliers[i]
-            row = [alpha * x + h * y for x, y in zip(e, s, strict=True)]
-        elif not idle:
-            row = least_work(kappa, state, e)
-        else:
-            continue
-        work = [w + x for w, x in zip(work, row, strict=True)]
-    least = min(w / g[0] for w, g in zip(work, region, strict=True) if g[0]) - load
-    return Works(load, factors, least)
+def _works(question: PlanarQuestion, load: Fraction, part: ClosedPart) -> Works:
+    region = [question.generator(vector) for vector in part.region]
+    _, taken = displacement_work(question.max_displacement, part.leaf.displacements)
+    found = question.leaf_work(part.leaf, taken, region, part.states)
+    pairs = zip(found.total, part.region, strict=True)
+    least = min(Fraction(work) / (found.unit * g[0]) for work, g in pairs if g[0])
+    factors = [pair and Fraction(pair[0]) / pair[1] for pair in found.factors]
+    return Works(load, factors, least - load)
 
 
 class SpatialLeaf(NamedTuple):
@@ -121,7 +103,8 @@ def spatial_leaves(document: Mapping[str, Any]) -> Iterator[SpatialLeaf]:
     _, grasp, wrench = read_question(document)
     if read_plane(document["tree"]):
         return
-    question = SpatialQuestion(grasp, wrench, edges_of(document), read_bound(document))
+    form, edges, bound = FORMS[grasp.dimension], edges_of(document), read_bound(document)
+    question = StateQuestion(law_rows(grasp), wrench, form, edges, bound)
     for leaf, place in placed_leaves(document["tree"], question):
         works = (row[0] * grasp.contacts[i].preload for i, row in leaf.multipliers.items())
         _, taken = displacement_work(question.max_displacement, leaf.displacements)

@@ -15,12 +15,7 @@ A leaf stands for a region of motions and for states of contacts. It has a virtu
    * ``kappa = a - mu |b|`` otherwise.
 
 3. *Least work.* At each generator the contact does at least ``alpha e + h s``, if the leaf gives
-   these multipliers, and they obey:
-
-   * ``alpha >= 0`` where it is undecided or detached: there e may be below 0, without a force;
-   * ``alpha <= kappa`` unless it is detached;
-   * ``h <= 0`` in slip+, ``h >= 0`` in slip-, any h in stick, else h = 0: so ``h s <= 0``.
-
+   these multipliers, and they obey the rule of `equilibrium.certificate.states` with this kappa.
    Without multipliers it does at least
 
    * 0, if it is detached or all e <= 0, as it has no force;
@@ -48,8 +43,9 @@ from typing import Any, NamedTuple, TypeAlias
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot
 from equilibrium.model.grasp import Grasp
 
-from .law import displacement_work, frame, short
-from .reading import Leaf
+from .law import displacement_work, law_rows, short
+from .reading import FORMS, Leaf, Place
+from .states import broken_multipliers
 
 Number: TypeAlias = Fraction | int
 
@@ -78,20 +74,37 @@ class Generator(NamedTuple):
     slips: IntegerVector
 
 
+class LeafWork(NamedTuple):
+    """What load and contacts do on the virtual motion of a leaf.
+
+    Attributes:
+        broken: the condition on multipliers that fails, or nothing.
+        total: at least that, at each generator, over `unit`.
+        factors: kappa of each contact and its unit; None where it has no force.
+    """
+
+    broken: str
+    total: Sequence[Any]
+    unit: int
+    factors: Sequence[tuple[Number, int] | None]
+
+
 class PlanarQuestion:
     """Grasp and wrench in integers."""
 
-    dimension = 2
+    form = FORMS[2]
+    edges: Sequence[RationalVector] = ()
 
     def __init__(
         self, grasp: Grasp, wrench: RationalVector, max_displacement: Fraction | None = None
     ) -> None:
         self.max_displacement = max_displacement
         laws: list[tuple[RationalVector, ...]] = []
-        self.frames = [frame(contact) for contact in grasp]
-        for contact, (normal, tangent) in zip(grasp, self.frames, strict=True):
-            spring = (contact.preload, *(-contact.stiffness * x for x in normal))
-            rubbing = tuple(contact.friction * x for x in tangent)
+        self.rows = law_rows(grasp)
+        for row in self.rows:
+            normal, tangent = row.wrenches
+            spring = (row.preload, *(-row.stiffness * x for x in normal))
+            rubbing = tuple(row.friction * x for x in tangent)
             laws.append((spring, (Fraction(0), *tangent), (*normal, *rubbing)))
         scales = [tuple(map(_denominator, law)) for law in laws]
         self.unit = math.lcm(_denominator(wrench), *(math.lcm(e * f, s) for e, s, f in scales))
@@ -102,14 +115,83 @@ class PlanarQuestion:
             rows = _times(spring, e), _times(slip, s), forces[:3], forces[3:]
             self.contacts.append(PlanarContact(*rows, per_e, per_s))
 
-    def half_space(self) -> list[Generator]:
-        """Return the generators of all motions: e_0, then +-e_1, +-e_2, +-e_3."""
-        return [self._unit_vector(*axis) for axis in [(0, 1), *product((1, 2, 3), (1, -1))]]
+    @property
+    def root(self) -> list[Generator]:
+        """The generators of all motions: e_0, then +-e_1, +-e_2, +-e_3."""
+        axes = [(0, 1), *product((1, 2, 3), (1, -1))]
+        return [self.generator(tuple(sign * (j == k) for j in range(4))) for k, sign in axes]
 
-    def _unit_vector(self, axis: int, sign: int) -> Generator:
-        rows = [contact.spring for contact in self.contacts], [c.slip for c in self.contacts]
-        springs, slips = (tuple(sign * row[axis] for row in one) for one in rows)
-        return Generator(tuple(sign * (j == axis) for j in range(4)), springs, slips)
+    def generator(self, vector: IntegerVector) -> Generator:
+        """Return a generator with what each contact does there."""
+        rows = zip(*((c.spring, c.slip) for c in self.contacts), strict=True)
+        along = [tuple(dot(row, vector) for row in one) for one in rows] or [(), ()]
+        return Generator(vector, *along)
+
+    def leaf_problem(self, leaf: Leaf, place: Place) -> str:
+        """Return the inequality of a leaf that fails, or nothing."""
+        path, region = place.path, place.region
+        problem, taken = displacement_work(self.max_displacement, leaf.displacements)
+        if problem:
+            return f"{path}: {problem}"
+        found = self.leaf_work(leaf, taken, region, place.states)
+        if found.broken:
+            return f"{path}: {found.broken}"
+        for total, (vector, *_) in zip(found.total, region, strict=True):
+            if total < 0 or (total == 0 and vector[0]):
+                where, work = ", ".join(map(short, vector)), short(Fraction(total) / found.unit)
+                due = f"{work}, and must be {'above' if vector[0] else 'at least'} 0"
+                return f"{path}: at generator ({where}) the work of load and contacts is {due}"
+        return ""
+
+    def leaf_work(
+        self, leaf: Leaf, taken: Fraction, region: Sequence[Generator], states: Mapping[int, Any]
+    ) -> LeafWork:
+        """Return what load and contacts do on the virtual motion of a leaf.
+
+        Args:
+            taken: what bounded displacements take, for ``d_0 = 1``.
+        """
+        scale = _denominator(leaf.motion)
+        virtual, unit = _times(leaf.motion, scale), scale * self.unit
+        load = dot(self.wrench, virtual)
+        work: list[Any] = [load * generator.vector[0] for generator in region]
+        if leaf.displacements:
+            bounded = self._work_of_bounds(leaf, taken, region)
+            work = [w + unit * x for w, x in zip(work, bounded, strict=True)]
+        factors: list[tuple[Number, int] | None] = [None] * len(self.contacts)
+        springs = zip(*(generator.springs for generator in region), strict=True)
+        slips = zip(*(generator.slips for generator in region), strict=True)
+        for i, (contact, e, s) in enumerate(zip(self.contacts, springs, slips, strict=True)):
+            state, multipliers = states.get(i, "undecided"), leaf.multipliers.get(i)
+            is_idle = state == "detached" or (state == "undecided" and max(e) <= 0)
+            if multipliers is None and is_idle:
+                continue
+            kappa = _kappa(dot(virtual, contact.normal), dot(virtual, contact.rubbing), state, s)
+            per_e, per_s = scale * contact.per_e, scale * contact.per_s
+            if not is_idle:
+                factors[i] = kappa, per_e
+            if multipliers is None:
+                least = _least_work(kappa, state, e)
+            else:
+                alpha, h = multipliers[0] * per_e, multipliers[1] * per_s
+                if broken := broken_multipliers(state, alpha, (h,), is_below=alpha <= kappa):
+                    numbers = (*map(short, multipliers), short(Fraction(kappa, per_e)))
+                    named = "alpha = {}, h = {}, kappa = {}".format(*numbers)
+                    return LeafWork(f"contact {i + 1}, {state}: {named}: {broken}", (), 1, ())
+                least = [alpha * x + h * y for x, y in zip(e, s, strict=True)]
+            work = [w + x for w, x in zip(work, least, strict=True)]
+        return LeafWork("", work, unit, factors)
+
+    def _work_of_bounds(
+        self, leaf: Leaf, taken: Fraction, region: Sequence[Generator]
+    ) -> list[Fraction]:
+        """Return minus what bounded displacements take from the sum, at each generator."""
+        total = [Fraction(0)] * 3
+        for i, numbers in leaf.displacements.items():
+            for number, row in zip(numbers, self.rows[i].wrenches, strict=True):
+                total = [x + number * y for x, y in zip(total, row, strict=True)]
+        vectors = (generator.vector for generator in region)
+        return [dot(total, d) - taken * g_0 for g_0, *d in vectors]
 
 
 def orthants(half_space: Sequence[Generator]) -> list[list[Generator]]:
@@ -127,58 +209,9 @@ def cut_edge(region: Sequence[Generator], j: int, k: int, p: int, q: int) -> lis
     return [[*region[:old], middle, *region[old + 1 :]] for old in (j, k)]
 
 
-def planar_leaf_problem(
-    question: PlanarQuestion,
-    leaf: Leaf,
-    region: Sequence[Generator],
-    states: Mapping[int, Any],
-    path: str,
-) -> str:
-    """Return the inequality of a leaf that fails, or nothing."""
-    problem, taken = displacement_work(question.max_displacement, leaf.displacements)
-    if problem:
-        return f"{path}: {problem}"
-    scale = _denominator(leaf.motion)
-    virtual, unit = _times(leaf.motion, scale), scale * question.unit
-    load = dot(question.wrench, virtual)
-    work: list[Any] = [load * generator.vector[0] for generator in region]
-    if leaf.displacements:
-        bounded = _work_of_bounds(question, leaf, taken, region)
-        work = [w + unit * x for w, x in zip(work, bounded, strict=True)]
-    springs = zip(*(generator.springs for generator in region), strict=True)
-    slips = zip(*(generator.slips for generator in region), strict=True)
-    for i, (contact, e, s) in enumerate(zip(question.contacts, springs, slips, strict=True)):
-        state, multipliers = states.get(i), leaf.multipliers.get(i)
-        if multipliers is None and has_no_force(state, e):
-            continue
-        kappa = work_factor(dot(virtual, contact.normal), dot(virtual, contact.rubbing), state, s)
-        if multipliers is None:
-            least = least_work(kappa, state, e)
-        else:
-            per_e, per_s = scale * contact.per_e, scale * contact.per_s
-            alpha, h = multipliers[0] * per_e, multipliers[1] * per_s
-            if broken := _broken_bound(state, alpha, h, kappa):
-                numbers = (*map(short, multipliers), short(Fraction(kappa, per_e)))
-                named = "alpha = {}, h = {}, kappa = {}".format(*numbers)
-                return f"{path}: contact {i + 1}, {state or 'undecided'}: {named}: {broken}"
-            least = [alpha * x + h * y for x, y in zip(e, s, strict=True)]
-        work = [w + x for w, x in zip(work, least, strict=True)]
-    for total, (vector, *_) in zip(work, region, strict=True):
-        if total < 0 or (total == 0 and vector[0]):
-            place, short_work = ", ".join(map(short, vector)), short(Fraction(total) / unit)
-            due = f"{short_work}, and must be {'above' if vector[0] else 'at least'} 0"
-            return f"{path}: at generator ({place}) the work of load and contacts is {due}"
-    return ""
-
-
-def has_no_force(state: Any, e: Sequence[Number]) -> bool:
-    """Return whether a contact has no force in a region, by its state or its springs there."""
-    return state == "detached" or (state is None and max(e) <= 0)
-
-
-def work_factor(a: Number, mu_b: Number, state: Any, s: Sequence[Number]) -> Number:
+def _kappa(a: Number, mu_b: Number, state: Any, s: Sequence[Number]) -> Number:
     """Return kappa of step 2."""
-    is_open = state in (None, "attached")
+    is_open = state in ("undecided", "attached")
     if state == "slip+" or (is_open and min(s) > 0):
         return a - mu_b
     if state == "slip-" or (is_open and max(s) < 0):
@@ -186,34 +219,11 @@ def work_factor(a: Number, mu_b: Number, state: Any, s: Sequence[Number]) -> Num
     return a - max(mu_b, -mu_b)
 
 
-def least_work(kappa: Number, state: Any, e: Sequence[Number]) -> list[Number]:
+def _least_work(kappa: Number, state: Any, e: Sequence[Number]) -> list[Number]:
     """Return the least work of a contact with a force, at each generator, without multipliers."""
-    if state or min(e) >= 0:
+    if state != "undecided" or min(e) >= 0:
         return [kappa * x for x in e]
     return [kappa * x if kappa < 0 < x else 0 for x in e]
-
-
-def _broken_bound(state: Any, alpha: Fraction, h: Fraction, kappa: Fraction | int) -> str:
-    """Return which condition of step 3 the multipliers of a contact break, or nothing."""
-    if alpha < 0 and state in (None, "detached"):
-        return "alpha must be at least 0"
-    if alpha > kappa and state != "detached":
-        return "alpha must be at most kappa"
-    if (h > 0 and state not in ("stick", "slip-")) or (h < 0 and state not in ("stick", "slip+")):
-        return "h has the wrong sign"
-    return ""
-
-
-def _work_of_bounds(
-    question: PlanarQuestion, leaf: Leaf, taken: Fraction, region: Sequence[Generator]
-) -> list[Fraction]:
-    """Return minus what bounded displacements take from the sum, at each generator."""
-    total = [Fraction(0)] * 3
-    for i, numbers in leaf.displacements.items():
-        for number, row in zip(numbers, question.frames[i], strict=True):
-            total = [x + number * y for x, y in zip(total, row, strict=True)]
-    vectors = (generator.vector for generator in region)
-    return [dot(total, d) - taken * g_0 for g_0, *d in vectors]
 
 
 def _denominator(row: RationalVector) -> int:

@@ -39,7 +39,7 @@ tangents of a contact, three in space; see `equilibrium.certificate.law.displace
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -53,17 +53,36 @@ from equilibrium.model.solution import Enclosure
 from .robust import check_form
 
 SCHEMA_VERSION = 3
-_KEYS = {"resisted": ("motion", "forces"), "not resisted": ("tree",)}
+#: What the proof of a verdict on one question has.
+KEYS = {"resisted": ("motion", "forces"), "not resisted": ("tree",)}
 #: Of older certificates.
 _OLD_BOUNDS = ("largest_turn", "largest_force")
 _ENCLOSURE = ("basis", "friction", "pillars", "centre", "radius", "inverse")
-#: Numbers of a motion, in the plane and in space.
-SIZES = {2: 3, 3: 6}
 #: The states that a split of a contact distinguishes, by the key of the split.
 STATES = {"attachment": ("detached", "attached"), "slip": ("stick", "slip+", "slip-")}
 
 
-_SPLITS = {2: ("orthants", "edge", *STATES), 3: ("attachment", "directions", "faces")}
+class TreeForm(NamedTuple):
+    """What a tree is about, as far as its form goes.
+
+    Attributes:
+        size: how many numbers a motion has.
+        tangents: of each contact.
+        splits: the keys of inner nodes.
+        bodies: those whose motions are objects by names, three numbers each; None for one body.
+    """
+
+    size: int
+    tangents: int
+    splits: tuple[str, ...]
+    bodies: tuple[str, ...] | None = None
+
+
+#: Of grasps, by their dimension.
+FORMS = {
+    2: TreeForm(3, 1, ("orthants", "edge", *STATES)),
+    3: TreeForm(6, 2, ("attachment", "directions", "faces")),
+}
 
 
 class Leaf(NamedTuple):
@@ -94,6 +113,19 @@ class Split(NamedTuple):
     directions: tuple[RationalVector, ...] = ()
 
 
+class Place(NamedTuple):
+    """Where a node stands: its region, and the states of the contacts decided there.
+
+    Attributes:
+        region: generators; none where a tree has states alone.
+    """
+
+    path: str
+    depth: int
+    region: Sequence[Any]
+    states: Mapping[int, Any]
+
+
 class Plane(NamedTuple):
     """Two axes of a plane in space, and a planar tree."""
 
@@ -101,11 +133,11 @@ class Plane(NamedTuple):
     tree: Any
 
 
-def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
-    """Return kind, grasp and wrench of a certificate.
+def check_version(document: Any) -> str:
+    """Return the kind of a certificate of the version that is read here.
 
     Raises:
-        InputError: an old certificate, unknown keys, wrong types, a grasp out of range.
+        CertificateError: it is something else.
     """
     if not isinstance(document, Mapping):
         raise CertificateError(f"the certificate is {shown(document)}; expected an object")
@@ -117,15 +149,25 @@ def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
         )
     if type(version) is not int or version != SCHEMA_VERSION:
         raise CertificateError(f"schema_version is {shown(version)}; {SCHEMA_VERSION} is read here")
-    if not isinstance(kind, str) or kind not in _KEYS:
-        raise CertificateError(f"certificate is {shown(kind)}; expected one of {', '.join(_KEYS)}")
+    if not isinstance(kind, str) or kind not in KEYS:
+        raise CertificateError(f"certificate is {shown(kind)}; expected one of {', '.join(KEYS)}")
+    return kind
+
+
+def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
+    """Return kind, grasp and wrench of a certificate.
+
+    Raises:
+        InputError: an old certificate, unknown keys, wrong types, a grasp out of range.
+    """
+    kind = check_version(document)
     if old := next((key for key in _OLD_BOUNDS if key in document), ""):
         raise CertificateError(
             f"the certificate has {old}; expected max_displacement. Make a new one with "
             "`equilibrium solve` and --max-displacement"
         )
     common = ("schema_version", "certificate", "grasp", "wrench")
-    shown_by = ("enclosure",) if "enclosure" in document else _KEYS[kind]
+    shown_by = ("enclosure",) if "enclosure" in document else KEYS[kind]
     if "bounds" in document:
         check_form(document, kind, common)
         return kind, *_grasp_and_wrench(document)
@@ -153,12 +195,32 @@ def read_bound(document: Mapping[str, Any]) -> Fraction | None:
 
 
 def read_equilibrium(
-    document: Mapping[str, Any], contacts: int, dimension: int
+    document: Mapping[str, Any], contacts: int, form: TreeForm
 ) -> tuple[RationalVector, list[RationalVector]]:
     """Return the motion, and the normal and tangential forces of each contact."""
     rows = check_list(document["forces"], "forces", contacts)
-    forces = [_rationals(row, dimension, f"forces[{i}]") for i, row in enumerate(rows)]
-    return _rationals(document["motion"], SIZES[dimension], "motion"), forces
+    forces = [_rationals(row, form.tangents + 1, f"forces[{i}]") for i, row in enumerate(rows)]
+    return read_motion(document["motion"], form, "motion"), forces
+
+
+def read_motion(
+    content: Any, form: TreeForm, where: str, *, some_bodies: bool = False
+) -> RationalVector:
+    """Return a motion, or a wrench, in R^n.
+
+    Args:
+        some_bodies: bodies may be left out, which do not move.
+    """
+    if form.bodies is None:
+        return _rationals(content, form.size, where)
+    due, rest = ((), form.bodies) if some_bodies else (form.bodies, ())
+    given = check_keys(content, due, rest, where)
+    size = form.size // max(1, len(form.bodies))
+    rows = (
+        _rationals(given[name], size, f"{where}.{name}") if name in given else (Fraction(0),) * size
+        for name in form.bodies
+    )
+    return tuple(x for row in rows for x in row)
 
 
 def read_enclosure(content: Any, contacts: int) -> Enclosure:
@@ -171,7 +233,7 @@ def read_enclosure(content: Any, contacts: int) -> Enclosure:
     for i, pair in enumerate(check_list(content["pillars"], "enclosure.pillars", 6 - len(basis))):
         where = f"enclosure.pillars[{i}]"
         contact, tangent = check_list(pair, where, 2)
-        pillars.append((_index(contact, where, contacts), _index(tangent, where, 2)))
+        pillars.append((read_index(contact, where, contacts), read_index(tangent, where, 2)))
     friction: list[RationalVector | None] = []
     for i, entry in enumerate(check_list(content["friction"], "enclosure.friction", contacts)):
         if entry in ("detached", "slip"):
@@ -199,38 +261,38 @@ def read_plane(tree: Any) -> Plane | None:
     return Plane((u, v), tree["tree"])
 
 
-def read_node(content: Any, path: str, contacts: int, dimension: int) -> Leaf | Split:
+def read_node(content: Any, path: str, contacts: int, form: TreeForm) -> Leaf | Split:
     """Return a node of a tree; what its children are is not looked at.
 
     Raises:
         InputError: this is not a node for this many contacts; the message has the path.
     """
-    size = SIZES[dimension]
-    if isinstance(content, (list, tuple)):
-        return Leaf(_rationals(content, size, path), {})
-    kinds = ("virtual_motion", *_SPLITS[dimension])
+    if isinstance(content, (list, tuple)) and form.bodies is None:
+        return Leaf(_rationals(content, form.size, path), {})
+    kinds = ("virtual_motion", *form.splits)
     kind = next((key for key in kinds if isinstance(content, Mapping) and key in content), "")
     if not kind:
+        short = "" if form.bodies else f"a list of {form.size} numbers or "
         raise CertificateError(
-            f"{path} is {shown(content)}; a node is a list of {size} numbers or an object with one "
-            f"of the keys {', '.join(kinds)}"
+            f"{path} is {shown(content)}; expected {short}an object with one of the keys "
+            f"{', '.join(kinds)}"
         )
     if kind == "virtual_motion":
-        return _long_leaf(content, path, contacts, dimension)
+        return _long_leaf(content, path, contacts, form)
     if kind == "orthants":
         check_keys(content, (kind,), (), path)
         return Split(kind, (), _children(content, kind, path, 8))
     if kind == "edge":
         check_keys(content, (kind, "children"), ("at",), path)
         ends = check_list(content[kind], f"{path}.edge", 2)
-        j, k = (_index(end, f"{path}.edge", 4) for end in ends)
+        j, k = (read_index(end, f"{path}.edge", 4) for end in ends)
         p, q = _rationals(content.get("at", (1, 1)), 2, f"{path}.at")
         if j == k or min(p, q) <= 0 or p.denominator * q.denominator != 1:
             raise CertificateError(f"{path}: an edge has two generators, at has integers above 0")
         at = (j, k, p.numerator, q.numerator)
         return Split(kind, at, _children(content, "children", path, 2))
     check_keys(content, ("contact", kind, *("children",) * (kind == "directions")), (), path)
-    contact = (_index(content["contact"], f"{path}.contact", contacts),)
+    contact = (read_index(content["contact"], f"{path}.contact", contacts),)
     if kind == "faces":
         return Split(kind, contact, _children(content, kind, path, None))
     if kind == "directions":
@@ -244,18 +306,23 @@ def read_node(content: Any, path: str, contacts: int, dimension: int) -> Leaf | 
     return Split(kind, contact, children)
 
 
-def _long_leaf(content: Mapping[str, Any], path: str, contacts: int, dimension: int) -> Leaf:
-    check_keys(content, ("virtual_motion", "multipliers"), ("displacements",), path)
-    motion = _rationals(content["virtual_motion"], SIZES[dimension], f"{path}.virtual_motion")
+def _long_leaf(content: Mapping[str, Any], path: str, contacts: int, form: TreeForm) -> Leaf:
+    numbers = form.tangents + 1
+    if form.bodies is None:
+        check_keys(content, ("virtual_motion", "multipliers"), ("displacements",), path)
+    else:
+        check_keys(content, ("virtual_motion",), ("multipliers",), path)
+    where = f"{path}.virtual_motion"
+    motion = read_motion(content["virtual_motion"], form, where, some_bodies=True)
     where = f"{path}.multipliers"
     multipliers = {}
-    for i, row in _by_contacts(content["multipliers"], where, contacts).items():
-        size = 1 if isinstance(row, (list, tuple)) and len(row) == 1 else dimension
-        numbers = _rationals(row, size, f"{where}.{i}")
-        multipliers[i] = (*numbers, *[Fraction(0)] * (dimension - size))
+    for i, row in _by_contacts(content.get("multipliers", {}), where, contacts).items():
+        is_alpha = form.bodies is None and isinstance(row, (list, tuple)) and len(row) == 1
+        given = _rationals(row, 1 if is_alpha else numbers, f"{where}.{i}")
+        multipliers[i] = (*given, *[Fraction(0)] * (numbers - len(given)))
     where = f"{path}.displacements"
-    given = _by_contacts(content.get("displacements", {}), where, contacts)
-    displacements = {i: _rationals(row, dimension, f"{where}.{i}") for i, row in given.items()}
+    given_bounds = _by_contacts(content.get("displacements", {}), where, contacts)
+    displacements = {i: _rationals(row, numbers, f"{where}.{i}") for i, row in given_bounds.items()}
     return Leaf(motion, multipliers, displacements)
 
 
@@ -283,7 +350,8 @@ def _children(
     return [(f"{path}.{key}[{i}]", child) for i, child in enumerate(children)]
 
 
-def _index(value: Any, where: str, below: int) -> int:
+def read_index(value: Any, where: str, below: int) -> int:
+    """Return a number from 0 on that is below a bound."""
     if type(value) is not int or not 0 <= value < below:
         raise CertificateError(f"{where} is {shown(value)}; there are 0 to {below - 1}")
     return value

@@ -67,20 +67,21 @@ def _by_python_checker(arguments: argparse.Namespace, question: Any) -> Report:
 
 
 def _by_verified_checker(arguments: argparse.Namespace, question: Any) -> Report:
+    from equilibrium.certificate.assemblies import AssemblyReport, read_assembly_question
     from equilibrium.certificate.checker import Report
     from equilibrium.certificate.reading import read_question
     from equilibrium.grasps.files import read_certificate, verify_proved
 
     path, max_displacement = arguments.certificate, read_displacement(arguments.max_displacement)
-    if path != "-" and "assembly" in read_certificate(path):
-        raise GraspError(
-            "--verified checks certificates of one body, and this is one of an assembly; leave it "
-            "out"
-        )
     valid, kind = verify_proved(path)
     report = Report(kind, "" if valid else f"this does not prove {kind}")
     if path != "-":
-        _, grasp, wrench = read_question(read_certificate(path))
+        document = read_certificate(path)
+        if "assembly" in document:
+            _, assembly, wrenches = read_assembly_question(document)
+            about = AssemblyReport(kind, report.problem, assembly=assembly, wrenches=wrenches)
+            return about.asked(question)
+        _, grasp, wrench = read_question(document)
         report = replace(report, grasp=grasp, wrench=wrench)
         return report.asked(question, arguments.cone, max_displacement)
     if question is not None:

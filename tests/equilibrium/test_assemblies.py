@@ -13,6 +13,7 @@ import jsonschema
 import pytest
 
 from arrangement import InputError, OutOfReachError
+from arrangement.console import proved_program
 from equilibrium import (
     Assembly,
     BodyContact,
@@ -28,7 +29,8 @@ from equilibrium import (
     solve,
     verify,
 )
-from equilibrium.certificate.assemblies import check_assembly, joints_of, law_problem
+from equilibrium.certificate.assemblies import check_assembly, joint_rows
+from equilibrium.certificate.law import law_problem
 from equilibrium.cli import main
 from equilibrium.decide.assemblies.parts import parts_of
 from equilibrium.decide.assemblies.rigid import rigid_forces
@@ -95,11 +97,11 @@ class TestTextbook:
         if "example" not in question:
             return
         assembly, wrenches = asked(case, question)
-        numbers = list(map(Fraction, question["example"]["motion"]))
-        moved = {name: tuple(numbers[3 * k :][:3]) for k, name in enumerate(assembly.names)}
+        moved = tuple(map(Fraction, question["example"]["motion"]))
         forces = [tuple(map(Fraction, row)) for row in question["example"]["forces"]]
         loads = assembly.read_wrenches(wrenches)
-        assert law_problem(joints_of(assembly), loads, moved, forces) == ""
+        load = tuple(x for name in assembly.names for x in loads[name])
+        assert law_problem(joint_rows(assembly), load, moved, forces) == ""
 
 
 class TestBruteForce:
@@ -635,12 +637,21 @@ class TestCommand:
         assert main(["info", stack, "--force-closure"]) == 2
         assert "is an assembly of several bodies; expected a grasp" in capsys.readouterr().err
 
-    def test_verified_checker_is_for_one_body(self, stack, tmp_path, capsys):
-        proof = str(tmp_path / "proof.json")
+    def test_verified_checker_takes_an_assembly(self, stack, tmp_path, capsys, monkeypatch):
+        proof, program = str(tmp_path / "proof.json"), tmp_path / "proved-checker"
         main(["solve", stack, "--certificate", proof])
         capsys.readouterr()
-        assert main(["verify", proof, "--verified"]) == 2
-        assert "one body" in capsys.readouterr().err
+        program.write_text('#!/bin/sh\necho "accepted: resisted"\n')
+        program.chmod(0o755)
+        monkeypatch.setattr(proved_program, "program", lambda: str(program))
+        assert main(["verify", proof, "--verified", "--grasp", stack]) == 0
+        answer, wrench, *_ = capsys.readouterr().out.splitlines()
+        assert answer == "valid: resisted (by the verified checker)"
+        assert wrench == "wrench on lower (0, -2, 0)"
+        other = str(tmp_path / "other.json")
+        STACK.save(other, {"upper": [0, -1, 0]})
+        assert main(["verify", proof, "--verified", "--grasp", other]) == 1
+        assert "another assembly" in capsys.readouterr().out
 
 
 class TestPicture:

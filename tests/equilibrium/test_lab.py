@@ -12,7 +12,7 @@ import pytest
 from arrangement import InputError
 from equilibrium import Contact, Grasp, ResistedSet, solve
 from equilibrium.certificate.checker import check
-from equilibrium.certificate.law import law_problem
+from equilibrium.certificate.law import law_problem, law_rows
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.instances import paths
@@ -111,7 +111,7 @@ def test_lab_answers_equal_the_solver(opened):
         for piece in answer["equilibria"]:
             motion = tuple(map(Fraction, piece["motion"]))
             forces = [tuple(map(Fraction, pair)) for pair in piece["forces"]]
-            assert not law_problem(grasp, tuple(wrench), motion, forces)
+            assert not law_problem(law_rows(grasp), tuple(wrench), motion, forces)
         if all(piece.unique for piece in found.equilibria):
             assert {tuple(map(Fraction, p["motion"])) for p in answer["equilibria"]} == {
                 piece.motion for piece in found.equilibria

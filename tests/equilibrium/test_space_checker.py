@@ -21,12 +21,12 @@ from equilibrium.certificate.enclosure import (
     interval,
     total,
 )
-from equilibrium.certificate.reading import Leaf, Split, read_enclosure, read_node
-from equilibrium.certificate.space import (
-    SpatialQuestion,
-    _broken_bound,
-    _broken_pyramid,
-    spatial_leaf_problem,
+from equilibrium.certificate.law import law_rows
+from equilibrium.certificate.reading import FORMS, Leaf, Place, Split, read_enclosure, read_node
+from equilibrium.certificate.states import (
+    StateQuestion,
+    _is_below,
+    broken_multipliers,
     split_states,
 )
 from equilibrium.model.contact import Contact, pyramid_edges
@@ -56,6 +56,14 @@ def plus(row, *terms):
     for factor, other in terms:
         row = [x + factor * y for x, y in zip(row, other, strict=True)]
     return tuple(map(F, row))
+
+
+def question_of(contacts, load, edges=(), largest=None):
+    return StateQuestion(law_rows(contacts), load, FORMS[3], edges, largest)
+
+
+def leaf_problem(question, leaf, states):
+    return question.leaf_problem(leaf, Place("leaf", 0, (), states))
 
 
 def states_of(edges):
@@ -163,9 +171,9 @@ def forged_leaf(source, edges, state, ends):
     order = source.sample(range(3), 3)
     multipliers = {j: tuple(given[i]) for j, i in enumerate(order) if i or any(given[i])}
     leaf = Leaf(motion, multipliers, {order.index(0): (F(0), *pins)} if any(pins) else {})
-    question = SpatialQuestion(Grasp([contacts[i] for i in order]), load, edges, largest)
+    question = question_of([contacts[i] for i in order], load, edges, largest)
     named = {j: known[i] for j, i in enumerate(order) if known[i] != "undecided"}
-    return spatial_leaf_problem(question, leaf, named, "leaf"), right
+    return leaf_problem(question, leaf, named), right
 
 
 @pytest.mark.parametrize("count", [0, 4, 6])
@@ -205,8 +213,8 @@ def test_displacements_in_space_have_their_price(given, most, words):
         load = plus([F(x, 3) for x in axis] + [0] * 3)
         motion = plus([*axis, 0, 0, 0])
         leaf = Leaf(motion, {0: (0, -1, 0)}, {0: tuple(map(F, given))})
-        asked = SpatialQuestion(Grasp([contact]), load, (), None if most is None else F(most))
-        problem = spatial_leaf_problem(asked, leaf, {0: "stick"}, "leaf")
+        asked = question_of([contact], load, (), None if most is None else F(most))
+        problem = leaf_problem(asked, leaf, {0: "stick"})
         assert words in problem
         assert bool(problem) == bool(words)
 
@@ -216,14 +224,12 @@ def test_bounds_have_no_gap_between_whole_numbers():
     sector = ((F(1, 9), F(0)), (F(0), F(1, 9)))
     cases = {(1, 1): 2**0.5, (1, -1): 1, (-1, 1): 1, (-1, -1): -1, (0, -1): 0, (0, 0): 0}
     for (b, largest), mu, room in product(cases.items(), (F(1, 2), F(1), F(3)), range(-4, 6)):
-        broken = _broken_bound(sector, 0, (0, 0), room, b, mu)
-        assert (not broken) == (room >= mu * largest)
+        assert _is_below(room, b, mu, sector, ()) == (room >= mu * largest)
     for state in ("undecided", "detached"):
-        assert _broken_bound(state, -1, (0, 0), 9, (1, 0), F(1))
-        assert _broken_pyramid(state, -1, (0, 0), 9, (1, 0), F(1), pyramid_edges(4))
-    question = SpatialQuestion(Grasp(table((0, 0), friction=0, preload=0)), plus(ALONG))
-    assert not spatial_leaf_problem(question, Leaf(plus(ALONG), {}), {}, "leaf")
-    assert spatial_leaf_problem(question, Leaf(plus(ASIDE), {}), {}, "leaf")
+        assert broken_multipliers(state, -1, (0, 0), is_below=True)
+    question = question_of(table((0, 0), friction=0, preload=0), plus(ALONG))
+    assert not leaf_problem(question, Leaf(plus(ALONG), {}), {})
+    assert leaf_problem(question, Leaf(plus(ASIDE), {}), {})
 
 
 def test_no_coordinate_of_what_depends_on_the_motion_may_be_left():
@@ -239,9 +245,9 @@ def test_no_coordinate_of_what_depends_on_the_motion_may_be_left():
             states = dict.fromkeys(range(len(contacts)), "stick")
             for factor, words in ((0, ""), (1, "the sum of")):
                 given = {i: plus([0] * 3, (factor, row)) for i, row in enumerate(rows)}
-                asked = SpatialQuestion(Grasp(contacts), load), Leaf(load, given), states, "leaf"
-                assert words in spatial_leaf_problem(*asked)
-                assert bool(spatial_leaf_problem(*asked)) == bool(words)
+                asked = question_of(contacts, load), Leaf(load, given), states
+                assert words in leaf_problem(*asked)
+                assert bool(leaf_problem(*asked)) == bool(words)
 
 
 #: Slips and frictions whose lengths are rational; the first is none.
@@ -330,10 +336,10 @@ def test_split_by_directions_has_stick_and_sectors(directions, children):
     def node(children):
         return {"contact": 0, "directions": [[1, 0]] * directions, "children": [[]] * children}
 
-    assert len(read_node(node(children), "tree", 1, 3).children) == children
+    assert len(read_node(node(children), "tree", 1, FORMS[3]).children) == children
     for wrong in (children - 1, children + 1):
         with pytest.raises(InputError, match=f"expected {children}"):
-            read_node(node(wrong), "tree", 1, 3)
+            read_node(node(wrong), "tree", 1, FORMS[3])
 
 
 @pytest.mark.parametrize(("dimension", "motion"), [(2, 3), (3, 6)])
@@ -343,11 +349,11 @@ def test_displacements_have_a_number_for_each_direction(dimension, motion):
         return {"virtual_motion": [0] * motion, "multipliers": {"0": [3]}, "displacements": used}
 
     slips = (0,) * (dimension - 1)
-    found = read_node(leaf(dimension), "tree", 2, dimension)
+    found = read_node(leaf(dimension), "tree", 2, FORMS[dimension])
     assert found == ((0,) * motion, {0: (3, *slips)}, {1: (HALF,) * dimension})
     for wrong in (dimension - 1, dimension + 1):
         with pytest.raises(InputError, match=f"has {wrong} entries; expected {dimension}"):
-            read_node(leaf(wrong), "tree", 2, dimension)
+            read_node(leaf(wrong), "tree", 2, FORMS[dimension])
 
 
 HALF, WIDE, NARROW, TINY = F(1, 2), F(1, 8), F(1, 1000), F(1, 2**192)

@@ -15,7 +15,8 @@ from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, to_text, vector_text
 from arrangement.numbers.linear.intervals import Interval
-from equilibrium.certificate.assemblies import joints_of, law_problem
+from equilibrium.certificate.assemblies import joint_rows
+from equilibrium.certificate.law import law_problem
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
 from equilibrium.decide.solver import STEPS, Solver
 from equilibrium.model.assembly import SIZE, Assembly, Wrenches
@@ -166,14 +167,12 @@ def _searched(
     from equilibrium.space.cones import LineCones
     from equilibrium.space.tree import SETTINGS, SpatialSearch
 
-    joints = joints_of(inside)
+    rows = joint_rows(inside)
+    load = tuple(x for name in part.bodies for x in part.wrenches[name])
 
     def accept(found: Solution) -> bool:
-        names = enumerate(part.bodies)
-        moved = {name: found.motion[SIZE * k : SIZE * (k + 1)] for k, name in names}
-        return not law_problem(joints, part.wrenches, moved, found.forces)
+        return not law_problem(rows, load, found.motion, found.forces)
 
-    load = tuple(x for name in part.bodies for x in part.wrenches[name])
     most = SETTINGS.max_nodes if nodes is None else nodes
     contacts = FloatContacts(inside.rows)
     search = SpatialSearch(contacts, load, accept, effort, most, cones=LineCones())
