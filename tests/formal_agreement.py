@@ -1,8 +1,9 @@
 """The verified checker beside the one in Python: one answer for each document, or exit code 1.
 
 Documents are the solver's certificates, and trees of other shapes, for questions in which
-degenerate cases are common, in the plane and in space; mutants of each are changed in one place, in
-their numbers, nodes, keys or bytes. Also compared: what both read of grasp and wrench.
+degenerate cases are common, of grasps in the plane and in space and of assemblies; mutants of each
+are changed in one place, in their numbers, nodes, keys or bytes. Also compared: what both read of
+contacts and wrench.
 
     python tests/formal_agreement.py PROGRAM [--documents 400] [--mutants 4] [--seed 0]
 """
@@ -27,16 +28,19 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from arrangement import InputError
 from arrangement.numbers.exact import to_text
-from equilibrium import Contact, Grasp, Solution, read_certificate, solve
+from equilibrium import Assembly, Contact, Grasp, Solution, read_certificate, solve
+from equilibrium.certificate.assemblies import read_assembly_question
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.certificate.reading import read_question
 from equilibrium.grasps.inputs.random import random_grasp
+from tests.equilibrium.bodies_oracle import random_question
 from tests.equilibrium.degenerate import question
 from tests.equilibrium.mutations import mutants
 from tests.equilibrium.trees import TooLarge, refutation
 
 ANSWERS = ("accepted", "refused", "malformed")
+BODIES = Path(__file__).resolve().parent / "equilibrium" / "bodies.json"
 #: Trees for one question beside the solver's, and the most nodes of one.
 SHAPES, NODES = 3, 60
 #: Files that one run of the program looks at.
@@ -84,6 +88,7 @@ def documents(seed: int) -> Iterator[dict[str, Any]]:
     """Yield certificates of both kinds forever; all are valid."""
     for k in count(1000 * seed):
         yield from spatial_documents(k)
+        yield from assembly_documents(k)
         asked = question(k)
         verdict = solve(asked.grasp, asked.wrench)
         yield verdict.certificate.to_dict()
@@ -114,6 +119,19 @@ def spatial_documents(seed: int) -> Iterator[dict[str, Any]]:
             (f, g, zero, zero, zero, torque),
             Solution((x, y, zero, zero, zero, turn), tuple((*pair, zero) for pair in forces)),
         ).to_dict()
+
+
+def assembly_documents(seed: int) -> Iterator[dict[str, Any]]:
+    """Yield certificates of a random assembly, and of a textbook one that is no forest."""
+    document, wrench = random_question(seed, 3 + seed % 5)
+    cases = json.loads(BODIES.read_text(encoding="utf-8"))["cases"][3:]
+    case = cases[seed % len(cases)]
+    textbook = case["questions"][seed // len(cases) % len(case["questions"])]
+    known = {"bodies": case["bodies"], "contacts": textbook["contacts"]}
+    for question_of, load in ((document, wrench), (known, textbook["wrench"])):
+        verdict = solve(Assembly.from_dict(question_of), load)
+        if verdict.decided:
+            yield verdict.proof
 
 
 def _turned(contact: Contact, source: Random) -> Contact:
@@ -165,6 +183,8 @@ def forms() -> Iterator[bytes]:
     for number in range(3):
         yield json.dumps({**resting, "forces": [["0", "0"]] * number}).encode()
 
+    yield from assembly_forms()
+
     text, tree = json.dumps(plain), json.dumps(leaf)
     yield text.replace('"tree"', '"\\u0074ree"').encode()
     yield text.replace('"tree"', '"tree":0,"tree"').encode()
@@ -179,6 +199,52 @@ def forms() -> Iterator[bytes]:
         end = f", {tree}]}}" * (depth - 1) + "]}"
         yield text.replace(tree, start + tree + end).encode()
         yield text.replace(tree, "[" * depth + "]" * depth).encode()
+
+
+def assembly_forms() -> Iterator[bytes]:
+    """Yield certificates of assemblies of unusual form: names, bodies, parts, wrenches, leaves."""
+    contact = {"point": ["0", "0"], "normal": ["0", "1"], "friction": "1/2"}
+    joints = [{"body_a": "a", "body_b": None, **contact}, {"body_a": "b", "body_b": "a", **contact}]
+    leaf = {"virtual_motion": {"a": ["0", "1", "0"], "b": ["0", "1", "0"]}}
+    assembly = {"bodies": ["a", "b"], "contacts": joints}
+    plain = {"schema_version": 3, "certificate": "not resisted", "assembly": assembly}
+    plain |= {"wrench": {"a": ["0", "1", "0"], "b": ["0", "0", "0"]}, "tree": leaf}
+
+    def of_joint(**change: Any) -> dict[str, Any]:
+        return {"assembly": {**assembly, "contacts": [joints[0], {**joints[1], **change}]}}
+
+    changes: list[dict[str, Any]] = [{}]
+    for bodies in (["a", "a"], ["a"], [], ["a", "b", "c"], ["a", {"name": "b"}], [1, 2], "ab"):
+        changes.append({"assembly": {**assembly, "bodies": bodies}})
+    for name in ("", " b", "b\n", "b" * 40, "b" * 41, "\u03bc", "\u0085", 3, None):
+        named = {"bodies": ["a", name], "contacts": joints[:1]}
+        wrench = {"a": ["0", "1", "0"], str(name): ["0", "0", "0"]}
+        changes.append({"assembly": named, "wrench": wrench, "tree": {"virtual_motion": {}}})
+    changes += [of_joint(body_b=name) for name in ("b", "c", None, 1)]
+    changes += [of_joint(body_a=name) for name in (None, "c", "a")]
+    changes += [of_joint(tangent=["1", "0"]), of_joint(normal=["0", "0", "1"])]
+    keys = {"schema_version": 2, "description": 3, "units": {}, "wrench": {}, "outline": {}}
+    changes += [{"assembly": {**assembly, key: value}} for key, value in keys.items()]
+    for wrench in ({"a": ["0"] * 3}, {"a": ["0"] * 3, "c": ["0"] * 3}, ["0"] * 6):
+        changes.append({"wrench": wrench})
+    zero = ["0", "0", "0"]
+    trees: list[Any] = [["0", "1", "0"], {"virtual_motion": {"c": zero}}, {"orthants": [leaf] * 8}]
+    for row in (["1"], ["0", "0"], ["0", "0", "0"], "0"):
+        trees.append({**leaf, "multipliers": {"0": row}})
+    part = {"part": ["b"], "contacts": [1], "tree": ["0", "1", "0"]}
+    trees += [part, {**part, "part": ["b", "b"]}, {**part, "part": ["c"]}, {**part, "part": []}]
+    trees += [{**part, "contacts": places} for places in ([0], [1, 1], [], [2], [0, 1])]
+    trees += [{**part, "part": ["a"], "contacts": [1, 0]}, {**part, "part": ["b", "a"]}]
+    trees += [{**part, "part": ["a", "b"], "contacts": [0], "tree": tree} for tree in ([], zero)]
+    changes += [{"tree": tree} for tree in trees]
+    changes.append({"max_displacement": "1"})
+    yield from (json.dumps({**plain, **change}).encode() for change in changes)
+    resting = {key: plain[key] for key in ("schema_version", "assembly")}
+    resting |= {"certificate": "resisted", "wrench": {"a": zero, "b": zero}}
+    for forces in ([["0", "0"]] * 2, [["0", "0"]], [["0", "0", "0"]] * 2):
+        motion = {"a": zero, "b": zero}
+        yield json.dumps({**resting, "motion": motion, "forces": forces}).encode()
+    yield json.dumps({**resting, "motion": {"a": zero}, "forces": [["0", "0"]] * 2}).encode()
 
 
 def _broken_text(text: bytes, source: Random) -> bytes:
@@ -211,22 +277,30 @@ def _new_answer(path: Path) -> tuple[str, Any]:
     try:
         document = read_certificate(path)
         report = check(document)
-        _, grasp, wrench = read_question(document)
+        rows, wrench = asked(document)
     except InputError:
         return "malformed", None
-    rows = [
-        [
-            *c.point,
-            *c.normal,
-            *c.tangent * (grasp.dimension == 3),
-            c.friction,
-            c.stiffness,
-            c.preload,
+    content = {"contacts": [list(map(to_text, row)) for row in rows]}
+    return ("accepted" if report else "refused"), {**content, "wrench": list(map(to_text, wrench))}
+
+
+def asked(document: dict[str, Any]) -> tuple[list[list[Fraction]], list[Fraction]]:
+    """Return the numbers of contacts and load; contacts of an assembly begin with their bodies."""
+    if "assembly" in document:
+        _, assembly, wrenches = read_assembly_question(document)
+        place = {name: Fraction(k) for k, name in enumerate(assembly.names)}
+        rows = [
+            [place[name] for name in (c.body_a, c.body_b) if name is not None] + _values(c.contact)
+            for c in assembly.contacts
         ]
-        for c in grasp
-    ]
-    asked = {"contacts": [list(map(to_text, row)) for row in rows]}
-    return ("accepted" if report else "refused"), {**asked, "wrench": list(map(to_text, wrench))}
+        return rows, [x for name in place for x in wrenches[name]]
+    _, grasp, load = read_question(document)
+    return [_values(c) for c in grasp], list(load)
+
+
+def _values(contact: Contact) -> list[Fraction]:
+    given = (*contact.point, *contact.normal, *contact.tangent * (contact.dimension == 3))
+    return [*given, contact.friction, contact.stiffness, contact.preload]
 
 
 def program_answers(program: Path, paths: list[Path], *options: str) -> list[str]:

@@ -2,14 +2,14 @@
 
 Require Import ZArith Extraction ExtrOcamlZBigInt.
 Require Import Checker Soundness Counting Whitney Bounded Claims FinalPolynomials.
-Require Import SpatialChecker SpatialSoundness Inscribed Weights.
+Require Import Rationals Inscribed Weights.
 
 (** One line beyond the standard library's: without it, gcd counts down bits one by one. *)
 Extract Constant Z.gcd => "Big_int_Z.gcd_big_int".
 
 Extraction "checker.ml" check
   count_regions count_faces characteristic_polynomial code complete_regions complete_faces
-  final check3 contradicts satisfies.
+  final contradicts satisfies.
 
 (** What all theorems rest on, printed once: each printing goes through the proofs and the real numbers. *)
 
@@ -32,8 +32,6 @@ Definition theorems := (
   sphere_dual_weights, single_solution, printed_detachment, printed_preload,
 
   no_coordinates,
-
-  not_resisted_in_space, resisted_in_space,
 
   no_weights, weights_hold).
 

@@ -43,5 +43,5 @@ if [ "$theorems" -ne "$(grep -c '^Print Assumptions' Extract.v)" ] || [ -n "$oth
 fi
 
 ocamlfind ocamlopt -package zarith -linkpkg \
-  checker.mli checker.ml json.ml reader.ml spatial_reader.ml planes_reader.ml signs_reader.ml weights_reader.ml main.ml -o proved-checker
+  checker.mli checker.ml json.ml reader.ml tree_reader.ml grasp_reader.ml assembly_reader.ml planes_reader.ml signs_reader.ml weights_reader.ml main.ml -o proved-checker
 echo "proofs_check/formal/_build/proved-checker"

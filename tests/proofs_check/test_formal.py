@@ -45,12 +45,11 @@ def test_every_source_is_compiled():
 
 
 def test_the_axioms_of_every_theorem_of_the_program_are_printed():
-    """On grasps, on counts, of claims, on coordinates, and on grasps in space."""
+    """On grasps and assemblies, on counts, of claims, and on coordinates."""
     about = [FOLDER / "grasps" / "Soundness.v"]
     about += [FOLDER / "counting" / name for name in ("Counting.v", "Whitney.v")]
     about += [FOLDER / "claims" / name for name in ("Bounded.v", "Claims.v")]
     about.append(FOLDER / "realizability" / "FinalPolynomials.v")
-    about.append(FOLDER / "space" / "SpatialSoundness.v")
     about += [FOLDER / "realizability" / name for name in ("Inscribed.v", "Weights.v")]
     theorems = [
         name for path in about for name in re.findall(r"^Theorem (\w+)", path.read_text(), re.M)

@@ -68,8 +68,9 @@ PLANTED = {
         "let complete_faces ": [("fold_right Z.add", "fold_right Z.sub")],
         # Grasps.
         "let check ": [
-            ("confirms asked motion forces", "true"),
-            ("refutes asked", "true || refutes asked"),
+            ("confirmed (dimension", "true || confirmed (dimension"),
+            ("refuted (dimension", "true || refuted (dimension"),
+            ("at_one_place part between", "true"),
         ],
     },
     "planes_reader.ml": {
@@ -88,10 +89,25 @@ PLANTED = {
         "let law ": [('"stiffness" 1', '"stiffness" 0'), ("Z.sign preload.qnum < 0", "false")],
         "let contact ": [("not (Z.equal", "false && not (Z.equal")],
         "let index ": [("Z.sign i >= 0", "true")],
-        "let vector ": [("{ along_x; along_y; turn }", "{ along_x; along_y; turn = along_x }")],
+        "let vector ": [("(Some size)", "None")],
+    },
+    "tree_reader.ml": {
         "let contact_key ": [("|| string_of_int i <> key", "")],
-        "let multiplier ": [("(i, (rational", "(Z.add i Z.one, (rational")],
-        "let document ": [("(Some count)", "None")],
+        "let multiplier ": [("Z.of_int (subject.number i)", "Z.of_int (subject.number i + 1)")],
+        "let leaf ": [("else [] in\n  Leaf", "else [] in\n  let others = [] in\n  Leaf")],
+        "let orthants ": [("(last c d)", "(last d c)")],
+    },
+    "grasp_reader.ml": {
+        "let document ": [("(Some contacts)", "None")],
+    },
+    "assembly_reader.ml": {
+        "let name ": [("characters > 40", "characters > 41")],
+        "let joint ": [("if b = Some a", "if false && b = Some a")],
+        "let part ": [
+            ("compare places", "compare (List.sort_uniq compare places)"),
+            ("number = (fun k -> rank (List.nth places k) crossing)", "number = Fun.id"),
+        ],
+        "let document ": [("(Some (List.length joints))", "None")],
     },
     "json.ml": {
         "let deepest ": [("1000", "500")],

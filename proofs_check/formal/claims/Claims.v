@@ -398,20 +398,21 @@ Proof. exact no_diagonal_weights. Qed.
 
 (** Two equilibria of one grasp under one wrench, with different normal forces. *)
 Theorem single_solution : exists d forces d' forces',
-  Model.equilibrium (Model.real_question two_springs) d forces /\
-  Model.equilibrium (Model.real_question two_springs) d' forces' /\ map fst forces <> map fst forces'.
+  Model.balances (Model.real_question two_springs) d forces /\
+  Model.balances (Model.real_question two_springs) d' forces' /\
+  normal_forces forces <> normal_forces forces'.
 Proof. exact two_solutions. Qed.
 
 (** The spring equation as an equality leaves no forces that balance; the law does. *)
 Theorem printed_detachment :
-  (exists d forces, Model.equilibrium (Model.real_question opposed) d forces) /\
-  forall d forces, Forall2 (never_lets_go d) (Model.contacts (Model.real_question opposed)) forces ->
-    Model.add (Model.total (Model.contacts (Model.real_question opposed)) forces)
-      (Model.applied (Model.real_question opposed)) <> Model.zero.
+  (exists d forces, Model.balances (Model.real_question opposed) d forces) /\
+  forall d forces, length d = 3%nat ->
+    Forall2 (never_lets_go d) (Model.rows_of (Model.real_question opposed)) forces ->
+    ~ balanced (Model.real_question opposed) forces.
 Proof. exact opposed_lets_go. Qed.
 
 (** Resisted with preload 1, and not without the term. *)
 Theorem printed_preload :
-  (exists d forces, Model.equilibrium (Model.real_question (corner 1)) d forces) /\
-  forall d forces, ~ Model.equilibrium (Model.real_question (corner 0)) d forces.
+  (exists d forces, Model.balances (Model.real_question (corner 1)) d forces) /\
+  forall d forces, ~ Model.balances (Model.real_question (corner 0)) d forces.
 Proof. exact corner_needs_preload. Qed.

@@ -1,233 +1,272 @@
-(** The checker: a question, a proof, yes or no. All arithmetic is in integers. *)
+(** The checker: a question, a proof, yes or no, in rational numbers. *)
 
 Require Import ZArith QArith List Bool.
-Require Import Model.
+Require Import Model Rationals.
 Import ListNotations.
 Open Scope Z_scope.
 Set Implicit Arguments.
 
-(** * Proofs, as they stand in a document *)
+(** * Proofs *)
 
-(** The corners of a simplicial cone are counted from 0 to 3, contacts from 0. *)
-Inductive corner := Corner0 | Corner1 | Corner2 | Corner3.
+(** Contacts and generators are counted from 0; directions are along the tangents of a contact. *)
+Definition direction := (Q * Q)%type.
 
 Inductive tree :=
-| Leaf (virtual_motion : vector Q) (multipliers : list (Z * (Q * Q)))  (* contact, (alpha, h) *)
-| Orthants (ppp ppm pmp pmm mpp mpm mmp mmm : tree)
-| Edge (j k : corner) (p q : Z) (first second : tree)
+(* Of some contacts (alpha, (h_1, h_2)). *)
+| Leaf (virtual_motion : list Q) (multipliers : list (Z * (Q * Q * Q)))
+(* The point p g_j + q g_k replaces g_j in the first part, g_k in the second. *)
+| Edge (j k : nat) (p q : Q) (first second : tree)
 | Attachment (contact : Z) (detached attached : tree)
-| Slip (contact : Z) (stick plus minus : tree).
+(* Of a contact with one tangent. *)
+| Slip (contact : Z) (stick plus minus : tree)
+(* Each sector goes from its direction to that of the next one, the last to the first. *)
+| Directions (contact : Z) (stick : tree) (sectors : list (direction * tree))
+| Cut (contact : Z) (middle : direction) (first second : tree).
 
 Inductive proof :=
-| Resisted (motion : vector Q) (forces : list (Q * Q))
-| NotResisted (tree : tree).
+| Resisted (motion : list Q) (forces : list (Q * Q * Q))
+| NotResisted (tree : tree)
+(* Of an assembly: for each body, whether it is in the part. *)
+| NotResistedPart (part : list bool) (tree : tree).
 
-(** * Integers instead of rationals *)
+(** * Vectors *)
 
-(** A common denominator of rationals, and the integer [d q] where [d] is one for [q]. *)
-Definition common (l : list Q) : Z := fold_right (fun q d => Z.lcm (Zpos (Qden q)) d) 1 l.
-Definition clear (d : Z) (q : Q) : Z := Qnum q * (d / Zpos (Qden q)).
+Fixpoint qdot (v w : list Q) : Q :=
+  match v, w with x :: v, y :: w => qplus (qtimes x y) (qdot v w) | _, _ => 0%Q end.
 
-(** A homogeneous motion (d_0, d), which stands for the motion d / d_0, or a linear form on them. *)
-Record quad F := Quad { q0 : F; q1 : F; q2 : F; q3 : F }.
+Fixpoint qadd (v w : list Q) : list Q :=
+  match v, w with
+  | x :: v, y :: w => qplus x y :: qadd v w
+  | [], w => w
+  | v, [] => v
+  end.
 
-Definition eval (f g : quad Z) : Z := q0 f * q0 g + q1 f * q1 g + q2 f * q2 g + q3 f * q3 g.
-Definition combine (p : Z) (f : quad Z) (q : Z) (g : quad Z) : quad Z :=
-  Quad (p * q0 f + q * q0 g) (p * q1 f + q * q1 g) (p * q2 f + q * q2 g) (p * q3 f + q * q3 g).
+Definition qscaled (t : Q) (v : list Q) : list Q := map (qtimes t) v.
+Definition qvanishes (v : list Q) : bool := forallb qzero v.
 
-Definition entries (v : vector Q) := [along_x v; along_y v; turn v].
-Definition clear_vector (d d_0 : Z) (v : vector Q) : quad Z :=
-  Quad d_0 (clear d (along_x v)) (clear d (along_y v)) (clear d (turn v)).
+(** * Contacts as rows *)
 
-(** A contact in integers. With the positive integers [unit_n], [unit_e], [unit_mu] and D:
-    - [normal] is unit_n N and [tangent] is unit_n T, without constant term;
-    - [spring] is unit_e (q - k N . d);
-    - [slope] is unit_mu mu;
-    - [weight] times unit_n unit_e unit_mu is D, the same number for all contacts. *)
-Record integer_contact := Integers {
-  normal : quad Z; tangent : quad Z; spring : quad Z; slope : Z;
-  unit_n : Z; unit_e : Z; unit_mu : Z; weight : Z }.
+Definition qplanar_row (c : contact Q) : row Q :=
+  let wrench f_x f_y :=
+    [f_x; f_y; qminus (qtimes (point_x c) f_y) (qtimes (point_y c) f_x)] in
+  Row (wrench (normal_x c) (normal_y c)) (wrench (Qopp (normal_y c)) (normal_x c)) []
+    (values2 c).
 
-Definition units (c : integer_contact) : Z := unit_n c * unit_e c * unit_mu c.
+Definition qcross (a b : vector3 Q) : vector3 Q := Vector3
+  (qminus (qtimes (y_of a) (z_of b)) (qtimes (z_of a) (y_of b)))
+  (qminus (qtimes (z_of a) (x_of b)) (qtimes (x_of a) (z_of b)))
+  (qminus (qtimes (x_of a) (y_of b)) (qtimes (y_of a) (x_of b))).
 
-Definition integers (c : contact Q) : integer_contact :=
-  let d := common [point_x c; point_y c] in
-  let u := common [normal_x c; normal_y c] in
-  let e := common [stiffness c; preload c] in
-  let x := clear d (point_x c) in let y := clear d (point_y c) in
-  let a := clear u (normal_x c) in let b := clear u (normal_y c) in
-  let n := Quad 0 (d * a) (d * b) (x * b - y * a) in
-  let k := clear e (stiffness c) in
-  {| normal := n;
-     tangent := Quad 0 (d * - b) (d * a) (x * a - y * - b);
-     spring := Quad (clear e (preload c) * (d * u)) (- k * q1 n) (- k * q2 n) (- k * q3 n);
-     slope := Qnum (friction c);
-     unit_n := d * u; unit_e := e * (d * u); unit_mu := Zpos (Qden (friction c));
-     weight := 1 |}.
+Definition qspatial_row (c : contact3 Q) : row Q :=
+  let wrench f :=
+    let m := qcross (point3 c) f in [x_of f; y_of f; z_of f; x_of m; y_of m; z_of m] in
+  Row (wrench (normal3 c)) (wrench (tangent3 c)) (wrench (qcross (normal3 c) (tangent3 c)))
+    (values3 c).
 
-Definition with_weight (D : Z) (c : integer_contact) : integer_contact :=
-  Integers (normal c) (tangent c) (spring c) (slope c)
-    (unit_n c) (unit_e c) (unit_mu c) (D / units c).
+Definition qat_body (i : nat) (w : list Q) : list Q := repeat 0%Q (3 * i) ++ w.
+Definition qon_bodies (j : joint Q) (w : list Q) : list Q :=
+  match body_b j with
+  | None => qat_body (body_a j) w
+  | Some b => qadd (qat_body (body_a j) w) (qscaled (-1) (qat_body b w))
+  end.
 
-(** A question in integers; [load] is [load_unit] times the wrench, [load_weight] is
-    D / [load_unit]. *)
-Record integer_question := Asked {
-  bodies : list integer_contact; load : quad Z; load_unit : Z; load_weight : Z }.
+Definition qjoint_row (j : joint Q) : row Q :=
+  let c := qplanar_row (touch j) in
+  Row (qon_bodies j (normal c)) (qon_bodies j (tangent1 c)) [] (values_of c).
 
-Definition integer_form (g : question Q) : integer_question :=
-  let cs := map integers (contacts g) in
-  let u := common (entries (applied g)) in
-  let D := fold_right (fun c d => Z.lcm (units c) d) u cs in
-  Asked (map (with_weight D) cs) (clear_vector u 0 (applied g)) u (D / u).
+Definition qrows_of (g : question Q) : list (row Q) :=
+  match g with
+  | InPlane cs _ => map qplanar_row cs
+  | InSpace cs _ => map qspatial_row cs
+  | OfBodies _ js _ => map qjoint_row js
+  end.
+
+(** A contact with the linear forms that are its spring and its slip at the motion d, on (1, d). *)
+Record body := Body { row_at : row Q; spring : list Q; slip1 : list Q; slip2 : list Q }.
+
+Definition body_of (c : row Q) : body :=
+  let v := values_of c in
+  Body c (preload v :: qscaled (Qopp (stiffness v)) (normal c)) (0%Q :: tangent1 c)
+    (0%Q :: tangent2 c).
+
+Definition mu_of (c : body) : Q := friction (values_of (row_at c)).
+
+Definition one_tangent (c : body) : bool :=
+  match tangent2 (row_at c) with [] => true | _ => false end.
+
+(** * Directions of slip *)
+
+(** Positive where the second is less than half a turn counter-clockwise of the first. *)
+Definition qturn (a b : direction) : Q :=
+  qminus (qtimes (fst a) (snd b)) (qtimes (snd a) (fst b)).
+Definition qdot2 (a b : direction) : Q :=
+  qplus (qtimes (fst a) (fst b)) (qtimes (snd a) (snd b)).
+
+(** Whether [room] is at least [mu] times the length of [b]. *)
+Definition beyond_disc (room mu : Q) (b : direction) : bool :=
+  qnonneg room && qleb (qtimes (qtimes mu mu) (qdot2 b b)) (qtimes room room).
+
+(** Whether [room] is at least [mu] times the product of [b] and the unit vector along [e]. *)
+Definition beyond_end (room mu : Q) (b e : direction) : bool :=
+  let y := qdot2 e b in
+  let left := qtimes (qtimes room room) (qdot2 e e) in
+  let right := qtimes (qtimes mu mu) (qtimes y y) in
+  if qpositive y then qnonneg room && qleb right left
+  else qnonneg room || qleb left right.
 
 (** * Leaves *)
 
-Inductive state := Undecided | Detached | Attached | Stick | SlipPlus | SlipMinus.
+Inductive state :=
+  Undecided | Detached | Attached | Stick | SlipPlus | SlipMinus | Sector (u v : direction).
 
-(** What a contact adds at a generator: nothing, a linear form [alpha e + h s] of the spring e and
-    the slip s, or [kappa max(0, e)]. *)
-Inductive row := Nothing | Linear (alpha h : Z) | Pressed (kappa : Z).
+(** What is known of the direction in which a contact slips, if it does. *)
+Inductive way := Anywhere | Forth | Back | Within (u v : direction).
 
-Definition row_at (c : integer_contact) (r : row) (g : quad Z) : Z :=
-  match r with
-  | Nothing => 0
-  | Linear alpha h => alpha * eval (spring c) g + h * eval (tangent c) g
-  | Pressed kappa => kappa * Z.max 0 (eval (spring c) g)
-  end.
-
-(** A lower bound, for each unit of normal force, of what the contact does against the virtual
-    motion: a -+ mu b where the direction of slip is known, else a - mu |b|. *)
-Definition kappa (c : integer_contact) (s : state) (gens : list (quad Z)) (l : quad Z) : Z :=
-  let a := unit_mu c * eval (normal c) l in
-  let b := slope c * eval (tangent c) l in
-  let plus := a - b in
-  let minus := a + b in
-  let unknown := a - slope c * Z.abs (eval (tangent c) l) in
+(** [gens] generate the region of the motions (1, d). *)
+Definition way_of (c : body) (s : state) (gens : list (list Q)) : way :=
   match s with
-  | SlipPlus => plus
-  | SlipMinus => minus
-  | Stick | Detached => unknown
+  | SlipPlus => Forth
+  | SlipMinus => Back
+  | Sector u v => Within u v
   | Undecided | Attached =>
-      if forallb (fun g => 0 <? eval (tangent c) g) gens then plus
-      else if forallb (fun g => eval (tangent c) g <? 0) gens then minus
-      else unknown
+      if negb (one_tangent c) then Anywhere
+      else if forallb (fun g => qpositive (qdot (slip1 c) g)) gens then Forth
+      else if forallb (fun g => qpositive (Qopp (qdot (slip1 c) g))) gens then Back
+      else Anywhere
+  | _ => Anywhere
   end.
 
-Definition row_without (c : integer_contact) (s : state) (gens : list (quad Z)) (l : quad Z) :=
-  match s with
-  | Detached => Nothing
-  | Undecided =>
-      if forallb (fun g => eval (spring c) g <=? 0) gens then Nothing
-      else
-        let k := kappa c s gens l in
-        if forallb (fun g => 0 <=? eval (spring c) g) gens then Linear k 0
-        else if 0 <=? k then Nothing
-        else Pressed k
-  | _ => Linear (kappa c s gens l) 0
+(** Whether for each unit of normal force the contact does at least [alpha] on a virtual motion
+    where [a] is along its normal and [b] along its tangents. *)
+Definition below (alpha : Q) (w : way) (mu a : Q) (b : direction) : bool :=
+  let room := qminus a alpha in
+  match w with
+  | Anywhere => beyond_disc room mu b
+  | Forth => qleb (qtimes mu (fst b)) room
+  | Back => qleb (qtimes (Qopp mu) (fst b)) room
+  | Within u v =>
+      if qnonneg (qturn u b) && qnonneg (qturn b v) then beyond_disc room mu b
+      else beyond_end room mu b u && beyond_end room mu b v
   end.
 
-(** The multipliers alpha and h, times the unit of [l], are allowed or not. *)
-Definition row_with (c : integer_contact) (s : state) (gens : list (quad Z)) (l : quad Z)
-    (alpha h : Z) : option row :=
-  let alpha := alpha * (unit_n c * unit_mu c) in
-  let h := h * (unit_e c * unit_mu c) in
-  let below := alpha <=? kappa c s gens l in
+(** The largest such number, of one tangent. *)
+Definition kappa (w : way) (mu a : Q) (b : direction) : Q :=
+  qminus a (qtimes mu
+    match w with
+    | Forth => fst b
+    | Back => Qopp (fst b)
+    | _ => Qmake (Z.abs (Qnum (fst b))) (Qden (fst b))
+    end).
+
+(** What a contact does at least: a linear form, or [kappa max(0, e)] of its spring e. *)
+Inductive bound := Linear (form : list Q) | Pressed (kappa : Q) (spring : list Q).
+
+(** With multipliers, if they are allowed. *)
+Definition bound_with (c : body) (s : state) (gens : list (list Q)) (l : list Q)
+    (multipliers : Q * Q * Q) : option bound :=
+  let '(alpha, h_1, h_2) := multipliers in
+  let none := qzero h_1 && qzero h_2 in
+  let under := below alpha (way_of c s gens) (mu_of c) (qdot (normal (row_at c)) l)
+    (qdot (tangent1 (row_at c)) l, qdot (tangent2 (row_at c)) l) in
   let allowed :=
     match s with
-    | Detached => (0 <=? alpha) && (h =? 0)
-    | Undecided => (0 <=? alpha) && below && (h =? 0)
-    | Attached => below && (h =? 0)
-    | Stick => below
-    | SlipPlus => below && (h <=? 0)
-    | SlipMinus => below && (0 <=? h)
+    | Undecided => qnonneg alpha && none && under
+    | Detached => qnonneg alpha && none
+    | Attached => none && under
+    | Stick => under
+    | SlipPlus => qleb h_1 0 && under
+    | SlipMinus => qleb 0 h_1 && under
+    | Sector u v => qleb (qdot2 (h_1, h_2) u) 0 && qleb (qdot2 (h_1, h_2) v) 0 && under
     end in
-  if allowed then Some (Linear alpha h) else None.
+  if negb allowed then None
+  else if qzero alpha && none then Some (Linear [])
+  else Some (Linear (qadd (qscaled alpha (spring c))
+    (qadd (qscaled h_1 (slip1 c)) (qscaled h_2 (slip2 c))))).
 
-Definition given (i : Z) (multipliers : list (Z * (Q * Q))) : option (Q * Q) :=
+(** Without multipliers; with two tangents they are 0. *)
+Definition bound_without (c : body) (s : state) (gens : list (list Q)) (l : list Q) :
+    option bound :=
+  let k := kappa (way_of c s gens) (mu_of c) (qdot (normal (row_at c)) l)
+    (qdot (tangent1 (row_at c)) l, 0%Q) in
+  if negb (one_tangent c) then bound_with c s gens l (0, 0, 0)%Q
+  else
+    match s with
+    | Detached => Some (Linear [])
+    | Undecided =>
+        if forallb (fun g => qnonneg (Qopp (qdot (spring c) g))) gens then Some (Linear [])
+        else if forallb (fun g => qnonneg (qdot (spring c) g)) gens then
+          Some (Linear (qscaled k (spring c)))
+        else if qnonneg k then Some (Linear [])
+        else Some (Pressed k (spring c))
+    | Sector _ _ => None
+    | _ => Some (Linear (qscaled k (spring c)))
+    end.
+
+Definition given (i : Z) (multipliers : list (Z * (Q * Q * Q))) : option (Q * Q * Q) :=
   match find (fun m => fst m =? i) multipliers with Some m => Some (snd m) | None => None end.
 
-(** The rows of the contacts from number [i] on; [u] is the unit of [l]. *)
-Fixpoint rows (i : Z) (cs : list integer_contact) (states : list state) (gens : list (quad Z))
-    (u : Z) (l : quad Z) (multipliers : list (Z * (Q * Q))) : option (list row) :=
-  match cs, states with
-  | c :: cs, s :: states =>
+(** The bounds of the contacts from number [i] on, added up: linear forms, and the others. *)
+Fixpoint least (i : Z) (bodies : list body) (states : list state) (gens : list (list Q))
+    (l : list Q) (multipliers : list (Z * (Q * Q * Q))) : option (list Q * list (Q * list Q)) :=
+  match bodies, states with
+  | c :: bodies, s :: states =>
       match
         match given i multipliers with
-        | Some (alpha, h) => row_with c s gens l (clear u alpha) (clear u h)
-        | None => Some (row_without c s gens l)
-        end, rows (i + 1) cs states gens u l multipliers
+        | Some m => bound_with c s gens l m
+        | None => bound_without c s gens l
+        end, least (i + 1) bodies states gens l multipliers
       with
-      | Some r, Some rest => Some (r :: rest)
+      | Some (Linear form), Some (sum, pressed) => Some (qadd form sum, pressed)
+      | Some (Pressed k e), Some (sum, pressed) => Some (sum, (k, e) :: pressed)
       | _, _ => None
       end
-  | [], [] => Some []
+  | [], [] => Some ([], [])
   | _, _ => None
   end.
 
-Fixpoint rows_at (cs : list integer_contact) (rs : list row) (g : quad Z) : Z :=
-  match cs, rs with
-  | c :: cs, r :: rs =>
-      match r with
-      | Nothing => rows_at cs rs g
-      | _ => weight c * row_at c r g + rows_at cs rs g
-      end
-  | _, _ => 0
+Fixpoint at_generator (pressed : list (Q * list Q)) (g : list Q) : Q :=
+  match pressed with
+  | [] => 0%Q
+  | (k, e) :: pressed =>
+      let x := qdot e g in
+      qplus (if qpositive x then qtimes k x else 0%Q) (at_generator pressed g)
   end.
 
-Definition leaf_holds (g : integer_question) (gens : list (quad Z)) (states : list state)
-    (motion : vector Q) (multipliers : list (Z * (Q * Q))) : bool :=
-  let numbers := flat_map (fun m => [fst (snd m); snd (snd m)]) multipliers in
-  let u := common (entries motion ++ numbers) in
-  let l := clear_vector u 0 motion in
-  let work := load_weight g * eval (load g) l in
-  match rows 0 (bodies g) states gens u l multipliers with
+Definition leaf_holds (bodies : list body) (load : list Q) (gens : list (list Q))
+    (states : list state) (l : list Q) (multipliers : list (Z * (Q * Q * Q))) : bool :=
+  match least 0 bodies states gens l multipliers with
   | None => false
-  | Some rs =>
+  | Some (form, pressed) =>
+      let sum := qadd [qdot load l] form in
       forallb
-        (fun v =>
-           let sum := work * q0 v + rows_at (bodies g) rs v in
-           if 0 <? q0 v then 0 <? sum else 0 <=? sum)
+        (fun g =>
+           let work := qplus (qdot sum g) (at_generator pressed g) in
+           if qpositive (hd 0%Q g) then qpositive work else qnonneg work)
         gens
   end.
 
 (** * Regions of the space of motions *)
 
-Inductive region := HalfSpace | Cone (g0 g1 g2 g3 : quad Z).
-
-Definition unit0 := Quad 1 0 0 0.
-Definition unit1 (s : Z) := Quad 0 s 0 0.
-Definition unit2 (s : Z) := Quad 0 0 s 0.
-Definition unit3 (s : Z) := Quad 0 0 0 s.
-
-Definition orthant (s1 s2 s3 : Z) := Cone unit0 (unit1 s1) (unit2 s2) (unit3 s3).
-
-Definition generators (r : region) : list (quad Z) :=
-  match r with
-  | HalfSpace => [unit0; unit1 1; unit1 (-1); unit2 1; unit2 (-1); unit3 1; unit3 (-1)]
-  | Cone g0 g1 g2 g3 => [g0; g1; g2; g3]
+Fixpoint axes (before n : nat) : list (list Q) :=
+  match n with
+  | O => []
+  | S n => (repeat 0%Q before ++ [1%Q]) :: (repeat 0%Q before ++ [-1]%Q) :: axes (S before) n
   end.
 
-Definition same (j k : corner) : bool :=
-  match j, k with
-  | Corner0, Corner0 | Corner1, Corner1 | Corner2, Corner2 | Corner3, Corner3 => true
-  | _, _ => false
-  end.
+(** Generators of all (g_0, d) with g_0 >= 0, which stand for the motions d / g_0. *)
+Definition half_space (n : nat) : list (list Q) := [1%Q] :: axes 1 n.
 
-(** The generator at a corner, and the cone with another one there. *)
-Definition at_corner (j : corner) (g0 g1 g2 g3 : quad Z) : quad Z :=
-  match j with Corner0 => g0 | Corner1 => g1 | Corner2 => g2 | Corner3 => g3 end.
-Definition moved (j : corner) (v g0 g1 g2 g3 : quad Z) : region :=
-  match j with
-  | Corner0 => Cone v g1 g2 g3
-  | Corner1 => Cone g0 v g2 g3
-  | Corner2 => Cone g0 g1 v g3
-  | Corner3 => Cone g0 g1 g2 v
-  end.
+(** A multiple with whole numbers that have no common divisor, where all are whole. *)
+Definition primitive (v : list Q) : list Q :=
+  let d := fold_right (fun q d => Z.gcd (Qnum q) d) 0 v in
+  if 0 <? d then map (fun q => Qmake (Qnum q / d) (Qden q)) v else v.
 
-(** A generator divided by the greatest common divisor of its entries. *)
-Definition primitive (v : quad Z) : quad Z :=
-  let d := Z.gcd (q0 v) (Z.gcd (q1 v) (Z.gcd (q2 v) (q3 v))) in
-  if 0 <? d then Quad (q0 v / d) (q1 v / d) (q2 v / d) (q3 v / d) else v.
+Fixpoint replaced A (i : nat) (new : list A) (l : list A) : list A :=
+  match l, i with
+  | [], _ => []
+  | _ :: l, O => new ++ l
+  | x :: l, S i => x :: replaced i new l
+  end.
 
 (** * States of contacts *)
 
@@ -243,90 +282,157 @@ Fixpoint set_state (i : Z) (s : state) (states : list state) : list state :=
   | t :: rest => if i =? 0 then s :: rest else t :: set_state (i - 1) s rest
   end.
 
+Fixpoint has_one_tangent (i : Z) (bodies : list body) : bool :=
+  match bodies with
+  | [] => false
+  | c :: rest => if i =? 0 then one_tangent c else has_one_tangent (i - 1) rest
+  end.
+
 (** * Trees *)
 
-Fixpoint refutes (g : integer_question) (r : region) (states : list state) (t : tree) : bool :=
+Fixpoint refutes (bodies : list body) (load : list Q) (gens : list (list Q)) (states : list state)
+    (t : tree) {struct t} : bool :=
   match t with
-  | Leaf motion multipliers => leaf_holds g (generators r) states motion multipliers
-  | Orthants ppp ppm pmp pmm mpp mpm mmp mmm =>
-      match r with
-      | Cone _ _ _ _ => false
-      | HalfSpace =>
-          refutes g (orthant 1 1 1) states ppp && refutes g (orthant 1 1 (-1)) states ppm &&
-          refutes g (orthant 1 (-1) 1) states pmp && refutes g (orthant 1 (-1) (-1)) states pmm &&
-          refutes g (orthant (-1) 1 1) states mpp && refutes g (orthant (-1) 1 (-1)) states mpm &&
-          refutes g (orthant (-1) (-1) 1) states mmp &&
-          refutes g (orthant (-1) (-1) (-1)) states mmm
-      end
+  | Leaf l multipliers => leaf_holds bodies load gens states l multipliers
   | Edge j k p q first second =>
-      match r with
-      | HalfSpace => false
-      | Cone g0 g1 g2 g3 =>
-          let v := primitive
-            (combine p (at_corner j g0 g1 g2 g3) q (at_corner k g0 g1 g2 g3)) in
-          negb (same j k) && (0 <? p) && (0 <? q) &&
-          refutes g (moved j v g0 g1 g2 g3) states first &&
-          refutes g (moved k v g0 g1 g2 g3) states second
+      match nth_error gens j, nth_error gens k with
+      | Some g, Some h =>
+          let v := primitive (qadd (qscaled p g) (qscaled q h)) in
+          let new := if qvanishes v then [] else [v] in
+          negb (Nat.eqb j k) && qpositive p && qpositive q &&
+          refutes bodies load (replaced j new gens) states first &&
+          refutes bodies load (replaced k new gens) states second
+      | _, _ => false
       end
   | Attachment i detached attached =>
       match state_of i states with
       | Some Undecided =>
-          refutes g r (set_state i Detached states) detached &&
-          refutes g r (set_state i Attached states) attached
+          refutes bodies load gens (set_state i Detached states) detached &&
+          refutes bodies load gens (set_state i Attached states) attached
       | _ => false
       end
   | Slip i stick plus minus =>
       match state_of i states with
       | Some Attached =>
-          refutes g r (set_state i Stick states) stick &&
-          refutes g r (set_state i SlipPlus states) plus &&
-          refutes g r (set_state i SlipMinus states) minus
+          has_one_tangent i bodies &&
+          refutes bodies load gens (set_state i Stick states) stick &&
+          refutes bodies load gens (set_state i SlipPlus states) plus &&
+          refutes bodies load gens (set_state i SlipMinus states) minus
+      | _ => false
+      end
+  | Directions i stick sectors =>
+      match state_of i states, sectors with
+      | Some Attached, (first, _) :: _ =>
+          refutes bodies load gens (set_state i Stick states) stick &&
+          (fix all (sectors : list (direction * tree)) : bool :=
+             match sectors with
+             | [] => true
+             | (u, t) :: rest =>
+                 let v := match rest with (v, _) :: _ => v | [] => first end in
+                 qpositive (qturn u v) &&
+                 refutes bodies load gens (set_state i (Sector u v) states) t && all rest
+             end) sectors
+      | _, _ => false
+      end
+  | Cut i middle first second =>
+      match state_of i states with
+      | Some (Sector u v) =>
+          qpositive (qturn u middle) && qpositive (qturn middle v) &&
+          refutes bodies load gens (set_state i (Sector u middle) states) first &&
+          refutes bodies load gens (set_state i (Sector middle v) states) second
       | _ => false
       end
   end.
 
+Definition refuted (n : nat) (cs : list (row Q)) (load : list Q) (t : tree) : bool :=
+  let bodies := map body_of cs in
+  forallb (fun c => qnonneg (mu_of c)) bodies &&
+  refutes bodies load (half_space n) (map (fun _ => Undecided) bodies) t.
+
 (** * A motion and forces *)
 
-(** The law at one contact: [x] is the motion in integers, [c_n] and [c_t] are [u] times the force. *)
-Definition obeys (c : integer_contact) (x : quad Z) (u c_n c_t : Z) : bool :=
-  let cone := slope c * c_n in
-  let force := unit_mu c * c_t in
-  let slip := eval (tangent c) x in
-  (c_n * unit_e c * q0 x =? u * Z.max 0 (eval (spring c) x)) &&
-  (Z.abs force <=? cone) &&
-  (if 0 <? slip then force =? - cone else true) &&
-  (if slip <? 0 then force =? cone else true).
+Definition obeys (c : row Q) (d : list Q) (force : Q * Q * Q) : bool :=
+  let '(c_n, c_1, c_2) := force in
+  let v := values_of c in
+  let e := qminus (preload v) (qtimes (stiffness v) (qdot (normal c) d)) in
+  let s := (qdot (tangent1 c) d, qdot (tangent2 c) d) in
+  let f := (c_1, c_2) in
+  let limit := qtimes (friction v) c_n in
+  Qeq_bool c_n (if qnonneg e then e else 0%Q) && qnonneg limit &&
+  qleb (qdot2 f f) (qtimes limit limit) &&
+  ((qzero (fst s) && qzero (snd s)) ||
+   qzero (qturn f s) && qleb (qdot2 f s) 0 && Qeq_bool (qdot2 f f) (qtimes limit limit)).
 
-Fixpoint all_obey (cs : list integer_contact) (x : quad Z) (u : Z) (forces : list (Q * Q)) : bool :=
+Fixpoint all_obey (cs : list (row Q)) (d : list Q) (forces : list (Q * Q * Q)) : bool :=
   match cs, forces with
-  | c :: cs, (c_n, c_t) :: forces =>
-      obeys c x u (clear u c_n) (clear u c_t) && all_obey cs x u forces
+  | c :: cs, f :: forces => obeys c d f && all_obey cs d forces
   | [], [] => true
   | _, _ => false
   end.
 
-(** D u times the total wrench of the contacts. *)
-Fixpoint integer_total (cs : list integer_contact) (u : Z) (forces : list (Q * Q)) : quad Z :=
+Fixpoint sum_of (cs : list (row Q)) (forces : list (Q * Q * Q)) : list Q :=
   match cs, forces with
-  | c :: cs, (c_n, c_t) :: forces =>
-      let w := weight c * (unit_e c * unit_mu c) in
-      combine 1 (combine (w * clear u c_n) (normal c) (w * clear u c_t) (tangent c))
-              1 (integer_total cs u forces)
-  | _, _ => Quad 0 0 0 0
+  | c :: cs, (c_n, c_1, c_2) :: forces =>
+      qadd (qadd (qscaled c_n (normal c))
+        (qadd (qscaled c_1 (tangent1 c)) (qscaled c_2 (tangent2 c)))) (sum_of cs forces)
+  | _, _ => []
   end.
 
-Definition confirms (g : integer_question) (motion : vector Q) (forces : list (Q * Q)) : bool :=
-  let d := common (entries motion) in
-  let u := common (flat_map (fun f => [fst f; snd f]) forces) in
-  let sum := combine 1 (integer_total (bodies g) u forces) (u * load_weight g) (load g) in
-  all_obey (bodies g) (clear_vector d d motion) u forces &&
-  (q1 sum =? 0) && (q2 sum =? 0) && (q3 sum =? 0).
+Definition confirmed (n : nat) (cs : list (row Q)) (load d : list Q) (forces : list (Q * Q * Q)) :=
+  Nat.eqb (length d) n && all_obey cs d forces && qvanishes (qadd (sum_of cs forces) load).
+
+(** * Parts of assemblies *)
+
+(** The contacts of a part with the rest, all of one body inside with one outside, as contacts of
+    one body with the ground; and the whole load of the part. *)
+Definition inside (part : list bool) (b : option nat) : bool :=
+  match b with None => false | Some i => nth i part false end.
+
+Definition crosses (part : list bool) (j : joint Q) : bool :=
+  xorb (inside part (Some (body_a j))) (inside part (body_b j)).
+
+(** The body inside, and what it touches. *)
+Definition pair_of (part : list bool) (j : joint Q) : option nat * option nat :=
+  if inside part (Some (body_a j)) then (Some (body_a j), body_b j)
+  else (body_b j, Some (body_a j)).
+
+Definition inward (part : list bool) (j : joint Q) : contact Q :=
+  let c := touch j in
+  if inside part (Some (body_a j)) then c
+  else Contact (point_x c) (point_y c) (Qopp (normal_x c)) (Qopp (normal_y c)) (values2 c).
+
+Fixpoint load_on (part : list bool) (load : list Q) : list Q :=
+  match part with
+  | [] => []
+  | s :: part =>
+      let rest := load_on part (skipn 3 load) in
+      if s then qadd [nth 0 load 0; nth 1 load 0; nth 2 load 0]%Q rest else rest
+  end.
+
+Definition same_end (a b : option nat) : bool :=
+  match a, b with
+  | Some i, Some j => Nat.eqb i j
+  | None, None => true
+  | _, _ => false
+  end.
+
+Definition at_one_place (part : list bool) (js : list (joint Q)) : bool :=
+  match js with
+  | [] => true
+  | first :: _ =>
+      forallb (fun j => same_end (fst (pair_of part j)) (fst (pair_of part first)) &&
+        same_end (snd (pair_of part j)) (snd (pair_of part first))) js
+  end.
 
 (** * The checker *)
 
 Definition check (g : question Q) (p : proof) : bool :=
-  let asked := integer_form g in
-  match p with
-  | Resisted motion forces => confirms asked motion forces
-  | NotResisted t => refutes asked HalfSpace (map (fun _ => Undecided) (bodies asked)) t
+  match p, g with
+  | Resisted d forces, _ => confirmed (dimension g) (qrows_of g) (load_of g) d forces
+  | NotResisted t, _ => refuted (dimension g) (qrows_of g) (load_of g) t
+  | NotResistedPart part t, OfBodies _ js load =>
+      let between := filter (crosses part) js in
+      at_one_place part between &&
+      refuted 3 (map (fun j => qplanar_row (inward part j)) between) (load_on part load) t
+  | _, _ => false
   end.

@@ -1,7 +1,7 @@
 (* proved-checker FILE...: a line for each file, exit code 0 all accepted, 1 one refused, 2 one
-   malformed. A file is a certificate: of a grasp, of a complete list of faces, of signs that no
+   malformed. A file is a certificate: of a grasp or an assembly, of a complete list of faces, of signs that no
    vectors have, or of a graph
-   with or without weights. With --question first: print what was read of grasp
+   with or without weights. With --question first: print what was read of contacts
    and wrench, of planes, of signs, or of a graph, as JSON. With --regions, --faces or
    --polynomial first, files are arrangements: print what is counted. With --lines before these,
    each line of a file is a document of its own. *)
@@ -32,21 +32,30 @@ let quoted texts = "[" ^ String.concat "," (List.map (fun t -> "\"" ^ t ^ "\"") 
 
 let texts numbers = quoted (List.map rational numbers)
 
-let question g =
-  let contact c =
-    texts [ c.point_x; c.point_y; c.normal_x; c.normal_y; c.friction; c.stiffness; c.preload ] in
-  let { along_x; along_y; turn } = g.applied in
-  Printf.sprintf "{\"contacts\":[%s],\"wrench\":%s}"
-    (String.concat "," (List.map contact g.contacts)) (texts [ along_x; along_y; turn ])
+let values v = [ v.friction; v.stiffness; v.preload ]
 
-let question3 g =
-  let entries v = [ v.x_of; v.y_of; v.z_of ] in
-  let contact c =
-    texts (entries c.point3 @ entries c.normal3 @ entries c.tangent3
-           @ [ c.friction3; c.stiffness3; c.preload3 ]) in
-  Printf.sprintf "{\"contacts\":[%s],\"wrench\":%s}"
-    (String.concat "," (List.map contact g.contacts3))
-    (texts (entries g.applied3.along @ entries g.applied3.about))
+let contact2 c = [ c.point_x; c.point_y; c.normal_x; c.normal_y ] @ values c.values2
+
+let contact3 c =
+  List.concat_map (fun v -> [ v.x_of; v.y_of; v.z_of ]) [ c.point3; c.normal3; c.tangent3 ]
+  @ values c.values3
+
+let rec number = function O -> 0 | S n -> number n + 1
+
+(* A contact of an assembly begins with its bodies, counted from 0. *)
+let joint j =
+  let body n = Tree_reader.whole (number n) in
+  let second = match j.body_b with Some b -> [ body b ] | None -> [] in
+  (body j.body_a :: second) @ contact2 j.touch
+
+let question g =
+  let rows, load =
+    match g with
+    | InPlane (contacts, load) -> (List.map contact2 contacts, load)
+    | InSpace (contacts, load) -> (List.map contact3 contacts, load)
+    | OfBodies (_, joints, load) -> (List.map joint joints, load) in
+  Printf.sprintf "{\"contacts\":[%s],\"wrench\":%s}" (String.concat "," (List.map texts rows))
+    (texts load)
 
 (* As the package stores planes: n_1, ..., n_d, b for n . x = b. *)
 let planes forms =
@@ -64,8 +73,6 @@ let graph edges count =
   let pair (u, v) = Printf.sprintf "[%s,%s]" (Z.to_string u) (Z.to_string v) in
   Printf.sprintf "{\"vertices\":%d,\"edges\":[%s]}" count
     (String.concat "," (List.map pair edges))
-
-let rec natural n = if n = 0 then O else S (natural (n - 1))
 
 let answer accepted kind =
   if accepted then (0, "accepted: " ^ kind) else (1, "refused: " ^ kind)
@@ -92,12 +99,11 @@ let work task document =
   | _ when Weights_reader.kind document = Some "weights" ->
     let count, edges, root, flows = Weights_reader.weights document in
     if task = Question then (0, graph (List.map fst edges) count)
-    else answer (satisfies (natural count) edges root flows) "weights"
-  | _ when Spatial_reader.about document ->
-    let kind, asked, proof = Spatial_reader.document document in
-    if task = Question then (0, question3 asked) else answer (check3 asked proof) kind
+    else answer (satisfies (Tree_reader.natural count) edges root flows) "weights"
   | _ ->
-    let kind, asked, proof = Reader.document document in
+    let read =
+      if Assembly_reader.about document then Assembly_reader.document else Grasp_reader.document in
+    let kind, asked, proof = read document in
     if task = Question then (0, question asked) else answer (check asked proof) kind
 
 let verdict task text =

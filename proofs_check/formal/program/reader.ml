@@ -73,10 +73,7 @@ let rational where value =
   | Text text -> scaled text
   | _ -> wrong ()
 
-let vector where value =
-  match List.map (rational where) (list where (Some 3) value) with
-  | [ along_x; along_y; turn ] -> { along_x; along_y; turn }
-  | _ -> assert false
+let vector where size value = List.map (rational where) (list where (Some size) value)
 
 let pair where value =
   match List.map (rational where) (list where (Some 2) value) with
@@ -105,7 +102,7 @@ let law where members =
   if Z.sign friction.qnum < 0 then malformed "%s: the friction is below 0" where;
   if Z.sign stiffness.qnum <= 0 then malformed "%s: the stiffness is not above 0" where;
   if Z.sign preload.qnum < 0 then malformed "%s: the preload is below 0" where;
-  (friction, stiffness, preload)
+  { friction; stiffness; preload }
 
 (* A contact in the plane, with a unit normal. *)
 let contact i value =
@@ -113,12 +110,12 @@ let contact i value =
   let members = keys where [ "point"; "normal"; "friction" ] [ "stiffness"; "preload" ] value in
   let point_x, point_y = pair (where ^ ": point") (List.assoc "point" members) in
   let normal_x, normal_y = pair (where ^ ": normal") (List.assoc "normal" members) in
-  let friction, stiffness, preload = law where members in
+  let values2 = law where members in
   let common = Z.lcm normal_x.qden normal_y.qden in
   let square q = let n = Z.mul q.qnum (Z.divexact common q.qden) in Z.mul n n in
   if not (Z.equal (Z.add (square normal_x) (square normal_y)) (Z.mul common common)) then
     malformed "%s: the normal is not exactly unit" where;
-  { point_x; point_y; normal_x; normal_y; friction; stiffness; preload }
+  { point_x; point_y; normal_x; normal_y; values2 }
 
 (* A label; what it says does not matter here. *)
 let unit_of_measure where value =
@@ -130,104 +127,20 @@ let unit_of_measure where value =
      || text.[0] = ' ' || text.[bytes - 1] = ' ' then
     malformed "%s is not a text of 1 to 20 characters" where
 
-let grasp contact value =
-  let members =
-    keys "the grasp" [ "schema_version"; "contacts" ] [ "description"; "units" ] value in
-  version "the grasp" 1 members;
+let labels members =
   Option.iter (fun value -> ignore (text "the description" value))
     (List.assoc_opt "description" members);
   Option.iter (fun value ->
     List.iter (fun (key, value) -> unit_of_measure ("the unit of " ^ key) value)
       (keys "units" [ "length"; "force" ] [] value))
-    (List.assoc_opt "units" members);
+    (List.assoc_opt "units" members)
+
+let grasp contact value =
+  let members =
+    keys "the grasp" [ "schema_version"; "contacts" ] [ "description"; "units" ] value in
+  version "the grasp" 1 members;
+  labels members;
   List.mapi contact (list "contacts" None (List.assoc "contacts" members))
-
-(* The contact of a key of multipliers. *)
-let contact_key contacts key =
-  let i = if digits key && String.length key < 10 then int_of_string key else -1 in
-  if i < 0 || i >= contacts || string_of_int i <> key then
-    malformed "multipliers: there is no contact %S" key;
-  Z.of_int i
-
-(* Multipliers of a leaf: the key is a contact, the value [alpha] or [alpha, h]. *)
-let multiplier contacts (key, value) =
-  let i = contact_key contacts key in
-  match value with
-  | List [ alpha ] -> (i, (rational "alpha" alpha, fraction Z.zero Z.one))
-  | _ -> (i, pair "multipliers" value)
-
-(* The virtual motion and the multipliers of a leaf that has both. *)
-let long_leaf value =
-  let members = keys "a leaf" [ "virtual_motion"; "multipliers" ] [] value in
-  match List.assoc "multipliers" members with
-  | Object given -> (List.assoc "virtual_motion" members, given)
-  | _ -> malformed "multipliers is not an object"
-
-type decided = Attachment_known | Slip_known
-
-(* [cone]: the region is simplicial; [states]: the contacts that are decided, as far as a further
-   split needs to know: "attached" or not. *)
-let rec node contacts depth cone states value =
-  let child = node contacts (depth + 1) in
-  let split () =
-    if depth = most_splits then malformed "more than %d splits in a row" most_splits in
-  let has key = match value with Object members -> List.mem_assoc key members | _ -> false in
-  let at key members = index key contacts (List.assoc key members) in
-  match value with
-  | List _ -> Leaf (vector "a virtual motion" value, [])
-  | _ when has "virtual_motion" ->
-    let motion, given = long_leaf value in
-    Leaf (vector "virtual_motion" motion, List.map (multiplier contacts) given)
-  | _ when has "orthants" ->
-    split ();
-    if cone then malformed "orthants cut the half space only";
-    let members = keys "a node" [ "orthants" ] [] value in
-    (match List.map (child true states)
-             (list "orthants" (Some 8) (List.assoc "orthants" members)) with
-     | [ a; b; c; d; e; f; g; h ] -> Orthants (a, b, c, d, e, f, g, h)
-     | _ -> assert false)
-  | _ when has "edge" ->
-    split ();
-    if not cone then malformed "an edge cuts a simplicial cone only";
-    let members = keys "a node" [ "edge"; "children" ] [ "at" ] value in
-    let corner value =
-      match index "edge" 4 value with
-      | 0 -> Corner0 | 1 -> Corner1 | 2 -> Corner2 | _ -> Corner3 in
-    let p, q =
-      match List.assoc_opt "at" members with
-      | Some value -> pair "at" value
-      | None -> (fraction Z.one Z.one, fraction Z.one Z.one) in
-    List.iter (fun x ->
-      if Z.sign x.qnum <= 0 || not (Z.equal x.qden Z.one) then
-        malformed "at has integers above 0 only") [ p; q ];
-    (match List.map corner (list "edge" (Some 2) (List.assoc "edge" members)),
-           List.map (child true states)
-             (list "children" (Some 2) (List.assoc "children" members)) with
-     | [ j; k ], [ first; second ] ->
-       if j = k then malformed "an edge has two generators";
-       Edge (j, k, p.qnum, q.qnum, first, second)
-     | _ -> assert false)
-  | _ when has "attachment" ->
-    split ();
-    let members = keys "a node" [ "contact"; "attachment" ] [] value in
-    let i = at "contact" members in
-    if List.mem_assoc i states then malformed "contact %d is not undecided" (i + 1);
-    let parts = keys "attachment" [ "detached"; "attached" ] [] (List.assoc "attachment" members) in
-    Attachment (Z.of_int i,
-      child cone ((i, Slip_known) :: states) (List.assoc "detached" parts),
-      child cone ((i, Attachment_known) :: states) (List.assoc "attached" parts))
-  | _ when has "slip" ->
-    split ();
-    let members = keys "a node" [ "contact"; "slip" ] [] value in
-    let i = at "contact" members in
-    if List.assoc_opt i states <> Some Attachment_known then
-      malformed "contact %d is not attached" (i + 1);
-    let parts = keys "slip" [ "stick"; "slip+"; "slip-" ] [] (List.assoc "slip" members) in
-    let part key = child cone ((i, Slip_known) :: states) (List.assoc key parts) in
-    let stick = part "stick" in
-    let plus = part "slip+" in
-    Slip (Z.of_int i, stick, plus, part "slip-")
-  | _ -> malformed "a node is a list of three numbers or an object that says how it splits"
 
 let outside = "which is outside what is proved; omit --verified to have it checked"
 
@@ -237,8 +150,8 @@ let others =
     ("bounds", "bounds of grasps"); ("pyramid", "friction pyramids");
     ("enclosure", "an enclosure of an equilibrium (Krawczyk's test)") ]
 
-(* The kind of a certificate, and its keys with their values. *)
-let certificate value =
+(* The kind of a certificate about a grasp or an assembly, and its keys with their values. *)
+let certificate subject value =
   let members = match value with Object members -> members | _ -> [] in
   let kind =
     match List.assoc_opt "certificate" members with
@@ -248,19 +161,7 @@ let certificate value =
   List.iter (fun (key, what) ->
     if List.mem_assoc key members then malformed "the certificate has %s, %s" what outside) others;
   let own = if kind = "resisted" then [ "motion"; "forces" ] else [ "tree" ] in
-  ignore (keys "the certificate" ([ "schema_version"; "certificate"; "grasp"; "wrench" ] @ own) []
+  ignore (keys "the certificate" ([ "schema_version"; "certificate"; subject; "wrench" ] @ own) []
     value);
   version "the certificate" 3 members;
   (kind, members)
-
-let document value =
-  let kind, members = certificate value in
-  let contacts = grasp contact (List.assoc "grasp" members) in
-  let question = { contacts; applied = vector "wrench" (List.assoc "wrench" members) } in
-  let count = List.length contacts in
-  let proof =
-    if kind = "resisted" then
-      Resisted (vector "motion" (List.assoc "motion" members),
-        List.map (pair "forces") (list "forces" (Some count) (List.assoc "forces" members)))
-    else NotResisted (node count 0 false [] (List.assoc "tree" members)) in
-  (kind, question, proof)

@@ -2,7 +2,7 @@
     multipliers that contradict them. That they are the conditions is Rivin's theorem. *)
 
 Require Import Reals ZArith QArith Qreals List Bool Lia Lra Psatz.
-Require Import SpatialChecker SpatialNumbers.
+Require Import Rationals.
 Import ListNotations.
 Open Scope R_scope.
 Set Implicit Arguments.

@@ -2,7 +2,7 @@
     too little. *)
 
 Require Import Reals ZArith QArith Qreals List Bool Lia Lra Psatz FinFun FunctionalExtensionality.
-Require Import SpatialChecker SpatialNumbers Inscribed.
+Require Import Rationals Inscribed.
 Import ListNotations.
 Open Scope R_scope.
 Set Implicit Arguments.
