@@ -29,6 +29,7 @@ ANSWERS = {
         solve(read_grasp("paper-three-contacts-preload-1"), (0, pull, 0)).certificate.to_dict()
         for pull in (2, 3)
     ),
+    "top-push": ("1/2", "1/3"),
 }
 
 

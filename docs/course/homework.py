@@ -1,9 +1,11 @@
-"""Self-grading exercises for lessons 1 to 9."""
+"""Self-grading exercises for lessons 1 to 9, and 14."""
 
+from fractions import Fraction
 from itertools import product
 
 from arrangement import Arrangement, counts, read_arrangement
-from equilibrium import read_grasp, solve, verify
+from equilibrium import ResistedSet, read_grasp, solve, verify
+from equilibrium.grasps.textbook import stack
 from proofs_check import exercise
 
 
@@ -81,3 +83,10 @@ def let_go(load):
 )
 def too_much(document):
     return verify(document, (read_grasp("paper-three-contacts-preload-1"), (0, 2, 0)))
+
+
+@exercise("Lesson 14: a push on the top of three blocks (make stack) that is just resisted.")
+def top_push(answer):
+    blocks, weights = stack(blocks=3)
+    ends = ResistedSet(blocks).along({"block 3": (1, 0, Fraction(-5, 2))}, weights).intervals[0]
+    return answer == ends[1]
