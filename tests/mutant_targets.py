@@ -31,7 +31,11 @@ SPACE = (
     "tests/equilibrium/test_space_checker.py",
     "tests/equilibrium/test_space.py::TestChecker",
 )
-ASSEMBLIES = "tests/equilibrium/test_assemblies.py::TestForged"
+ASSEMBLIES = (
+    "tests/equilibrium/test_assembly_checker.py",
+    "tests/equilibrium/test_assemblies.py::TestForged::test_question_of_a_certificate_is_compared",
+    "tests/equilibrium/test_assemblies.py::TestCommand::test_verified_checker_takes_an_assembly",
+)
 FIELD = "tests/arrangement/test_number_field.py"
 SPACE_SEARCH = (
     *(
@@ -104,8 +108,8 @@ TARGETS = {
     "leaf rule": Target("equilibrium.certificate.plane", (*CHECKER, PLANES, PYRAMIDS)),
     "law": Target("equilibrium.certificate.law", (*CHECKER, SPACE[0])),
     "reading": Target("equilibrium.certificate.reading", (*CHECKER, *SPACE, PLANES)),
-    "state rule": Target("equilibrium.certificate.states", (*SPACE, ASSEMBLIES)),
-    "assemblies": Target("equilibrium.certificate.assemblies", (ASSEMBLIES,)),
+    "state rule": Target("equilibrium.certificate.states", (*SPACE, *ASSEMBLIES)),
+    "assemblies": Target("equilibrium.certificate.assemblies", ASSEMBLIES),
     "enclosure": Target("equilibrium.certificate.enclosure", SPACE),
     "uncertain": Target("equilibrium.certificate.uncertain", ROBUST),
     "robust": Target("equilibrium.certificate.robust", ROBUST),
