@@ -34,13 +34,13 @@ from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.certificate.reading import read_question
 from equilibrium.grasps.inputs.random import random_grasp
-from tests.equilibrium.bodies_oracle import random_question
+from proofs_check.instances.bodies import textbook_questions
 from tests.equilibrium.degenerate import question
 from tests.equilibrium.mutations import mutants
+from tests.equilibrium.random_assemblies import random_question
 from tests.equilibrium.trees import TooLarge, refutation
 
 ANSWERS = ("accepted", "refused", "malformed")
-BODIES = Path(__file__).resolve().parent / "equilibrium" / "bodies.json"
 #: Trees for one question beside the solver's, and the most nodes of one.
 SHAPES, NODES = 3, 60
 #: Files that one run of the program looks at.
@@ -122,14 +122,11 @@ def spatial_documents(seed: int) -> Iterator[dict[str, Any]]:
 
 
 def assembly_documents(seed: int) -> Iterator[dict[str, Any]]:
-    """Yield certificates of a random assembly, and of a textbook one that is no forest."""
-    document, wrench = random_question(seed, 3 + seed % 5)
-    cases = json.loads(BODIES.read_text(encoding="utf-8"))["cases"][3:]
-    case = cases[seed % len(cases)]
-    textbook = case["questions"][seed // len(cases) % len(case["questions"])]
-    known = {"bodies": case["bodies"], "contacts": textbook["contacts"]}
-    for question_of, load in ((document, wrench), (known, textbook["wrench"])):
-        verdict = solve(Assembly.from_dict(question_of), load)
+    """Yield certificates of a random assembly, and of one from a textbook."""
+    textbook = textbook_questions()[-1 - seed % len(textbook_questions())]
+    asked_of = (random_question(seed, 3 + seed % 5), (textbook.document, textbook.wrench))
+    for document, wrench in asked_of:
+        verdict = solve(Assembly.from_dict(document), wrench)
         if verdict.decided:
             yield verdict.proof
 

@@ -52,7 +52,7 @@ PLANTED = {
         "let rec difference ": [("(Z.sub a b)", "(Z.sub b a)"), ("(Z.opp b)", "b")],
         "let rec mix ": [("(Z.sub (Z.mul a x)", "(Z.add (Z.mul a x)")],
         "let restrict ": [
-            ("Z.mul (Z.sgn p) (Z.div q4 c)", "Z.div q4 c"),
+            ("Z.mul (Z.sgn p) (Z.div q0 c)", "Z.div q0 c"),
             ("Z.sub (Z.mul a g.constant)", "Z.add (Z.mul a g.constant)"),
         ],
         "let primitive0 ": [("(map (fun a -> Z.div a c) f.coefficients)", "f.coefficients")],
@@ -61,7 +61,7 @@ PLANTED = {
         "let sign_at ": [("| Lt -> Minus", "| Lt -> Plus")],
         "let rec product ": [("(Z.mul b y)", "(Z.mul b b)")],
         "let rec shown ": [("(same_sign (sign_at w f) a)", "true")],
-        "let rec confirmed ": [
+        "let rec confirmed0 ": [
             ("Z.eqb left Big_int_Z.zero_big_int", "true"),
             ("Z.ltb last c", "Z.leb last c"),
         ],
