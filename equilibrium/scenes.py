@@ -82,6 +82,8 @@ class EngineScene(ReprMixin):
         self.directions = tuple(read_wrench(x, grasp.dimension) for x in given)
         if not all(map(any, self.directions)):
             raise GraspError("a direction is zero; give one that is not")
+        if not all(c.stiffness for c in grasp):
+            raise GraspError("a contact has stiffness 0; a scene has a spring at each contact")
         if not len(grasp):
             raise GraspError("a grasp without contacts holds nothing; give one with contacts")
         numbers = chain.from_iterable(

@@ -216,13 +216,13 @@ def claims(body: str) -> str:
 CONTACTS = [
     ({"friction": "__import__('os').system('true')"}, "not an exact number"),
     ({"friction": "1e999999999"}, "exponent"),
-    ({"friction": 0.5}, "0.5"),
+    ({"friction": -0.5}, "friction is -1/2"),
     ({"friction": float("nan")}, "NaN"),
     ({"friction": None}, "friction"),
     ({"friction": True}, "friction"),
     ({"friction": "1" * 100_001}, "friction"),
     ({"mass": "1"}, "mass"),
-    ({"stiffness": "0"}, "stiffness"),
+    ({"stiffness": "-1"}, "stiffness"),
     ({"normal": ["1", "1"]}, "unit"),
     ({"normal": ["3", "1e-9"]}, "--round-normals"),
 ]
@@ -264,7 +264,7 @@ TABLES = [
     (f"{HEADER}\n0,0,1,0,1e99999\n", "line 2: "),
     (f'{HEADER}\n0,0,1,0,"1\n', "line"),
     (f"{HEADER}\n0,0,1,0,__import__('os')\n", "not an exact number"),
-    (f"{HEADER},stiffness\n0,0,1,0,1,0\n", "stiffness"),
+    (f"{HEADER},stiffness\n0,0,1,0,1,-1\n", "stiffness"),
 ]
 CLAIMS = [
     ("x = 1\n", "has no claims"),

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from arrangement.console import terminal
 from arrangement.console.colours import print_verdict
+from arrangement.console.number_form import number
 from arrangement.console.options import values
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, shown, to_text
@@ -18,6 +19,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.labels import AS_ROUNDED
 
 if TYPE_CHECKING:
+    from arrangement.numbers.linear.intervals import Interval
     from equilibrium.grasps.inputs import Conversion
     from equilibrium.model.assembly import Assembly
     from equilibrium.model.grasp import Grasp
@@ -156,7 +158,13 @@ def add_force(parser: argparse.ArgumentParser, ways: Any) -> None:
 
 
 def applied(arguments: argparse.Namespace, grasp: Grasp) -> RationalVector:
-    """Return the wrench that `add_applied` has read."""
+    """Return the wrench that `add_applied` has read, with the pull of adhesion in the data."""
+    wrench = given_load(arguments, grasp)
+    return tuple(x + y for x, y in zip(wrench, arguments.pull or [0] * len(wrench), strict=True))
+
+
+def given_load(arguments: argparse.Namespace, grasp: Grasp) -> RationalVector:
+    """Return the wrench that `add_applied` has read, alone."""
     wrench = force_given(arguments, grasp.dimension) or arguments.wrench
     if wrench is None:
         raise GraspError("there is no wrench; give one of --wrench, --force and --weight")
@@ -234,6 +242,12 @@ def read(arguments: argparse.Namespace) -> Grasp:
         arguments.grasp, round_normals=arguments.round_normals, as_given=arguments.as_given
     )
     tell_rounding(found)
+    arguments.pull, arguments.remarks = found.pull, found.remarks
+    if found.pull and not getattr(arguments, "takes_pull", False):
+        raise GraspError(
+            "the contacts have adhesion, a wrench besides every load, which this command does not "
+            "add; leave the column out, or use `solve`, `info` or `resisted` with a load"
+        )
     # In space proofs are long, and of converted data many roundings are asked.
     if found.grasp.dimension == 3 or found.grasp.data_error is not None:
         budget.allow(3 * budget.COMMAND_STEPS)
@@ -250,6 +264,8 @@ def tell_rounding(found: Conversion) -> None:
         value = f", values by {float(found.value_error):.2g}" if found.value_error else ""
         text = f"rounded: points by {point:.2g}, normals by {angle:.2g} radians{value}"
         print(text, file=sys.stderr)
+    for remark in found.remarks:
+        print(f"note: {remark}", file=sys.stderr)
     for incidence in found.kept[:_MOST_KEPT]:
         print(f"preserved: {incidence}", file=sys.stderr)
     if len(found.kept) > _MOST_KEPT:
@@ -261,6 +277,16 @@ def grasp_of(arguments: argparse.Namespace) -> Grasp:
     grasp = read(arguments)
     preload = getattr(arguments, "preload", None)
     return grasp if preload is None else grasp.with_preload(preload)
+
+
+def intervals_text(intervals: Iterable[Interval]) -> str:
+    """Return closed intervals in words, such as "[0, 1] or [2, oo)"."""
+    shown = [
+        ("(-oo" if low is None else f"[{number(low)}")
+        + (", oo)" if high is None else f", {number(high)}]")
+        for low, high in intervals
+    ]
+    return " or ".join(shown) if shown else "no interval"
 
 
 def seconds(text: str) -> float:

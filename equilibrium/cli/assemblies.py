@@ -66,7 +66,7 @@ def add_on_body(
 
 def assembly_document(arguments: argparse.Namespace) -> Mapping[str, Any] | None:
     """Return the document that the arguments name if it has bodies; else keep it as the source."""
-    from equilibrium.grasps.files import read_contacts
+    from equilibrium.grasps.files import decimal_text, has_decimals, read_contacts
 
     source = arguments.grasp
     if isinstance(source, (str, os.PathLike)) and str(source).lower().endswith(".csv"):
@@ -77,8 +77,13 @@ def assembly_document(arguments: argparse.Namespace) -> Mapping[str, Any] | None
             return None
         tell_rounding(found[1])
         return found[0].to_dict()
-    document = read_contacts(source)
+    document = read_contacts(source, floats=decimal_text)
     if "bodies" in document:
+        if has_decimals(document):
+            raise GraspError(
+                "the assembly has decimals; write numbers as integers or as strings such as "
+                '"1/4", "-0.25"'
+            )
         return document
     # What came on stdin can be read once.
     arguments.grasp = document

@@ -13,8 +13,18 @@ from arrangement.console.progress import shown
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.errors import GraspError
 
-from .arguments import add_command, add_cone, add_number, grasp_of, seconds, show
-from .assemblies import asked_assembly, assembly_document
+from .arguments import (
+    add_applied,
+    add_command,
+    add_cone,
+    add_number,
+    force_given,
+    given_load,
+    grasp_of,
+    seconds,
+    show,
+)
+from .assemblies import asked_assembly, assembly_document, refuse_one_body
 
 if TYPE_CHECKING:
     from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
@@ -37,9 +47,18 @@ _MOST_CONTACTS = 20
 
 def add_command_info(commands: Any) -> None:
     """Add info."""
-    text = "describe a grasp, its force closure or its contact modes"
-    answers = ("done or force closure", "no force closure")
+    text = "describe a grasp, its force closure, a report of a load, or its contact modes"
+    answers = (
+        "done or force closure or resisted",
+        "no force closure or not resisted",
+        "undecided",
+    )
     parser = add_command(commands, "info", _info, text, *answers)
+    text = "report: decide this force (f_x, f_y) and torque tau, too, with its margin"
+    add_applied(parser, text=text, required=False)
+    parser.add_argument(
+        "-o", "--output", metavar="FILE.html", help="report: write it as a page with a picture"
+    )
     forms = parser.add_mutually_exclusive_group()
     text = "measure the Grasp Wrench Space: force closure, epsilon, slice, facets"
     forms.add_argument("--force-closure", action="store_true", help=text)
@@ -56,6 +75,7 @@ def add_command_info(commands: Any) -> None:
     parser.add_argument("--count", action="store_true", default=None, help=text)
     text = "with --modes: stop after SECONDS: exit code 2"
     parser.add_argument("--time-limit", metavar="SECONDS", type=seconds, help=text)
+    parser.set_defaults(takes_pull=True)
 
 
 def _info(arguments: argparse.Namespace) -> int:
@@ -64,15 +84,24 @@ def _info(arguments: argparse.Namespace) -> int:
             arguments, form.replace("-", "_")
         ):
             raise GraspError(f"--{option.replace('_', '-')} goes with --{form.replace('_', '-')}")
+    load = any(getattr(arguments, name) is not None for name in ("wrench", "force", "weight"))
+    if (arguments.modes or arguments.force_closure) and (load or arguments.output is not None):
+        form = "modes" if arguments.modes else "force-closure"
+        raise GraspError(f"a load and --output are for the report; they do not go with --{form}")
     if arguments.modes:
         if arguments.preload is not None:
             raise GraspError("--preload does not go with --modes; modes do not depend on it")
         return _modes(arguments)
-    return _force_closure(arguments) if arguments.force_closure else _description(arguments)
+    if arguments.force_closure:
+        return _force_closure(arguments)
+    return _description(arguments, load)
 
 
-def _description(arguments: argparse.Namespace) -> int:
-    """Print contacts, stiffness, rank of the tangential hyperplanes and force closure."""
+def _description(arguments: argparse.Namespace, load: bool) -> int:
+    """Print contacts, stiffness, rank of the tangential hyperplanes and force closure.
+
+    With a load, or a page to write, that is the report.
+    """
     from arrangement.numbers.exact import primitive
     from arrangement.numbers.linear.rank import rank
     from equilibrium.methods.form_closure import form_closure
@@ -91,7 +120,14 @@ def _description(arguments: argparse.Namespace) -> int:
         "rank": rank(rows) if rows else 0,
         "force_closure": closed,
     }
-    return show(arguments, document, _description_lines(grasp, document), True, grasp)
+    lines = _description_lines(grasp, document)
+    force_given(arguments, grasp.dimension)  # refuses a place without a force
+    if load or arguments.output is not None:
+        from .grasp_report import give_report
+
+        wrench = given_load(arguments, grasp) if load else None
+        return give_report(arguments, grasp, wrench, document, lines)
+    return show(arguments, document, lines, True, grasp)
 
 
 def _of_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> int:
@@ -99,6 +135,7 @@ def _of_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> 
     from arrangement.numbers.exact import primitive
     from arrangement.numbers.linear.rank import rank
 
+    refuse_one_body(arguments, ("wrench", "force", "weight", "at", "output"))
     assembly, wrenches = asked_assembly(document, None, arguments.preload, required=False)
     rows = [primitive(row.tangential_wrenches[0]) for row in assembly.rows]
     known = {"tangential_hyperplanes": len(rows), "rank": rank(rows) if rows else 0}

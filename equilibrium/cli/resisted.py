@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import bracket, counted, number, vector
 from arrangement.console.options import values
-from arrangement.numbers.exact import number_text
+from arrangement.numbers.exact import RationalVector, number_text
 from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import read_wrench
 
 from .arguments import (
     add_applied,
@@ -21,16 +22,16 @@ from .arguments import (
     add_displacement,
     add_number,
     add_wrench,
-    applied,
     force_given,
+    given_load,
     grasp_of,
+    intervals_text,
     show,
     spanning_wrench,
 )
 from .assemblies import add_on_body, asked_assembly, assembly_document, refuse_one_body
 
 if TYPE_CHECKING:
-    from arrangement.numbers.linear.intervals import Interval
     from equilibrium.model.assembly import Assembly
     from equilibrium.model.grasp import Grasp
     from equilibrium.wrench_sets import (
@@ -54,6 +55,9 @@ _GOES_WITH = {
     "rays": ("--search",),
     "max_magnitude": ("--search",),
     "tolerance": ("--margin", "--search"),
+    "contacts": ("--margin",),
+    "also": ("--margin",),
+    "candidates": (_LOAD,),
     "max_displacement": (_LOAD, "--margin", "--smallest", "--slice", _WHOLE),
 }
 
@@ -77,6 +81,20 @@ def add_command_resisted(commands: Any) -> None:
     forms.add_argument("--search", action="store_true", help=text)
     text = "print how far the load may be scaled, and the preload and friction that resist it"
     parser.add_argument("--margin", action="store_true", help=text)
+    text = "with --margin: the preload of these contacts alone; the others keep their own"
+    numbers = values.count_argument
+    parser.add_argument("--contacts", nargs="+", type=numbers, metavar="NUMBER", help=text)
+    text = "with --contacts: one more wrench that the preload has to resist; repeatable"
+    parser.add_argument(
+        "--also",
+        nargs=3,
+        action="append",
+        type=values.rational_argument,
+        metavar=("F_X", "F_Y", "TAU"),
+        help=text,
+    )
+    text = "with a load: print which contacts of this file (as GRASP), each added alone, resist it"
+    parser.add_argument("--candidates", metavar="FILE", help=text)
     text = "with a load or --smallest: a wrench that acts in any case (default: none)"
     add_wrench(parser, "--base", text, None)
     text = "with --smallest: divide torques by this to compare them with forces (default: 1)"
@@ -89,12 +107,14 @@ def add_command_resisted(commands: Any) -> None:
     text = "accepted error: of the friction of --margin (default: 1/1048576), of the magnitudes of "
     add_number(parser, "--tolerance", None, f"{text}--search (default: 1/1000)")
     add_displacement(parser)
+    parser.set_defaults(takes_pull=True)
 
 
 #: Options that are about one body.
 _ONE_BODY = (
     *("wrench", "force", "weight", "at", "base", "max_displacement", "smallest", "torque_length"),
     *("slice", "origin", "search", "rays", "max_magnitude", "round_normals", "as_given"),
+    *("contacts", "also", "candidates"),
 )
 
 
@@ -114,6 +134,12 @@ def _resisted(arguments: argparse.Namespace) -> int:
             raise GraspError(f"--{name} goes with {' or '.join(forms)}, not with {form}")
     if form not in (_LOAD, "--margin"):
         force_given(arguments)  # refuses a place without a force
+    grasp = grasp_of(arguments)
+    if arguments.pull and form not in (_LOAD, "--smallest"):
+        raise GraspError(
+            f"the contacts have adhesion, which acts besides every load; {form} does not take it: "
+            "give a load or --smallest"
+        )
     command = {
         _LOAD: _along,
         "--margin": _margin,
@@ -122,7 +148,7 @@ def _resisted(arguments: argparse.Namespace) -> int:
         "--search": _search,
         _WHOLE: _whole,
     }[form]
-    return command(arguments, grasp_of(arguments))
+    return command(arguments, grasp)
 
 
 def _of_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> int:
@@ -141,7 +167,7 @@ def _of_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> 
     if arguments.margin:
         return _show_margin(arguments, resisted, resisted.margin(wrenches))
     magnitudes: Any = resisted.along(arguments.along, wrenches)
-    lines = [f"resisted for t in {_intervals(magnitudes.intervals)}"]
+    lines = [f"resisted for t in {intervals_text(magnitudes.intervals)}"]
     return show(arguments, magnitudes.to_dict(), lines, bool(magnitudes.intervals), assembly)
 
 
@@ -162,18 +188,55 @@ def _set(arguments: argparse.Namespace, grasp: Grasp) -> ResistedSet:
 
 
 def _along(arguments: argparse.Namespace, grasp: Grasp) -> int:
+    if arguments.candidates is not None:
+        return _candidates(arguments, grasp)
     resisted = _set(arguments, grasp)
-    magnitudes: Any = resisted.along(applied(arguments, grasp), arguments.base or 0)
+    magnitudes: Any = resisted.along(given_load(arguments, grasp), _base(arguments, grasp))
     if grasp.dimension == 3:
         return _show_in_space(arguments, magnitudes)
     more, again = _rounded(resisted, magnitudes)
-    lines = [f"resisted for t in {_intervals(magnitudes.intervals)}", *again]
+    lines = [f"resisted for t in {intervals_text(magnitudes.intervals)}", *again]
     return show(arguments, magnitudes.to_dict() | more, lines, bool(magnitudes.intervals), grasp)
+
+
+def _candidates(arguments: argparse.Namespace, grasp: Grasp) -> int:
+    """Print which candidate contacts, each added alone, make the grasp resist the load."""
+    from equilibrium.grasps.inputs import read_any
+
+    found = read_any(arguments.candidates, round_normals=arguments.round_normals)
+    if found.pull:
+        raise GraspError("a candidate has adhesion; leave the column out")
+    start = read_wrench(given_load(arguments, grasp), grasp.dimension)
+    base = _base(arguments, grasp)
+    loads = [start] if isinstance(base, int) else [start, read_wrench(base, grasp.dimension)]
+    wrench = list(map(sum, zip(*loads, strict=True)))
+    sets = _set(arguments, grasp).with_contact(found.grasp)
+    verdicts = [resisted.solve(wrench).verdict for resisted in sets]
+    lines = [
+        f"candidate {i}  {verdict:<12}  {contact.words}"
+        for i, (contact, verdict) in enumerate(zip(found.grasp, verdicts, strict=True), 1)
+    ]
+    document = {
+        "candidates": [
+            {"contact": contact.to_dict(), "verdict": verdict}
+            for contact, verdict in zip(found.grasp, verdicts, strict=True)
+        ]
+    }
+    yes = True if "resisted" in verdicts else None if "undecided" in verdicts else False
+    return show(arguments, document, lines, yes, grasp)
+
+
+def _base(arguments: argparse.Namespace, grasp: Grasp) -> RationalVector | int:
+    """Return what acts in any case: --base, and the pull of adhesion in the data."""
+    if not arguments.pull:
+        return arguments.base or 0
+    base = read_wrench(arguments.base or [0] * len(arguments.pull), grasp.dimension)
+    return tuple(x + y for x, y in zip(base, arguments.pull, strict=True))
 
 
 def _smallest(arguments: argparse.Namespace, grasp: Grasp) -> int:
     length = 1 if arguments.torque_length is None else arguments.torque_length
-    smallest = _set(arguments, grasp).smallest_outside(arguments.base or 0, length)
+    smallest = _set(arguments, grasp).smallest_outside(_base(arguments, grasp), length)
     lines = _smallest_lines(smallest, grasp)
     return show(arguments, smallest.to_dict(), lines, smallest.size_squared != 0, grasp)
 
@@ -208,7 +271,8 @@ def _rounded(resisted: ResistedSet, found: Magnitudes) -> tuple[dict[str, Any], 
         line = f"ends for {again.asked} other grasps within the rounding error: "
         line += ", ".join(ends) or "none"
     else:
-        line = f"{DEPENDS}: {_intervals(again.turned)} for other grasps within the rounding error"
+        turned = intervals_text(again.turned)
+        line = f"{DEPENDS}: {turned} for other grasps within the rounding error"
     return {"within_error": again.to_dict()}, [line]
 
 
@@ -282,7 +346,7 @@ def _set_lines(whole: ResistedSet) -> Iterator[str]:
 def _margin(arguments: argparse.Namespace, grasp: Grasp) -> int:
     from equilibrium.grasps.inputs.documents import question_document
 
-    wrench = applied(arguments, grasp)
+    wrench = given_load(arguments, grasp)
     question_document(grasp, wrench, "margin")
     if grasp.dimension == 3:
         return _along(arguments, grasp)
@@ -293,6 +357,13 @@ def _margin(arguments: argparse.Namespace, grasp: Grasp) -> int:
 def _show_margin(arguments: argparse.Namespace, resisted: ResistedSet, factors: Margin) -> int:
     """Print a margin, with the preload and the friction that resist the wrench."""
     grasp, preloads = resisted.grasp, factors.preloads
+    whose = "a uniform preload"
+    if arguments.contacts is not None:
+        loads = [factors.wrench, *(arguments.also or ())]
+        preloads = resisted.preloads(loads, arguments.contacts)
+        whose = f"this preload of contacts {', '.join(map(str, preloads.contacts))}"
+    elif arguments.also is not None:
+        raise GraspError("--also goes with --contacts")
     tolerance = Fraction(1, 2**20) if arguments.tolerance is None else arguments.tolerance
     friction = factors.friction(tolerance)
     remedies = {"preload": preloads.to_dict(), "friction": friction.to_dict()}
@@ -303,9 +374,9 @@ def _show_margin(arguments: argparse.Namespace, resisted: ResistedSet, factors: 
     yes = None if doubt else factors.resisted
     lines = [
         f"resisted: {word}",
-        f"resisted when scaled by a factor in {_intervals(factors.intervals)}",
+        f"resisted when scaled by a factor in {intervals_text(factors.intervals)}",
         *again,
-        f"resisted with a uniform preload in {_intervals(preloads.intervals)}" + _force(grasp),
+        f"resisted with {whose} in {intervals_text(preloads.intervals)}" + _force(grasp),
         "least uniform friction: " + _friction(friction.low, friction.high),
     ]
     return show(arguments, factors.to_dict() | more | remedies, lines, yes, grasp)
@@ -327,22 +398,13 @@ def _map_lines(found: SearchMap, unit: str) -> Iterator[str]:
     for entry in found.entries:
         answer = "unbounded" if entry.found is None else f"up to {number(entry.found)}{unit}"
         shown = ", ".join(f"{float(x):+.4f}" for x in entry.direction)
-        wrong = "" if entry.agrees else f"; exactly {_intervals(entry.exact)}"
+        wrong = "" if entry.agrees else f"; exactly {intervals_text(entry.exact)}"
         yield f"  ({shown})  {answer}{wrong}"
 
 
 def _force(grasp: Grasp | Assembly) -> str:
     """Return what to write after a number that is a force."""
     return f" {grasp.units.force}" if grasp.units else ""
-
-
-def _intervals(intervals: Iterable[Interval]) -> str:
-    shown = [
-        ("(-oo" if low is None else f"[{number(low)}")
-        + (", oo)" if high is None else f", {number(high)}]")
-        for low, high in intervals
-    ]
-    return " or ".join(shown) if shown else "no interval"
 
 
 def _between(low: Any, high: Any) -> str:

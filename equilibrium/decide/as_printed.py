@@ -123,7 +123,9 @@ def _states(grasp: Grasp, options: tuple[str, ...]) -> tuple[States, ...]:
 
     def states_on(face: Face) -> States:
         """Return the states on a face; without normal planes no contact detaches."""
-        pairs = zip(face.signs[:m], face.signs[m:] or (-1,) * m, strict=True)
-        return states_of_code([slip if side < 0 else DETACHED for slip, side in pairs])
+        pairs = zip(grasp, face.signs[:m], face.signs[m:] or (-1,) * m, strict=True)
+        return states_of_code(
+            [slip if side < 0 or not c.stiffness else DETACHED for c, slip, side in pairs]
+        )
 
     return tuple(dict.fromkeys(map(states_on, filter(is_listed, faces))))

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +18,8 @@ from arrangement.library.files.json_files import (
     read_document,
     read_text,
 )
+from arrangement.numbers import budget
+from arrangement.numbers.exact import to_text
 from equilibrium.certificate.checker import Question, Report, check
 from equilibrium.certificate.reading import SCHEMA_VERSION
 from equilibrium.model.errors import CertificateError, GraspError
@@ -46,11 +48,37 @@ _READ = (
 )
 
 
-def read_contacts(source: Source, *kinds: str, floats: bool = False) -> dict[str, Any]:
+class DecimalText(str):
+    """A decimal of a JSON file, exactly and without an exponent."""
+
+
+def decimal_text(text: str) -> DecimalText:
+    """Return a decimal of a JSON file as exact text, which a table has too.
+
+    Raises:
+        OutOfReachError: without its exponent it would be very long.
+    """
+    digits, _, exponent = text.lower().partition("e")
+    budget.check_size(len(digits) + abs(int(exponent or 0)), "characters of a number")
+    return DecimalText(to_text(Fraction(text)))
+
+
+def has_decimals(value: Any) -> bool:
+    """Return whether a JSON value has a number that was written as a decimal."""
+    if isinstance(value, Mapping):
+        return any(map(has_decimals, value.values()))
+    if isinstance(value, list):
+        return any(map(has_decimals, value))
+    return isinstance(value, DecimalText)
+
+
+def read_contacts(
+    source: Source, *kinds: str, floats: Callable[[str], Any] | None = None
+) -> dict[str, Any]:
     """Read a document that has the key ``contacts``, or one of the kinds; a bare list is one, too.
 
     Args:
-        floats: take them, for data whose conversion is the purpose.
+        floats: reads a decimal, for data whose conversion is the purpose; None refuses it.
 
     Raises:
         InputError: anything else, with what it seems to be, and what is read.
@@ -69,7 +97,7 @@ def read_contacts(source: Source, *kinds: str, floats: bool = False) -> dict[str
         )
     document = parse_json(text, name, floats=floats, of_floats=_OF_FLOATS)
     if isinstance(document, list) and all(
-        isinstance(entry, dict) and "normal" in entry for entry in document
+        isinstance(entry, dict) and {"normal", "angle"} & entry.keys() for entry in document
     ):
         document = {"schema_version": 1, "contacts": document}
     keys = {"normals", "points", *kinds} & set(document if isinstance(document, dict) else ())

@@ -69,13 +69,15 @@ def cones(grasp: Grasp, wrench: Iterable[Any], *, printed: bool = False) -> Cone
 
 def _attached_choices(grasp: Grasp) -> Iterator[tuple[bool, ...]]:
     """Yield which contacts are attached, for every region of the normal planes."""
+    springs = [contact for contact in grasp if contact.stiffness]
     planes = Arrangement(
-        [[contact.stiffness * x for x in contact.normal_wrench] for contact in grasp],
-        [contact.preload for contact in grasp],
+        [[contact.stiffness * x for x in contact.normal_wrench] for contact in springs],
+        [contact.preload for contact in springs],
         dimension=3,
     )
     for region in planes.regions():
-        yield tuple(sign < 0 for sign in region.signs)
+        signs = iter(region.signs)
+        yield tuple(not contact.stiffness or next(signs) < 0 for contact in grasp)
 
 
 def _program(grasp: Grasp, attached: Sequence[bool]) -> tuple[list[Pair], list[RationalVector]]:

@@ -54,7 +54,9 @@ class Contact(ReprMixin):
         point: contact point p (length), two coordinates in the plane or three in space.
         normal: exactly unit, rational, pointing into the object; see `unit_normal`.
         friction: Coulomb coefficient, at least 0.
-        stiffness: of the normal spring (force per length), above 0; if omitted, 1.
+        stiffness: of the normal spring (force per length), at least 0; if omitted, 1. With 0, in
+            the plane, the contact presses with its preload wherever the object moves, as a
+            force-controlled finger does.
         preload: spring force at d = 0, at least 0.
         tangent: in space it may be chosen, exactly unit and at a right angle to the normal: the
             edges of friction pyramids and the planes of slip states start from it. In the plane
@@ -114,8 +116,9 @@ class Contact(ReprMixin):
         for name in ("friction", "preload"):
             if getattr(self, name) < 0:
                 raise GraspError(f"{name} is {shown(getattr(self, name))}; it must be at least 0")
-        if self.stiffness <= 0:
-            raise GraspError(f"stiffness is {shown(self.stiffness)}; it must be above 0")
+        if self.stiffness < 0 or (self.dimension == 3 and not self.stiffness):
+            rule = "at least 0" if self.dimension == 2 else "above 0 in space"
+            raise GraspError(f"stiffness is {shown(self.stiffness)}; it must be {rule}")
 
     def __repr__(self) -> str:
         return f"<Contact: {self.words}>"

@@ -170,11 +170,20 @@ class Grasp(HintsMixin):
         )
 
     def motion_arrangement(self) -> Arrangement:
-        """Return the m planes ``T . d = 0``, then the m planes ``stiffness N . d = preload``."""
-        normals = [tuple(c.stiffness * x for x in c.normal_wrench) for c in self]
+        """Return the m planes ``T . d = 0``, then the m planes ``stiffness N . d = preload``.
+
+        For a contact of constant force (stiffness 0), which never lets go, the second plane is the
+        first one again.
+        """
+        pairs = [
+            (tuple(c.stiffness * x for x in c.normal_wrench), c.preload)
+            if c.stiffness
+            else (c.tangential_wrench, Fraction(0))
+            for c in self
+        ]
         return arrangement.Arrangement(
-            [c.tangential_wrench for c in self] + normals,
-            [Fraction(0)] * len(self) + [c.preload for c in self],
+            [c.tangential_wrench for c in self] + [normal for normal, _ in pairs],
+            [Fraction(0)] * len(self) + [offset for _, offset in pairs],
             dimension=3,
             axes=MOTIONS,
         )

@@ -8,22 +8,28 @@ w / p, if no range bounds motions and forces.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
+from itertools import product
 from typing import Any
 
+from arrangement import Arrangement
 from arrangement.console.number_form import JsonMixin
 from arrangement.console.progress import watched
-from arrangement.numbers.exact import RationalVector
-from arrangement.numbers.linear.intervals import Interval, holds, union
+from arrangement.enumeration.choose import most_faces
+from arrangement.numbers import budget
+from arrangement.numbers.exact import RationalVector, shown
+from arrangement.numbers.linear.intervals import Interval, holds, intersection, union
 from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.decide.state_choices import StateChoices
 from equilibrium.model.assembly import Wrenches
+from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.plane.states.contact_states import states_of_code
-from equilibrium.plane.states.state_system import state_system
+from equilibrium.plane.states.contact_states import DETACHED, states_of_code
+from equilibrium.plane.states.state_system import States, state_system
 
 from .friction import TOLERANCE, FrictionBracket, least_friction
 from .line import ALL, Magnitudes, interval_between, resisted_magnitudes
@@ -76,7 +82,8 @@ class Margin(JsonMixin):
         """All uniform preloads with which the wrench is resisted, exactly."""
         if isinstance(self._solver, AssemblySolver):
             wrenches = self._solver.grasp.read_wrenches(self.wrench)
-            return Preloads(wrenches, self._solver.preloads(wrenches))
+            every = tuple(range(1, len(self._solver.grasp) + 1))
+            return Preloads((wrenches,), every, self._solver.preloads(wrenches))
         return sufficient_preloads(self._solver, self.wrench)
 
     def friction(self, tolerance: Any = TOLERANCE) -> FrictionBracket:
@@ -117,15 +124,18 @@ def margin(grasp: Grasp | Solver | AssemblySolver, wrench: Any) -> Margin:
 
 @dataclass(frozen=True)
 class Preloads(JsonMixin):
-    """All p >= 0 for which a wrench is resisted when every preload is p.
+    """All p >= 0 for which some wrenches are resisted when preloads are p.
 
     Attributes:
+        wrenches: resisted, each of them.
+        contacts: numbers, from 1, of those whose preload is p; the others keep their own.
         intervals: disjoint, closed, increasing; an upper end None means unbounded.
     """
 
     json_fields = ("least", "intervals")
 
-    wrench: RationalVector | Wrenches
+    wrenches: tuple[RationalVector | Wrenches, ...]
+    contacts: tuple[int, ...]
     intervals: tuple[Interval, ...]
 
     @property
@@ -160,4 +170,95 @@ def sufficient_preloads(grasp: Grasp | Solver, wrench: Any) -> Preloads:
         )
         if found := interval_between(*systems):
             parts.append(found)
-    return Preloads(w, union(parts))
+    return Preloads((w,), tuple(range(1, len(given) + 1)), union(parts))
+
+
+def chosen_preloads(
+    grasp: Grasp | Solver, wrenches: Iterable[Iterable[Any]], contacts: Iterable[int]
+) -> Preloads:
+    """Return all p >= 0 with which chosen contacts make a grasp resist every wrench, exactly.
+
+    Each chosen contact has the preload p, and the others keep their own. Motions and p together
+    are a space of four dimensions, in which the planes of the contacts have cells; on each choice
+    of contact states that a cell has, the p that resist a wrench are one interval.
+
+    Args:
+        contacts: their numbers, from 1.
+
+    Raises:
+        GraspError: no wrench, or no such contact.
+        OutOfReachError: too many contacts.
+
+    >>> from equilibrium.grasps.files import read_grasp
+    >>> grasp = read_grasp("paper-four-contacts-preload-1")
+    >>> found = chosen_preloads(grasp, [[0, 3, 0], [0, -4, 0]], [1, 2, 3, 4])
+    >>> found.least, chosen_preloads(grasp, [[0, 2, 0]], [2, 3]).least
+    (Fraction(2, 1), Fraction(1, 1))
+    """
+    solver = prepare(grasp)
+    given, bound = solver.grasp, solver.max_displacement
+    given.require_plane()
+    loads = tuple(read_wrench(w) for w in wrenches)
+    chosen = tuple(sorted({*contacts}))
+    if not loads or not chosen or not {*chosen} <= {*range(1, len(given) + 1)}:
+        raise GraspError(
+            f"contacts are {shown(list(chosen))} and wrenches {len(loads)}; expected at least one "
+            f"wrench, and numbers of contacts from 1 to {len(given)}"
+        )
+    unloaded, loaded = (
+        replace(
+            given,
+            contacts=tuple(
+                replace(c, preload=Fraction(p)) if i in chosen else c
+                for i, c in enumerate(given, 1)
+            ),
+        )
+        for p in (0, 1)
+    )
+    many = most_faces(2 * len(given), 4, False)
+    budget.check_cost(
+        f"contact states of {len(given)} contacts with a free preload",
+        "leave out contacts",
+        steps=2000 * many * len(loads),
+    )
+    listed = _states_of_preloads(unloaded, loaded)
+    found: tuple[Interval, ...] = (ALL,)
+    for w in loads:
+        parts = []
+        for states in watched(listed, "contact states"):
+            systems = (
+                state_system(one, states, w, max_displacement=bound) for one in (unloaded, loaded)
+            )
+            if part := interval_between(*systems):
+                parts.append(part)
+        pairs = product(found, union(parts))
+        found = union(both for one, other in pairs if (both := intersection(one, other)))
+    return Preloads(loads, chosen, found)
+
+
+def _states_of_preloads(unloaded: Grasp, loaded: Grasp) -> list[States]:
+    """Return choices of contact states that together admit every equilibrium, for every preload.
+
+    As in `contact_states`, with one dimension more: the share of the way from the first grasp to
+    the second.
+    """
+    m = len(unloaded)
+    rows = []
+    for c, full in zip(unloaded, loaded, strict=True):
+        spring = (*(c.stiffness * x for x in c.normal_wrench), c.preload - full.preload)
+        # A constant force never lets go; its plane is the other one again.
+        rows.append((spring, c.preload) if c.stiffness else ((*c.tangential_wrench, 0), 0))
+    slips = [(*c.tangential_wrench, 0) for c in unloaded]
+    planes = Arrangement(
+        [*slips, *(row for row, _ in rows)], [0] * m + [offset for _, offset in rows], dimension=4
+    )
+    tangential = sorted({planes.firsts[label] for label in planes.class_of[:m]})
+    springs = [bool(c.stiffness) for c in unloaded]
+    found: dict[States, None] = {}
+    for least, dimension in enumerate((4, 3, 2, 1)):
+        for signs in planes.faces(dimension).signs.tolist():
+            if sum(signs[k] == 0 for k in tangential) >= least:
+                pairs = zip(signs[:m], signs[m:], springs, strict=True)
+                codes = [DETACHED if s and side >= 0 else slip for slip, side, s in pairs]
+                found[states_of_code(codes)] = None
+    return list(found)

@@ -6,6 +6,7 @@ The other modules of this package compute; here they share one solver, and the p
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
@@ -17,6 +18,7 @@ from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.assembly import Assembly
+from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
 
@@ -29,7 +31,7 @@ from .line import (
     resisted_magnitudes,
 )
 from .loads import CheckedLoads, check_loads
-from .margin import Margin, margin
+from .margin import Margin, Preloads, chosen_preloads, margin
 from .plane import FORCES, Region, resisted_region
 from .search_map import SearchMap, search_map
 from .space import Piece, resisted_pieces
@@ -85,7 +87,6 @@ class ResistedSet(HintsMixin, JsonMixin):
         "magnitudes": "along(direction)",
         "pieces": "polyhedra",
         "plot": "draw()",
-        "preloads": "margin(wrench).preloads",
         "region": "slice(u, v)",
         "resisted_magnitudes": "along(direction)",
         "resisted_region": "slice(u, v)",
@@ -94,7 +95,7 @@ class ResistedSet(HintsMixin, JsonMixin):
         "smallest_unresisted_wrench": "smallest_outside()",
         "spatial_magnitudes": "along(direction)",
         "states_at": "solve(wrench).equilibria, each with its states",
-        "sufficient_preloads": "margin(wrench).preloads",
+        "sufficient_preloads": "margin(wrench).preloads, or preloads(wrenches, contacts)",
     }
 
     def __init__(
@@ -265,6 +266,48 @@ class ResistedSet(HintsMixin, JsonMixin):
         Its `Margin.preloads` and `Margin.friction` are what would resist the wrench.
         """
         return margin(self._solver, wrench)
+
+    def preloads(
+        self, wrenches: Iterable[Iterable[Any]], contacts: Iterable[int] | None = None
+    ) -> Preloads:
+        """Return the preloads of chosen contacts with which every one of some wrenches is resisted.
+
+        Args:
+            wrenches: all are to be resisted, one at a time.
+            contacts: numbers, from 1, of those that get one preload p; the others keep their own.
+                All contacts, if omitted.
+
+        Raises:
+            GraspError: no wrench, or no such contact.
+            OutOfReachError: too many contacts.
+
+        >>> from equilibrium import ResistedSet, read_grasp
+        >>> resisted = ResistedSet(read_grasp("paper-three-contacts"))
+        >>> resisted.preloads([[0, 1, 0], [0, 3, 0]], contacts=[1, 3]).least
+        Fraction(3, 1)
+        """
+        solver = self._of_grasp()
+        every = range(1, len(solver.grasp) + 1) if contacts is None else contacts
+        return chosen_preloads(solver, wrenches, every)
+
+    def with_contact(self, candidates: Iterable[Contact]) -> tuple[ResistedSet, ...]:
+        """Return for each candidate the set that the grasp resists with it as one more contact.
+
+        >>> from equilibrium import Contact, ResistedSet, read_grasp
+        >>> thumb = Contact([0, 1], [0, -1], "1/2")
+        >>> [more] = ResistedSet(read_grasp("paper-three-contacts")).with_contact([thumb])
+        >>> [0, 1, 0] in more
+        True
+        """
+        bound, pyramid, grasp = self.max_displacement, self.pyramid, self._of_grasp().grasp
+        return tuple(
+            ResistedSet(
+                replace(grasp, contacts=(*grasp, candidate)),
+                max_displacement=bound,
+                pyramid=pyramid,
+            )
+            for candidate in candidates
+        )
 
     def smallest_outside(
         self, base: Iterable[Any] | int = 0, torque_length: Any = 1

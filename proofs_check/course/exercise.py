@@ -173,7 +173,7 @@ def grade(exercises: Mapping[str, Exercise], source: Source) -> dict[str, Graded
     Raises:
         InputError: this is not a file of answers.
     """
-    document = read_document(source, ("answers",), floats=True)
+    document = read_document(source, ("answers",), floats=float)
     check_keys(document, ("schema_version", "answers"), ("description",), "the file of answers")
     answers = document["answers"]
     if not isinstance(answers, Mapping):

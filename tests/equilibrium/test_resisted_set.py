@@ -1,15 +1,28 @@
 """Each method of `ResistedSet` against the function that computes it, and what stays undecided."""
 
+import json
 import math
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
 import pytest
 
 import equilibrium
-from equilibrium import Certificate, ResistedSet, read_grasp, solve, solve_many, verify
+from arrangement.numbers.linear.intervals import holds
+from equilibrium import (
+    Certificate,
+    Contact,
+    Grasp,
+    ResistedSet,
+    read_grasp,
+    solve,
+    solve_many,
+    verify,
+)
+from equilibrium.cli.program import main
 from equilibrium.decide.solver import Solver
-from equilibrium.grasps.inputs import from_float_data
+from equilibrium.grasps.inputs import from_float_data, on_circle
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.wrench_sets.friction import least_friction
 from equilibrium.wrench_sets.line import resisted_magnitudes
@@ -18,6 +31,9 @@ from equilibrium.wrench_sets.plane import resisted_region
 from equilibrium.wrench_sets.search_map import search_map
 from equilibrium.wrench_sets.space import resisted_pieces, states_with
 from equilibrium.wrench_sets.spatial import spatial_magnitudes
+from proofs_check.instances.grasps import grasp_of
+from proofs_check.routes import oracle
+from proofs_check.routes.oracle import Question
 
 PAPER = [
     f"paper-{number}-contacts{preload}"
@@ -191,3 +207,95 @@ def test_answers_to_many_loads_are_summed_up():
     assert repr(ResistedSet(grasp).check([[0, 1, 0], [0, 2, 0], [0, -1, 0]])) == (
         "<CheckedLoads: 3 loads, 2 resisted, 1 decided in fractions>"
     )
+
+
+CONSTANT = [
+    ((-1, 0, 1, 0, "1/2", 0, 2), (1, 0, -1, 0, "1/2", 1, 0)),
+    ((-1, 0, 1, 0, "1/2", 0, 2), (0, -1, 0, 1, 1, 2, 1), (1, 1, "-3/5", "-4/5", 1, 0, 1)),
+    ((0, 0, 1, 0, 1, 0, 0), (1, 0, -1, 0, 1, 1, 1)),
+    ((0, 0, 0, 1, "1/2", 0, 3),),
+]
+
+
+@pytest.mark.parametrize("rows", CONSTANT, ids=len)
+@pytest.mark.parametrize("wrench", [(0, 0, 0), (0, 1, 0), (-1, -1, 1), (1, 0, 0), (0, -3, 0)])
+def test_constant_force_is_held_as_by_elimination(rows, wrench):
+    """Contacts with stiffness 0 press with their preload wherever the object moves."""
+    contacts = tuple(tuple(map(Fraction, row)) for row in rows)
+    asked = Question(contacts, tuple(map(Fraction, wrench)))
+    grasp = grasp_of(asked)
+    verdict = solve(grasp, wrench)
+    assert verdict.verify()
+    assert verdict.stable == oracle.stable(asked)
+    if verdict.stable:
+        pushes = {i: f[0] for i, f in enumerate(verdict.solution.forces)}
+        assert all(pushes[i] == c.preload for i, c in enumerate(grasp) if not c.stiffness)
+    if any(wrench):
+        exact = [end for end in oracle.resisted(asked) if end[1] is None or end[1] >= 0]
+        found = ResistedSet(grasp).along(wrench).intervals
+        assert found == tuple((max(low or Fraction(0), Fraction(0)), high) for low, high in exact)
+
+
+def test_constant_force_is_for_the_plane():
+    assert Contact([0, 0], [1, 0], 1, 0, 2).stiffness == 0
+    with pytest.raises(GraspError, match="above 0 in space"):
+        Contact([0, 0, 0], [1, 0, 0], 1, 0, 2)
+    with pytest.raises(GraspError, match="at least 0"):
+        Contact([0, 0], [1, 0], 1, -1, 2)
+
+
+LOADS = ((0, 3, 0), (1, -1, 0), (0, 0, "1/2"))
+
+
+@pytest.mark.parametrize(
+    "name", ["paper-four-contacts", "paper-three-contacts", "all-contacts-stick"]
+)
+@pytest.mark.parametrize("contacts", [(1,), (1, 3), (2, 3)])
+def test_preloads_of_chosen_contacts_resist_every_load(name, contacts):
+    grasp = read_grasp(name)
+    found = ResistedSet(grasp).preloads(LOADS, contacts)
+    ends = sorted({x for part in found.intervals for x in part if x is not None} | {Fraction(7)})
+    tried = {Fraction(0), *ends, *(x + Fraction(1, 97) for x in ends)}
+    tried |= {x - Fraction(1, 97) for x in ends if x > Fraction(1, 97)}
+    for p in tried:
+        chosen = Grasp(
+            replace(c, preload=p) if i in contacts else c for i, c in enumerate(grasp, 1)
+        )
+        held = all(solve(chosen, w).stable for w in LOADS)
+        assert held == holds(found.intervals, p), p
+
+
+def test_preloads_of_all_contacts_are_those_of_the_margin():
+    resisted = ResistedSet(read_grasp("paper-three-contacts"))
+    load = (0, 3, 0)
+    assert resisted.preloads([load]).intervals == resisted.margin(load).preloads.intervals
+    for wrong in ([], [0], [4]):
+        with pytest.raises(GraspError, match="numbers of contacts from 1 to 3"):
+            resisted.preloads([load], wrong)
+
+
+def test_candidates_on_a_disc(tmp_path, capsys):
+    """24 contacts around a disc that stands on one: those above it can hold a push up."""
+    angles = [Fraction(x) for x in range(0, 360, 15)]
+    disc = on_circle([float(a) for a in angles], "1/2", radius=1, preload=1).grasp
+    below = read_grasp("paper-three-contacts-preload-1")
+    sets = ResistedSet(below).with_contact(disc)
+    held = [(0, 2, 0) in found for found in sets]
+    assert held == [solve(Grasp([*below, c]), (0, 2, 0)).stable for c in disc]
+    assert any(held)
+    assert not all(held)
+    path = tmp_path / "candidates.json"
+    disc.save(path)
+    words = ["resisted", "paper-three-contacts-preload-1", "--wrench", "0", "2", "0"]
+    assert main([*words, "--candidates", str(path), "--json"]) == 0
+    rows = json.loads(capsys.readouterr().out)["candidates"]
+    assert [row["verdict"] == "resisted" for row in rows] == held
+
+
+def test_margin_of_chosen_contacts_on_the_command_line(capsys):
+    words = ["resisted", "paper-three-contacts", "--wrench", "0", "1", "0"]
+    more = ["--margin", "--contacts", "1", "3", "--also", "0", "3", "0"]
+    assert main([*words, *more]) == 1
+    assert "resisted with this preload of contacts 1, 3 in [3, oo)" in capsys.readouterr().out
+    assert main([*words, "--contacts", "1"]) == 2
+    assert main([*words, "--margin", "--also", "0", "3", "0"]) == 2

@@ -130,7 +130,7 @@ class Format:
 
 def json_object(text: str) -> dict[str, Any]:
     """Parse a JSON object, which may have floats where they are ignored."""
-    data = parse_json(text, "the file", floats=True)
+    data = parse_json(text, "the file", floats=float)
     if not isinstance(data, dict):
         raise InputError(f"the file holds {kind_of(data)}; expected a JSON object")
     return data

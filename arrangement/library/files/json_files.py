@@ -14,7 +14,7 @@ import json
 import os
 import re
 import sys
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from difflib import get_close_matches
 from functools import partial
 from pathlib import Path
@@ -42,7 +42,7 @@ def read_document(
     kinds: Collection[str],
     *,
     kind: str = "bytes of a file",
-    floats: bool = False,
+    floats: Callable[[str], Any] | None = None,
     versions: Collection[int] = (SCHEMA_VERSION,),
 ) -> dict[str, Any]:
     """Read a JSON object that has a known ``schema_version`` and exactly one of the keys `kinds`.
@@ -51,8 +51,8 @@ def read_document(
     means the built-in document even when a file of that name exists; write ``./name`` for the file.
 
     Args:
-        floats: take numbers such as 0.1 and 1e-3 too, as the binary floats that they are; for data
-            whose conversion is the purpose.
+        floats: reads a number such as 0.1 or 1e-3, for data whose conversion is the purpose; None
+            refuses it.
 
     Raises:
         InputError: a file that cannot be read, is too long, is not UTF-8, is not strict JSON
@@ -179,10 +179,13 @@ def _limited(stream: BinaryIO, name: str, kind: str) -> bytes:
     return content
 
 
-def parse_json(text: str, name: str, *, floats: bool = False, of_floats: str = "") -> Any:
+def parse_json(
+    text: str, name: str, *, floats: Callable[[str], Any] | None = None, of_floats: str = ""
+) -> Any:
     """Parse strict JSON: no duplicate keys, no floats unless wanted, no NaN, flat.
 
     Args:
+        floats: reads one; None refuses all.
         of_floats: what converts them, for the refusal of one.
     """
     try:
@@ -190,7 +193,7 @@ def parse_json(text: str, name: str, *, floats: bool = False, of_floats: str = "
             text,
             object_pairs_hook=_without_duplicates,
             parse_int=_parse_integer,
-            parse_float=float if floats else partial(_refuse_float, of_floats),
+            parse_float=floats or partial(_refuse_float, of_floats),
             parse_constant=_refuse_constant,
         )
     except InputError as error:

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 from arrangement.library.arguments import is_listed
 from arrangement.numbers.exact import (
     RationalVector,
+    dot,
     from_float,
     number_text,
     rational,
+    rational_vector,
     shown,
     to_text,
     vector_text,
@@ -71,6 +74,8 @@ class Conversion:
             used (radians, counter-clockwise); see `unit_normal`.
         value_error: the largest change of a friction coefficient, stiffness or preload.
         kept: what contacts have in common within the error of the data, and so exactly.
+        pull: the wrench of adhesion, which acts besides every load; empty where there is none.
+        remarks: what stands for contacts with a pad, and the pull, in words.
     """
 
     grasp: Grasp
@@ -78,6 +83,8 @@ class Conversion:
     angle_errors: RationalVector
     value_error: Fraction = Fraction(0)
     kept: tuple[ContactIncidence, ...] = ()
+    pull: RationalVector = ()
+    remarks: tuple[str, ...] = ()
 
     @property
     def exact(self) -> bool:
@@ -92,6 +99,8 @@ class Conversion:
             "angle_errors": [to_text(x) for x in self.angle_errors],
             "value_error": to_text(self.value_error),
             "kept": [str(incidence) for incidence in self.kept],
+            **({"pull": [to_text(x) for x in self.pull]} if self.pull else {}),
+            **({"remarks": list(self.remarks)} if self.remarks else {}),
         }
 
 
@@ -149,6 +158,144 @@ def assembled(
         tuple(normal.angle_error for normal in normals),
         value_error,
     )
+
+
+#: What a contact may have in a file besides its values, see `completed`.
+EXTRAS = ("pad", "adhesion")
+_OTHER_NAMES = {"position": "point", "force": "preload"}
+#: Points of a pad as shares of its radius along the tangents, with shares of stiffness and preload:
+#: those of an evenly pressed segment, or disc, for every motion of the contact.
+_PADS: dict[int, dict[tuple[int, ...], str]] = {
+    2: {(0,): "2/3", (1,): "1/6", (-1,): "1/6"},
+    3: {(0, 0): "1/2", (1, 0): "1/8", (-1, 0): "1/8", (0, 1): "1/8", (0, -1): "1/8"},
+}
+
+
+def contact_entry(entry: Any, name: str) -> Any:
+    """Return an entry of a list of contacts with the names of a grasp document.
+
+    Lists of engines have ``position``, ``normal`` and ``force``: the normal force, or a vector of
+    which the share along the normal is the preload. ``angle`` in degrees stands for a normal in the
+    plane. Anything else is left for whoever reads it.
+    """
+    if not isinstance(entry, Mapping):
+        return entry
+    found = dict(entry)
+    for other, usual in _OTHER_NAMES.items():
+        if other in found:
+            if usual in found:
+                raise GraspError(f"{name} has {other} and {usual}; keep one")
+            found[usual] = found.pop(other)
+    if "angle" in found:
+        if "normal" in found:
+            raise GraspError(f"{name} has angle and normal; keep one")
+        direction = direction_of(rational(found.pop("angle"), f"{name}: angle"))
+        found["normal"] = list(map(to_text, direction))
+    if is_listed(found.get("preload")) and is_listed(found.get("normal")):
+        found["preload"] = to_text(_along(found["preload"], found["normal"], name))
+    return found
+
+
+def extras_of(entry: Any) -> dict[str, Any]:
+    """Take pad and adhesion out of an entry, and return them."""
+    return {key: entry.pop(key) for key in EXTRAS if isinstance(entry, dict) and key in entry}
+
+
+def _along(force: Any, normal: Any, name: str) -> Fraction:
+    """Return the component of a force along a normal of any length."""
+    push, way = (
+        rational_vector(x, f"{name}: {kind}", from_float)
+        for x, kind in ((force, "force"), (normal, "normal"))
+    )
+    if len(push) != len(way) or not any(way):
+        raise GraspError(
+            f"{name}: force has {len(push)} numbers and normal {len(way)}; expected the same "
+            "number of them, and a normal other than zero"
+        )
+    work, square = dot(push, way), dot(way, way)
+    return Fraction(work) if square == 1 else Fraction(float(work) / math.sqrt(square))
+
+
+def direction_of(degrees: Fraction) -> tuple[Fraction, Fraction]:
+    """Return cosine and sine, exact for multiples of 90 and to 16 digits else."""
+    quarters, rest = divmod(degrees, 90)
+    x, y = (Fraction(f(math.radians(rest))) for f in (math.cos, math.sin))
+    return ((x, y), (-y, x), (-x, -y), (y, -x))[int(quarters) % 4]
+
+
+def completed(found: Conversion, extras: Sequence[Mapping[str, Any]]) -> Conversion:
+    """Return contacts with the pads and the adhesion that a file gives them.
+
+    A ``pad`` is a flat patch of that radius: points along the tangents share stiffness and
+    preload, as in `_PADS`. ``adhesion`` is a force that pulls the object towards the contact: it
+    acts as a part of the load, and adds nothing to what friction may bear.
+
+    Args:
+        extras: for each contact its ``pad`` and ``adhesion``, where it has them.
+
+    Raises:
+        GraspError: a number that is not at least 0.
+    """
+    values = [
+        {key: _at_least_zero(entry[key], f"{key} of contact {i}") for key in entry}
+        for i, entry in enumerate(extras, 1)
+    ]
+    if not any(any(entry.values()) for entry in values):
+        return found
+    contacts: list[Contact] = []
+    places: list[int] = []
+    remarks = []
+    pull = [Fraction(0)] * (3 if found.grasp.dimension == 2 else 6)
+    for i, (contact, entry) in enumerate(zip(found.grasp, values, strict=True)):
+        radius, stuck = entry.get("pad", Fraction(0)), entry.get("adhesion", Fraction(0))
+        pull = [x - stuck * n for x, n in zip(pull, contact.normal_wrench, strict=True)]
+        many = [*_pad(contact, radius)] if radius else [contact]
+        contacts += many
+        places += [i] * len(many)
+        if radius:
+            remarks.append(
+                f"contact {i + 1}: {len(many)} points stand for an evenly pressed flat pad of "
+                f"radius {number_text(radius)}, with shares of stiffness "
+                f"{number_text(contact.stiffness)}{'' if contact.stiffness_given else ' (assumed)'}"
+                " and of the preload; each point has friction of its own"
+            )
+    if any(pull):
+        remarks.append(f"adhesion acts as the wrench {vector_text(pull)} besides every load")
+    point_errors, angle_errors = (
+        tuple(errors[i] for i in places) if errors else ()
+        for errors in (found.point_errors, found.angle_errors)
+    )
+    return replace(
+        found,
+        grasp=replace(found.grasp, contacts=tuple(contacts)),
+        point_errors=point_errors,
+        angle_errors=angle_errors,
+        kept=found.kept if len(contacts) == len(found.grasp) else (),
+        pull=tuple(pull) if any(pull) else (),
+        remarks=tuple(remarks),
+    )
+
+
+def _pad(contact: Contact, radius: Fraction) -> Iterator[Contact]:
+    for along, share in _PADS[contact.dimension].items():
+        point = contact.point
+        for step, tangent in zip(along, contact.tangents, strict=True):
+            point = tuple(x + step * radius * t for x, t in zip(point, tangent, strict=True))
+        part = Fraction(share)
+        yield replace(
+            contact,
+            point=point,
+            stiffness=part * contact.stiffness,
+            preload=part * contact.preload,
+            stiffness_given=True,
+        )
+
+
+def _at_least_zero(value: Any, name: str) -> Fraction:
+    number = from_float(value, name)
+    if number < 0:
+        raise GraspError(f"{name} is {shown(number)}; expected a number that is at least 0")
+    return number
 
 
 def contact_values(

@@ -4,9 +4,10 @@ The first line names the columns: ``x``, ``y``, ``normal_x``, ``normal_y``, ``fr
 also ``z`` and ``normal_z``, and, if wanted, ``stiffness`` and ``preload``, in any order. They are
 separated by commas, semicolons or tabs; short names are ``nx``, ``ny``, ``nz``, ``mu``, ``k`` and
 ``q``. In the plane ``angle`` may replace the normal: its direction in degrees, from the x axis
-towards the y axis. Empty lines and lines that begin with ``#`` are skipped. Numbers are decimals or
-ratios, as ``-0.25``, ``7/3``. A normal may have any length; one of irrational length is replaced by
-a near unit vector and the error reported.
+towards the y axis. Engines print ``px``, ``py``, ``pz`` and ``force``, the normal force. ``pad``
+and ``adhesion`` are those of `conversion.completed`. Empty lines and lines that begin with ``#``
+are skipped. Numbers are decimals or ratios, as ``-0.25``, ``7/3``. A normal may have any length;
+one of irrational length is replaced by a near unit vector and the error reported.
 
 A table of an assembly also has ``body_a``, into which the normal points, and ``body_b``; the ground
 is an empty entry or the word ``ground``.
@@ -16,7 +17,6 @@ from __future__ import annotations
 
 import csv
 import io
-import math
 import os
 import re
 from collections.abc import Callable, Iterator
@@ -31,7 +31,7 @@ from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import ask_contacts
 
-from .conversion import DEFAULT_TOLERANCE, Conversion
+from .conversion import DEFAULT_TOLERANCE, EXTRAS, Conversion, completed, direction_of
 from .incidences import converted
 from .rounding import Rounding, rounding
 
@@ -43,11 +43,15 @@ _IN_SPACE = ("z", "normal_z")
 _ANGLE = "angle"
 _BODIES = ("body_a", "body_b")
 _GROUND = ("", "ground")
-_KNOWN = (*_BODIES, *_REQUIRED, *_IN_SPACE, _ANGLE, *VALUES[1:])
+_KNOWN = (*_BODIES, *_REQUIRED, *_IN_SPACE, _ANGLE, *VALUES[1:], *EXTRAS)
 _SHORT = {"nx": "normal_x", "ny": "normal_y", "nz": "normal_z"} | {
     "mu": "friction",
     "k": "stiffness",
     "q": "preload",
+    "force": "preload",
+    "px": "x",
+    "py": "y",
+    "pz": "z",
 }
 _SEPARATORS = (",", ";", "\t")
 T = TypeVar("T")
@@ -118,6 +122,8 @@ def read_bodies(
 
     how = rounding(0, tolerance, angle_tolerance, as_given)
     found = each_line(text, read, _converting(how))
+    if found.remarks:
+        raise GraspError("pad and adhesion are for one body; leave the columns out")
     contacts = [BodyContact(*pair, c) for pair, c in zip(pairs, found.grasp, strict=True)]
     names = dict.fromkeys(name for pair in pairs for name in pair if name is not None)
     return Assembly(names, contacts), found
@@ -181,16 +187,18 @@ def each_line(
     """
     ask_contacts(text.count("\n"))
     parts: list[tuple[Any, Any, dict[str, Any]]] = []
+    extras: list[dict[str, Fraction]] = []
     for line, row in _rows(text):
         try:
             if _ANGLE in row:
-                normal = _direction(rational(row[_ANGLE], _ANGLE))
+                normal = direction_of(rational(row[_ANGLE], _ANGLE))
                 row |= zip(("normal_x", "normal_y"), map(str, normal), strict=True)
+            extras.append({key: rational(row.pop(key), key) for key in EXTRAS if key in row})
             parts.append(read({name: entry for name, entry in row.items() if name != _ANGLE}))
             _together(parts[-1:], convert)
         except ValueError as error:
             raise GraspError(f"line {line}: {str(error).removeprefix('normals[0]: ')}") from None
-    return _together(parts, convert)
+    return completed(_together(parts, convert), extras)
 
 
 def _together(parts: list[tuple[Any, Any, dict[str, Any]]], convert: Any) -> Conversion:
@@ -217,13 +225,6 @@ def _rows(text: str) -> Iterator[tuple[int, dict[str, str]]]:
             yield reader.line_num, dict(zip(header, (entry.strip() for entry in row), strict=True))
     except csv.Error as error:
         raise GraspError(f"line {reader.line_num}: {error}") from None
-
-
-def _direction(degrees: Fraction) -> tuple[Fraction, Fraction]:
-    """Return cosine and sine, exact for multiples of 90 and to 16 digits else."""
-    quarters, rest = divmod(degrees, 90)
-    x, y = (Fraction(f(math.radians(rest))) for f in (math.cos, math.sin))
-    return ((x, y), (-y, x), (-x, -y), (y, -x))[int(quarters) % 4]
 
 
 def _check_header(header: list[str]) -> None:

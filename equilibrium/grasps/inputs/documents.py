@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -12,16 +13,26 @@ from typing import Any
 from arrangement.library.files.json_files import Source, check_keys, check_list
 from arrangement.numbers import budget
 from arrangement.numbers.exact import to_text
-from equilibrium.grasps.files import read_contacts
+from equilibrium.grasps.files import decimal_text, has_decimals, read_contacts
 from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 
-from .conversion import DEFAULT_TOLERANCE, Conversion, unit_normals
+from .conversion import (
+    DEFAULT_TOLERANCE,
+    Conversion,
+    completed,
+    contact_entry,
+    extras_of,
+    unit_normals,
+)
 from .csv_file import read_bodies, read_csv
 from .incidences import converted
 from .rounding import rounding
+
+#: With the mark whether the stiffness was given.
+_WITH_MARK = (*VALUES, "stiffness_given")
 
 
 def question_document(grasp: Grasp, wrench: Any, taker: str) -> dict[str, Any]:
@@ -48,9 +59,10 @@ def read_any(
     """Read a grasp from a path, ``"-"`` (stdin), a built-in name or a mapping.
 
     Args:
-        source: a path that ends with ``.csv`` is a table (see `csv_file`), others are documents.
+        source: a path that ends with ``.csv`` is a table (see `csv_file`), others are documents,
+            or lists of contacts as engines print them (see `conversion.contact_entry`).
         round_normals: replace normals of a document by near unit vectors; those of tables always
-            are.
+            are, and those of documents with decimals or angles.
         angle_tolerance, tolerance, as_given: as in `read_csv`, where normals are rounded.
 
     Raises:
@@ -63,10 +75,14 @@ def read_any(
         return read_csv(
             source, angle_tolerance=angle_tolerance, tolerance=tolerance, as_given=as_given
         )
-    document = read_contacts(source)
-    if not round_normals:
-        return Conversion(Grasp.from_dict(document), (), ())
+    document = read_contacts(source, floats=decimal_text)
     contacts = check_list(document["contacts"], "contacts")
+    angles = any(isinstance(entry, Mapping) and "angle" in entry for entry in contacts)
+    contacts = [contact_entry(entry, f"contacts[{i}]") for i, entry in enumerate(contacts)]
+    extras = [extras_of(entry) for entry in contacts]
+    document = {**document, "contacts": contacts}
+    if not (round_normals or angles or has_decimals(document)):
+        return completed(Conversion(Grasp.from_dict(document), (), ()), extras)
     for i, contact in enumerate(contacts):
         check_keys(contact, ("normal",), contact, f"contacts[{i}]")
     given = [contact["normal"] for contact in contacts]
@@ -79,11 +95,11 @@ def read_any(
     found = converted(
         [(contact.point, Fraction(0)) for contact in grasp],
         given,
-        [{name: getattr(contact, name) for name in VALUES} for contact in grasp],
+        [{name: getattr(contact, name) for name in _WITH_MARK} for contact in grasp],
         rounding(0, tolerance, angle_tolerance, as_given),
         outline=grasp.outline,
     )
-    return replace(found, grasp=replace(found.grasp, units=grasp.units))
+    return completed(replace(found, grasp=replace(found.grasp, units=grasp.units)), extras)
 
 
 def read_assembly(source: Source) -> Assembly:

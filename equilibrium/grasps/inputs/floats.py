@@ -35,7 +35,15 @@ from equilibrium.grasps.files import read_contacts
 from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
 
-from .conversion import DEFAULT_TOLERANCE, Conversion, contact_values, value_columns
+from .conversion import (
+    DEFAULT_TOLERANCE,
+    Conversion,
+    completed,
+    contact_entry,
+    contact_values,
+    extras_of,
+    value_columns,
+)
 from .csv_file import each_line, parts_of
 from .incidences import check_number, converted
 from .rounding import equal_numbers, rounding
@@ -155,9 +163,13 @@ def read_float_data(
             lambda row: parts_of({name: _number(entry, name) for name, entry in row.items()}),
             lambda points, normals, values: from_float_data(points, normals, **values, **options),
         )
-    document = read_contacts(source, "points", floats=True)
+    document = read_contacts(source, "points", floats=float)
+    extras: list[dict[str, Any]] = []
     if "contacts" in document:
-        document = _columns(document)
+        given = check_list(document["contacts"], "contacts")
+        listed = [contact_entry(entry, f"contacts[{i}]") for i, entry in enumerate(given)]
+        extras = [extras_of(entry) for entry in listed]
+        document = _columns({**document, "contacts": listed})
     required = ("schema_version", "points", "normals", VALUES[0])
     check_keys(document, required, (*VALUES[1:], "description"), "the document")
     points, normals = (
@@ -172,7 +184,8 @@ def read_float_data(
         for key, given in document.items()
         if key in VALUES
     }
-    return from_float_data(points, normals, **values, **options)
+    found = from_float_data(points, normals, **values, **options)
+    return completed(found, extras) if extras else found
 
 
 def _columns(document: Mapping[str, Any]) -> dict[str, Any]:

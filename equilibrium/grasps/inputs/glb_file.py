@@ -48,7 +48,9 @@ def read_glb(content: bytes) -> Triangles:
     if content[:8] != b"glTF\2\0\0\0" or _GLB_JSON not in chunks:
         raise GraspError("a GLB file has the header of version 2 and a chunk of JSON")
     budget.check_size(len(chunks[_GLB_JSON]), "bytes of a file", "the JSON of the GLB file")
-    scene = parse_json(chunks[_GLB_JSON].decode("utf-8", errors="replace"), "its JSON", floats=True)
+    scene = parse_json(
+        chunks[_GLB_JSON].decode("utf-8", errors="replace"), "its JSON", floats=float
+    )
     try:
         return _GlbScene(scene, chunks.get(_GLB_BINARY, b"")).triangles()
     except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:

@@ -96,7 +96,7 @@ def _angle(
     plain = all(g[0] == 0 or not any(g[1:]) for part in found for g in part.region)
     if plain and not any(grasp.contacts[i].preload for part in found for i in part.states):
         return None
-    reach = max((c.preload / c.stiffness for c in grasp), default=Fraction(0))
+    reach = max((c.preload / c.stiffness for c in grasp if c.stiffness), default=Fraction(0))
     angle = nice_near(reach / frame.half or Fraction(1))
     rows = (row for part in found for row, _ in _conditions(part, grasp))
     borders = {Fraction(abs(zero), abs(r)) for x, y, r, zero in rows if r and not (x or y)}

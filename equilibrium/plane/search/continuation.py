@@ -148,7 +148,7 @@ class Continuation:
         """Return smooth normal forces, and their derivatives by those of the springs."""
         c = self.contacts
         force = c.spring[:, 0] + c.spring[:, 1:] @ motion
-        soft = eps * c.stiffness
+        soft = eps * np.where(c.stiffness > 0, c.stiffness, 1.0)
         smooth = np.sqrt(force * force + soft * soft)
         return (force + smooth) / 2, (1 + force / smooth) / 2
 
@@ -186,5 +186,6 @@ def motion_scale(contacts: FloatContacts, load: Floats) -> Floats:
     if not 0 < total < np.inf:
         return arms
     size = 3 * float(np.abs(load * arms).max()) / total
-    size = max(size, 2 * median((contacts.preload / contacts.stiffness).tolist()))
+    springs = contacts.stiffness > 0
+    size = max(size, 2 * median((contacts.preload[springs] / contacts.stiffness[springs]).tolist()))
     return (size if _MIN_SCALE < size < 1 / _MIN_SCALE else 1.0) * arms

@@ -54,11 +54,11 @@ def state_codes(grasp: Grasp) -> Codes:
         _count(planes, len(grasp))
     for least, dimension in enumerate((3, 2, 1)):
         signs = planes.faces(dimension).signs
-        parts.append(_codes(signs[(signs[:, tangential] == 0).sum(axis=1) >= least]))
+        parts.append(_codes(signs[(signs[:, tangential] == 0).sum(axis=1) >= least], grasp))
     codes = np.concatenate(parts)
     if grasp.tangential_arrangement().rank == 3:
         at_rest = planes.signs_at((0, 0, 0))
-        codes = np.concatenate([codes, _codes(np.array([at_rest], dtype=np.int8))])
+        codes = np.concatenate([codes, _codes(np.array([at_rest], dtype=np.int8), grasp)])
     codes = _distinct(codes)
     codes.setflags(write=False)
     return codes
@@ -91,13 +91,16 @@ def _count(planes: Arrangement, contacts: int) -> None:
 def states_at(grasp: Grasp, motion: RationalVector) -> States:
     """Return the contact states of a motion."""
     signs = np.array([grasp.motion_arrangement().signs_at(motion)], dtype=np.int8)
-    return states_of_code(_codes(signs)[0].tolist())
+    return states_of_code(_codes(signs, grasp)[0].tolist())
 
 
-def _codes(signs: Codes) -> Codes:
-    """Return the codes of rows of signs over the planes of ``Grasp.motion_arrangement``."""
-    m = signs.shape[1] // 2
-    codes: Codes = np.where(signs[:, m:] >= 0, np.int8(DETACHED), signs[:, :m])
+def _codes(signs: Codes, grasp: Grasp) -> Codes:
+    """Return the codes of rows of signs over the planes of ``Grasp.motion_arrangement``.
+
+    A contact of constant force is never detached.
+    """
+    m, springs = len(grasp), np.array([bool(c.stiffness) for c in grasp], dtype=bool)
+    codes: Codes = np.where((signs[:, m:] >= 0) & springs, np.int8(DETACHED), signs[:, :m])
     return codes
 
 

@@ -1,0 +1,139 @@
+"""The report of ``equilibrium info``: data, closure, verdict and margin, as lines and as a page."""
+
+from __future__ import annotations
+
+import argparse
+import base64
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from html import escape
+from itertools import chain
+from textwrap import wrap
+from typing import TYPE_CHECKING, Any
+
+from arrangement.console.number_form import number, vector
+from arrangement.console.writing import write_text_atomically
+from arrangement.errors import OutOfReachError
+from arrangement.numbers.exact import RationalVector
+
+from .arguments import intervals_text, show
+
+if TYPE_CHECKING:
+    from equilibrium.decide.verdict import Verdict
+    from equilibrium.model.grasp import Grasp
+
+#: Title and text of each line of the report, in the order in which they are printed.
+Rows = list[tuple[str, str]]
+
+
+def give_report(
+    arguments: argparse.Namespace,
+    grasp: Grasp,
+    wrench: RationalVector | None,
+    document: dict[str, Any],
+    lines: Iterator[str],
+) -> int:
+    """Print the report, and write it as a page where one is wanted; return the exit code.
+
+    Args:
+        wrench: the load to decide, if there is one; the pull of adhesion acts besides.
+        document, lines: the description of the grasp, which comes first.
+    """
+    rows: Rows = [("units", str(grasp.units) if grasp.units else "not stated")]
+    if grasp.data_error is not None:
+        rows.append(("rounding", "numbers were rounded to exact ones; see the data error"))
+    rows += _closure(grasp, document)
+    yes: bool | None = True
+    if wrench is not None:
+        yes, more = _load(grasp, wrench, arguments.pull, document)
+        rows += more
+    rows += [("remark", remark) for remark in arguments.remarks]
+    described = list(lines)
+    if arguments.output is not None:
+        pull = arguments.pull or (0,) * len(wrench or ())
+        total = None if wrench is None else [x + y for x, y in zip(wrench, pull, strict=True)]
+        write_text_atomically(arguments.output, _page(grasp, total, described, rows))
+    printed = (
+        f"{title if k == 0 else '':<16} {line}"
+        for title, text in rows
+        for k, line in enumerate(text.splitlines())
+    )
+    return show(arguments, document, [*described, *printed], yes, grasp)
+
+
+def _closure(grasp: Grasp, document: dict[str, Any]) -> Rows:
+    """Return form closure, and epsilon of the Grasp Wrench Space, as rows; add them."""
+    from equilibrium.methods.form_closure import form_closure
+    from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
+
+    document["form_closure"] = form_closure(grasp).accepts is True
+    rows = [("form closure", "yes" if document["form_closure"] else "no")]
+    try:
+        space = GraspWrenchSpace(grasp)
+        document["epsilon_squared"] = space.epsilon_squared
+        rows.append(("epsilon", f"{space.epsilon:.6g} (L1, torques over 1)"))
+    except OutOfReachError:
+        rows.append(("epsilon", "not computed: too many contacts"))
+    return rows
+
+
+def _load(
+    grasp: Grasp, load: RationalVector, pull: RationalVector, document: dict[str, Any]
+) -> tuple[bool | None, Rows]:
+    """Return the verdict on a load and its margin, as rows; add them to the document.
+
+    Args:
+        pull: of adhesion, which acts besides the load and is not scaled with it.
+    """
+    from equilibrium.wrench_sets import ResistedSet
+
+    from .verdict_words import verdict_lines
+
+    resisted = ResistedSet(grasp)
+    total = tuple(x + y for x, y in zip(load, pull or [Fraction(0)] * len(load), strict=True))
+    verdict: Verdict = resisted.solve(total)
+    document |= {"wrench": load, "verdict": verdict.verdict}
+    said = list(verdict_lines(verdict))
+    yes = verdict.stable if verdict.decided else None
+    if verdict.decided and verdict.doubt:
+        said.append(f"for the rounded data; it {verdict.doubt}")
+        yes = None
+    rows = [("load", vector(load)), ("verdict", "\n".join(said))]
+    if grasp.dimension == 2 and any(load):
+        factors: Any = resisted.along(load, pull or 0)
+        least = resisted.margin(total).preloads.least
+        document |= {**factors.to_dict(), "least_preload": least}
+        force = f" {grasp.units.force}" if grasp.units else ""
+        rows += [
+            ("margin", f"resisted when scaled by a factor in {intervals_text(factors.intervals)}"),
+            ("least preload", "none is enough" if least is None else f"{number(least)}{force}"),
+        ]
+    return yes, rows
+
+
+def _page(grasp: Grasp, wrench: Sequence[Fraction] | None, described: list[str], rows: Rows) -> str:
+    """Return the report as one HTML page, with the picture where matplotlib is installed."""
+    from arrangement.drawing.pages.html_page import BASE_STYLE, framed
+    from equilibrium.pictures.views import drawings_of
+
+    options: dict[str, Any] = {} if wrench is None else {"wrench": wrench}
+    picture = drawings_of(grasp).svg(grasp, "grasp", **options)
+    lines = (f"<dt>{escape(title)}</dt><dd>{_lines(text)}</dd>" for title, text in rows)
+    body = [
+        "<h1>Grasp report</h1>",
+        _lines("\n".join(described)),
+        f"<dl>{''.join(lines)}</dl>",
+    ]
+    if picture is not None:
+        data = base64.b64encode(picture.encode("utf-8")).decode("ascii")
+        source = f"data:image/svg+xml;base64,{data}"
+        body.append(f'<figure><img alt="the grasp" src="{source}"></figure>')
+    return framed("Grasp report", "\n".join(body), [BASE_STYLE], [])
+
+
+def _lines(text: str) -> str:
+    """Return a text as HTML; several lines keep their indents, and long ones are wrapped."""
+    if "\n" not in text:
+        return escape(text)
+    lines = (wrap(line, 96, subsequent_indent=" " * 8) for line in text.splitlines())
+    return f"<pre>{escape(chr(10).join(chain.from_iterable(lines)))}</pre>"
