@@ -6,6 +6,7 @@ import importlib
 import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -233,4 +234,60 @@ def test_keys_turn_the_slides_and_show_the_notes(build, browser: Browser):
     browser.key("n")
     noted = [text for text in browser.texts(".notes") if "only said" in text]
     assert len(noted) == 1
+    assert browser.messages() == []
+
+
+TALKS = sorted((ROOT / "docs" / "course").glob("lecture-*.toml"))
+
+
+@pytest.fixture(scope="module")
+def talks(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Write the slides of the lectures, with an empty picture for each figure."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(ROOT / "docs")
+        handouts = importlib.import_module("handouts")
+        app = SimpleNamespace(srcdir=ROOT / "docs", outdir=tmp_path_factory.mktemp("talks"))
+        handouts.write_talks(
+            app,
+            lambda name, alt: f'<img alt="{alt}" title="{name}">',
+            handouts.mathml,
+            handouts._PAGES.get_template("talk.html"),
+            handouts._script(),
+        )
+    return Path(app.outdir) / "course"
+
+
+@pytest.mark.parametrize("source", TALKS, ids=lambda path: path.stem)
+def test_figures_of_a_lecture_are_made_by_its_scripts(source, talks):
+    text = (talks / f"{source.stem}-slides.html").read_text(encoding="utf-8")
+    named = re.findall(r'title="(lecture-\d)-([\w-]+)"', text)
+    assert len(named) >= 8
+    for script, name in named:
+        code = (ROOT / "docs" / "figures" / f"{script}.py").read_text(encoding="utf-8")
+        assert f"{script}-{name}.svg" in code or f"def {name}()" in code
+
+
+@pytest.mark.parametrize("wrong", [{"claim": "word " * 31}, {"steps": None}])
+def test_slide_without_its_parts_or_with_too_many_words_ends_the_build(wrong, talks):
+    good = {"claim": "A", "figure": "f", "alt": "a", "steps": ["b $x + y$"], "say": "s", "ask": "?"}
+    talk = importlib.import_module("handouts.talks")
+    assert talk.checked(good, "one") == good
+    with pytest.raises(ValueError, match=r"at most 30|lacks"):
+        talk.checked({k: v for k, v in {**good, **wrong}.items() if v}, "one")
+
+
+def test_steps_of_a_slide_appear_one_by_one(talks, browser: Browser):
+    browser.open(talks / f"{TALKS[0].stem}-slides.html")
+    browser.settled()
+    browser.key("ArrowRight")
+    hidden = [browser.count(".now .later")]
+    for _ in range(3):
+        browser.key("ArrowRight")
+        hidden.append(browser.count(".now .later"))
+    assert hidden == [3, 2, 1, 0]
+    browser.key("ArrowRight")
+    browser.key("ArrowLeft")
+    assert browser.count(".now .later") == 0
+    browser.key("n")
+    assert browser.count(".now .notes dt") == 2
     assert browser.messages() == []

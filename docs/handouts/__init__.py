@@ -19,6 +19,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from latex2mathml.converter import convert
 
 from .slides import slides, title
+from .talks import course, write_talks
 
 KINDS = {"slides": "Slides", "exercises": "Exercise sheet", "solutions": "Solutions"}
 _PAGES = Environment(
@@ -77,11 +78,16 @@ def inline(tree, source):
         wrapped = "math-wrapper" in node.parent.get("classes", ())  # by the theme
         (node.parent if wrapped else node).replace_self(made)
     for node in list(tree.findall(nodes.image)):
-        kind, _ = mimetypes.guess_type(node["uri"])
-        data = base64.b64encode((source / unquote(node["uri"])).read_bytes()).decode()
         shown = f'style="width: {node["width"]}"' if "width" in node else ""
-        text = f'<img src="data:{kind};base64,{data}" alt="{escape(node["alt"])}" {shown}>'
+        text = picture(source / unquote(node["uri"]), node["alt"], shown)
         node.replace_self(nodes.raw("", text, format="html"))
+
+
+def picture(path, alt, shown=""):
+    """Return an image with its data as HTML."""
+    kind, _ = mimetypes.guess_type(path.name)
+    data = base64.b64encode(path.read_bytes()).decode()
+    return f'<img src="data:{kind};base64,{data}" alt="{escape(alt)}" {shown}>'
 
 
 def write(app, tree, name):
@@ -102,18 +108,18 @@ def write(app, tree, name):
         "style": app.builder.highlighter.get_stylesheet(),
         "page": f"{name.rpartition('/')[2]}.html",
     }
+    sheets = {"course": "", "date": "", "points": 0, **course(app.srcdir)}
     sheet = [{"number": n, "question": html(parts), "answer": ""} for n, parts in asked.items()]
     solved = [{**one, "answer": html(answered[one["number"]])} for one in sheet]
-    script = (Path(__file__).parent / "slides.js").read_text("utf-8")
     for kind, text in (
-        ("slides", {"slides": slides(tree, html), "script": script}),
+        ("slides", {"slides": slides(tree, html), "script": _script()}),
         ("exercises", {"exercises": sheet}),
         ("solutions", {"exercises": solved}),
     ):
         page = _PAGES.get_template("slides.html" if kind == "slides" else "sheet.html")
         path = Path(app.outdir) / f"{name}-{kind}.html"
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(page.render(given | text, kind=KINDS[kind]), "utf-8")
+        path.write_text(page.render(sheets | given | text, kind=KINDS[kind]), "utf-8")
 
 
 def hand_out(app, tree, name):
@@ -128,6 +134,23 @@ def hand_out(app, tree, name):
     fold_answers(sections(tree)["Answers"])
 
 
+def _script():
+    return (Path(__file__).parent / "slides.js").read_text("utf-8")
+
+
+def write_lectures(app, error):
+    """Write the slides of the lectures, when the figures are there."""
+    if app.builder.format == "html" and error is None:
+        figures = Path(app.srcdir) / "_generated"
+        write_talks(
+            app,
+            lambda name, alt: picture(figures / f"{name}.svg", alt),
+            mathml,
+            _PAGES.get_template("talk.html"),
+            _script(),
+        )
+
+
 _UNFOLD = """addEventListener("beforeprint", () => {
   for (const answer of document.querySelectorAll("details.answer")) answer.open = true;
 });"""
@@ -136,3 +159,4 @@ _UNFOLD = """addEventListener("beforeprint", () => {
 def setup(app):
     app.add_js_file(None, body=_UNFOLD)
     app.connect("doctree-resolved", hand_out)
+    app.connect("build-finished", write_lectures)

@@ -15,16 +15,18 @@ from pathlib import Path
 from arrangement.console.progress import Bar
 
 _NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+FOLDERS = ("course", "lessons")
 _FLAGS = ("--headless", "--disable-gpu", "--no-first-run", "--no-pdf-header-footer")
 
 
 def main(site: Path) -> None:
-    """Print what lies in the folder ``lessons`` of a site."""
+    """Print what lies in the folders ``lessons`` and ``course`` of a site."""
     program = next(filter(None, map(shutil.which, _NAMES)), None)
     if program is None:
         sys.exit(f"printing needs one of: {', '.join(_NAMES)}; or print each page from a browser")
     kinds = ("slides", "exercises", "solutions")
-    pages = sorted(page for kind in kinds for page in site.glob(f"lessons/*-{kind}.html"))
+    found = (site.glob(f"{folder}/*-{kind}.html") for folder in FOLDERS for kind in kinds)
+    pages = sorted(page for pages in found for page in pages)
     if not pages:
         sys.exit(f"{site} has no lessons; make docs builds them")
     flags = [*_FLAGS, *(["--no-sandbox"] if os.geteuid() == 0 else [])]

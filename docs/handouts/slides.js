@@ -1,6 +1,7 @@
 "use strict";
 // Slides of 1280 x 720: what does not fit goes on to a further slide, or is made smaller if it is
-// one block. Keys: arrows, space, Page, Home, End; N shows the notes, F fills the screen.
+// one block. Steps of a slide appear one by one. Keys: arrows, space, Page, Home, End; N shows the
+// notes, F fills the screen.
 
 /** Move the blocks of a slide that do not fit, and give each slide the notes of its blocks. */
 function paginate(slide) {
@@ -35,13 +36,29 @@ let now = 0;
 /** @type {HTMLElement[]} */
 let all = [];
 
-function show(number) {
+/** Show so many steps of the slide, if it has more; return whether it has. */
+function step(change) {
+  const steps = [...all[now].querySelectorAll(".step")];
+  const shown = steps.filter((one) => !one.matches(".later")).length + change;
+  if (shown < 0 || shown > steps.length) return false;
+  steps.forEach((one, index) => one.classList.toggle("later", index >= shown));
+  return true;
+}
+
+/** Show a slide, without its steps or with all of them. */
+function show(number, whole = false) {
   now = Math.max(0, Math.min(all.length - 1, number));
   const scale = Math.min(innerWidth / 1280, innerHeight / 720);
   all.forEach((slide, index) => slide.classList.toggle("now", index === now));
   const place = `translate(${(innerWidth - 1280 * scale) / 2}px, ${(innerHeight - 720 * scale) / 2}px)`;
   all[now].style.transform = `${place} scale(${scale})`;
+  all[now].querySelectorAll(".step").forEach((one) => one.classList.toggle("later", !whole));
   history.replaceState(null, "", `#${now + 1}`);
+}
+
+/** Go on by a step or a slide, or back. */
+function go(change) {
+  if (Math.abs(change) > 1 || !step(change)) show(now + change, change < 0);
 }
 
 const KEYS = {
@@ -67,7 +84,7 @@ addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   if (event.key in KEYS) {
     event.preventDefault();
-    show(now + KEYS[event.key]);
+    go(KEYS[event.key]);
   } else if (event.key === "n") {
     document.body.classList.toggle("noted");
   } else if (event.key === "f") {
@@ -76,5 +93,5 @@ addEventListener("keydown", (event) => {
 });
 addEventListener("touchend", (event) => {
   if (event.target.closest("a, pre")) return;
-  show(now + (event.changedTouches[0].clientX > innerWidth / 2 ? 1 : -1));
+  go(event.changedTouches[0].clientX > innerWidth / 2 ? 1 : -1);
 });
