@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
     from .drawing.path_artist import Drawing
     from .duals.zonohedron import DualPolyhedron
-    from .duals.zonotope import DualPolygon, DualSegment
+    from .duals.zonotope import DualPolygon, DualPolytope, DualSegment
     from .library.census import Identification
 
 
@@ -71,7 +71,7 @@ class Arrangement(HintsMixin, Planes):
         "poincare_polynomial": "characteristic_polynomial() or whitney_numbers()",
         "show": "draw()",
         "tutte_polynomial": "counts.tutte_polynomial(A)",
-        "zonotope": "dual()",
+        "zonotope": "dual(), or arrangement.duals.zonohedron.zonotope(generators)",
     }
 
     def iter_faces(self, dimension: int | None = None) -> Iterator[Face]:
@@ -311,19 +311,20 @@ class Arrangement(HintsMixin, Planes):
 
     def dual(
         self, lengths: Iterable[Any] | None = None
-    ) -> DualPolyhedron | DualPolygon | DualSegment:
-        """Return the dual zonotope of a central arrangement of rank 1 to 3.
+    ) -> DualPolyhedron | DualPolygon | DualSegment | DualPolytope:
+        """Return the dual zonotope of a central arrangement of rank 1 or more.
 
         Args:
-            lengths: a positive exact factor for each normal; 1 if omitted.
+            lengths: a positive exact factor for each normal, which is stored as coprime integers;
+                1 if omitted. `duals.zonohedron.zonotope` keeps the lengths of vectors.
 
         Raises:
-            InputError: an affine arrangement, or another rank.
+            InputError: an affine arrangement, or one without planes.
 
         >>> len(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]]).dual().vertices)
         8
         """
-        made: DualPolyhedron | DualPolygon | DualSegment
+        made: DualPolyhedron | DualPolygon | DualSegment | DualPolytope
         made = named("arrangement.duals.zonohedron:dual_zonotope")(self, lengths)
         return made
 

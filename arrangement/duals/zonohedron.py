@@ -10,6 +10,7 @@ import math
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -28,12 +29,23 @@ from arrangement.numbers.exact import (
     dot,
     largest,
     quotient,
+    rational_vector,
     shown,
 )
 from arrangement.numbers.linear.rank import cross, cycle_edges, difference
 from arrangement.planes.planes import Planes
 
-from .zonotope import DualPolygon, DualSegment, Generators, dual_polygon, dual_segment, generators
+from .zonotope import (
+    DualPolygon,
+    DualPolytope,
+    DualSegment,
+    Generators,
+    VolumeMixin,
+    dual_polygon,
+    dual_polytope,
+    dual_segment,
+    generators,
+)
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -44,7 +56,7 @@ _CHUNK = 1 << 22
 
 
 @dataclass(frozen=True, eq=False)
-class DualPolyhedron(ReprMixin):
+class DualPolyhedron(ReprMixin, VolumeMixin):
     """The zonohedron ``sum_i [-g_i, g_i]`` of an arrangement of rank 3 in R^3.
 
     Frame: the space of the normals. Vertex v belongs to a region of the arrangement, edge e to a
@@ -265,8 +277,10 @@ def around_rays(topology: Incidence) -> tuple[tuple[int, ...], ...]:
 
 def dual_zonotope(
     arrangement: Planes, lengths: Iterable[Any] | None = None
-) -> DualPolyhedron | DualPolygon | DualSegment:
-    """Return the dual of any rank from 1 to 3, each as the type that it is.
+) -> DualPolyhedron | DualPolygon | DualSegment | DualPolytope:
+    """Return the dual of any rank from 1 on, each as the type that it is.
+
+    Normals are stored as coprime integers, so their lengths are forgotten: `zonotope` keeps them.
 
     >>> from arrangement import Arrangement
     >>> dual_zonotope(Arrangement([[1, 0, 0], [1, 1, 0]])).dimension
@@ -276,7 +290,35 @@ def dual_zonotope(
         return dual_segment(arrangement, lengths)
     if arrangement.rank == 2:
         return dual_polygon(arrangement, lengths)
+    if arrangement.rank > 3:
+        return dual_polytope(arrangement, lengths)
     return dual_polyhedron(arrangement, lengths)
+
+
+def zonotope(
+    generators: Iterable[Iterable[Any]],
+) -> DualPolyhedron | DualPolygon | DualSegment | DualPolytope:
+    """Return the zonotope ``sum_i [-g_i, g_i]`` of vectors, with their lengths and multiplicities.
+
+    It is the dual of the planes with these normals, whose `lengths` are those of the vectors.
+
+    Args:
+        generators: exact rational vectors of one length, none of them zero.
+
+    Raises:
+        InputError: other vectors, or those of rank 3 in another space than R^3.
+
+    >>> zonotope([[2, 0], [1, 0], [0, "1/2"]]).vertices[0]
+    (Fraction(3, 1), Fraction(1, 2))
+    """
+    vectors = [rational_vector(row, f"generators[{i}]") for i, row in enumerate(generators)]
+    planes = Planes(vectors)
+    pairs = zip(vectors, planes.integer_planes, strict=True)
+    return dual_zonotope(planes, [_ratio(vector, plane) for vector, plane in pairs])
+
+
+def _ratio(vector: RationalVector, plane: IntegerVector) -> Fraction:
+    return next(x / n for x, n in zip(vector, plane, strict=False) if n)
 
 
 def _check_surface(dual: DualPolyhedron) -> None:

@@ -1,4 +1,4 @@
-"""The generators of the dual of central planes, and the duals of rank 2 and 1: polygon, segment.
+"""The generators of the dual of central planes, and the duals of all ranks but 3.
 
 With the segments ``[-g_i, g_i]`` along the normals as generators the dual is the zonotope
 ``sum_i [-g_i, g_i]``, whose vertex for the region of sign vector s is ``sum_i s_i g_i``
@@ -11,12 +11,22 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import combinations
 from typing import Any
 
 from arrangement.console.number_form import ReprMixin
-from arrangement.enumeration.choose import enumerate_faces
+from arrangement.counts.whitney import region_count
+from arrangement.enumeration.choose import enumerate_faces, enumerate_regions
 from arrangement.errors import InputError
-from arrangement.numbers.exact import IntegerVector, RationalVector, rational_vector, shown
+from arrangement.numbers import budget
+from arrangement.numbers.exact import (
+    IntegerVector,
+    RationalVector,
+    quotient,
+    rational_vector,
+    shown,
+)
+from arrangement.numbers.linear.rank import determinant
 from arrangement.planes.planes import Planes
 
 _REMEDIES = {
@@ -25,6 +35,8 @@ _REMEDIES = {
     2: "a polygon; use dual_polygon",
     3: "a polyhedron; use dual_polyhedron",
 }
+#: What a determinant takes for each of its entries.
+_STEPS = 10
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,27 +79,57 @@ def generators(arrangement: Planes, lengths: Iterable[Any] | None, rank: int) ->
         for factor, plane in zip(factors, arrangement.integer_planes, strict=True)
     )
     if (found := arrangement.rank) != rank:
-        remedy = _REMEDIES.get(found, f"a dual of dimension {found}, which this package lacks")
+        remedy = _REMEDIES.get(found, f"of dimension {found}; use dual_polytope")
         raise InputError(f"the normals have rank {found}, not {rank}: the dual is {remedy}")
     return Generators(factors, vectors, denominator)
 
 
+class VolumeMixin:
+    """The volume of a dual, from its generators."""
+
+    generators: Generators
+
+    @property
+    def volume(self) -> Fraction:
+        """The exact volume, as a body of R^d: 0 if the normals span less.
+
+        Source: P. McMullen, Volumes of projections of unit cubes, Bulletin of the London
+        Mathematical Society 16 (1984); G. Shephard, Combinatorial properties of associated
+        zonotopes, Canadian Journal of Mathematics 26 (1974).
+
+        >>> from arrangement import Arrangement
+        >>> Arrangement([[1, 0], [0, 1], [1, 1]]).dual().volume
+        Fraction(12, 1)
+        """
+        vectors = self.generators.vectors
+        d = len(vectors[0])
+        budget.check_cost(
+            f"the volume of a zonotope of {len(vectors)} generators",
+            steps=_STEPS * d**3 * budget.choose(len(vectors), d),
+        )
+        total = sum(abs(determinant(chosen)) for chosen in combinations(vectors, d))
+        whole: Fraction = quotient(2**d * total, self.generators.denominator**d)
+        return whole
+
+
 @dataclass(frozen=True, slots=True, repr=False)
-class _FlatDual(ReprMixin):
-    """A dual that is not a polyhedron.
+class _VertexDual(ReprMixin, VolumeMixin):
+    """A dual that is known by its vertices.
 
     Attributes:
         arrangement: the planes.
-        signs: the sign vector of the region of each corner, in cyclic order.
-        vertices: the exact corners ``sum_i s_i g_i``, in the same order.
+        generators: as of `DualPolyhedron`.
+        signs: the sign vector of the region of each vertex; of a polygon in cyclic order.
+        vertices: the exact vertices ``sum_i s_i g_i``, in the same order.
     """
 
     arrangement: Planes
+    generators: Generators
     signs: tuple[tuple[int, ...], ...]
     vertices: tuple[RationalVector, ...]
 
 
-class DualPolygon(_FlatDual):
+class DualPolygon(_VertexDual):
     """The dual of a pencil of k distinct planes in R^d: a centrally symmetric polygon, 2k corners.
 
     It lies in the plane spanned by the normals. It is not a polyhedron: its graph is one cycle, and
@@ -97,10 +139,19 @@ class DualPolygon(_FlatDual):
     dimension = 2
 
 
-class DualSegment(_FlatDual):
+class DualSegment(_VertexDual):
     """The dual of one plane, given once or more often: a segment through the origin."""
 
     dimension = 1
+
+
+class DualPolytope(_VertexDual):
+    """The dual of planes of rank 4 or more: a zonotope of that dimension, by its vertices."""
+
+    @property
+    def dimension(self) -> int:
+        """The rank of the planes."""
+        return self.arrangement.rank
 
 
 def dual_polygon(arrangement: Planes, lengths: Iterable[Any] | None = None) -> DualPolygon:
@@ -120,7 +171,7 @@ def dual_polygon(arrangement: Planes, lengths: Iterable[Any] | None = None) -> D
     """
     spans = generators(arrangement, lengths, 2)
     signs = _in_cyclic_order(arrangement)
-    return DualPolygon(arrangement, signs, tuple(_sum(spans, row) for row in signs))
+    return DualPolygon(arrangement, spans, signs, tuple(_sum(spans, row) for row in signs))
 
 
 def dual_segment(arrangement: Planes, lengths: Iterable[Any] | None = None) -> DualSegment:
@@ -135,7 +186,25 @@ def dual_segment(arrangement: Planes, lengths: Iterable[Any] | None = None) -> D
     spans = generators(arrangement, lengths, 1)
     positive = arrangement.orientation
     signs = (positive, tuple(-s for s in positive))
-    return DualSegment(arrangement, signs, tuple(_sum(spans, row) for row in signs))
+    return DualSegment(arrangement, spans, signs, tuple(_sum(spans, row) for row in signs))
+
+
+def dual_polytope(arrangement: Planes, lengths: Iterable[Any] | None = None) -> DualPolytope:
+    """Return the dual of an arrangement of rank 4 or more, as its vertices, one for each region.
+
+    Args and errors: as for `dual_polygon`.
+
+    >>> from arrangement import families
+    >>> cube = dual_polytope(families.coordinate(4))
+    >>> len(cube.vertices), cube.volume
+    (16, Fraction(16, 1))
+    """
+    spans = generators(arrangement, lengths, max(4, arrangement.rank))
+    regions = enumerate_regions(arrangement, region_count)
+    if regions is None:
+        regions = enumerate_faces(arrangement).of_dimension(arrangement.dimension)
+    signs = tuple(map(tuple, regions.signs.tolist()))
+    return DualPolytope(arrangement, spans, signs, tuple(_sum(spans, row) for row in signs))
 
 
 def _in_cyclic_order(arrangement: Planes) -> tuple[tuple[int, ...], ...]:

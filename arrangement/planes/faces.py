@@ -18,7 +18,7 @@ from arrangement.errors import InputError
 from arrangement.numbers.entries import real_vector
 from arrangement.numbers.exact import IntegerVector, RationalVector, bits, dot, quotient, shown
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
-from arrangement.numbers.linear.rank import rank
+from arrangement.numbers.linear.rank import rank, triple_product
 from arrangement.numbers.symbolic import to_sympy
 
 from .planes import Planes
@@ -49,7 +49,7 @@ class Face(ReprMixin):
     >>> triangle
     <Face: ++-, dimension 2>
     >>> [tuple(map(str, vertex)) for vertex in triangle.vertices], str(triangle.volume)
-    ([('0', '0'), ('0', '1'), ('1', '0')], '1/2')
+    ([('0', '0'), ('1', '0'), ('0', '1')], '1/2')
     """
 
     signs: tuple[int, ...]
@@ -184,8 +184,20 @@ class Face(ReprMixin):
 
     @property
     def vertices(self) -> tuple[RationalVector, ...]:
-        """The corners of the closure; none if it contains a line."""
-        return () if self.lines else self.closure.points
+        """The corners of the closure; none if it contains a line.
+
+        Those of a face of dimension 2 are in order around it, in R^2 counter-clockwise; if it is
+        unbounded, from one unbounded edge to the other.
+        """
+        if self.lines or self.dimension != 2:
+            return () if self.lines else self.closure.points
+        corners, order = self.closure.homogeneous[0], self.closure.cycle()
+        if self.planes.dimension == 2 and triple_product(*(corners[j] for j in order[:3])) < 0:
+            order = order[::-1]
+        if self.is_bounded:
+            first = order.index(0)
+            order = order[first:] + order[:first]
+        return tuple(self.closure.points[j] for j in order if corners[j][-1])
 
     @property
     def rays(self) -> tuple[IntegerVector, ...]:

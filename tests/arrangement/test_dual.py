@@ -7,12 +7,19 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy
 import trimesh
 from hypothesis import assume, given, settings, strategies as st
+from scipy.spatial import ConvexHull
 
-from arrangement import Arrangement, ArrangementError, InputError, counts
-from arrangement.duals.zonohedron import DualPolyhedron, dual_polyhedron, dual_zonotope
-from arrangement.duals.zonotope import dual_polygon, dual_segment
+from arrangement import Arrangement, ArrangementError, InputError, counts, families
+from arrangement.duals.zonohedron import (
+    DualPolyhedron,
+    dual_polyhedron,
+    dual_zonotope,
+    zonotope,
+)
+from arrangement.duals.zonotope import dual_polygon, dual_polytope, dual_segment
 
 from .strategies import arrangements
 
@@ -212,3 +219,66 @@ def test_vertices_that_rounding_would_join_are_refused():
     thin.validate()
     with pytest.raises(ArrangementError, match="two vertices become one"):
         thin.to_trimesh(10)
+
+
+@given(arrangements(dimensions=(2, 4), planes=(1, 6)), st.data())
+def test_volume_is_that_of_the_convex_hull(planes, data):
+    rows = [*planes.normals]
+    assume(rows and planes.rank == planes.dimension)
+    lengths = [data.draw(st.sampled_from([1, Fraction(1, 2), 3])) for _ in rows]
+    body = zonotope([[x * length for x in row] for row, length in zip(rows, lengths, strict=True)])
+    hull = ConvexHull([[float(x) for x in vertex] for vertex in body.vertices])
+    assert float(body.volume) == pytest.approx(hull.volume)
+    assert len(hull.vertices) == len(body.vertices) == len(Arrangement(rows).regions())
+
+
+def test_volume_of_graphs_counts_spanning_trees():
+    """In the lattice of its edges a graph's zonotope has a cell for each tree (Stanley 1991)."""
+    for n in (3, 4, 5):
+        edges = counts.essentialization(families.braid(n))
+        assert edges.dual().volume == 2 ** (n - 1) * n ** (n - 2)  # Cayley
+        trees = counts.tutte_polynomial(families.braid(n)).eval((1, 1))
+        assert trees == n ** (n - 2)
+    assert families.braid(4).essentialization().dual().volume == 8 * 16
+    assert families.braid(3).dual().volume == 0  # a hexagon in space
+
+
+@pytest.mark.parametrize(
+    ("planes", "vertices"),
+    [
+        (families.coordinate(4), 16),
+        (families.braid(5), 120),
+        (families.coxeter("D4"), 192),
+        (families.coordinate(5), 32),
+    ],
+)
+def test_dual_of_high_rank_has_a_vertex_for_each_region(planes, vertices):
+    dual = planes.dual()
+    assert len(set(dual.vertices)) == len(dual.signs) == vertices == planes.region_count()
+    assert dual.dimension == planes.rank
+    for signs, vertex in zip(dual.signs, dual.vertices, strict=True):
+        columns = zip(*planes.normals, strict=True)
+        assert vertex == tuple(sum(s * x for s, x in zip(signs, c, strict=True)) for c in columns)
+        top = planes.region_at(
+            next(r.witness for r in planes.regions() if r.signs == signs)
+        ).witness
+        heights = [sum(a * b for a, b in zip(top, v, strict=True)) for v in dual.vertices]
+        assert heights.count(max(heights)) == 1
+        assert dual.vertices[heights.index(max(heights))] == vertex
+
+
+def test_zonotope_keeps_lengths_and_multiplicities_that_the_dual_forgets():
+    vectors = [[2, 0], [1, 0], [0, "1/2"]]
+    kept, forgotten = zonotope(vectors), Arrangement(vectors).dual()
+    assert {tuple(map(abs, v)) for v in kept.vertices} == {(3, Fraction(1, 2))}
+    assert {tuple(map(abs, v)) for v in forgotten.vertices} == {(2, 1)}
+    assert (kept.volume, forgotten.volume) == (6, 8)
+    assert zonotope([[0, 0, 4]]).vertices[0] == (0, 0, 4)
+    assert zonotope([[1, 0, 0], [0, 3, 0], [0, 0, "1/3"]]).volume == 8
+    for wrong in ([[0, 0]], [], [[1, 0], [1]], [[0.5]], [[sympy.sqrt(2)]]):
+        with pytest.raises(InputError):
+            zonotope(wrong)
+    with pytest.raises(InputError, match="of dimension 4; use dual_polytope"):
+        dual_polyhedron(families.coordinate(4))
+    with pytest.raises(InputError, match="a polyhedron; use dual_polyhedron"):
+        dual_polytope(families.coordinate(3))

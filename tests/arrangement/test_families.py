@@ -7,12 +7,14 @@ from collections.abc import Callable
 from fractions import Fraction
 from functools import partial
 from itertools import combinations, product
+from random import Random
 from typing import Any
 
 import networkx as nx
 import numpy as np
 import pytest
 import sympy
+from sympy.functions.combinatorial.numbers import stirling
 
 from arrangement import Arrangement, InputError, counts, families
 from arrangement.library.families.simplicial import printed_vectors
@@ -178,6 +180,42 @@ def test_separations():
     assert len(permutations.regions()) == counts.region_count(permutations) == 2894
 
 
+@pytest.mark.parametrize("n", range(1, 7))
+def test_bisectors_and_lines_of_generic_points_have_published_numbers(n):
+    """Regions of bisectors: permutations with n, n - 1 or n - 2 cycles (Good, Tideman 1977)."""
+    source = Random(n)
+    points = [(source.randint(-999, 999), Fraction(source.randint(-999, 999), 7)) for _ in range(n)]
+    orders = families.bisectors(points)
+    cycles = sum(int(stirling(n, k, kind=1)) for k in range(max(1, n - 2), n + 1))
+    assert counts.region_count(orders) == len(orders.regions()) == cycles
+    for region in orders.regions():
+        far = [sum((a - b) ** 2 for a, b in zip(p, region.witness, strict=True)) for p in points]
+        nearer = [1 if far[i] < far[j] else -1 for i, j in combinations(range(n), 2)]
+        assert region.signs == tuple(nearer)
+    lines = families.lines_through(points)
+    assert len(lines) == math.comb(n, 2)
+    expected = (n - 1) * (n**3 - 5 * n**2 + 18 * n - 8) // 8
+    assert counts.region_count(lines) == (expected if n > 2 else n)
+
+
+def test_points_may_be_text_and_lines_through_several_come_once():
+    grid = list(product(range(3), repeat=2))
+    text = ";".join(f"{x}, {y}" for x, y in grid)
+    assert families.lines_through(text) == families.lines_through(grid)
+    assert len(families.lines_through(grid)) == 20  # OEIS A018808
+    assert families.bisectors("0,0;1/2,1") == families.bisectors([(0, 0), ("1/2", 1)])
+    plane = families.lines_through([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)])
+    assert plane.integer_planes == ((0, 0, 1, 0),)
+
+
+def test_graphs_may_be_pairs_of_vertices():
+    pairs = [(3, 1), (2, 3)]
+    assert families.graphical(pairs) == families.graphical("1-3,2-3")
+    assert families.shi(pairs, 2) == families.shi("1-3,2-3", 2)
+    assert families.graphical([("b", "a"), (1, "a")]).dimension == 3
+    assert len(families.bigraphical([(0, 1)])) == 2
+
+
 def test_discriminantal_planes_can_be_the_braid_arrangement():
     for n in (4, 5):
         braid = counts.essentialization(families.braid(n))
@@ -318,6 +356,14 @@ REFUSED: list[tuple[Callable[..., object], tuple[Any, ...], str]] = [
     (families.graphical, (nx.Graph([(0, 0)]),), "loop"),
     (families.graphical, (nx.Graph(),), "no vertices"),
     (families.graphical, ("1-1",), "loop at 1"),
+    (families.graphical, ([(1, 1)],), "loop at 1"),
+    (families.graphical, ([],), "no vertices"),
+    *((families.graphical, ([edge],), r"graph\[0\] is ") for edge in (1, (1, 2, 3), ([1], [2]))),
+    (families.bisectors, ([],), "give points of one space"),
+    (families.bisectors, ([(0, 0), (1, 2, 3)],), "give points of one space"),
+    (families.bisectors, ([(0, 0), (1, 2), (0, 0)],), r"points\[2\] is points\[0\] again"),
+    (families.lines_through, ("0,0;1",), "give points of one space"),
+    (families.lines_through, ("0,0;x,1",), "points"),
     (families.graphical, ("1+2",), "negative edges"),
     *(
         (families.graphical, (text,), "write its edges as")
@@ -336,7 +382,7 @@ def test_members_that_do_not_exist_are_refused(family, given, message):
 ODD = ["abc", b"x", 1.5, float("nan"), None, (1, 2), [(0, 1)], {}, -1, -(10**30), 10**30, True]
 ODD += [Fraction(1, 2), 1j, np.array([1, 2]), nx.DiGraph([(0, 1)]), "x" * 5000, "24-cell", int]
 GOOD = {"type": "A3", "graph": "1-2,2-3", "polytope": "cube", "n": 3, "m": 4}
-GOOD |= {"d": 3, "planes": 10, "number": 1}
+GOOD |= {"points": "0,0;1,0;0,1", "d": 3, "planes": 10, "number": 1}
 
 
 @pytest.mark.parametrize("name", families.FAMILIES)

@@ -3,7 +3,7 @@
 import json
 from collections import Counter
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, pairwise
 from math import comb, factorial
 from pathlib import Path
 
@@ -57,6 +57,20 @@ def test_bounded_regions_are_as_many_as_zaslavsky_says(planes):
         assert not region.rays
         assert not region.lines
         assert sum((-1) ** k * f for k, f in enumerate(region.f_vector)) == 1
+
+
+@given(arrangements(dimensions=(2, 2), planes=(2, 6)))
+def test_corners_of_a_region_of_the_plane_are_counter_clockwise(planes):
+    for region in planes.regions():
+        corners = region.vertices
+        assert set(corners) == {face.witness for face in region.faces() if face.dimension == 0}
+        turns = list(pairwise([*corners, *corners[:1]] if region.is_bounded else corners))
+        for (a, b), (c, d) in turns:  # the region is on the left of each side
+            x, y = region.witness
+            assert (c - a) * (y - b) > (d - b) * (x - a)
+        if region.is_bounded:
+            area = sum((a * d - b * c for (a, b), (c, d) in turns), Fraction(0)) / 2
+            assert area == region.volume
 
 
 @given(arrangements(dimensions=(2, 4), planes=(0, 4)))

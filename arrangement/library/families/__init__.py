@@ -37,7 +37,9 @@ from .graphs import (
     signed_graphical as signed_graphical,
 )
 from .points import (
+    bisectors as bisectors,
     discriminantal as discriminantal,
+    lines_through as lines_through,
     resonance as resonance,
     separations as separations,
     threshold as threshold,
@@ -64,6 +66,8 @@ FAMILIES: Mapping[str, Callable[..., Arrangement]] = {
         *(
             separations,
             discriminantal,
+            lines_through,
+            bisectors,
             random_integer,
             random_degenerate,
             random_sphere,

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.options.signature import Syntax
-from arrangement.library.arguments import at_least
+from arrangement.library.arguments import at_least, is_listed
 
 from .checks import planned
 from .classical import differences, positive_roots, sums
@@ -144,7 +144,7 @@ def _deformed(type: Type, offsets: Sequence[int]) -> Arrangement:
     if isinstance(type, str) and not type[:1].isdigit():
         rows = [list(root) for root in positive_roots(type)]
         dimension = len(rows[0])
-    elif isinstance(type, str) or hasattr(type, "edges"):
+    elif isinstance(type, str) or hasattr(type, "edges") or is_listed(type):
         rows, dimension = edge_differences(type)
     else:
         dimension = at_least(type, 1, "type")

@@ -1,24 +1,27 @@
-"""Arrangements of graphs, signed or not; a graph comes from networkx or as text.
+"""Arrangements of graphs, signed or not; a graph comes from networkx, as pairs, or as text.
 
-In text an edge is what vanishes on its plane: ``1-2`` is x_1 - x_2 = 0. In a signed graph ``1+2``
-is x_1 + x_2 = 0 and a vertex alone, ``1``, is x_1 = 0. Commas separate edges; the vertices are 1,
-2, ..., up to the largest number. Coordinates are in the order of the vertices, planes of the edges.
+Pairs such as (1, 2) are edges; the vertices are those that they name, in order. In text an edge is
+what vanishes on its plane: ``1-2`` is x_1 - x_2 = 0. In a signed graph ``1+2`` is x_1 + x_2 = 0 and
+a vertex alone, ``1``, is x_1 = 0. Commas separate edges; the vertices are 1, 2, ..., up to the
+largest number. Coordinates are in the order of the vertices, planes of the edges.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Hashable, Iterable
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.options.signature import Syntax
 from arrangement.errors import InputError
+from arrangement.library.arguments import entries, is_listed
 from arrangement.numbers.exact import shown
 
 if TYPE_CHECKING:
     import networkx as nx
 
-    Graph: TypeAlias = nx.Graph | str
+    Graph: TypeAlias = nx.Graph | str | Iterable[tuple[Any, Any]]
 else:  # networkx takes time to import
     Graph = Annotated[Any, Syntax(metavar="EDGES")]
 
@@ -41,6 +44,8 @@ def graphical(graph: Graph) -> Arrangement:
 
     >>> graphical("1-2,2-3").integer_planes
     ((1, -1, 0, 0), (0, 1, -1, 0))
+    >>> graphical([(1, 2), (2, 3), (3, 1)]).region_count()
+    6
     """
     normals, dimension = edge_differences(graph)
     return Arrangement(normals, dimension=dimension)
@@ -118,16 +123,36 @@ def edge_differences(graph: Graph) -> tuple[list[list[int]], int]:
 
 
 def _checked(graph: Graph) -> nx.Graph:
-    found = _read(graph) if isinstance(graph, str) else graph
+    found: Any = _read(graph) if isinstance(graph, str) else graph
+    if is_listed(graph) and not hasattr(graph, "edges"):
+        found = _of_pairs(entries(graph, "graph", "edges"))
     if not (hasattr(found, "is_directed") and hasattr(found, "edges")) or isinstance(found, type):
         raise InputError(
-            f"the graph is {shown(graph)}; give a graph of networkx, such as Graph(edges), or a "
-            "text such as 1-2,2-3"
+            f"the graph is {shown(graph)}; give a graph of networkx, edges such as [(1, 2), "
+            "(2, 3)], or a text such as 1-2,2-3"
         )
     if found.is_directed():
         raise InputError("the graph is directed; give graph.to_undirected()")
     if not len(found):
         raise InputError("the graph has no vertices; give at least one")
+    return found
+
+
+def _of_pairs(edges: tuple[Any, ...]) -> nx.Graph:
+    """Return the graph of edges as pairs of vertices."""
+    import networkx as nx
+
+    pairs = [entries(edge, f"graph[{i}]", "two vertices") for i, edge in enumerate(edges)]
+    for i, pair in enumerate(pairs):
+        if len(pair) != 2 or not all(isinstance(node, Hashable) for node in pair):
+            raise InputError(f"graph[{i}] is {shown(edges[i])}; give two vertices, such as (1, 2)")
+    found = nx.MultiGraph()
+    nodes = dict.fromkeys(node for pair in pairs for node in pair)
+    try:
+        found.add_nodes_from(sorted(nodes))
+    except TypeError:  # they have no order
+        found.add_nodes_from(nodes)
+    found.add_edges_from(pairs)
     return found
 
 

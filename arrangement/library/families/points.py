@@ -1,21 +1,40 @@
-"""Planes of points and sets: separations, what points span, thresholds, subset sums."""
+"""Planes of points and sets: separations, what points span, bisectors, thresholds, subset sums.
+
+Points are sequences of exact numbers, or a text such as ``0,0; 1,0; 1/2,2``.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from itertools import combinations, permutations, product
 from math import comb
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 from arrangement.arrangement import Arrangement
+from arrangement.console.options.signature import Syntax
 from arrangement.errors import InputError
-from arrangement.library.arguments import at_least, flag
+from arrangement.library.arguments import at_least, entries, flag
 from arrangement.library.families.checks import planned
 from arrangement.library.families.classical import sums
 from arrangement.library.families.randoms import random_integer
 from arrangement.numbers import budget
-from arrangement.numbers.exact import IntegerVector, shown
+from arrangement.numbers.exact import (
+    IntegerVector,
+    RationalVector,
+    dot,
+    primitive,
+    rational_vector,
+    shown,
+    unoriented,
+)
 from arrangement.numbers.linear.rank import determinant
+
+if TYPE_CHECKING:
+    Points: TypeAlias = str | Iterable[Iterable[Any]]
+else:  # on a command line a text
+    Points = Annotated[Any, Syntax(metavar="X,Y;X,Y;...")]
 
 #: Name of a polytope -> its vertices in R^n.
 _VERTICES: Mapping[str, Callable[[int], Iterator[IntegerVector]]] = {
@@ -76,14 +95,83 @@ def discriminantal(n: int, d: int = 3, *, affine: bool = False, seed: int = 0) -
     width = d + affine
     planned(budget.choose(n, width - 1), width, 400 * width)
     points = random_integer(n, d, bound=999, seed=seed).integer_planes
-    vectors = [(*point[:-1], 1) if affine else point[:-1] for point in points]
+    rows = _spanned([(*point[:-1], 1) if affine else point[:-1] for point in points], width)
+    if affine:
+        return Arrangement([row[:-1] for row in rows], [-row[-1] for row in rows])
+    return Arrangement(rows)
+
+
+def _spanned(vectors: Sequence[IntegerVector], width: int) -> list[list[int]]:
+    """Return the normals of what any ``width - 1`` of the vectors span, 0 if they are dependent."""
     rows = []
     for chosen in combinations(vectors, width - 1):
         kept = ([[v[j] for j in range(width) if j != k] for v in chosen] for k in range(width))
         rows.append([(-1) ** k * determinant(minor) for k, minor in enumerate(kept)])
-    if affine:
-        return Arrangement([row[:-1] for row in rows], [-row[-1] for row in rows])
-    return Arrangement(rows)
+    return rows
+
+
+def lines_through(points: Points) -> Arrangement:
+    """Return the lines through two or more of some points of R^2, each line once.
+
+    In R^d: the hyperplanes through d or more of the points that determine them.
+
+    Args:
+        points: different points, such as 0,0;1,0;1/2,2.
+
+    Known counts: those of n points in general position have (n-1)(n^3 - 5n^2 + 18n - 8) / 8
+    regions, for n = 4 as many as 18; the vertices of a square have 16.
+    Source: OEIS A055503.
+
+    >>> lines_through([(0, 0), (1, 0), (0, 1), (2, 3)]).f_vector
+    (7, 24, 18)
+    """
+    given = _points(points)
+    d = len(given[0])
+    planned(budget.choose(len(given), d), d)
+    vectors = [primitive((*point, Fraction(1))) for point in given]
+    rows = dict.fromkeys(unoriented(row) for row in _spanned(vectors, d + 1) if any(row))
+    return Arrangement([row[:-1] for row in rows], [-row[-1] for row in rows], dimension=d)
+
+
+def bisectors(points: Points) -> Arrangement:
+    """Return the points that are as far from p as from q, for each pair p, q of some points of R^d.
+
+    A region has one order of the points by their distance. The points nearer to p are on the
+    positive side of its planes with later points.
+
+    Args:
+        points: different points, such as 0,0;1,0;1/2,2.
+
+    Known counts: n points of the plane in general position have as many regions as permutations of
+    n letters with n, n - 1 or n - 2 cycles: 1, 2, 6, 18, 46, 101, ...
+    Source: I. Good, T. Tideman, Journal of Combinatorial Theory A 23 (1977).
+
+    >>> bisectors([(0, 0), (5, 0), (1, 3), (-2, 7)]).f_vector[-1]
+    18
+    """
+    given = _points(points)
+    d = len(given[0])
+    planned(comb(len(given), 2), d)
+    pairs = list(combinations(given, 2))
+    normals = [[2 * (x - y) for x, y in zip(p, q, strict=True)] for p, q in pairs]
+    offsets = [dot(p, p) - dot(q, q) for p, q in pairs]
+    return Arrangement(normals, offsets, dimension=d)
+
+
+def _points(points: Points) -> list[RationalVector]:
+    """Read points, and refuse those that are not different points of one space."""
+    if isinstance(points, str):
+        points = [[x.strip() for x in point.split(",")] for point in points.split(";")]
+    rows = entries(points, "points", "points")
+    found = [rational_vector(row, f"points[{i}]") for i, row in enumerate(rows)]
+    if not found or len({len(point) for point in found}) > 1 or not found[0]:
+        raise InputError(
+            f"points is {shown(points)}; give points of one space, such as 0,0;1,0;1/2,2"
+        )
+    for i, point in enumerate(found):
+        if point in found[:i]:
+            raise InputError(f"points[{i}] is points[{found.index(point)}] again; give it once")
+    return found
 
 
 def threshold(n: int) -> Arrangement:
