@@ -353,6 +353,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_wrench_sets_plane.py",
     ): ("equilibrium.wrench_sets.line",),
     (
+        "tests/equilibrium/test_wrench_sets_space.py",
         "tests/equilibrium/test_space.py::TestManyLoads",
         "tests/equilibrium/test_inputs.py",
     ): ("equilibrium.wrench_sets.loads",),

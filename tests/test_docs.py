@@ -53,11 +53,12 @@ def run(text: str) -> list[str]:
     return page.problems
 
 
+@pytest.mark.parametrize("speed", [100.0, pytest.param(0.01, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("page", [*PAGES, ROOT / "README.md"], ids=name)
-def test_a_page_read_from_top_to_bottom_does_what_it_shows(page, desk, monkeypatch):
-    """On a clock that is a hundred times as fast; but for programs that wait for each other."""
+def test_a_page_read_from_top_to_bottom_does_what_it_shows(page, speed, desk, monkeypatch):
+    """On a fast and on a slow clock; but for programs that wait for each other."""
     if page.stem != "cluster":
-        set_clock(monkeypatch, 100.0)
+        set_clock(monkeypatch, speed)
     running = Page(page, page.read_text(encoding="utf-8"))
     running.run()
     assert not running.problems, "\n\n".join(running.problems)

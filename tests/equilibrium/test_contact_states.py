@@ -206,3 +206,10 @@ def test_no_point_lies_beyond_the_supporting_plane(inequalities, equalities):
     answer = minimize((x, y, 0), least, equal)
     assert isinstance(answer, Optimal)
     assert answer.value == x * x + y * y
+
+
+@pytest.mark.parametrize(("weight", "intervals"), [(-2, ((0, 0),)), (2, ())])
+def test_load_along_which_nothing_holds_leaves_its_base(weight, intervals):
+    """Two frictionless legs on a table hold a weight, no lift, and nothing along the table."""
+    legs = Grasp(Contact((x, 0), (0, 1), 0) for x in (-1, 1))
+    assert resisted_magnitudes(legs, (1, 0, 0), (0, weight, 0)).intervals == intervals

@@ -302,3 +302,9 @@ def test_maps_of_the_paper_agree_with_the_exact_sets():
         assert found.disagreements == ()
     wrong = search_map(gap_grasp(), rays=4)
     assert [entry.direction for entry in wrong.disagreements] == [(-1, 0)]
+
+
+def test_what_no_preload_holds_a_small_one_may_lose():
+    """Preload p resists a load of 1 as preload 1 resists 1 / p: not between 5/2 and 4."""
+    found = sufficient_preloads(read_grasp("interrupted-resistance"), (0, 1, 0))
+    assert found.intervals == ((0, Fraction(1, 4)), (Fraction(2, 5), None))

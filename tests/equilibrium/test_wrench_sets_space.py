@@ -285,6 +285,14 @@ def test_arrays_of_loads_are_answered_as_each_of_them(seed):
         assert resisted == solver.solve(from_floats(load)).stable
 
 
+def test_large_loads_of_every_direction_are_resisted_as_in_print():
+    """Table III at preload 5: five times a load of preload 1."""
+    every = [row for k in range(3) for row in (5.0 * np.eye(3)[k], -5.0 * np.eye(3)[k])]
+    grasp = read_grasp("paper-four-contacts").with_preload(5)
+    assert ResistedSet(grasp).check(every).resisted.all()
+    assert ResistedSet(grasp).check([[0, 10.0, 0], [0, 10.5, 0]]).resisted.tolist() == [True, False]
+
+
 ONE = ([[0.0, 0.0]], [[0.0, 1.0]], 0.5)
 
 
