@@ -111,13 +111,13 @@ class TestBruteForce:
         assert verdict.verdict == ("not resisted", "resisted")[resisted(document, wrenches)], seed
         assert verdict.verify(), seed
 
-    @pytest.mark.parametrize("seeds", [range(10 * k, 10 * k + 10) for k in range(10)], ids=str)
+    @pytest.mark.parametrize("seeds", [range(10 * k, 10 * k + 10) for k in range(3)], ids=str)
     def test_random_assemblies_agree(self, seeds):
         for seed in seeds:
             self.agree(seed, 4)
 
     @pytest.mark.slow
-    @pytest.mark.parametrize("seeds", [range(200 * k, 200 * k + 200) for k in range(10)], ids=str)
+    @pytest.mark.parametrize("seeds", [range(200 * k, 200 * k + 200) for k in range(3)], ids=str)
     def test_many_random_assemblies_agree(self, seeds):
         for seed in seeds:
             self.agree(1000 + seed, 4)
@@ -158,8 +158,8 @@ class TestPlane:
             self.agrees(grasp, wrench, k % 2)
 
     @pytest.mark.slow
-    def test_one_body_is_the_planar_question_500_times(self):
-        for k, (grasp, wrench) in enumerate(self.questions(500)):
+    def test_one_body_is_the_planar_question_200_times(self):
+        for k, (grasp, wrench) in enumerate(self.questions(200)):
             self.agrees(grasp, wrench, k % 2)
 
 
@@ -322,8 +322,8 @@ class TestForged:
         self.refused(20)
 
     @pytest.mark.slow
-    def test_forged_certificates_are_refused_500_times(self):
-        self.refused(500)
+    def test_forged_certificates_are_refused_200_times(self):
+        self.refused(200)
 
     def test_yes_turned_into_no_is_no_certificate(self):
         proof = solve(STACK, WEIGHTS).proof
