@@ -225,10 +225,11 @@ def _equilibrium_problem(
     max_displacement: Fraction | None,
 ) -> str:
     """Return what is wrong with the equilibrium of a certificate, or nothing."""
+    form = FORMS[grasp.dimension]
     if "enclosure" in document:
-        box = read_enclosure(document["enclosure"], len(grasp))
+        box = read_enclosure(document["enclosure"], len(grasp), form)
         return enclosure_problem(grasp, wrench, box, max_displacement)
-    found = read_equilibrium(document, len(grasp), FORMS[grasp.dimension])
+    found = read_equilibrium(document, len(grasp), form)
     return equilibrium_problem(grasp, wrench, *found, edges_of(document), max_displacement)
 
 

@@ -1,8 +1,8 @@
 """Equilibria in space that have no rational numbers, proved by intervals with rational ends.
 
-Where states are given, balance is six equations in six unknowns: y, of the motion ``d = B y`` for a
-basis B of motions by which no sticking contact slips, and forces z of some sticking contacts
-("pillars"). With ``c_n = q - k N . d`` and friction
+Where states are given, balance is n equations in n unknowns, six for a grasp: y, of the motion
+``d = B y`` for a basis B of motions by which no sticking contact slips, and forces z of some
+sticking contacts ("pillars"). With ``c_n = q - k N . d`` and friction
 
 * ``-mu c_n s / |s|`` with s = T d where a contact slips,
 * ``mu c_n r`` with a given r where it sticks, and z along a tangent if it is a pillar there,
@@ -106,7 +106,7 @@ def enclosure_problem(
             return f"contact {i + 1} is a pillar and does not stick"
     pairs = zip(felt_contacts, given.friction, strict=True)
     works = [wrench, *chain(*(felt.noticed for felt, friction in pairs if friction is not None))]
-    if any(dot(row, motion[:6]) for motion in given.idle for row in works):
+    if any(dot(row, motion) for *motion, _ in given.idle for row in works):
         return "a null-space motion moves an attached contact, or the load does work on it"
     if any(r <= 0 for r in given.radius):
         return "a radius of the enclosure is not above 0"
@@ -192,12 +192,12 @@ def _balance(
     box: Sequence[Interval],
     max_displacement: Fraction | None,
 ) -> tuple[list[Interval], list[list[Interval]]]:
-    """Return the sum of all wrenches over a box, and its derivative, (6, 6).
+    """Return the sum of all wrenches over a box, and its derivative, (n, n).
 
     Raises:
         BrokenLaw: a condition does not hold all over the box.
     """
-    zeros = [Interval(0, 0)] * 6
+    zeros = [Interval(0, 0)] * len(wrench)
     sums = [Linear(interval(w), zeros) for w in wrench]
     for i, ((contact, rows, slopes), friction) in enumerate(
         zip(contacts, given.friction, strict=True)
@@ -232,9 +232,9 @@ def _balance(
 
 
 def _slopes(row: RationalVector, basis: Sequence[RationalVector]) -> list[Interval]:
-    """Return how far a contact moves along a unit wrench, with each of the six unknowns."""
+    """Return how far a contact moves along a unit wrench, with each of the n unknowns."""
     slopes = [interval(dot(row, motion)) for motion in basis]
-    return slopes + [Interval(0, 0)] * (6 - len(slopes))
+    return slopes + [Interval(0, 0)] * (len(row) - len(slopes))
 
 
 def _sticking(
@@ -246,7 +246,7 @@ def _sticking(
         (k, j) for k, (pillar, j) in enumerate(given.pillars, len(given.basis)) if pillar == i
     ]
     for k, j in carried:
-        slopes = [interval(int(k == other)) for other in range(6)]
+        slopes = [interval(int(k == other)) for other in range(len(box))]
         forces[j] = forces[j].plus(Linear(box[k], slopes))
     squares = total(force.value.square() for force in forces)
     if carried and squares.high > limit.value.square().low:

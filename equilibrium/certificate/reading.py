@@ -223,29 +223,31 @@ def read_motion(
     return tuple(x for row in rows for x in row)
 
 
-def read_enclosure(content: Any, contacts: int) -> Enclosure:
+def read_enclosure(content: Any, contacts: int, form: TreeForm) -> Enclosure:
     """Return an enclosure; whether it shows anything is not looked at."""
     check_keys(content, _ENCLOSURE, ("idle",), "enclosure")
-    centre, radius = (_rationals(content[key], 6, f"enclosure.{key}") for key in _ENCLOSURE[3:5])
-    inverse = _rows(content, "inverse", 6)
-    basis = _rows(content, "basis", None)
+    n = form.size
+    centre, radius = (_rationals(content[key], n, f"enclosure.{key}") for key in _ENCLOSURE[3:5])
+    inverse = _rows(content, "inverse", n, n)
+    basis = _rows(content, "basis", None, n)
     pillars = []
-    for i, pair in enumerate(check_list(content["pillars"], "enclosure.pillars", 6 - len(basis))):
+    for i, pair in enumerate(check_list(content["pillars"], "enclosure.pillars", n - len(basis))):
         where = f"enclosure.pillars[{i}]"
         contact, tangent = check_list(pair, where, 2)
-        pillars.append((read_index(contact, where, contacts), read_index(tangent, where, 2)))
+        place = read_index(contact, where, contacts), read_index(tangent, where, form.tangents)
+        pillars.append(place)
     friction: list[RationalVector | None] = []
     for i, entry in enumerate(check_list(content["friction"], "enclosure.friction", contacts)):
         if entry in ("detached", "slip"):
             friction.append(None if entry == "detached" else ())
         else:
-            friction.append(_rationals(entry, 2, f"enclosure.friction[{i}]"))
-    idle = _rows(content, "idle", None, 7) if "idle" in content else ()
+            friction.append(_rationals(entry, form.tangents, f"enclosure.friction[{i}]"))
+    idle = _rows(content, "idle", None, n + 1) if "idle" in content else ()
     return Enclosure(basis, tuple(friction), tuple(pillars), centre, radius, inverse, idle)
 
 
 def _rows(
-    content: Mapping[str, Any], key: str, count: int | None, size: int = 6
+    content: Mapping[str, Any], key: str, count: int | None, size: int
 ) -> tuple[RationalVector, ...]:
     rows = check_list(content[key], f"enclosure.{key}", count)
     return tuple(_rationals(row, size, f"enclosure.{key}[{i}]") for i, row in enumerate(rows))

@@ -7,7 +7,7 @@ from random import Random
 
 import pytest
 
-from equilibrium import Assembly, BodyContact, Contact, verify
+from equilibrium import Assembly, BodyContact, Circle, Contact, RigidBody, verify
 
 F = Fraction
 NAMES = ("a", "b", "c")
@@ -215,6 +215,7 @@ def test_part_is_refuted_by_contacts_with_the_rest(change, words):
     [
         ({"part": ["d"]}, "names of bodies"),
         ({"part": [1]}, "names of bodies"),
+        ({"part": [["b"]]}, "names of bodies"),
         ({"contacts": [3]}, "there are 0 to 2"),
         ({"contacts": [-1]}, "there are 0 to 2"),
         ({"more": 1}, "more"),
@@ -234,6 +235,8 @@ def test_part_of_another_form_is_refused(change, words):
         ({"wrench": {"a": ["0"] * 3, "b": ["0"] * 3, "c": ["0"] * 3}}, "wrench"),
         ({"wrench": {"a": ["0"] * 3, "b": ["0"] * 2}}, "wrench.b"),
         ({"tree": ["0", "1", "0"]}, "virtual_motion, attachment, slip"),
+        ({"tree": ["part"]}, "virtual_motion, attachment, slip"),
+        ({"tree": 5}, "virtual_motion, attachment, slip"),
         ({"tree": {"virtual_motion": {"c": ["0"] * 3}}}, "virtual_motion"),
         ({"tree": {"virtual_motion": {}, "multipliers": {"0": ["1"]}}}, "multipliers.0"),
         ({"tree": {"virtual_motion": {}, "displacements": {}}}, "displacements"),
@@ -250,6 +253,32 @@ def test_certificate_of_another_form_is_refused(change, words):
     assert verify(proof)
     with pytest.raises(ValueError, match=words):
         verify({**proof, **change})
-    for key, value in (("wrench", {}), ("bodies", [{"name": "a", "outline": None}, "b"])):
-        with pytest.raises(ValueError, match=r"wrench|outline"):
+    outlined = [RigidBody("a", Circle((0, 0), 1)).to_dict(), "b"]
+    for key, value in (("wrench", {}), ("bodies", outlined)):
+        with pytest.raises(ValueError, match="no wrench and no outlines"):
             verify({**proof, "assembly": {**proof["assembly"], key: value}})
+
+
+def test_report_says_what_a_certificate_is_about():
+    tree = {"virtual_motion": {"a": ["0", "1", "0"], "b": ["0", "1", "0"]}}
+    loads = {"a": (F(0), F(1), F(0)), "b": ZERO}
+    proof = document("not resisted", PUSHED, loads, tree=tree)
+    report = verify(proof)
+    heads = [line.split(":")[0][:19] for line in report.question]
+    assert heads[:2] == ["wrench on a (0, 1, ", "wrench on b (0, 0, "]
+    assert [head[:14] for head in heads[2:]] == [
+        "contact 1 a on",
+        "contact 2 a on",
+        "contact 3 b on",
+    ]
+    found = report.to_dict()
+    assert found.pop("assembly") == PUSHED.to_dict()
+    assert found == {
+        "valid": True,
+        "certificate": "not resisted",
+        "leaves": 1,
+        "compared": False,
+        "wrench": texts(loads),
+    }
+    assert verify({**proof, "wrench": texts(dict.fromkeys("ab", ZERO))}).to_dict()["problem"]
+    assert verify(proof, (PUSHED, loads)).compared

@@ -569,10 +569,10 @@ def test_an_enclosure_of_another_size_is_one_clear_error(change, words):
         "inverse": [[0] * 6] * 6,
         "idle": [[0] * 7],
     }
-    found = read_enclosure(given, 3)
+    found = read_enclosure(given, 3, FORMS[3])
     assert (found.friction, found.pillars) == ((None, (), (0, HALF)), ((2, 0), (2, 1), (0, 0)))
     with pytest.raises(InputError, match=words):
-        read_enclosure({**given, **change}, 3)
+        read_enclosure({**given, **change}, 3, FORMS[3])
 
 
 @pytest.mark.parametrize(("state", "up", "words"), [
