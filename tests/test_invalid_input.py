@@ -85,7 +85,6 @@ ARRANGEMENT = [
     ("count shi-a2-affine --primes 5 --forecast", "not allowed with"),
     ("count shi-a2-affine --time-limit 0 --jobs 2", "positive number"),
     ("count shi-a2-affine --shard 1/2", "need --store"),
-    ("identify shi-a2-affine", "cone"),
     ("list --classes 10", "expected 3 to 9"),
     ("convert braid-a3", "--to"),
     ("convert braid-a3 -o no.xyz", "'.xyz'; expected one of"),
@@ -301,13 +300,13 @@ RECORDS = [
     "x",
 ]
 PRINTED = [
-    ("24,braid-a3", "line 2: a row needs"),
-    ("24,braid-a3,region", "quantity is 'region'"),
+    ("24,braid-a3", "line 2 of t.csv: a row needs"),
+    ("24,braid-a3,region", "'region' is not a quantity"),
     ("two,braid-a3,regions", "write integers"),
     ("1 2,braid-a3,regions", "one number"),
     ("t=3,braid-a3,t-vector", "write t2=3"),
     ("7,lines seven,types", "write lines n=7"),
-    ("7,near-pencil n=7,regions", "write near-pencil parameter=value"),
+    ("7,near-pencil n=7,regions", "no parameter 'n'; it has m, d"),
     ("7,no-such-name,regions", "cannot read"),
     ('"7,braid-a3,regions', "line 2"),
 ]

@@ -179,7 +179,8 @@ def _printed(text: str, quantity: str, computed: Value | None) -> Value:
     elif words and all(re.fullmatch(r"-?[0-9]+", w, re.ASCII) or w in _TRUTH for w in words):
         found = tuple(_TRUTH[word] if word in _TRUTH else integer(word) for word in words)
     else:
-        raise InputError(f"the printed value is {shown(text)}; write integers, or t2=3 t3=4")
+        how = "t2=3 t3=4" if isinstance(computed, dict) else "integers"
+        raise InputError(f"the printed value is {shown(text)}; write {how}")
     if isinstance(computed, (tuple, dict)):
         if type(found) is not type(computed):
             how = "write t2=3 t3=4" if isinstance(computed, dict) else "write integers"
