@@ -9,13 +9,16 @@ from pathlib import Path
 
 import pytest
 
+from arrangement import read_arrangement
 from arrangement.cli import main as count
 from equilibrium.grasps.files import read_grasp
-from proofs_check import ClaimVerdict, evaluate, registry
+from proofs_check import ClaimVerdict, claim, evaluate, registry
 from proofs_check.cli.program import main
 from proofs_check.course.printed_table import check_table
 from proofs_check.instances import printed
 from proofs_check.instances.grasps import grasp_of, paper_question
+from proofs_check.own_claims import one_line
+from proofs_check.own_claims.quantities import QUANTITIES
 
 EXAMPLES = files("proofs_check.examples")
 
@@ -201,3 +204,34 @@ def test_quantities_may_have_underscores_or_blanks(tmp_path):
     assert [row.agrees for row in check_table(str(table))] == [True]
     table.write_text("arrangement,quantity,printed\nbraid-a3,bounded regions,0\n")
     assert [row.quantity for row in check_table(str(table))] == ["bounded_regions"]
+
+
+@pytest.mark.parametrize("name", ["braid-a3", "shi-a2-affine", "generic-lines-affine"])
+def test_every_quantity_is_the_same_in_python_claims_and_tables(name, tmp_path):
+    planes = read_arrangement(name)
+    for quantity, compute in QUANTITIES.items():
+        value = compute(planes)
+        assert one_line.computed(one_line.read(quantity), planes, {}) == value
+        printed = (
+            " ".join(f"{k}={v}" for k, v in value.items())
+            if isinstance(value, dict)
+            else " ".join(str(int(x)) for x in (value if isinstance(value, tuple) else [value]))
+        )
+        if printed:  # no region is bounded
+            (row,) = check_table(table(tmp_path, f"{printed},{name},{quantity}"))
+            assert row.agrees, (quantity, row)
+        if quantity.endswith("_vector"):
+            method = getattr(planes, quantity)
+            assert (method() if callable(method) else method) == value
+
+
+def test_claims_of_a_file_take_lines_and_their_quantities():
+    @claim("Kobon's bound, and bounded regions are those of level 0.", of="lines", classes=5)
+    def kobon(lines):
+        m, levels = len(lines), lines.level_vector
+        assert lines.bounded_p_vector.get(3, 0) <= m * (m - 2) // 3
+        return levels.get(0, 0) == len(lines.bounded_regions()) == lines.bounded_region_count()
+
+    found = evaluate(kobon)
+    assert found.verdict is ClaimVerdict.HOLDS
+    assert found.evidence.parts[0].checked == 4 + 9 + 47
