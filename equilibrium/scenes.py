@@ -28,7 +28,7 @@ from arrangement.numbers.exact import to_text
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
-from equilibrium.model.contact import Contact
+from equilibrium.model.contact import WRENCH_SIZES, Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.outline import Circle, Mesh, Polygon
@@ -75,7 +75,7 @@ class EngineScene(ReprMixin):
     repr_fields = ("grasp", "directions")
 
     def __init__(self, grasp: Grasp, directions: Iterable[Iterable[Any]] | None = None) -> None:
-        many = 3 if grasp.dimension == 2 else 6
+        many = WRENCH_SIZES[grasp.dimension]
         axes = [[int(i == k) for i in range(many)] for k in range(many)]
         given = axes if directions is None else directions
         self.grasp = grasp

@@ -233,7 +233,10 @@ def assembly_forms() -> Iterator[bytes]:
     trees += [{**part, "contacts": places} for places in ([0], [1, 1], [], [2], [0, 1])]
     trees += [{**part, "part": ["a"], "contacts": [1, 0]}, {**part, "part": ["b", "a"]}]
     trees += [{**part, "part": ["a", "b"], "contacts": [0], "tree": tree} for tree in ([], zero)]
+    trees.append({"contact": 0, "attachment": {"detached": leaf, "attached": leaf}})
     changes += [{"tree": tree} for tree in trees]
+    beside = {**assembly, "contacts": [joints[0], {**joints[1], "body_a": "a", "body_b": "b"}]}
+    changes += [{"assembly": beside, "tree": {**part, "part": ["a"], "contacts": [0, 1]}}]
     changes.append({"max_displacement": "1"})
     yield from (json.dumps({**plain, **change}).encode() for change in changes)
     resting = {key: plain[key] for key in ("schema_version", "assembly")}

@@ -167,12 +167,11 @@ def _part(tree: Mapping[str, Any], assembly: Assembly, wrenches: Wrenches) -> Re
         problem = f"tree.contacts: the contacts of the part with the rest are [{due}], each once"
         return Report("not resisted", problem)
     inward = [joints[i] if joints[i].body_a in inside else joints[i].reversed for i in places]
-    if len({(joint.body_a, joint.body_b) for joint in inward}) > 1:
-        return Report(
-            "not resisted", "tree.part: it touches the rest at more than one pair of bodies"
-        )
     zero: RationalVector = (Fraction(0),) * SIZE
     load = [sum(column) for column in zip(zero, *(wrenches[name] for name in part), strict=True)]
     grasp = Grasp(joint.contact for joint in inward)
     report = walk(tree["tree"], PlanarQuestion(grasp, tuple(map(Fraction, load))))
+    if len({(joint.body_a, joint.body_b) for joint in inward}) > 1:
+        problem = "tree.part: it touches the rest at more than one pair of bodies"
+        return replace(report, problem=problem)
     return replace(report, problem=report.problem and f"tree.{report.problem}")

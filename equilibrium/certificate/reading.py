@@ -45,6 +45,7 @@ from typing import Any, NamedTuple
 
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.exact import RationalVector, rational, rational_vector, shown
+from equilibrium.model.contact import WRENCH_SIZES
 from equilibrium.model.displacement import read_displacement
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp, read_wrench
@@ -80,8 +81,8 @@ class TreeForm(NamedTuple):
 
 #: Of grasps, by their dimension.
 FORMS = {
-    2: TreeForm(3, 1, ("orthants", "edge", *STATES)),
-    3: TreeForm(6, 2, ("attachment", "directions", "faces")),
+    2: TreeForm(WRENCH_SIZES[2], 1, ("orthants", "edge", *STATES)),
+    3: TreeForm(WRENCH_SIZES[3], 2, ("attachment", "directions", "faces")),
 }
 
 

@@ -25,7 +25,7 @@ from arrangement.library.arguments import entries
 from arrangement.numbers import budget
 from arrangement.numbers.exact import Rational, RationalVector, vector_text
 from equilibrium.model.assembly import Assembly
-from equilibrium.model.contact import pyramid_edges
+from equilibrium.model.contact import WRENCH_SIZES, pyramid_edges
 from equilibrium.model.displacement import read_displacement
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import EquilibriumError, GraspError, TimeLimitError
@@ -212,7 +212,7 @@ class Solver(ReprMixin):
     @property
     def no_wrench(self) -> RationalVector:
         """The wrench 0."""
-        return (Fraction(0),) * (3 if self.grasp.dimension == 2 else 6)
+        return (Fraction(0),) * WRENCH_SIZES[self.grasp.dimension]
 
     def for_grasp(self, grasp: Grasp) -> Solver:
         """Return the solver of another grasp, with the same cones and largest displacement."""

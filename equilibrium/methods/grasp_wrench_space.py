@@ -48,7 +48,7 @@ from arrangement.numbers.linear.programs import (
 from arrangement.numbers.linear.rank import cross
 from equilibrium.methods.method import Accepting, Method, Outcome, cut
 from equilibrium.methods.springs import Forces
-from equilibrium.model.contact import pyramid_edges
+from equilibrium.model.contact import WRENCH_SIZES, pyramid_edges
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.contact_rows import (
@@ -242,7 +242,7 @@ class GraspWrenchSpace:
 
     @property
     def _axes(self) -> int:
-        return 3 if self.grasp.dimension == 2 else 6
+        return WRENCH_SIZES[self.grasp.dimension]
 
 
 def _hull(points: Iterable[RationalVector]) -> Polyhedron:

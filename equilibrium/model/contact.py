@@ -34,6 +34,8 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import coordinates
 from equilibrium.model.unit_normal import unit_normal
 
+#: How many numbers a wrench or a motion of one body has, in the plane and in space.
+WRENCH_SIZES = {2: 3, 3: 6}
 #: What a contact has besides its place.
 VALUES = ("friction", "stiffness", "preload")
 _REQUIRED, _OPTIONAL = ("point", "normal", "friction"), ("stiffness", "preload", "tangent")

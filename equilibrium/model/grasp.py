@@ -22,7 +22,7 @@ from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, dot, rational_vector, shown
 from arrangement.numbers.linear.rank import cross
 
-from .contact import IN_SPACE, Contact, contact_of, wrench_at
+from .contact import IN_SPACE, WRENCH_SIZES, Contact, contact_of, wrench_at
 from .errors import GraspError
 from .labels import DataError, Units
 from .outline import Circle, Mesh, Outline, Polygon, coordinates, read_outline
@@ -285,11 +285,11 @@ class Grasp(HintsMixin):
 def read_wrench(values: Iterable[Any], dimension: int = 2) -> RationalVector:
     """Return an applied wrench as rationals: ``(f_x, f_y, tau)``, or six numbers in space."""
     wrench = rational_vector(values, "wrench")
-    if len(wrench) != (3 if dimension == 2 else 6):
+    if len(wrench) != WRENCH_SIZES[dimension]:
         entries = counted(len(wrench), "entry", "entries")
         raise GraspError(
             f"wrench has {entries}; a grasp in {_PLACES[dimension]} takes "
-            f"{3 if dimension == 2 else 6}: {_FORCES[dimension]}"
+            f"{WRENCH_SIZES[dimension]}: {_FORCES[dimension]}"
         )
     return wrench
 

@@ -86,7 +86,11 @@ PLANTED = {
         "let certificate ": [("Z.compare a b", "Z.compare b a")],
     },
     "reader.ml": {
-        "let law ": [('"stiffness" 1', '"stiffness" 0'), ("Z.sign preload.qnum < 0", "false")],
+        "let law ": [
+            ("if spring then 1", "if spring then 0"),
+            ('"stiffness" 1', '"stiffness" 0'),
+            ("Z.sign preload.qnum < 0", "false"),
+        ],
         "let contact ": [("not (Z.equal", "false && not (Z.equal")],
         "let index ": [("Z.sign i >= 0", "true")],
         "let vector ": [("(Some size)", "None")],

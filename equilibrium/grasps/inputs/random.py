@@ -10,7 +10,7 @@ from typing import Any
 from arrangement.library.arguments import at_least, whole
 from arrangement.numbers.exact import RationalVector, shown
 from arrangement.numbers.linear.rank import cycle_edges
-from equilibrium.model.contact import Contact
+from equilibrium.model.contact import WRENCH_SIZES, Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, ask_contacts
 from equilibrium.model.outline import Polygon
@@ -54,7 +54,7 @@ def random_grasp(
 def random_wrench(seed: int = 0, *, bound: int = 2, dimension: int = 2) -> RationalVector:
     """Return a wrench with entries spread evenly over the multiples of 1/64 up to a bound."""
     source = Random(f"wrench {seed}")
-    entries = range(3 if dimension == 2 else 6)
+    entries = range(WRENCH_SIZES[dimension])
     return tuple(Fraction(source.randint(-_FINE * bound, _FINE * bound), _FINE) for _ in entries)
 
 

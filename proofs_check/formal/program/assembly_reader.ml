@@ -45,7 +45,7 @@ let joint names i value =
     if not (List.mem_assoc key members) then malformed "%s has no key %S" where key)
     [ "body_a"; "body_b" ];
   let is_body (key, _) = key = "body_a" || key = "body_b" in
-  let touch = Reader.contact i (Object (List.filter (fun m -> not (is_body m)) members)) in
+  let touch = Reader.contact ~spring:true i (Object (List.filter (fun m -> not (is_body m)) members)) in
   let a = body "body_a" in
   let b = if List.assoc "body_b" members = Null then None else Some (body "body_b") in
   if b = Some a then malformed "%s: body_a and body_b are one body" where;
@@ -91,10 +91,8 @@ let part names joints value =
   let crossing =
     List.filteri (fun _ (_, (_, (a, b))) -> is_in (Some a) <> is_in b)
       (List.mapi (fun i j -> (i, j)) joints) in
-  let pair (_, (_, (a, b))) = if is_in (Some a) then (Some a, b) else (b, Some a) in
   if List.map fst crossing <> List.sort compare places
-     || List.length (List.sort_uniq compare inside) < List.length inside
-     || List.length (List.sort_uniq compare (List.map pair crossing)) > 1 then nothing
+     || List.length (List.sort_uniq compare inside) < List.length inside then nothing
   else
     let rec rank i = function
       | [] -> assert false

@@ -70,7 +70,7 @@ let document value =
       let contacts = Reader.grasp contact3 grasp in
       (InSpace (contacts, wrench ()), List.length contacts)
     else
-      let contacts = Reader.grasp Reader.contact grasp in
+      let contacts = Reader.grasp (fun i -> Reader.contact i) grasp in
       (InPlane (contacts, wrench ()), List.length contacts) in
   let motion where value = Reader.vector where size value in
   let subject =

@@ -90,8 +90,9 @@ let version where due members =
   | Integer n when Z.equal n (Z.of_int due) -> ()
   | _ -> malformed "the schema_version of %s is not %d" where due
 
-(* Friction and preload of a contact, at least 0, and its stiffness, above 0. *)
-let law where members =
+(* Friction, preload and stiffness of a contact, at least 0; the stiffness is above 0 where it must
+   be a spring: in space and between bodies. *)
+let law ?(spring = true) where members =
   let number key missing =
     match List.assoc_opt key members with
     | Some value -> rational (where ^ ": " ^ key) value
@@ -100,17 +101,18 @@ let law where members =
   let stiffness = number "stiffness" 1 in
   let preload = number "preload" 0 in
   if Z.sign friction.qnum < 0 then malformed "%s: the friction is below 0" where;
-  if Z.sign stiffness.qnum <= 0 then malformed "%s: the stiffness is not above 0" where;
+  if Z.sign stiffness.qnum < (if spring then 1 else 0) then
+    malformed "%s: the stiffness is not %s 0" where (if spring then "above" else "at least");
   if Z.sign preload.qnum < 0 then malformed "%s: the preload is below 0" where;
   { friction; stiffness; preload }
 
 (* A contact in the plane, with a unit normal. *)
-let contact i value =
+let contact ?(spring = false) i value =
   let where = Printf.sprintf "contacts[%d]" i in
   let members = keys where [ "point"; "normal"; "friction" ] [ "stiffness"; "preload" ] value in
   let point_x, point_y = pair (where ^ ": point") (List.assoc "point" members) in
   let normal_x, normal_y = pair (where ^ ": normal") (List.assoc "normal" members) in
-  let values2 = law where members in
+  let values2 = law ~spring where members in
   let common = Z.lcm normal_x.qden normal_y.qden in
   let square q = let n = Z.mul q.qnum (Z.divexact common q.qden) in Z.mul n n in
   if not (Z.equal (Z.add (square normal_x) (square normal_y)) (Z.mul common common)) then
