@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections import Counter
-from collections.abc import Container, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -346,7 +346,7 @@ class Arrangement(HintsMixin, Planes):
         >>> Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]).p_vector
         {3: 8, 4: 6}
         """
-        return self._numbers_of_facets()
+        return regions.numbers_of_facets(self, self.faces())
 
     @property
     def bounded_p_vector(self) -> dict[int, int]:
@@ -358,7 +358,7 @@ class Arrangement(HintsMixin, Planes):
         >>> lines.p_vector, lines.bounded_p_vector
         ({2: 3, 3: 6, 4: 2}, {3: 2, 4: 1})
         """
-        return self._numbers_of_facets({region.signs for region in self.bounded_regions()})
+        return regions.numbers_of_facets(self, self.faces(), self.bounded_regions())
 
     @property
     def level_vector(self) -> dict[int, int]:
@@ -371,12 +371,6 @@ class Arrangement(HintsMixin, Planes):
         """
         levels = Counter(regions.levels(self, self.regions()).tolist())
         return dict(sorted(levels.items()))
-
-    def _numbers_of_facets(self, among: Container[tuple[int, ...]] | None = None) -> dict[int, int]:
-        listed = self.faces().of_dimension(self.dimension)
-        walls = zip(listed, regions.walls(self, self.faces()), strict=True)
-        sizes = Counter(len(x) for region, x in walls if among is None or region.signs in among)
-        return dict(sorted(sizes.items()))
 
     def simplicial_regions(self) -> FaceSequence:
         """Return the regions that are simplicial; see `Face.is_simplicial`.

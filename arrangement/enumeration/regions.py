@@ -43,6 +43,17 @@ def bounded_regions(
     return regions.where(~_recede_along(rays, regions))
 
 
+def numbers_of_facets(
+    planes: Planes, faces: FaceSequence, among: FaceSequence | None = None
+) -> dict[int, int]:
+    """Return how many regions, or some of them, have k facets, by k."""
+    chosen = None if among is None else {row.tobytes() for row in among.signs}
+    signs = faces.of_dimension(planes.dimension).signs
+    pairs = zip(signs, walls(planes, faces), strict=True)
+    sizes = Counter(len(x) for row, x in pairs if chosen is None or row.tobytes() in chosen)
+    return dict(sorted(sizes.items()))
+
+
 def levels(planes: Planes, regions: FaceSequence) -> NDArray[np.intp]:
     """Return the level of each region: the dimension of its recession cone.
 

@@ -148,6 +148,17 @@ def test_regions_inside_a_region_and_inside_nothing():
             lines.regions(inside=wrong)
 
 
+@pytest.mark.parametrize("n", [2, 3, 4, 5])
+def test_shi_regions_in_a_chamber_have_published_numbers(n):
+    """Catalan numbers in the dominant chamber (Shi 1997); in all chambers, every region once."""
+    braid, shi = families.braid(n), families.shi(n)
+    dominant = braid.region_at(range(n, 0, -1))
+    assert len(shi.regions(inside=dominant)) == math.comb(2 * n, n) // (n + 1)
+    if n < 5:
+        inside = [len(shi.regions(inside=chamber)) for chamber in braid.regions()]
+        assert sum(inside) == shi.region_count() == (n + 1) ** (n - 1)
+
+
 def test_witnesses_inside_stay_inside_though_planes_are_central():
     cross = Arrangement([[1, 0], [0, 1]])
     box = Arrangement([[1, 0], [-1, 0], [0, 1], [0, -1]], ["-1/9"] * 4)
