@@ -106,6 +106,8 @@ def _called(name: str, given: Sequence[ast.expr]) -> str:
     match name, inside:
         case "chi", [point]:
             return rf"\chi({point})"
+        case "tutte", [x, y]:
+            return f"T({x}, {y})"
         case "comb", [upper, lower]:
             return rf"\binom{{{upper}}}{{{lower}}}"
         case "abs", [value]:

@@ -193,6 +193,20 @@ def test_each_class_of_affine_lines_is_listed_once(m):
     assert m > 3 or len(drawn) == len(labels)
 
 
+@pytest.mark.parametrize("m", [2, 3, 4])
+def test_automorphisms_of_affine_lines_are_those_of_their_regions(m):
+    for lines in map(moved, affine_lines.lines(m)):
+        known = identify(lines).automorphisms
+        regions = {region.signs for region in lines.regions()}
+        kept = sum(
+            {tuple(s * signs[k] for s, k in zip(sides, order, strict=True)) for signs in regions}
+            == regions
+            for order in itertools.permutations(range(m))
+            for sides in itertools.product((1, -1), repeat=m)
+        )
+        assert known == (None if lines.rank == 1 else kept)
+
+
 def test_number_of_affine_lines_is_checked():
     with pytest.raises(InputError, match="1 to 8 lines of the plane"):
         affine_lines.line_count(9)

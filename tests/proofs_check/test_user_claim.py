@@ -421,6 +421,7 @@ def test_one_claim_named_and_failing_one_keeps_others(write, capsys):
         ("m - (n - 1) - 2 < -m * (-2)", r"m - (n - 1) - 2 \lt (-m) \cdot (-2)"),
         ("m * (n + 1) / 2 != m // 2", r"\frac{m \cdot (n + 1)}{2} \ne \lfloor \frac{m}{2} \rfloor"),
         ("(m**2)**3 > m**2**3", r"(m^{2})^{3} \gt m^{2^{3}}"),
+        ("tutte(2, 0) == regions", r"T(2, 0) = \text{regions}"),
         ("abs(chi(-1)) == comb(m, 2)", r"|\chi(-1)| = \binom{m}{2}"),
         ("(m < 3 or simple) and not m % 2 == 0", r"(m \lt 3\; \text{or} \;\text{simple})"
          r"\; \text{and} \;\neg (m\; \text{mod} \;2 = 0)"),
