@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import counts
-from .console.plugins import InlinePage, named
+from .console.plugins import named
 from .console.writing import write_text_atomically
 from .counts import completeness
 from .counts.whitney import f_vector, region_count
@@ -435,16 +435,17 @@ class Arrangement(HintsMixin, Planes):
         made: Drawing = named("arrangement.pictures.views:draw")(self, view, **options)
         return made
 
-    def lab(self) -> InlinePage:
+    def lab(self) -> Any:
         """Return a page in which these planes are dragged and counted; a notebook shows it.
 
         Central planes of rank up to 3, or lines of R^2; the command `arrangement lab` writes the
-        page to a file.
+        page to a file. With anywidget (the extra notebook) its attribute `arrangement` is what the
+        page shows.
 
         Raises:
             InputError: other planes, or too many.
         """
-        return InlinePage(named("arrangement.pictures.lab.lines:lab_page")(self))
+        return named("arrangement.pictures.lab.lines:lab_in_notebook")(self)
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the great circles, where there are any."""

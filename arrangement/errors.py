@@ -25,6 +25,7 @@ EXTRAS = {
     "dask": ("dask", "distributed", "joblib"),
     "figures": ("matplotlib", "scipy", "shapely"),
     "mesh": ("scipy", "trimesh"),
+    "notebook": ("anywidget",),
     "report": ("jinja2", "latex2mathml"),
     "search": ("scipy",),
     "space": ("clarabel", "scipy"),

@@ -2,21 +2,30 @@
 
 import json
 import re
+import sys
 from collections.abc import Callable
+from fractions import Fraction
 from functools import partial
+from importlib.resources import files
 from typing import Any, NamedTuple
 
 import pytest
 
 from arrangement import Arrangement, read_arrangement
 from arrangement.cli import main as arrangement_main
+from arrangement.console.plugins import InlinePage
 from arrangement.pictures import arrangement_page, cells_page
-from arrangement.pictures.lab.lines import lab_page as lines_page, line_exercises
+from arrangement.pictures.lab import widget
+from arrangement.pictures.lab.lines import (
+    lab_page as lines_page,
+    line_exercises,
+    read_start as read_lines,
+)
 from equilibrium import Grasp, read_grasp
 from equilibrium.cli.program import main
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.pictures import proof_page, resist_page
-from equilibrium.pictures.lab.page import lab_page, slip_exercises
+from equilibrium.pictures.lab.page import lab_page, read_start as read_slip, slip_exercises
 from equilibrium.pictures.space.space_page import grasp_page
 from equilibrium.pictures.wrenches.wrench_page import wrench_set_page
 from tests.arrangement.test_lab import checked, fact, shown
@@ -262,7 +271,7 @@ def test_its_command_line_repeats_the_answer(lab, opened, tmp_path, capsys):
 
 
 def test_a_notebook_shows_it_in_a_frame(lab, browser, tmp_path):
-    cell = lab.document.lab()._repr_html_()
+    cell = InlinePage(lab.page(lab.document))._repr_html_()
     browser.show(f"<!DOCTYPE html><title>N</title>{cell}", tmp_path)
     browser.driver.switch_to.frame(0)
     try:
@@ -274,6 +283,53 @@ def test_a_notebook_shows_it_in_a_frame(lab, browser, tmp_path):
         browser.driver.switch_to.default_content()
     assert browser.messages() == []
     assert browser.outside() == []
+
+
+#: A notebook: the script of the widget with a model that keeps what it is given.
+NOTEBOOK = """<!DOCTYPE html><meta charset="utf-8"><title>N</title><div id="cell"></div>
+<script type="application/json" id="page">{page}</script><script>{script}
+const page = JSON.parse(document.getElementById("page").textContent);
+widget.render({{ el: document.getElementById("cell"), model: {{
+  get: () => page, set: (name, value) => {{ window.got = [name, value]; }}, save_changes() {{}},
+}} }});</script>"""
+
+
+def test_a_widget_gives_its_state_back(lab, browser, tmp_path):
+    script = files("arrangement.pictures.lab").joinpath("templates", "widget.js")
+    text = json.dumps(lab.page(lab.document)).replace("<", "\\u003c")
+    code = script.read_text("utf-8").replace("export default", "const widget =")
+    browser.show(NOTEBOOK.format(page=text, script=code), tmp_path)
+    browser.driver.switch_to.frame(0)
+    try:
+        browser.settled()
+        browser.run("document.getElementById('add').click()")
+        browser.settled()
+    finally:
+        browser.driver.switch_to.default_content()
+    name, state = browser.run("return window.got")
+    shown = (read_lines if lab.page is lines_page else read_slip)(state)
+    number = len(shown) if lab.page is lines_page else len(shown[0])
+    assert (name, number) == ("state", len(lab.document) + 1)
+
+
+def test_lab_without_anywidget_is_a_page(lab, monkeypatch):
+    monkeypatch.setitem(sys.modules, "anywidget", None)
+    widget._widget.cache_clear()
+    assert isinstance(lab.document.lab(), InlinePage)
+    widget._widget.cache_clear()
+
+
+def test_attributes_of_a_widget_follow_its_state(monkeypatch):
+    pytest.importorskip("anywidget")
+    lab = read_grasp("opposed-contacts").lab()
+    assert (lab.grasp, lab.wrench) == (read_grasp("opposed-contacts"), (0, 1, 0))
+    lab.state = "1|0,0,1,0,1/2,1,0|0,-3,1/2"
+    assert (len(lab.grasp), lab.wrench) == (1, (0, -3, Fraction(1, 2)))
+    lines = Arrangement([[1, 0], [0, 1]], [0, 1]).lab()
+    lines.state = "1|2|1,0,2"
+    assert lines.arrangement == Arrangement([[1, 0]], [2])
+    with pytest.raises(AttributeError):
+        _ = lines.grasp
 
 
 class Written(NamedTuple):

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 # Its facade is loaded when a grasp is asked for its planes; the checker never does.
 import arrangement
 from arrangement.console.number_form import counted
-from arrangement.console.plugins import InlinePage, named
+from arrangement.console.plugins import named
 from arrangement.console.writing import write_text_atomically
 from arrangement.errors import HintsMixin
 from arrangement.library.arguments import entries
@@ -222,15 +222,16 @@ class Grasp(HintsMixin):
         made: Drawing = named("equilibrium.pictures.views:draw")(self, view, **options)
         return made
 
-    def lab(self) -> InlinePage:
+    def lab(self) -> Any:
         """Return a page in which contacts and load are dragged; a notebook shows it in a cell.
 
-        The command `equilibrium lab` writes the page to a file.
+        The command `equilibrium lab` writes the page to a file. With anywidget (the extra notebook)
+        its attributes `grasp` and `wrench` are what the page shows.
 
         Raises:
             InputError: more than 8 contacts, or contacts in space.
         """
-        return InlinePage(named("equilibrium.pictures.lab.page:lab_page")(self))
+        return named("equilibrium.pictures.lab.page:lab_in_notebook")(self)
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the picture, where matplotlib is installed."""

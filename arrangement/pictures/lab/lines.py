@@ -23,6 +23,7 @@ from arrangement.numbers import budget
 from arrangement.numbers.exact import rational, shown, to_text
 
 from .page import LINEAR, RATIONAL, lab, read_exercises
+from .widget import lab_widget
 
 
 def as_shown(arrangement: Arrangement) -> Arrangement:
@@ -201,3 +202,12 @@ def lab_page(
     }
     styles: list[Template] = [(_OWN, "page.css")]
     return lab(data["title"], (_OWN, "page.html"), styles, SCRIPTS, data)
+
+
+def lab_in_notebook(arrangement: Arrangement) -> Any:
+    """Return the page as `Arrangement.lab` does."""
+
+    def planes(state: str) -> Arrangement:
+        return read_start(state) if state else arrangement
+
+    return lab_widget(lab_page(arrangement), {"arrangement": planes})

@@ -18,6 +18,7 @@ from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
 from arrangement.pictures.lab.page import LINEAR, RATIONAL, lab, read_exercises
+from arrangement.pictures.lab.widget import lab_widget
 from equilibrium.decide.solver import solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs.documents import question_document
@@ -143,6 +144,16 @@ def lab_page(
     }
     styles = [SKETCH_STYLE, (_OWN, "plane.css"), (_OWN, "lab.css")]
     return lab(heading, (_OWN, "lab.html"), styles, SCRIPTS, data, DECIDES)
+
+
+def lab_in_notebook(grasp: Grasp) -> Any:
+    """Return the page as `Grasp.lab` does."""
+
+    def start(state: str) -> tuple[Grasp, Any]:
+        return read_start(state) if state else (grasp, read_wrench(_EXAMPLES[0][2]))
+
+    reads = {"grasp": lambda state: start(state)[0], "wrench": lambda state: start(state)[1]}
+    return lab_widget(lab_page(grasp), reads)
 
 
 #: What an exercise may ask to stay as it starts.

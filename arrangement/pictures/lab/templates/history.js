@@ -50,6 +50,7 @@ function showEdits() {
 
 function writeHash() {
   try { history.replaceState(null, "", `#${snapshot()}`); } catch { /* a frame may have no address */ }
+  if (parent !== window) parent.postMessage({ lab: snapshot() }, "*"); // a notebook reads it
 }
 
 // Takes the state of the address, if it has one; else the last valid state stays.
