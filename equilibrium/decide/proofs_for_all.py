@@ -134,7 +134,7 @@ class _FloatGrasp:
         self.force = float(np.abs(np.append(self.load, preload)).max()) or 1.0
         self.load, self.preload = self.load / self.force, preload / self.force
         stiffness = np.array([float(c.stiffness) for c in grasp])
-        self.stiff = (float(stiffness.mean()) if m else 0.0) or 1.0
+        self.stiff = float(stiffness.mean()) if m else 1.0
         self.stiffness = stiffness / self.stiff
         self.friction = np.array([float(c.friction * (1 - bounds.friction)) for c in grasp])
         self.normal = np.array([c.normal_wrench for c in grasp], float).reshape(m, n) * self.units

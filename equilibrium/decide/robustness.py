@@ -309,13 +309,18 @@ def robust(found: Any, bounds: Bounds, deadline: Deadline = NO_DEADLINE) -> Robu
     """Decide, if possible, whether a verdict holds for all grasps within bounds.
 
     Raises:
-        GraspError: the verdict is about bounded displacements, or about pyramids, or its numbers
-            are too large or small for the search in floats.
+        GraspError: the verdict is about bounded displacements, or about pyramids, or a contact has
+            a constant force, or numbers are too large or small for the search in floats.
     """
     if not _may_be_proved(found):
         raise GraspError(
             "whether a verdict holds for all grasps is decided for displacements of any size, "
             "and in space for round cones; leave max_displacement and pyramid out"
+        )
+    if not all(contact.stiffness for contact in found.grasp):
+        raise GraspError(
+            "whether a verdict holds for all grasps is decided for springs, and a contact has "
+            "stiffness 0; give it a small one, or leave the bounds out"
         )
     if not _fits_floats(found):
         raise GraspError(
@@ -353,7 +358,7 @@ def _fits_floats(found: Any) -> bool:
     """Return whether products of some numbers of the question and its solution fit floats."""
     columns = [found.wrench, [x for c in found.grasp for x in c.point]]
     columns += [[getattr(c, name) for c in found.grasp] for name in VALUES]
-    columns += [[1 / c.stiffness] for c in found.grasp if c.stiffness]
+    columns += [[1 / c.stiffness] for c in found.grasp]
     if found.solution is not None:
         columns += [found.solution.motion, [x for f in found.solution.forces for x in f]]
     sizes = [max(map(abs, column), default=0) for column in columns]

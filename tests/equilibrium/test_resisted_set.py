@@ -236,6 +236,18 @@ def test_constant_force_is_held_as_by_elimination(rows, wrench):
         assert found == tuple((max(low or Fraction(0), Fraction(0)), high) for low, high in exact)
 
 
+def test_constant_force_is_not_bounded(tmp_path, capsys):
+    path = tmp_path / "a.json"
+    Grasp([Contact((-1, 0), (1, 0), 1, 0, 2), Contact((1, 0), (-1, 0), 1)]).save(path)
+    load = ["--wrench", "0", "1", "0"]
+    for words, said in (
+        (["solve", str(path), *load, "--robust", "friction=5%"], "stiffness 0"),
+        (["draw", str(path), "--model", "scene", "-o", str(tmp_path / "s.xml")], "stiffness 0"),
+    ):
+        assert main(words) == 2
+        assert said in capsys.readouterr().err
+
+
 def test_constant_force_is_for_the_plane():
     assert Contact([0, 0], [1, 0], 1, 0, 2).stiffness == 0
     with pytest.raises(GraspError, match="above 0 in space"):
