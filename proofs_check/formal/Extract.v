@@ -1,7 +1,7 @@
 (** The checkers and the counts as an OCaml program, its integers those of zarith. *)
 
 Require Import ZArith Extraction ExtrOcamlZBigInt.
-Require Import Checker Soundness Counting Whitney Bounded Claims FinalPolynomials.
+Require Import Checker Soundness Forest Counting Whitney Bounded Claims FinalPolynomials.
 Require Import Rationals Inscribed Weights.
 
 (** One line beyond the standard library's: without it, gcd counts down bits one by one. *)
@@ -14,7 +14,7 @@ Extraction "checker.ml" check
 (** What all theorems rest on, printed once: each printing goes through the proofs and the real numbers. *)
 
 Definition theorems := (
-  not_resisted, resisted, regions_counted, faces_counted, all_faces_counted, zaslavsky,
+  not_resisted, resisted, forest_by_bodies, regions_counted, faces_counted, all_faces_counted, zaslavsky,
   faces_alternating, regions_complete, faces_complete, whitney, bounded_counted, no_half_line,
   central_unbounded,
 

@@ -240,6 +240,15 @@ def test_regions_are_those_of_the_definition(monkeypatch):
                 assert slips == (sum(map(mul, asked.contacts[0].slip, vector)),)
 
 
+def test_load_on_a_grasp_without_contacts_is_refuted_by_any_motion_with_it() -> None:
+    proof = refuted_certificate(Grasp(), (Fraction(1), Fraction(0), Fraction(0)), ["1", "0", "0"])
+    assert proof.verify()
+    orthants = {"orthants": [["1", "0", "0"]] * 8}
+    tree = {**proof.to_dict(), "tree": orthants}
+    assert check(tree)
+    assert not check({**tree, "tree": ["0", "1", "0"]})
+
+
 def random_leaf(source: Random) -> tuple[Any, ...]:
     """Return contact, wrench, leaf, region and states with small numbers, often on a bound."""
     normal = source.choice([(1, 0), (0, 1), (0, -1), (-1, 0), ("3/5", "4/5"), ("4/5", "-3/5")])
