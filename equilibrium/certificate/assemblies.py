@@ -20,17 +20,19 @@ from typing import Any
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.exact import RationalVector, shown, to_text, vector_text
 from equilibrium.model.assembly import SIZE, Assembly, Wrenches
+from equilibrium.model.displacement import displacement_entry
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
 
 from .checker import Report, walk
-from .law import LawRow, frame, law_problem
+from .law import LawRow, displacement_problem, frame, law_problem
 from .plane import PlanarQuestion
 from .reading import (
     KEYS,
     STATES,
     TreeForm,
     check_version,
+    read_bound,
     read_equilibrium,
     read_index,
     read_motion,
@@ -49,13 +51,21 @@ class AssemblyReport(Report):
     assembly: Assembly = field(default_factory=lambda: Assembly([]))
     wrenches: Wrenches = field(default_factory=dict)
 
-    def asked(self, question: Any, *cones_and_bounds: Any) -> AssemblyReport:
+    def asked(
+        self,
+        question: Any,
+        pyramid: int | None = None,
+        max_displacement: Fraction | None = None,
+    ) -> AssemblyReport:
         """Return what this says of a question: nothing, if the certificate is about another one."""
         if question is None:
             return self
-        other = "it is about another assembly or other wrenches"
-        same = question == (self.assembly, self.wrenches)
-        return replace(self, problem=self.problem if same else other, compared=True)
+        problem = self.problem
+        if question != (self.assembly, self.wrenches):
+            problem = "it is about another assembly or other wrenches"
+        elif max_displacement != self.max_displacement:
+            problem = "it is about other displacements of contacts"
+        return replace(self, problem=problem, compared=True)
 
     @property
     def to_compare(self) -> str:
@@ -77,6 +87,7 @@ class AssemblyReport(Report):
             "certificate": self.kind,
             "leaves": self.leaves,
             **({"problem": self.problem} if self.problem else {}),
+            **displacement_entry(self.max_displacement),
             "wrench": {name: list(map(to_text, w)) for name, w in self.wrenches.items()},
             "assembly": self.assembly.to_dict(),
             "compared": self.compared,
@@ -86,11 +97,13 @@ class AssemblyReport(Report):
 def check_assembly(
     document: Mapping[str, Any],
     question: tuple[Assembly, Wrenches] | None = None,
+    max_displacement: Fraction | None = None,
 ) -> AssemblyReport:
     """Check a certificate about an assembly.
 
     Args:
         question: that it has to be about.
+        max_displacement: with a question, the largest displacement it has to be about.
 
     Raises:
         InputError: this is not a certificate, whatever its numbers are.
@@ -98,15 +111,24 @@ def check_assembly(
     kind, assembly, wrenches = read_assembly_question(document)
     rows, form = joint_rows(assembly), _form(assembly)
     load = tuple(x for name in assembly.names for x in wrenches[name])
+    bound = read_bound(document)
     if kind == "resisted":
-        problem = law_problem(rows, load, *read_equilibrium(document, len(rows), form))
-        found = Report(kind, problem)
+        motion, forces = read_equilibrium(document, len(rows), form)
+        problem = displacement_problem(rows, motion, bound)
+        found = Report(kind, problem or law_problem(rows, load, motion, forces))
     elif isinstance(document["tree"], Mapping) and "part" in document["tree"]:
-        found = _part(document["tree"], assembly, wrenches)
+        found = _part(document["tree"], assembly, wrenches, bound)
     else:
-        found = walk(document["tree"], StateQuestion(rows, load, form))
-    report = AssemblyReport(kind, found.problem, found.leaves, assembly=assembly, wrenches=wrenches)
-    return report.asked(question)
+        found = walk(document["tree"], StateQuestion(rows, load, form, (), bound))
+    report = AssemblyReport(
+        kind,
+        found.problem,
+        found.leaves,
+        max_displacement=bound,
+        assembly=assembly,
+        wrenches=wrenches,
+    )
+    return report.asked(question, max_displacement=max_displacement)
 
 
 def read_assembly_question(document: Mapping[str, Any]) -> tuple[str, Assembly, Wrenches]:
@@ -119,7 +141,7 @@ def read_assembly_question(document: Mapping[str, Any]) -> tuple[str, Assembly, 
     check_keys(
         document,
         ("schema_version", "certificate", "assembly", "wrench", *KEYS[kind]),
-        (),
+        ("max_displacement",),
         "the certificate",
     )
     assembly = Assembly.from_dict(document["assembly"])
@@ -151,7 +173,12 @@ def joint_rows(assembly: Assembly) -> list[LawRow]:
     return rows
 
 
-def _part(tree: Mapping[str, Any], assembly: Assembly, wrenches: Wrenches) -> Report:
+def _part(
+    tree: Mapping[str, Any],
+    assembly: Assembly,
+    wrenches: Wrenches,
+    max_displacement: Fraction | None,
+) -> Report:
     """Check a planar proof about the contacts of a part with the rest."""
     check_keys(tree, ("part", "contacts", "tree"), (), "tree")
     part = check_list(tree["part"], "tree.part")
@@ -170,7 +197,8 @@ def _part(tree: Mapping[str, Any], assembly: Assembly, wrenches: Wrenches) -> Re
     zero: RationalVector = (Fraction(0),) * SIZE
     load = [sum(column) for column in zip(zero, *(wrenches[name] for name in part), strict=True)]
     grasp = Grasp(joint.contact for joint in inward)
-    report = walk(tree["tree"], PlanarQuestion(grasp, tuple(map(Fraction, load))))
+    question = PlanarQuestion(grasp, tuple(map(Fraction, load)), max_displacement)
+    report = walk(tree["tree"], question)
     if len({(joint.body_a, joint.body_b) for joint in inward}) > 1:
         problem = "tree.part: it touches the rest at more than one pair of bodies"
         return replace(report, problem=problem)

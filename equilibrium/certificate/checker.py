@@ -176,7 +176,7 @@ def check(
     """
     if isinstance(document, Mapping) and "assembly" in document:
         report: Report = named("equilibrium.certificate.assemblies:check_assembly")(
-            document, question
+            document, question, max_displacement
         )
         return report
     kind, grasp, wrench = read_question(document)

@@ -314,7 +314,7 @@ def _long_leaf(content: Mapping[str, Any], path: str, contacts: int, form: TreeF
     if form.bodies is None:
         check_keys(content, ("virtual_motion", "multipliers"), ("displacements",), path)
     else:
-        check_keys(content, ("virtual_motion",), ("multipliers",), path)
+        check_keys(content, ("virtual_motion",), ("multipliers", "displacements"), path)
     where = f"{path}.virtual_motion"
     motion = read_motion(content["virtual_motion"], form, where, some_bodies=True)
     where = f"{path}.multipliers"

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 _AXES = ("BODY", "F_X", "F_Y", "TAU")
 #: Options of solve that are about one body.
 _ONE_BODY = (
-    *("wrench", "force", "weight", "at", "cone", "max_displacement", "robust"),
+    *("wrench", "force", "weight", "at", "cone", "robust"),
     *("as_printed", "shorten", "all", "round_normals", "as_given"),
 )
 
@@ -129,7 +129,8 @@ def solve_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -
     from equilibrium.decide.solver import solve
 
     assembly, wrenches = assembly_question(arguments, document)
-    verdict = solve(assembly, wrenches, time_limit=arguments.time_limit)
+    bound, seconds = arguments.max_displacement, arguments.time_limit
+    verdict = solve(assembly, wrenches, time_limit=seconds, max_displacement=bound)
     if arguments.certificate is not None and verdict.certificate is not None:
         verdict.certificate.save(arguments.certificate)
     yes = verdict.stable if verdict.decided else None

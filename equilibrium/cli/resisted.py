@@ -112,7 +112,7 @@ def add_command_resisted(commands: Any) -> None:
 
 #: Options that are about one body.
 _ONE_BODY = (
-    *("wrench", "force", "weight", "at", "base", "max_displacement", "smallest", "torque_length"),
+    *("wrench", "force", "weight", "at", "base", "smallest", "torque_length"),
     *("slice", "origin", "search", "rays", "max_magnitude", "round_normals", "as_given"),
     *("contacts", "also", "candidates"),
 )
@@ -163,7 +163,7 @@ def _of_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> 
         )
     given = document, arguments.on, arguments.preload
     assembly, wrenches = asked_assembly(*given, required=arguments.margin)
-    resisted = ResistedSet(assembly)
+    resisted = ResistedSet(assembly, max_displacement=arguments.max_displacement)
     if arguments.margin:
         return _show_margin(arguments, resisted, resisted.margin(wrenches))
     magnitudes: Any = resisted.along(arguments.along, wrenches)

@@ -80,7 +80,7 @@ def _by_verified_checker(arguments: argparse.Namespace, question: Any) -> Report
         if "assembly" in document:
             _, assembly, wrenches = read_assembly_question(document)
             about = AssemblyReport(kind, report.problem, assembly=assembly, wrenches=wrenches)
-            return about.asked(question)
+            return about.asked(question, max_displacement=max_displacement)
         _, grasp, wrench = read_question(document)
         report = replace(report, grasp=grasp, wrench=wrench)
         return report.asked(question, arguments.cone, max_displacement)

@@ -77,6 +77,7 @@ def solve(
     *,
     time_limit: float | None = None,
     nodes: int | None = None,
+    max_displacement: Rational | None = None,
 ) -> AssemblyVerdict: ...
 
 
@@ -95,7 +96,8 @@ def solve(
 
     Args:
         grasp: contacts in the object frame; or an assembly of several bodies, which takes
-            time_limit and nodes alone, see `equilibrium.decide.assemblies.solver`.
+            time_limit, nodes and max_displacement alone, see
+            `equilibrium.decide.assemblies.solver`.
         wrench: applied, ``(f_x, f_y, tau)``, the torque about the origin; in space
             ``(f_x, f_y, f_z, tau_x, tau_y, tau_z)``; for an assembly one for each body, by name.
         as_printed: follow the printed text of the paper in these points, and the full model in all
@@ -131,8 +133,7 @@ def solve(
     ('all-stick',)
     """
     others: dict[str, object] = {"pyramid": pyramid, "shorten": shorten or None}
-    others["max_displacement"] = max_displacement
-    limits = {"time_limit": time_limit, "nodes": nodes}
+    limits = {"time_limit": time_limit, "nodes": nodes, "max_displacement": max_displacement}
     if isinstance(grasp, Assembly):
         _take_none("an assembly", others | {"as_printed": as_printed})
         found: AssemblyVerdict = named("equilibrium.decide.assemblies.solver:solve_assembly")(

@@ -21,7 +21,7 @@ from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, rational, shown
 from arrangement.numbers.linear import programs
 from equilibrium.decide.assemblies.magnitudes import Survivors, surviving_states
-from equilibrium.decide.assemblies.solver import AssemblySolver, solve_assembly
+from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.assembly import Wrenches
@@ -198,19 +198,21 @@ class _OfAssembly(_Search):
 
     def __init__(self, solver: AssemblySolver, wrenches: Wrenches, width: Fraction) -> None:
         super().__init__(wrenches, width)
-        self.assembly = solver.grasp
+        self.assembly, self.max_displacement = solver.grasp, solver.max_displacement
 
     def possible(
         self, states: list[Survivors] | None, low: Fraction, high: Fraction | None
     ) -> list[Survivors]:
         """Return states of each part that a range does not refute."""
         known = states[0] if states else ()
-        found = surviving_states(self.assembly, self.wrench, (low, high), known)
+        question = self.assembly, self.wrench, (low, high), known
+        found = surviving_states(*question, self.max_displacement)
         return [] if found is None else [found]
 
     def resists(self, coefficient: Fraction) -> bool:
         """Return whether the wrenches are resisted at one coefficient; not if it is undecided."""
-        verdict = solve_assembly(self.assembly.with_friction(coefficient), self.wrench)
+        solver = AssemblySolver(self.assembly.with_friction(coefficient), self.max_displacement)
+        verdict = solver.solve(self.wrench)
         return verdict.decided and verdict.stable
 
 

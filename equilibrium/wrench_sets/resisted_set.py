@@ -19,6 +19,7 @@ from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import Contact
+from equilibrium.model.displacement import read_displacement
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
 
@@ -103,10 +104,9 @@ class ResistedSet(HintsMixin, JsonMixin):
     ) -> None:
         self._solver: Solver | AssemblySolver
         if isinstance(grasp, Assembly):
-            for name, value in (("max_displacement", max_displacement), ("pyramid", pyramid)):
-                if value is not None:
-                    raise GraspError(f"an assembly takes no {name}; leave it out")
-            self._solver = AssemblySolver(grasp)
+            if pyramid is not None:
+                raise GraspError("an assembly takes no pyramid; leave it out")
+            self._solver = AssemblySolver(grasp, read_displacement(max_displacement))
         else:
             self._solver = Solver(grasp, max_displacement, pyramid)
 
@@ -131,7 +131,7 @@ class ResistedSet(HintsMixin, JsonMixin):
     @property
     def max_displacement(self) -> Fraction | None:
         """How far contact points may move for an equilibrium to count; None: any distance."""
-        return None if isinstance(self._solver, AssemblySolver) else self._solver.max_displacement
+        return self._solver.max_displacement
 
     @property
     def pyramid(self) -> int | None:

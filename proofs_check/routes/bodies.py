@@ -15,12 +15,17 @@ from typing import Any
 from .oracle import project
 
 
-def resisted(document: Mapping[str, Any], wrench: Mapping[str, Sequence[Any]]) -> bool:
+def resisted(
+    document: Mapping[str, Any],
+    wrench: Mapping[str, Sequence[Any]],
+    max_displacement: Fraction | None = None,
+) -> bool:
     """Return whether some motion and forces obey the law, tried for each of up to 4^m states.
 
     Args:
         document: bodies and contacts.
         wrench: on bodies, by name; zero where none is given.
+        max_displacement: of bodies relative to each other at a contact, for a motion to count.
     """
     names, contacts = document["bodies"], document["contacts"]
     n = 3 * len(names)
@@ -32,7 +37,7 @@ def resisted(document: Mapping[str, Any], wrench: Mapping[str, Sequence[Any]]) -
     force = _common(
         [*(x * arm * rub for x in load), *(x for *_, k, q in rows for x in (k / arm, q))]
     )
-    lines = []
+    lines: list[tuple[Any, ...]] = []
     for normal, tangent, mu, k, q in rows:
         spring = [int(x) for x in (*(-k * x * force for x in normal), q * force)]
         arms = ([int(x * arm) for x in row] for row in (normal, tangent))
@@ -41,7 +46,14 @@ def resisted(document: Mapping[str, Any], wrench: Mapping[str, Sequence[Any]]) -
     ways = [
         ("detached", "slip+", "slip-", "stick") if mu else ("detached", "free") for *_, mu in lines
     ]
-    return any(_holds(lines, states, whole, n, rub) for states in product(*ways))
+    bounds = [
+        (*(sign * x * most.denominator for x in row), most.numerator * arm)
+        for most in ([] if max_displacement is None else [max_displacement])
+        for _, normal, tangent, _ in lines
+        for row in (normal, tangent)
+        for sign in (1, -1)
+    ]
+    return any(_holds(lines, states, whole, n, rub, bounds) for states in product(*ways))
 
 
 def _common(numbers: Iterable[Fraction]) -> int:
@@ -63,14 +75,21 @@ def body_rows(contact: Mapping[str, Any], names: Sequence[str], n: int) -> tuple
     return (*found, *values, Fraction(contact.get("preload", 0)))
 
 
-def _holds(lines: Sequence[Any], states: Sequence[str], load: list[int], n: int, rub: int) -> bool:
+def _holds(
+    lines: Sequence[Any],
+    states: Sequence[str],
+    load: list[int],
+    n: int,
+    rub: int,
+    bounds: Sequence[tuple[int, ...]],
+) -> bool:
     """Return whether one choice of states has a solution.
 
     Each sticking contact has an unknown besides the motion.
     """
     size = n + states.count("stick")
     equal: list[Any] = []
-    least: list[Any] = []
+    least: list[Any] = [(*row[:-1], *[0] * (size - n), row[-1]) for row in bounds]
     balance = [[0] * size + [w] for w in load]
     extra = iter(range(n, size))
     zeros = [0] * (size - n)

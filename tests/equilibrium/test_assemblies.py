@@ -128,6 +128,50 @@ class TestBruteForce:
             self.agree(10_000 + seed, 6)
 
 
+class TestDisplacement:
+    def test_bound_is_that_of_the_softest_contact(self):
+        """Each foot of the lower block bears 3/2."""
+        for bound, verdict in (("3/2", "resisted"), ("1499/1000", "not resisted")):
+            found = solve(STACK, WEIGHTS, max_displacement=bound)
+            assert found.verdict == verdict
+            assert found.verify()
+            assert found.proof["max_displacement"] == bound
+            schema = jsonschema.Draft202012Validator(assembly_certificate_schema())
+            assert schema.is_valid(found.proof)
+            assert not check_assembly(found.proof, (STACK, found.wrenches))
+        assert "among displacements of contacts up to 3/2" in str(
+            solve(STACK, WEIGHTS, max_displacement="3/2").lines()
+        )
+
+    def test_cycle_has_proofs_with_displacements(self):
+        assembly, wrenches = asked(WEDGE, WEDGE["questions"][4])
+        found = solve(assembly, wrenches, max_displacement="1/4")
+        assert found.verdict == "not resisted"
+        assert "displacements" in json.dumps(found.proof)
+        assert not check_assembly({**found.proof, "max_displacement": "1000"})
+        unbounded = {key: x for key, x in found.proof.items() if key != "max_displacement"}
+        assert not check_assembly(unbounded)
+        much = solve(assembly, wrenches, max_displacement=10)
+        assert much.verdict == "resisted"
+        assert not check_assembly({**much.proof, "max_displacement": "1/100"})
+
+    def agree(self, seeds, most):
+        for seed in seeds:
+            document, wrenches = random_question(seed, most)
+            bound = Fraction(random.Random(seed).randint(0, 6), 4)
+            verdict = solve(Assembly.from_dict(document), wrenches, max_displacement=bound)
+            yes = resisted(document, wrenches, bound)
+            assert verdict.verdict == ("not resisted", "resisted")[yes], seed
+            assert verdict.verify(), seed
+
+    def test_random_assemblies_agree(self):
+        self.agree(range(30), 3)
+
+    @pytest.mark.slow
+    def test_many_random_assemblies_agree(self):
+        self.agree(range(5000, 5200), 3)
+
+
 class TestPlane:
     def questions(self, count):
         rng = random.Random(41)
@@ -491,7 +535,7 @@ class TestModel:
             solve(STACK, wrenches)
 
     def test_options_of_one_body_are_refused(self):
-        for options in ({"pyramid": 4}, {"shorten": True}, {"max_displacement": 1}):
+        for options in ({"pyramid": 4}, {"shorten": True}):
             with pytest.raises(GraspError, match="an assembly takes no"):
                 solve(STACK, WEIGHTS, **options)
 
@@ -619,6 +663,16 @@ class TestCommand:
         assert "--on is for an assembly" in capsys.readouterr().err
         assert main(["solve", "ladder"]) == 2
         assert "there is no wrench" in capsys.readouterr().err
+
+    def test_displacements_are_bounded_and_verified(self, stack, tmp_path, capsys):
+        proof = str(tmp_path / "proof.json")
+        bound = ["--max-displacement", "1"]
+        assert main(["solve", stack, *bound, "--certificate", proof]) == 1
+        assert main(["verify", proof, "--grasp", stack, *bound]) == 0
+        assert main(["verify", proof, "--grasp", stack]) == 1
+        assert "other displacements" in capsys.readouterr().out
+        assert main(["resisted", stack, "--margin", "--tolerance", "1/8", *bound]) == 1
+        assert "by a factor in [0, 2/3]" in capsys.readouterr().out
 
     def test_methods_are_compared(self, stack, capsys):
         assert main(["solve", stack, "--methods"]) == 0

@@ -80,15 +80,19 @@ class TestPlane:
             yield grasp, *([Fraction(rng.randint(-4, 4), 4) for _ in range(3)] for _ in range(2))
 
     def agree(self, count):
-        for grasp, base, direction in self.questions(count):
+        for k, (grasp, base, direction) in enumerate(self.questions(count)):
             if not any(direction):
                 continue
-            plane, one = ResistedSet(grasp), ResistedSet(Assembly.of_grasp(grasp))
+            bound = Fraction(k, 2) if k % 2 else None
+            both = (grasp, Assembly.of_grasp(grasp))
+            plane, one = (ResistedSet(x, max_displacement=bound) for x in both)
             found = one.along({"object": direction}, {"object": base})
             assert found.intervals == plane.along(direction, base).intervals
             margins = plane.margin(direction), one.margin({"object": direction})
             assert margins[0].intervals == margins[1].intervals
             assert margins[0].preloads.intervals == margins[1].preloads.intervals
+            if k > 2:
+                continue
             alone, body = (margin.friction("1/8") for margin in margins)
             assert alone.high == body.high
             # That no friction at all is enough is not always shown in a tree.

@@ -7,19 +7,20 @@ cones: with all states decided a node is an exact program, so the search ends un
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, to_text, vector_text
 from arrangement.numbers.linear.intervals import Interval
 from equilibrium.certificate.assemblies import joint_rows
-from equilibrium.certificate.law import law_problem
+from equilibrium.certificate.law import displacement_problem, law_problem
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
 from equilibrium.decide.solver import STEPS, Solver
 from equilibrium.model.assembly import SIZE, Assembly, Wrenches
+from equilibrium.model.displacement import read_displacement
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import EquilibriumError, TimeLimitError
 from equilibrium.model.grasp import Grasp
@@ -39,6 +40,7 @@ class AssemblySolver:
     """An assembly for many questions: what `equilibrium.decide.solver.Solver` is of a grasp."""
 
     grasp: Assembly
+    max_displacement: Fraction | None = None
 
     @property
     def no_wrench(self) -> Wrenches:
@@ -53,21 +55,30 @@ class AssemblySolver:
         nodes: int | None = None,
     ) -> AssemblyVerdict:
         """Decide one set of wrenches; see `solve_assembly`."""
-        return solve_assembly(self.grasp, wrenches, time_limit=time_limit, nodes=nodes)
+        return solve_assembly(
+            self.grasp,
+            wrenches,
+            time_limit=time_limit,
+            nodes=nodes,
+            max_displacement=self.max_displacement,
+        )
 
     def magnitudes(self, base: Wrenches, along: Wrenches) -> tuple[Interval, ...]:
         """Return all t >= 0 with ``base + t along`` resisted."""
-        if base == self.no_wrench and not any(c.contact.preload for c in self.grasp.contacts):
+        loaded = any(c.contact.preload for c in self.grasp.contacts)
+        if base == self.no_wrench and not loaded and self.max_displacement is None:
             # Without preload the law scales: one verdict is that of all t > 0.
             verdict = self.solve(along)
             if verdict.decided:
                 return ((Fraction(0), None if verdict else Fraction(0)),)
-        return assembly_magnitudes(self.grasp, base, along)
+        return assembly_magnitudes(self.grasp, base, along, max_displacement=self.max_displacement)
 
     def preloads(self, wrenches: Wrenches) -> tuple[Interval, ...]:
         """Return all uniform preloads with which the wrenches are resisted."""
         bare, slope = self.grasp.with_preload(0), Fraction(1)
-        return assembly_magnitudes(bare, wrenches, self.no_wrench, preload_slope=slope)
+        question = bare, wrenches, self.no_wrench
+        bound = self.max_displacement
+        return assembly_magnitudes(*question, preload_slope=slope, max_displacement=bound)
 
 
 def solve_assembly(
@@ -76,6 +87,7 @@ def solve_assembly(
     *,
     time_limit: float | None = None,
     nodes: int | None = None,
+    max_displacement: Any = None,
 ) -> AssemblyVerdict:
     """Decide exactly whether an assembly resists a wrench on each body.
 
@@ -84,6 +96,8 @@ def solve_assembly(
             for bodies that are left out.
         time_limit: in seconds, by a clock on the wall; undecided when it is over.
         nodes: of one tree, at most; see `equilibrium.space.tree`.
+        max_displacement: only equilibria count in which no body moves by more than that relative
+            to another one along the normal and the tangent of a contact of them.
 
     Raises:
         GraspError: a wrench on what is no body, or of a wrong length.
@@ -96,12 +110,20 @@ def solve_assembly(
     """
     read = assembly.read_wrenches(wrenches)
     effort = Effort(STEPS[3] * budget.times()) if time_limit is None else Effort(seconds=time_limit)
-    return _checked(_decided(assembly, read, effort, nodes))
+    bound = read_displacement(max_displacement)
+    verdict = _decided(assembly, read, _Limits(effort, nodes, bound))
+    return _checked(replace(verdict, max_displacement=bound))
 
 
-def _decided(
-    assembly: Assembly, wrenches: Wrenches, effort: Effort, nodes: int | None
-) -> AssemblyVerdict:
+class _Limits(NamedTuple):
+    """What bounds the search for the equilibria of a part, and these themselves."""
+
+    effort: Effort
+    nodes: int | None
+    max_displacement: Fraction | None
+
+
+def _decided(assembly: Assembly, wrenches: Wrenches, limits: _Limits) -> AssemblyVerdict:
     parts, floating = parts_of(assembly, wrenches)
     for bodies, total in floating:
         if any(total):
@@ -109,21 +131,21 @@ def _decided(
             leaf = {"virtual_motion": {name: list(map(to_text, total)) for name in bodies}}
             load = f"the wrenches on {_listed(bodies)} add up to {vector_text(total)}"
             reason = f"{_FLOATS}: {load}, and no contact with the ground takes that"
-            return AssemblyVerdict(assembly, wrenches, NOT_RESISTED, None, reason, leaf)
+            return AssemblyVerdict(assembly, wrenches, NOT_RESISTED, None, reason, _tree=leaf)
     motions: Wrenches = {name: (Fraction(0),) * SIZE for name in assembly.names}
     forces: dict[int, RationalVector] = {}
     open_: list[str] = []
     found = {}
     # Parts of one body are decided soonest.
     for part in sorted(parts, key=lambda part: len(part.bodies)):
-        answer = _decide_part(assembly, part, effort, nodes)
+        answer = _decide_part(assembly, part, limits)
         if isinstance(answer, Solution):
             found[part.bodies] = answer
         elif isinstance(answer, str):
             open_.append(f"{_named(part)}: {answer}")
         else:
             reason = f"{_named(part)} cannot balance the load"
-            return AssemblyVerdict(assembly, wrenches, NOT_RESISTED, None, reason, answer)
+            return AssemblyVerdict(assembly, wrenches, NOT_RESISTED, None, reason, _tree=answer)
     if open_:
         return AssemblyVerdict(assembly, wrenches, UNDECIDED, None, "; ".join(open_))
     for part in parts:
@@ -139,16 +161,16 @@ def _decided(
 
 
 def _decide_part(
-    assembly: Assembly, part: AssemblyPart, effort: Effort, nodes: int | None
+    assembly: Assembly, part: AssemblyPart, limits: _Limits
 ) -> Solution | dict[str, Any] | str:
     """Return an equilibrium of a part, a tree that refutes the assembly, or why it is open."""
     inside = with_root_as_ground(assembly, part)
     if len(part.bodies) > 1:
-        return _searched(inside, part, effort, nodes)
+        return _searched(inside, part, limits)
     (name,) = part.bodies
     grasp = Grasp(c.contact for c in inside.contacts)
     try:
-        verdict = Solver(grasp).decide(part.wrenches[name], effort)
+        verdict = Solver(grasp, limits.max_displacement).decide(part.wrenches[name], limits.effort)
     except (OutOfReachError, TimeLimitError) as late:
         return str(late).removeprefix("undecided: ")
     if verdict.solution is not None:
@@ -160,22 +182,23 @@ def _decide_part(
 
 
 def _searched(
-    inside: Assembly, part: AssemblyPart, effort: Effort, nodes: int | None
+    inside: Assembly, part: AssemblyPart, limits: _Limits
 ) -> Solution | dict[str, Any] | str:
     """Return what the search in R^(3b) finds for a part of several bodies."""
     from equilibrium.plane.contacts import FloatContacts
     from equilibrium.space.cones import LineCones
     from equilibrium.space.tree import SETTINGS, SpatialSearch
 
-    rows = joint_rows(inside)
+    rows, bound = joint_rows(inside), limits.max_displacement
     load = tuple(x for name in part.bodies for x in part.wrenches[name])
 
     def accept(found: Solution) -> bool:
-        return not law_problem(rows, load, found.motion, found.forces)
+        far = displacement_problem(rows, found.motion, bound)
+        return not (far or law_problem(rows, load, found.motion, found.forces))
 
-    most = SETTINGS.max_nodes if nodes is None else nodes
-    contacts = FloatContacts(inside.rows)
-    search = SpatialSearch(contacts, load, accept, effort, most, cones=LineCones())
+    most = SETTINGS.max_nodes if limits.nodes is None else limits.nodes
+    question = FloatContacts(inside.rows), load, accept, limits.effort, most
+    search = SpatialSearch(*question, max_displacement=bound, cones=LineCones())
     found = search.decide()
     if isinstance(found, Open):
         return found.reason
@@ -200,6 +223,9 @@ def _lifted(node: Any, part: AssemblyPart) -> dict[str, Any]:
     if multipliers:
         rows = ((int(i), [*row, "0"][:2]) for i, row in multipliers.items())
         leaf["multipliers"] = {str(part.contacts[i]): row for i, row in rows}
+    if isinstance(node, dict) and "displacements" in node:
+        pinned = node["displacements"].items()
+        leaf["displacements"] = {str(part.contacts[int(i)]): row for i, row in pinned}
     return leaf
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import cached_property
 from typing import Any, ClassVar
 
@@ -15,6 +16,7 @@ from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.reading import SCHEMA_VERSION
 from equilibrium.decide.answer import AnswerMixin
 from equilibrium.model.assembly import SIZE, Assembly, Wrenches
+from equilibrium.model.displacement import displacement_entry, displacement_words
 from equilibrium.model.solution import Solution
 
 from .rigid import rigid_forces
@@ -32,6 +34,8 @@ class AssemblyVerdict(AnswerMixin):
         verdict: "resisted", "not resisted" or "undecided"; the first two are proved.
         solution: an equilibrium, with three numbers a body in its motion; None when there is none.
         reason: why it is not resisted, or undecided, in words; else empty.
+        max_displacement: how far bodies may move relative to each other at a contact for an
+            equilibrium to count, if bounded.
     """
 
     assembly: Assembly
@@ -39,6 +43,7 @@ class AssemblyVerdict(AnswerMixin):
     verdict: str
     solution: Solution | None
     reason: str = ""
+    max_displacement: Fraction | None = None
     _tree: Any = field(default=None, repr=False, compare=False)
 
     _synonyms: ClassVar[Mapping[str, str]] = {
@@ -104,6 +109,7 @@ class AssemblyVerdict(AnswerMixin):
             "certificate": self.verdict,
             "assembly": bare.to_dict(),
             "wrench": _texts(self.wrenches),
+            **displacement_entry(self.max_displacement),
         }
         if self.solution is None:
             document["tree"] = self._tree
@@ -118,7 +124,8 @@ class AssemblyVerdict(AnswerMixin):
         Raises:
             UndecidedError: there is no certificate.
         """
-        return check_assembly(self.proof, (self.assembly, self.wrenches))
+        question = self.assembly, self.wrenches
+        return check_assembly(self.proof, question, self.max_displacement)
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; exact numbers are strings of rationals."""
@@ -133,21 +140,23 @@ class AssemblyVerdict(AnswerMixin):
             "verdict": self.verdict,
             **found,
             "wrench": _texts(self.wrenches),
+            **displacement_entry(self.max_displacement),
             "assembly": self.assembly.to_dict(),
         }
 
     def lines(self) -> list[str]:
         """Return the answer in lines for people: the reason, or motions and forces."""
+        within = displacement_words(self.max_displacement)
         if self.solution is None:
-            proof = ""
+            proof = within
             if self.decided:
                 leaves = self.verify().leaves
-                proof = f"; proof with {counted(leaves, 'leaf', 'leaves')}"
+                proof += f"; proof with {counted(leaves, 'leaf', 'leaves')}"
             found = [f"{self.verdict}: {self.reason}{proof}"]
             if self.decided and self.balances_rigidly:
                 found.append(f"rigid bodies would hold: {_SQUEEZED}")
             return found
-        found = ["resisted: an exact equilibrium"]
+        found = [f"resisted{within}: an exact equilibrium"]
         found += [f"  {name} moves by {vector(moved)}" for name, moved in self.motions.items()]
         pairs = [c.pair for c in self.assembly.contacts]
         width = max(map(len, pairs), default=0)
