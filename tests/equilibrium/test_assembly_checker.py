@@ -239,11 +239,11 @@ def test_part_of_another_form_is_refused(change, words):
         ({"tree": 5}, "virtual_motion, attachment, slip"),
         ({"tree": {"virtual_motion": {"c": ["0"] * 3}}}, "virtual_motion"),
         ({"tree": {"virtual_motion": {}, "multipliers": {"0": ["1"]}}}, "multipliers.0"),
-        ({"tree": {"virtual_motion": {}, "displacements": {}}}, "displacements"),
+        ({"tree": {"virtual_motion": {}, "displacements": {"0": ["1"]}}}, "displacements.0"),
         ({"tree": {"orthants": []}}, "virtual_motion, attachment, slip"),
         ({"schema_version": 2}, "schema_version is 2"),
         ({"certificate": "unstable"}, "old certificate"),
-        ({"max_displacement": "1"}, "max_displacement"),
+        ({"max_displacement": "-1"}, "max_displacement"),
     ],
 )
 def test_certificate_of_another_form_is_refused(change, words):
