@@ -28,6 +28,12 @@ the tree may be ``{"plane": [u, v], "tree": node}`` with two axes of the plane, 
 planar tree in coordinates along these. An equilibrium that has no
 rational numbers is shown by an "enclosure", see `equilibrium.certificate.enclosure`.
 
+Of an assembly, which stands in place of the grasp, motions and wrenches are objects by the names of
+bodies, with three numbers each. Forces, splits of states and multipliers are those of the plane; a
+leaf has virtual motions for some bodies, and may leave multipliers out. Instead of all this the
+tree may be ``{"part": names, "contacts": [i, ...], "tree": node}`` with a planar tree, see
+`equilibrium.certificate.assemblies`.
+
 With "bounds" in the certificate it is about all grasps within them, and in another form, that of
 `equilibrium.certificate.robust`.
 
