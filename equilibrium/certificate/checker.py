@@ -135,6 +135,8 @@ class Report(ReprMixin):
 def _difference(asked: Question, found: Question) -> str:
     """Return the first difference of a certificate from what is expected, or nothing."""
     (wanted, load), (own, wrench) = asked, found
+    if not isinstance(wanted, Grasp):
+        return "it is about one body, not about an assembly"
     if (own.dimension, len(own)) != (wanted.dimension, len(wanted)):
         sizes = (f"{len(g)} contacts in {g.dimension} dimensions" for g in (own, wanted))
         return "it is about another grasp: {}; expected one with {}".format(*sizes)

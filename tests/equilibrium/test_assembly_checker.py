@@ -7,7 +7,7 @@ from random import Random
 
 import pytest
 
-from equilibrium import Assembly, BodyContact, Circle, Contact, RigidBody, verify
+from equilibrium import Assembly, BodyContact, Circle, Contact, Grasp, RigidBody, solve, verify
 
 F = Fraction
 NAMES = ("a", "b", "c")
@@ -282,3 +282,9 @@ def test_report_says_what_a_certificate_is_about():
     }
     assert verify({**proof, "wrench": texts(dict.fromkeys("ab", ZERO))}).to_dict()["problem"]
     assert verify(proof, (PUSHED, loads)).compared
+
+
+def test_certificate_of_a_grasp_is_not_about_an_assembly():
+    proof = solve(Grasp([Contact((0, 0), (0, 1), 1)]), (0, 1, 0)).proof
+    report = verify(proof, (PUSHED, dict.fromkeys("ab", ZERO)))
+    assert report.problem == "it is about one body, not about an assembly"
