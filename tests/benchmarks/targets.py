@@ -19,6 +19,7 @@ from pictures import seconds
 from equilibrium import Contact, Grasp
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import random_grasp
+from equilibrium.grasps.textbook import arch, stack
 
 REFUTED = VERDICTS[False]
 #: Contacts, the targets of median and largest time; for grasps in space, and how many grasps.
@@ -91,6 +92,17 @@ def _commands() -> Iterable[tuple[str, str, list[tuple[list[str], str]], float]]
         [(["resisted", *IN_THREE], fingers)] * 3,
         0.4,
     )
+    bodies = (("arch of 5 stones", arch(), 2, 5), ("tower of 50 blocks", stack(blocks=50), 2, 2))
+    for name, (assembly, weights), target, further in bodies:
+        document = json.dumps(assembly.to_dict(weights))
+        push = ["--along", assembly.names[-1], "1", "0", "0"]
+        yield "equilibrium", f"`solve`, {name}", [(["solve"], document)] * 3, target
+        yield (
+            "equilibrium",
+            f"`resisted --along`, {name}",
+            [(["resisted", *push], document)] * 3,
+            further,
+        )
     long = [_text(long_grasp(4, seed)) for seed in range(1, 4)]
     for name, words in (
         ("margin", ["resisted", *DOWN, "--margin"]),
