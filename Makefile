@@ -1,7 +1,7 @@
 # Each target creates .venv on first use and installs again when pyproject.toml or
 # constraints.txt change. `make help` lists the targets and variables.
 
-.PHONY: help install verify test test-extended lint types scripts check mutants census bench docs pdf atlas docs-check notebooks package-check versions-check release-check formal clean
+.PHONY: help install verify test test-extended lint types scripts check mutants census bench docs pdf atlas docs-check notebooks lite package-check versions-check release-check formal clean
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
@@ -30,6 +30,7 @@ help:
 	@echo "make docs-check      build it and open every page in headless Chromium"
 	@echo "make pdf             print its slides, exercise sheets and solutions as PDF, with Chromium"
 	@echo "make notebooks       write the lessons as notebooks in docs/_build/notebooks and run each"
+	@echo "make lite            make a site in which the lessons run in a browser: docs/_build/lite"
 	@echo "make atlas           write pages of 305 arrangements in docs/_build/atlas"
 	@echo "make bench           measure speed; ARGS='--only targets' compares it with the targets"
 	@echo "make mutants         run mutation tests; list the mutants that survive"
@@ -77,6 +78,11 @@ $(VENV)/.stamp-docs: pyproject.toml constraints.txt | $(BIN)/python
 	@echo "installing the package and its documentation tools"
 	@$(INSTALL) '.[docs]'
 	@touch $@ $(VENV)/.stamp-run
+
+$(VENV)/.stamp-lite: pyproject.toml constraints.txt | $(BIN)/python
+	@echo "installing the package and JupyterLite"
+	@$(INSTALL) '.[lite]'
+	@touch $@ $(VENV)/.stamp-run $(VENV)/.stamp-docs
 
 $(VENV)/.stamp-check: pyproject.toml constraints.txt | $(BIN)/python
 	@echo "installing the package and all of its development tools"
@@ -151,6 +157,9 @@ docs-check: docs $(VENV)/.stamp-test
 
 notebooks: docs
 	$(BIN)/python docs/notebooks.py docs/_build/notebooks
+
+lite: docs $(VENV)/.stamp-lite
+	$(BIN)/python docs/lite.py docs/_build/lite
 
 package-check: $(VENV)/.stamp-package
 	$(BIN)/python tests/check_package.py $(ARGS)

@@ -145,27 +145,32 @@ def notebook(text):
     return _new.new_notebook(cells=cells, metadata={"kernelspec": kernel})
 
 
+def execute(made):
+    """Run a notebook in a folder of its own."""
+    os.environ["COLUMNS"] = "80"
+    with tempfile.TemporaryDirectory() as desk:
+        # Sockets that are files, which nobody else can read.
+        sockets = {"transport": "ipc", "ip": f"{desk}/kernel"}
+        NotebookClient(
+            made,
+            config=Config({"KernelManager": sockets}),
+            kernel_name="python3",
+            timeout=600,
+            resources={"metadata": {"path": desk}},
+            record_timing=False,
+            coalesce_streams=True,
+        ).execute()
+
+
 def main(folder):
     """Write and run all notebooks."""
     (folder / "images").mkdir(parents=True, exist_ok=True)
     os.environ["PATH"] = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
-    os.environ["COLUMNS"] = "80"
     for name, text in write_markdown().items():
         for image in _IMAGE.findall(text):
             shutil.copy(DOCS / "_generated" / image, folder / "images")
         made = notebook(text)
-        with tempfile.TemporaryDirectory() as desk:
-            # Sockets that are files, which nobody else can read.
-            sockets = {"transport": "ipc", "ip": f"{desk}/kernel"}
-            NotebookClient(
-                made,
-                config=Config({"KernelManager": sockets}),
-                kernel_name="python3",
-                timeout=600,
-                resources={"metadata": {"path": desk}},
-                record_timing=False,
-                coalesce_streams=True,
-            ).execute()
+        execute(made)
         compare(name, made)
         nbformat.write(made, folder / f"{name}.ipynb")
         print(f"{name}: {len(made.cells)} cells")
