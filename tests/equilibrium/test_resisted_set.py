@@ -242,6 +242,7 @@ def test_constant_force_is_not_bounded(tmp_path, capsys):
     load = ["--wrench", "0", "1", "0"]
     for words, said in (
         (["solve", str(path), *load, "--robust", "friction=5%"], "stiffness 0"),
+        (["lab", str(path), "-o", str(tmp_path / "lab.html")], "stiffness 0"),
         (["draw", str(path), "--model", "scene", "-o", str(tmp_path / "s.xml")], "stiffness 0"),
     ):
         assert main(words) == 2

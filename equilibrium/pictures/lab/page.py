@@ -23,6 +23,7 @@ from equilibrium.decide.solver import solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs.documents import question_document
 from equilibrium.model.contact import Contact
+from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.pictures.parts.style import SKETCH_SCRIPT, SKETCH_STYLE, Wrench
 from equilibrium.plane.states.state_system import State
@@ -109,11 +110,13 @@ def lab_page(
         first: what stands first: "contacts", or "forces", the map of those that are resisted.
 
     Raises:
-        InputError: a grasp in space, too many contacts or digits, no wrench, or no exercises in
-            the file.
+        InputError: a grasp in space, a constant force, too many contacts or digits, no wrench, or
+            no exercises in the file.
     """
     grasp = read_grasp(_EXAMPLES[0][1]) if grasp is None else grasp
     grasp.require_plane()
+    if not all(contact.stiffness for contact in grasp):
+        raise GraspError("a contact has stiffness 0; in the lab it must be above 0")
     budget.check_size(len(grasp), "contacts in the lab")
     heading = "The slip lab" if title is None else title
     applied = _EXAMPLES[0][2] if wrench is None else wrench
