@@ -108,7 +108,7 @@ TARGETS = {
     "leaf rule": Target("equilibrium.certificate.plane", (*CHECKER, PLANES, PYRAMIDS)),
     "law": Target("equilibrium.certificate.law", (*CHECKER, SPACE[0])),
     "reading": Target("equilibrium.certificate.reading", (*CHECKER, *SPACE, PLANES)),
-    "state rule": Target("equilibrium.certificate.states", (*SPACE, *ASSEMBLIES)),
+    "state rule": Target("equilibrium.certificate.states", (*ASSEMBLIES, *SPACE)),
     "assemblies": Target("equilibrium.certificate.assemblies", ASSEMBLIES),
     "enclosure": Target("equilibrium.certificate.enclosure", SPACE),
     "uncertain": Target("equilibrium.certificate.uncertain", ROBUST),

@@ -48,10 +48,10 @@ class SlipFace(NamedTuple):
 
 State: TypeAlias = str | Sector | SlipFace
 #: The edges of a cone with one tangent.
-LINE: tuple[RationalVector, ...] = ((Fraction(1),), (Fraction(-1),))
+_LINE: tuple[RationalVector, ...] = ((Fraction(1),), (Fraction(-1),))
 #: What the states with a sign say, of one tangent.
 _SIGNS = {
-    name: SlipFace((end,), (end,)) for name, end in zip(("slip+", "slip-"), LINE, strict=True)
+    name: SlipFace((end,), (end,)) for name, end in zip(("slip+", "slip-"), _LINE, strict=True)
 }
 
 
@@ -78,7 +78,7 @@ class StateQuestion:
         units = [math.lcm(*(x.denominator for row in c.wrenches for x in row)) for c in rows]
         pairs = list(zip(rows, units, strict=True))
         motions = math.lcm(*(c.stiffness.denominator * unit for c, unit in pairs))
-        self.works, self.motions = works, motions
+        self.works = works
         self.contacts = [
             _IntegerContact(
                 tuple(tuple(int(x * unit) for x in row) for row in c.wrenches),
@@ -103,7 +103,7 @@ class StateQuestion:
         motion = [int(x * scale) for x in leaf.motion]
         work: Any = dot(self.load, motion) - taken * scale * self.works
         rest: list[Any] = [0] * len(motion)
-        cone = LINE if self.form.tangents == 1 else self.edges
+        cone = _LINE if self.form.tangents == 1 else self.edges
         for i, contact in enumerate(self.contacts):
             state, given = place.states.get(i, "undecided"), leaf.multipliers.get(i)
             alpha, *h = (

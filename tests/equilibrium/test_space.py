@@ -678,7 +678,7 @@ class TestChecker:
             ({"contact": 0, "directions": [[1, 0], [0, 1]], "children": [[]] * 3}, "not attached"),
             ({"orthants": [[0] * 6] * 8}, "one of the keys virtual_motion, attachment, directions"),
             ([0, 0, 0], "tree has 3 entries"),
-            (3, "tree is 3; a node is"),
+            (3, "tree is 3; expected a list"),
         ],
     )
     def test_what_is_no_tree_in_space_is_one_clear_error(self, node, words):
