@@ -164,7 +164,8 @@ def assembled(
 EXTRAS = ("pad", "adhesion")
 _OTHER_NAMES = {"position": "point", "force": "preload"}
 #: Points of a pad as shares of its radius along the tangents, with shares of stiffness and preload:
-#: those of an evenly pressed segment, or disc, for every motion of the contact.
+#: while all touch, force and moment are those of an evenly pressed segment, or disc. Friction of a
+#: disc holds 2/3 of mu q r about the normal, these points 1/2 of it.
 _PADS: dict[int, dict[tuple[int, ...], str]] = {
     2: {(0,): "2/3", (1,): "1/6", (-1,): "1/6"},
     3: {(0, 0): "1/2", (1, 0): "1/8", (-1, 0): "1/8", (0, 1): "1/8", (0, -1): "1/8"},
