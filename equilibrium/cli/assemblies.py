@@ -22,7 +22,7 @@ _AXES = ("BODY", "F_X", "F_Y", "TAU")
 #: Options of solve that are about one body.
 _ONE_BODY = (
     *("wrench", "force", "weight", "at", "cone", "robust"),
-    *("as_printed", "shorten", "all", "round_normals", "as_given"),
+    *("as_printed", "shorten", "round_normals", "as_given"),
 )
 
 
@@ -124,17 +124,18 @@ def assembly_question(
     return asked_assembly(document, arguments.on, arguments.preload)
 
 
-def solve_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> int:
+def solve_assembly(arguments: argparse.Namespace, given: Mapping[str, Any]) -> int:
     """Print the verdict on an assembly."""
     from equilibrium.decide.solver import solve
 
-    assembly, wrenches = assembly_question(arguments, document)
+    assembly, wrenches = assembly_question(arguments, given)
     bound, seconds = arguments.max_displacement, arguments.time_limit
     verdict = solve(assembly, wrenches, time_limit=seconds, max_displacement=bound)
     if arguments.certificate is not None and verdict.certificate is not None:
         verdict.certificate.save(arguments.certificate)
     yes = verdict.stable if verdict.decided else None
-    return show(arguments, verdict.to_dict(), verdict.lines(), yes, assembly)
+    document, lines = verdict.to_dict(arguments.all), verdict.lines(arguments.all)
+    return show(arguments, document, lines, yes, assembly)
 
 
 def draw_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> int:

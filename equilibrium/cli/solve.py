@@ -78,7 +78,9 @@ def add_command_solve(commands: Any) -> None:
         "--shorten", action="store_true", help="search longer for a smaller proof of a no"
     )
     parser.add_argument(
-        "--all", action="store_true", help="list all equilibria of more than 20 contacts, too"
+        "--all",
+        action="store_true",
+        help="list all equilibria of more than 20 contacts, and of an assembly, too",
     )
     other = parser.add_mutually_exclusive_group()
     other.add_argument(

@@ -561,6 +561,36 @@ class TestVerdict:
         assert verdict.to_dict()["reason"] == verdict.reason
 
 
+class TestEquilibria:
+    def test_one_body_has_those_of_the_planar_grasp(self):
+        rng, held = random.Random(3), 0
+        for seed in range(30):
+            grasp = random_grasp(2 + seed % 3, seed).with_preload(seed % 3 and 1)
+            wrench = [Fraction(rng.randint(-2, 2), 2) for _ in range(3)]
+            verdict = solve(grasp, wrench)
+            parts = solve(Assembly.of_grasp(grasp), {"object": wrench}).equilibria
+            listed = [(one.states, one.unique) for part in parts for one in part]
+            due = [(one.states, one.forces_determined) for one in verdict.equilibria]
+            assert sorted(listed) == sorted(due)
+            held += bool(due)
+        assert held > 4
+
+    def test_parts_of_a_stack_are_apart(self):
+        parts = solve(STACK, WEIGHTS).equilibria
+        assert [[(one.contacts, one.states) for one in part] for part in parts] == [
+            [((0, 1), ("stick", "stick"))],
+            [((2, 3), ("stick", "stick"))],
+        ]
+        assert not parts[0][0].unique
+        assert not solve(STACK, {"upper": [1, 0, 0]}).equilibria
+
+    def test_smooth_cycle_has_one_equilibrium(self):
+        ((one,),) = solve(*ladder()).equilibria
+        assert one.unique
+        assert one.states == ("slip+", "attached", "detached", "slip-")
+        assert one.forces == solve(*ladder()).forces
+
+
 class TestRigid:
     BOOKS = next(case for case in CASES if case["name"] == "books-between-walls")
 
@@ -673,6 +703,14 @@ class TestCommand:
         assert "other displacements" in capsys.readouterr().out
         assert main(["resisted", stack, "--margin", "--tolerance", "1/8", *bound]) == 1
         assert "by a factor in [0, 2/3]" in capsys.readouterr().out
+
+    def test_all_equilibria_are_listed(self, stack, capsys):
+        assert main(["solve", stack, "--all"]) == 0
+        assert "contacts 3, 4: 1 family of equilibria" in capsys.readouterr().out
+        assert main(["solve", stack, "--all", "--json"]) == 0
+        listed = json.loads(capsys.readouterr().out)["equilibria"]
+        assert [part[0]["contacts"] for part in listed] == [[0, 1], [2, 3]]
+        assert main(["solve", stack, "--all", "--on", "upper", "1", "0", "0"]) == 1
 
     def test_methods_are_compared(self, stack, capsys):
         assert main(["solve", stack, "--methods"]) == 0

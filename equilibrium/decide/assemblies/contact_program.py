@@ -112,6 +112,8 @@ class ContactProgram:
             size += presses + rubs
         self.size, self._t = size + 1, size
         self._magnitude = [Fraction(0)] * size + [Fraction(1)]
+        #: The columns of tangential forces that are unknowns.
+        self._rubbing = {j: i for i, (_, j) in enumerate(forces) if j is not None}
         self._equal: list[RationalVector] = []
         self._least: list[RationalVector] = [self._row({self._t: Fraction(1)})]
         self._normal: list[_Terms] = []
@@ -232,6 +234,45 @@ class ContactProgram:
             slips = "attached" if question.is_smooth(contact) else slips
             states.append(slips if spring > 0 else "detached")
         return End(t, violations, tuple(states))
+
+    def within(self, other: ContactProgram) -> bool:
+        """Return whether all solutions are solutions of another complete program, too.
+
+        Both are of one question whose load and preloads do not change with t.
+        """
+        equal = [other._terms(row, self) for row in other._equal]
+        for mine, theirs in ((self._normal, other._normal), (self._tangential, other._tangential)):
+            for one, terms in zip(mine, theirs, strict=True):
+                equal.append(_sum(one, other._carried(terms, self), -1))
+        if not all(self._least_of(_times(terms, sign)) == 0 for terms in equal for sign in (1, -1)):
+            return False
+        # The first condition is that of t.
+        lows = (self._least_of(other._terms(row, self)) for row in other._least[1:])
+        return all(low is not None and low >= 0 for low in lows)
+
+    @property
+    def has_one_solution(self) -> bool:
+        """Whether all solutions have the same forces."""
+        forces = (*self._normal, *self._tangential)
+        ends = ((self._least_of(terms), self._least_of(_times(terms, -1))) for terms in forces)
+        return all(low is not None and high == -low for low, high in ends)
+
+    def _terms(self, row: RationalVector, into: ContactProgram) -> _Terms:
+        """Return a row as an expression in the unknowns of another program."""
+        return self._carried({j if j < self.size else -1: x for j, x in enumerate(row) if x}, into)
+
+    def _carried(self, terms: _Terms, into: ContactProgram) -> _Terms:
+        """Return an expression in the unknowns of another program."""
+        found: _Terms = {}
+        for j, x in terms.items():
+            i = self._rubbing.get(j)
+            _add(found, {j: Fraction(1)} if i is None else into._tangential[i], x)
+        return found
+
+    def _least_of(self, terms: _Terms) -> Fraction | None:
+        """Return the least value of an expression; None if there is none."""
+        least = self._program.least(self._row({j: x for j, x in terms.items() if j >= 0})[:-1])
+        return None if least is None else least + terms.get(-1, Fraction(0))
 
     def split(self, violations: Sequence[Fraction]) -> list[Node]:
         """Return the node with the open contact furthest from the law decided, likeliest last."""

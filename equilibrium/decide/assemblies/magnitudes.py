@@ -1,4 +1,4 @@
-"""For which magnitudes and which frictions an assembly has an equilibrium, part by part.
+"""For which magnitudes and which frictions an assembly has equilibria, and all of these.
 
 Each complete choice of contact states allows one closed interval of magnitudes t, by two exact
 programs. The union over all choices is found in a tree of states: a node is closed if its
@@ -14,11 +14,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from fractions import Fraction
-from typing import TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.console.number_form import counted
 from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
+from arrangement.numbers.exact import RationalVector, to_text
 from arrangement.numbers.linear.intervals import (
     Interval,
     common,
@@ -31,7 +32,7 @@ from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.effort import Effort
 
 from .contact_program import ContactProgram, LinearQuestion, Node
-from .parts import parts_of, with_root_as_ground
+from .parts import AssemblyPart, parts_of, with_root_as_ground
 
 #: States of each part.
 Survivors: TypeAlias = tuple[Node, ...]
@@ -65,7 +66,7 @@ def assembly_magnitudes(
         rows = [(sign * x, sign * y) for x, y in zip(slope, total, strict=True) for sign in (1, -1)]
         still = where_positive(rows)
         found = common(found, () if still is None else (still,))
-    for question in _questions(assembly, base, along):
+    for _, question in _questions(assembly, base, along):
         if found:
             changed = replace(
                 question, preload_slope=preload_slope, max_displacement=max_displacement
@@ -90,7 +91,8 @@ def surviving_states(
         known: of a wider range; they are tried first.
     """
     found = []
-    questions = list(_questions(assembly, wrenches, assembly.read_wrenches({})))
+    pairs = _questions(assembly, wrenches, assembly.read_wrenches({}))
+    questions = [question for _, question in pairs]
     if any(any(total) for _, total in parts_of(assembly, wrenches)[1]):
         return None
     for question, first in zip(questions, known or [None] * len(questions), strict=True):
@@ -104,14 +106,85 @@ def surviving_states(
     return tuple(found)
 
 
-def _questions(assembly: Assembly, base: Wrenches, along: Wrenches) -> Iterator[LinearQuestion]:
-    """Yield the question of each part, those of few contacts first."""
+class PartEquilibrium(NamedTuple):
+    """All equilibria of one part with one choice of contact states: a convex polyhedron.
+
+    Attributes:
+        contacts: their numbers in the assembly.
+        states: of these contacts; the conditions are closed.
+        forces: (normal, tangential) on body_a at each of them, of one of the equilibria.
+        unique: whether all of them have these forces.
+    """
+
+    contacts: tuple[int, ...]
+    states: Node
+    forces: tuple[RationalVector, ...]
+    unique: bool
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form."""
+        return {
+            "contacts": list(self.contacts),
+            "states": list(self.states),
+            "forces": [list(map(to_text, force)) for force in self.forces],
+            "forces_determined": self.unique,
+        }
+
+
+def part_equilibria(
+    assembly: Assembly, wrenches: Wrenches, max_displacement: Fraction | None = None
+) -> tuple[tuple[PartEquilibrium, ...], ...]:
+    """Return the equilibria of each part; those of different parts combine freely.
+
+    Returns:
+        for each part the maximal sets of equilibria with one choice of states. Sets may touch; none
+        lies in another.
+
+    Raises:
+        OutOfReachError: a part has too many choices of states.
+    """
+    none = assembly.read_wrenches({})
+    found = []
+    for part, question in _questions(assembly, wrenches, none):
+        bounded = replace(question, max_displacement=max_displacement)
+        with _limited(bounded) as tree:
+            complete = list(_complete(tree))
+            # Of equal sets the one with most detached, then most sticking contacts stays.
+            complete.sort(key=lambda x: (-x.states.count("detached"), -x.states.count("stick")))
+            kept: list[ContactProgram] = []
+            for program in complete:
+                if not any(program.within(other) for other in kept):
+                    kept = [other for other in kept if not other.within(program)] + [program]
+        sets = []
+        for program in kept:
+            solution = program.solution()
+            assert solution is not None
+            states, unique = program.states, program.has_one_solution
+            sets.append(PartEquilibrium(part.contacts, states, solution.forces, unique))
+        found.append(tuple(sets))
+    return tuple(found)
+
+
+def _complete(tree: _Tree) -> Iterator[ContactProgram]:
+    """Yield the programs of all complete choices of states that have a solution."""
+    for program in tree:
+        start = program.start()
+        if start is not None and program.is_complete:
+            yield program
+        elif start is not None:
+            tree.waiting += program.split(start.violations)
+
+
+def _questions(
+    assembly: Assembly, base: Wrenches, along: Wrenches
+) -> Iterator[tuple[AssemblyPart, LinearQuestion]]:
+    """Yield each part with its question, those of few contacts first."""
     both = zip(*(parts_of(assembly, wrenches)[0] for wrenches in (base, along)), strict=True)
     for part, slope in sorted(both, key=lambda pair: len(pair[0].contacts)):
         load, change = (
             tuple(x for name in part.bodies for x in one.wrenches[name]) for one in (part, slope)
         )
-        yield LinearQuestion(with_root_as_ground(assembly, part).rows, load, change)
+        yield part, LinearQuestion(with_root_as_ground(assembly, part).rows, load, change)
 
 
 class _Tree:

@@ -19,6 +19,7 @@ from equilibrium.model.assembly import SIZE, Assembly, Wrenches
 from equilibrium.model.displacement import displacement_entry, displacement_words
 from equilibrium.model.solution import Solution
 
+from .magnitudes import PartEquilibrium, part_equilibria
 from .rigid import rigid_forces
 
 #: Why rigid bodies hold, and springs do not.
@@ -85,6 +86,20 @@ class AssemblyVerdict(AnswerMixin):
         return tuple(found)
 
     @cached_property
+    def equilibria(self) -> tuple[tuple[PartEquilibrium, ...], ...]:
+        """All equilibria of each part, as sets with one choice of contact states; none if unstable.
+
+        Those of different parts combine freely. To find all takes far longer than the verdict.
+
+        Raises:
+            UndecidedError: whether there are any is not known.
+            OutOfReachError: a part has too many choices of contact states.
+        """
+        if not self.stable:
+            return ()
+        return part_equilibria(self.assembly, self.wrenches, self.max_displacement)
+
+    @cached_property
     def balances_rigidly(self) -> bool:
         """Whether some forces in the friction cones balance the wrenches, whatever the springs do.
 
@@ -127,8 +142,12 @@ class AssemblyVerdict(AnswerMixin):
         question = self.assembly, self.wrenches
         return check_assembly(self.proof, question, self.max_displacement)
 
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form; exact numbers are strings of rationals."""
+    def to_dict(self, every: bool = False) -> dict[str, Any]:
+        """Return a JSON form; exact numbers are strings of rationals.
+
+        Args:
+            every: with `equilibria`.
+        """
         found: dict[str, Any] = {"reason": self.reason} if self.reason else {}
         if self.solution is not None:
             found |= {
@@ -136,6 +155,8 @@ class AssemblyVerdict(AnswerMixin):
                 "motion": _texts(self.motions),
                 "forces": [list(map(to_text, force)) for force in self.forces],
             }
+        if every and self.solution is not None:
+            found["equilibria"] = [[one.to_dict() for one in part] for part in self.equilibria]
         return {
             "verdict": self.verdict,
             **found,
@@ -144,8 +165,12 @@ class AssemblyVerdict(AnswerMixin):
             "assembly": self.assembly.to_dict(),
         }
 
-    def lines(self) -> list[str]:
-        """Return the answer in lines for people: the reason, or motions and forces."""
+    def lines(self, every: bool = False) -> list[str]:
+        """Return the answer in lines for people: the reason, or motions and forces.
+
+        Args:
+            every: with `equilibria`.
+        """
         within = displacement_words(self.max_displacement)
         if self.solution is None:
             proof = within
@@ -162,6 +187,13 @@ class AssemblyVerdict(AnswerMixin):
         width = max(map(len, pairs), default=0)
         for i, (pair, state, force) in enumerate(zip(pairs, self.states, self.forces, strict=True)):
             found.append(f"    contact {i + 1}  {pair:<{width}}  {state:<8}  force {vector(force)}")
+        for part in self.equilibria if every else ():
+            numbers = ", ".join(str(i + 1) for i in part[0].contacts)
+            many = counted(len(part), "family", "families")
+            found.append(f"  contacts {numbers}: {many} of equilibria")
+            for one in part:
+                forces = "unique" if one.unique else "not unique"
+                found.append(f"    {' '.join(one.states)}  (contact forces {forces})")
         return found
 
 
