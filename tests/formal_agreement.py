@@ -237,7 +237,7 @@ def assembly_forms() -> Iterator[bytes]:
     changes += [{"tree": tree} for tree in trees]
     beside = {**assembly, "contacts": [joints[0], {**joints[1], "body_a": "a", "body_b": "b"}]}
     changes += [{"assembly": beside, "tree": {**part, "part": ["a"], "contacts": [0, 1]}}]
-    changes.append({"max_displacement": "1"})
+    changes.append({"pyramid": 4})
     yield from (json.dumps({**plain, **change}).encode() for change in changes)
     resting = {key: plain[key] for key in ("schema_version", "assembly")}
     resting |= {"certificate": "resisted", "wrench": {"a": zero, "b": zero}}
