@@ -24,7 +24,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_every_figure_and_table_is_a_file_and_on_the_page(folder):
-    assert [f.number for f in FIGURES] == list(range(1, 8))
+    assert [f.number for f in FIGURES] == list(map(str, range(1, 8)))
     assert [t.number for t in TABLES] == ["I", "II", "III"]
     assert sorted(path.name for path in folder.iterdir()) == sorted(page.file_names())
     text = (folder / page.PAGE).read_text(encoding="utf-8")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from arrangement.drawing.scene.layout import composed
 from arrangement.drawing.scene.scene import Scene
@@ -31,8 +31,8 @@ _DOWN = (0, -1, 0)
 
 
 @dataclass(frozen=True)
-class PaperFigure:
-    """One figure.
+class PaperPart:
+    """A figure or a table.
 
     Attributes:
         number: in the paper.
@@ -41,21 +41,28 @@ class PaperFigure:
         made: what ours shows.
         differs: where the two are not the same.
         claims: the claims of the registry that it rests on.
-        scene: draws ours.
     """
 
-    number: int
+    kind: ClassVar[str]
+    number: str
     title: str
     printed: str
     made: str
     differs: str
     claims: tuple[str, ...]
-    scene: Callable[[], Scene]
 
     @property
     def name(self) -> str:
         """The name of its files."""
-        return f"figure-{self.number}"
+        return f"{self.kind}-{self.number}"
+
+
+@dataclass(frozen=True)
+class PaperFigure(PaperPart):
+    """One figure, and what draws it."""
+
+    kind = "figure"
+    scene: Callable[[], Scene]
 
 
 def two_pushes() -> Scene:
@@ -114,7 +121,7 @@ def force_maps() -> Scene:
 
 FIGURES = (
     PaperFigure(
-        1,
+        "1",
         "One grasp, two pushes",
         "A hand touches an object left, below and right. On the left the object is pushed up, on "
         "the right down; arrows sketch the contact forces that would answer.",
@@ -125,7 +132,7 @@ FIGURES = (
         two_pushes,
     ),
     PaperFigure(
-        2,
+        "2",
         "Notation at a contact",
         "One contact with its normal and tangential force components, and the motion of the "
         "object in the object frame.",
@@ -137,7 +144,7 @@ FIGURES = (
         contact_notation,
     ),
     PaperFigure(
-        3,
+        "3",
         "Linear springs refuse too much",
         "The three-contact grasp at rest and pushed down. Tangential springs load the two side "
         "contacts with friction without normal forces, so that their cones are violated.",
@@ -148,7 +155,7 @@ FIGURES = (
         linear_springs,
     ),
     PaperFigure(
-        4,
+        "4",
         "Cones alone allow too much",
         "A tall object between four contacts in two rows, without preload. A motion that mixes "
         "translation and rotation loads springs, and friction of the loaded contacts is said to "
@@ -161,7 +168,7 @@ FIGURES = (
         cones_alone,
     ),
     PaperFigure(
-        5,
+        "5",
         "A grasp and its planes of slip",
         "A grasp, and the planes of its contacts in the space of motions (x, y, r). Contact 1 "
         "sticks where a translation along y is cancelled by an equal rotation, contact 2 where "
@@ -174,7 +181,7 @@ FIGURES = (
         slip_planes,
     ),
     PaperFigure(
-        6,
+        "6",
         "The dual polyhedron",
         "Planes with a dot in seven of their regions, and the polyhedron of all dots, joined "
         "where regions share a facet.",
@@ -186,7 +193,7 @@ FIGURES = (
         dual_polyhedron,
     ),
     PaperFigure(
-        7,
+        "7",
         "Three maps of forces",
         "Forces at torque 0 on the three-contact grasp: (a) a slice of the Grasp Wrench Space, "
         "L1 norm; (b) what is resisted without preload, the lower half plane; (c) with preload "

@@ -17,7 +17,7 @@ from arrangement.errors import InputError
 from arrangement.numbers.exact import shown
 from proofs_check.reports.page import svg_for_page
 
-from .figures import FIGURES, PaperFigure
+from .figures import FIGURES, PaperFigure, PaperPart
 from .tables import TABLES, PaperTable, TableContent, Times, table_scene
 
 PAGE = "index.html"
@@ -40,7 +40,7 @@ def write_paper(
     """Write every figure and table beside what the paper prints, all files or none.
 
     Args:
-        folder: it is made. One that holds files of an earlier run alone is replaced.
+        folder: it is made. Files of an earlier run are replaced.
         times: the measured times of Table II.
         about: title and source of the paper, with the keys "title" and "about".
         verdicts: of the claims, by their ids.
@@ -54,16 +54,16 @@ def write_paper(
     _check_folder(target)
     make_folder(target.parent)
     try:
+        # All files are made before one of them takes the place of an earlier one.
         with tempfile.TemporaryDirectory(prefix=".paper-", dir=target.parent) as place:
-            new, old = Path(place) / "new", Path(place) / "old"
-            new.mkdir()
+            new = Path(place)
             contents = {table.name: table.content(times) for table in TABLES}
             pictures = _write_pictures(new, contents)
             page = paper_page(pictures, contents, about, verdicts)
             (new / PAGE).write_text(page, encoding="utf-8")
-            if target.exists():
-                target.rename(old)
-            new.rename(target)
+            target.mkdir(exist_ok=True)
+            for path in new.iterdir():
+                path.replace(target / path.name)
     except OSError as error:
         raise InputError(f"cannot write {shown(str(folder))}: {reason(error)}") from None
 
@@ -112,10 +112,9 @@ def paper_page(
         "<code>proofs-check run ID</code>.</p>",
     ]
     for part in (*FIGURES, *TABLES):
-        kind = "Figure" if isinstance(part, PaperFigure) else "Table"
         body += [
             f"<section id='{part.name}'>",
-            f"<h2>{kind} {part.number}: {escape(part.title)}</h2>",
+            f"<h2>{part.kind.title()} {part.number}: {escape(part.title)}</h2>",
         ]
         body += _words(part, verdicts)
         if isinstance(part, PaperFigure):
@@ -130,7 +129,7 @@ def paper_page(
     return framed("The paper, figure by figure", "\n".join(body), [BASE_STYLE, _STYLE], [], policy)
 
 
-def _words(part: PaperFigure | PaperTable, verdicts: Mapping[str, str]) -> Iterator[str]:
+def _words(part: PaperPart, verdicts: Mapping[str, str]) -> Iterator[str]:
     """Yield what is printed, what stands here, and what differs, with the claims behind it."""
     yield "<dl>"
     for name, text in (("printed", part.printed), ("here", part.made), ("differs", part.differs)):

@@ -22,6 +22,8 @@ from equilibrium.grasps.inputs.random import random_grasp
 from proofs_check.instances import printed
 from proofs_check.instances.grasps import grasp_of, paper_question
 
+from .figures import PaperPart
+
 #: Width of a table on paper, in millimetres.
 _WIDTH = 180.0
 #: Who says a row of a table.
@@ -48,25 +50,11 @@ class TableContent:
 
 
 @dataclass(frozen=True)
-class PaperTable:
-    """One table; the attributes are those of `figures.PaperFigure`.
+class PaperTable(PaperPart):
+    """One table, and what computes it from measured times."""
 
-    Attributes:
-        content: computes the rows, from measured times.
-    """
-
-    number: str
-    title: str
-    printed: str
-    made: str
-    differs: str
-    claims: tuple[str, ...]
+    kind = "table"
     content: Callable[[Times], TableContent]
-
-    @property
-    def name(self) -> str:
-        """The name of its files."""
-        return f"table-{self.number}"
 
 
 @dataclass(frozen=True)
