@@ -163,10 +163,11 @@ def test_a_dropped_region_is_caught(monkeypatch):
     assert evaluate(registry()["model-faces-with-preload"]).verdict is None
 
 
-OF_METHODS = [claim.id for claim in methods.CLAIMS]
+#: Those on one grasp and wrench, which the paper compares methods on.
+OF_METHODS = [claim.id for claim in methods.CLAIMS if claim.id.startswith("method-")]
 
 
-@pytest.mark.parametrize("id", OF_METHODS)
+@pytest.mark.parametrize("id", [claim.id for claim in methods.CLAIMS])
 def test_each_verdict_is_the_expected_one(id):
     assert evaluate(registry()[id]).as_expected
 
