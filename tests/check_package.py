@@ -56,6 +56,8 @@ RUBBISH = re.compile(
     r"(^|/)(__pycache__|_build|_generated|build|dist|report|counterexamples|\.(?!gitignore|zenodo)"
     r"[^/]*)(/|$)|\.(pyc|sqlite|egg-info)$"
 )
+#: Programs of other packages, each in an environment of its own.
+UV_RUN = (sys.executable, "-m", "uv", "tool", "run")
 #: CPU seconds for --help: the median of this many runs, on a machine that may be busy.
 HELP_LIMIT, HELP_RUNS = 1.0, 3
 
@@ -115,7 +117,8 @@ def _contents(archive: Path, wheel: Path) -> list[str]:
 
 def _metadata(*archives: Path) -> list[str]:
     """An index takes the metadata, and renders the long description."""
-    done = run([sys.executable, "-m", "twine", "check", "--strict", *archives], ROOT)
+    twine = (*UV_RUN, "--with", "readme-renderer[md]", "twine", "check", "--strict")
+    done = run([*twine, *archives], ROOT)
     return [f"twine check: {done.stdout}{done.stderr}"] if done.returncode else []
 
 
@@ -134,10 +137,9 @@ def _release(archives: Sequence[Path], folder: Path) -> list[str]:
     tags = run(["git", "tag", "--points-at", "HEAD"], ROOT).stdout.split()
     changelog = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
     wrong += wrong_tags(tags, archives[-1].name.split("-")[1], changelog)
-    uv = (sys.executable, "-m", "uv", "tool", "run")
     for command in (
-        (*uv, "cffconvert", "--validate", "-i", "CITATION.cff"),
-        (*uv, "--from", "py-rattler-build", "python", "-c", RENDER, "conda/recipe.yaml"),
+        (*UV_RUN, "cffconvert", "--validate", "-i", "CITATION.cff"),
+        (*UV_RUN, "--from", "py-rattler-build", "python", "-c", RENDER, "conda/recipe.yaml"),
     ):
         done = run(command, ROOT)
         print(f"  {command[-1]}: {(done.stdout.splitlines() or ['-'])[-1]}", flush=True)
