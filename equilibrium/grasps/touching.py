@@ -75,7 +75,7 @@ def touching_polygons(
     values = {"preload": preload} | ({} if stiffness is None else {"stiffness": stiffness})
     contacts = []
     for one, other in combinations(shapes, 2):
-        if one.name is None:
+        if one.name is None or _are_apart(one, other):
             continue
         _refuse_overlap(one, other)
         for point, (start, end) in _touches(one, other):
@@ -93,6 +93,12 @@ def _shape(name: str | None, corners: Iterable[Iterable[Any]]) -> _NamedPolygon:
     except GraspError as error:
         raise GraspError(f"{name or 'the ground'}: {error}") from None
     return _NamedPolygon(name, found if turned > 0 else found[::-1])
+
+
+def _are_apart(one: _NamedPolygon, other: _NamedPolygon) -> bool:
+    """Return whether the boxes around two polygons have no point in common."""
+    pairs = zip(zip(*one.corners, strict=True), zip(*other.corners, strict=True), strict=True)
+    return any(max(a) < min(b) or max(b) < min(a) for a, b in pairs)
 
 
 def _touches(one: _NamedPolygon, other: _NamedPolygon) -> Iterator[tuple[RationalVector, _Edge]]:

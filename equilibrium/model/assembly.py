@@ -209,7 +209,13 @@ class Assembly(HintsMixin):
     contacts: tuple[BodyContact, ...]
     units: Units | None = field(default=None, compare=False)
 
-    _synonyms: ClassVar[Mapping[str, str]] = {"solve": "solve(assembly, wrenches)"}
+    _synonyms: ClassVar[Mapping[str, str]] = {
+        "along": "ResistedSet(assembly).along(wrenches)",
+        "compare": "compare(assembly, wrenches)",
+        "margin": "ResistedSet(assembly).margin(wrenches)",
+        "modes": "ContactModes.of_grasp(assembly)",
+        "solve": "solve(assembly, wrenches)",
+    }
 
     def __init__(
         self,
