@@ -112,9 +112,7 @@ class StateQuestion:
                 else (int(x * scale) for x in given)
             )
             a, *b = (dot(row, motion) for row in contact.wrenches)
-            is_below = state == "detached" or _is_below(
-                a - alpha * contact.unit, b, contact.friction, state, cone
-            )
+            is_below = _is_below(a - alpha * contact.unit, b, contact.friction, state, cone)
             if broken := broken_multipliers(state, alpha, h, is_below=is_below):
                 return f"{path}: contact {i + 1}, {_named(state)}: {broken}"
             factors: list[Any] = [-alpha * contact.per_alpha, *(x * contact.per_h for x in h)]
