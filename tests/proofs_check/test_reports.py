@@ -24,7 +24,7 @@ from proofs_check import Kind, evaluate, registry
 from proofs_check.cli.program import main
 from proofs_check.reports import forms as pages, report
 from proofs_check.reports.formula import mathml
-from proofs_check.reports.page import pictures, python_lines
+from proofs_check.reports.page import html_page, pictures, python_lines
 from proofs_check.reports.report import commit
 from proofs_check.reports.text import value_text
 
@@ -165,7 +165,7 @@ def test_a_report_made_later_from_the_file_is_the_same(tmp_path, record, ending)
 
 
 def test_the_page_asks_for_nothing_from_outside(record):
-    page = pages.html_page(record)
+    page = html_page(record)
     found = Tags(page)
     assert found.open == []
     names = [name for name, _ in found.tags]
@@ -194,7 +194,7 @@ def test_the_page_asks_for_nothing_from_outside(record):
     "text", ["<script>alert(1)</script>", '"><img src=x onerror=y>', "a|b\n\n# c", "&amp;", "]]>"]
 )
 def test_texts_of_a_record_stay_texts_in_the_page(text):
-    page = pages.html_page(hostile(text))
+    page = html_page(hostile(text))
     found = Tags(page)
     assert found.open == []
     assert [name for name, _ in found.tags].count("script") == 1
@@ -203,7 +203,7 @@ def test_texts_of_a_record_stay_texts_in_the_page(text):
 
 
 def test_the_bar_says_what_the_record_says(record):
-    page = pages.html_page(record)
+    page = html_page(record)
     found = re.findall(r'<span class="(\w+)" style="flex-grow:(\d+)"><b>(\d+)</b>', page)
     verdicts = [result["verdict"] for result in record["results"]]
     shown = {"hypothesis": "holds under a hypothesis", "refuted": "refuted"}
@@ -213,11 +213,11 @@ def test_the_bar_says_what_the_record_says(record):
     ]
     both = copy.deepcopy(record)
     both["results"][0]["verdict"] = None
-    assert "1 has no verdict" in pages.html_page(both)
+    assert "1 has no verdict" in html_page(both)
 
 
 def test_a_card_has_statement_formula_routes_picture_and_python(record):
-    page = pages.html_page(record)
+    page = html_page(record)
     for result in record["results"]:
         card = page.partition(f'id="{result["id"]}"')[2].partition("</article>")[0]
         assert mathml(result["formula"]) in card
@@ -248,7 +248,7 @@ def test_the_python_of_a_card_gives_its_verdict(record, tmp_path, monkeypatch):
 
 def test_without_matplotlib_the_page_says_what_is_missing(record, monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    page = pages.html_page(record)
+    page = html_page(record)
     assert "<svg" not in page
     assert page.count("pip install") == len(record["results"])
 
@@ -306,7 +306,7 @@ def test_what_is_no_formula_is_refused_and_stays_text(text):
         mathml(text)
     changed = hostile("x")
     changed["results"][0]["formula"] = text
-    assert f"<code>{html.escape(text)}</code>" in pages.html_page(changed)
+    assert f"<code>{html.escape(text)}</code>" in html_page(changed)
     assert f"${text}$" not in pages.markdown(changed)
 
 
@@ -327,7 +327,7 @@ def test_the_digest_of_a_report_is_that_of_what_was_found(record):
     assert report.digest(changed) == report.digest(record)
     changed["results"][0]["records"][0]["values"][0] = "another"
     assert report.digest(changed) != report.digest(record)
-    for make in (pages.markdown, pages.html_page):
+    for make in (pages.markdown, html_page):
         assert report.digest(record) in make(record)
 
 
@@ -344,7 +344,7 @@ def test_a_report_is_printed_from_its_page(ending, tmp_path, capsys, record):
 def test_an_unexpected_verdict_is_seen_in_every_form(tmp_path, record, capsys):
     changed = json.loads(json.dumps(record))
     changed["as_expected"] = changed["results"][0]["as_expected"] = False
-    for make in (pages.markdown, pages.html_page):
+    for make in (pages.markdown, html_page):
         assert "(expected: refuted)" in make(changed)
         assert "(expected: refuted)" not in make(record)
     path = tmp_path / "r.json"
