@@ -103,7 +103,7 @@ def solve_assembly(
         GraspError: a wrench on what is no body, or of a wrong length.
         OutOfReachError: that many steps have led to no answer for a part of one body.
 
-    >>> from equilibrium.model.contact import Contact
+    >>> from equilibrium import BodyContact, Contact
     >>> feet = [BodyContact("block", None, Contact([x, 0], [0, 1], "1/2")) for x in (-1, 1)]
     >>> solve_assembly(Assembly(["block"], feet), {"block": [0, -1, 0]}).verdict
     'resisted'
