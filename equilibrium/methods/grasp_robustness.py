@@ -89,7 +89,7 @@ def contact_robustness(grasp: Grasp) -> RobustnessBound | None:
 
     >>> from equilibrium.grasps.files import read_grasp
     >>> round(contact_robustness(read_grasp("paper-four-contacts-preload-1")).value, 4)
-    0.7303
+    0.8944
     """
     grasp.require_plane()
     return _bound(grasp, ("stick",) * len(grasp))
