@@ -27,6 +27,9 @@ Decide one wrench
 Set of resisted wrenches
     ResistedSet          along a direction, in a plane, as polyhedra; margins; arrays of wrenches
 
+Many grasps
+    check_grasps         decide arrays of grasps and wrenches in floats: CheckedGrasps
+
 Certificates
     verify               check a certificate without the solver: Report
     Certificate, read_certificate

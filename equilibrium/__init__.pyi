@@ -11,6 +11,7 @@ from .grasps.files import (
     verify as verify,
 )
 from .grasps.inputs.documents import read_assembly as read_assembly
+from .many_grasps.check import CheckedGrasps as CheckedGrasps, check_grasps as check_grasps
 from .methods.compare import compare as compare
 from .methods.grasp_wrench_space import GraspWrenchSpace as GraspWrenchSpace
 from .model.assembly import Assembly as Assembly, BodyContact as BodyContact, RigidBody as RigidBody

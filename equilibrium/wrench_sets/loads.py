@@ -63,35 +63,48 @@ def check_loads(whole: ResistedSet, wrenches: Any) -> CheckedLoads:
 
 def _loads(wrenches: Any) -> Floats:
     """Return loads as floats that have their values exactly."""
-    rows = wrenches if isinstance(wrenches, list | tuple) else [wrenches]
+    remedy = "ask `ResistedSet.solve_many`"
+    loads = exact_floats(wrenches, "wrenches", "(n, 3) numbers", remedy)
+    if loads.ndim != 2 or loads.shape[1] != 3 or not np.isfinite(loads).all():
+        raise GraspError(
+            f"wrenches is an array {loads.shape}; give (n, 3) finite numbers (f_x, f_y, tau)"
+        )
+    return loads
+
+
+def exact_floats(values: Any, name: str, form: str, remedy: str) -> Floats:
+    """Return an array as floats that have its values exactly; NaN and infinities stay.
+
+    Args:
+        form: what it should be; remedy: what takes other numbers.
+    """
+    rows = values if isinstance(values, list | tuple) else [values]
     if any(map(np.ma.is_masked, rows)):
-        raise GraspError("wrenches has masked entries; leave these loads out, or fill them")
+        raise GraspError(f"{name} has masked entries; leave these out, or fill them")
     try:
-        given = np.asarray(wrenches)
+        given = np.asarray(values)
     except ValueError:
-        raise GraspError("wrenches has rows of different lengths; give (n, 3) numbers") from None
+        raise GraspError(f"{name} has rows of different lengths; give {form}") from None
     if given.dtype.kind not in "iuf":
         raise GraspError(
-            f"wrenches is an array of {given.dtype}; give real numbers of numpy, or ask "
-            "`ResistedSet.solve_many` about exact ones"
+            f"{name} is an array of {given.dtype}; give real numbers of numpy, or {remedy} about "
+            "exact ones"
         )
-    if given.ndim != 2 or given.shape[1] != 3 or not np.isfinite(given).all():
-        raise GraspError(
-            f"wrenches is an array {given.shape}; give (n, 3) finite numbers (f_x, f_y, tau)"
-        )
-    with np.errstate(over="ignore"):
-        loads = given.astype(np.float64)
-        kept = np.isfinite(loads) & (loads.astype(given.dtype) == given)
+    with np.errstate(over="ignore", invalid="ignore"):
+        floats = given.astype(np.float64)
+        kept = floats.astype(given.dtype) == given
     # Integers as large may turn back into themselves by overflow.
-    if given.dtype.kind != "f":
-        kept &= np.abs(loads) <= EXACT
+    if given.dtype.kind == "f":
+        kept |= np.isnan(given)
+    else:
+        kept &= np.abs(floats) <= EXACT
     if not kept.all():
         first = given[~kept][0]
         raise GraspError(
-            f"wrenches has {shown(first.item())}, which floats round; give what they hold, or ask "
-            "`ResistedSet.solve_many`"
+            f"{name} has {shown(first.item())}, which floats round; give what they hold, or "
+            f"{remedy}"
         )
-    return loads
+    return floats
 
 
 class _Facets:

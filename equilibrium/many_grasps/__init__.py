@@ -1,0 +1,9 @@
+"""Many grasps at once: float arrays in, arrays of proved answers out.
+
+* `check`: the function `check_grasps` and its result.
+* `questions`: the arrays read, and the numbers of all questions with the bounds of their errors.
+* `equilibria`: equilibria found in floats, and proofs that one is near.
+* `refutations`: proofs in floats that there is none.
+"""
+
+from .check import CheckedGrasps as CheckedGrasps, check_grasps as check_grasps

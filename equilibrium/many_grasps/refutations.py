@@ -1,0 +1,217 @@
+"""Proofs in floats that many questions have no equilibrium: trees of virtual motions.
+
+As in `equilibrium.plane.search.motion_regions` the homogeneous motions ``(d_0, d)``, d_0 >= 0, are
+cut into simplicial cones, here of generators that are integers in floats: a cut at a sum of two
+generators is exact. A cone is closed by a virtual motion lambda: at each generator the work of the
+load and of all that the contacts may do, no matter what, is at least 0, and above 0 where d_0 > 0.
+The least work of a contact with spring force e is ``kappa e``, kappa = ``lambda . N - mu |lambda .
+T|`` (without the absolute value where all generators slip one way), ``min(kappa, 0) max(e, 0)``
+where the contact may detach, and 0 where it does everywhere. Each number is taken at the worst end
+of its error.
+
+Lambda is the nearest point to 0 of a tetrahedron of possible sums of wrenches, which changes until
+it works or has 0 inside [Gilbert, Johnson and Keerthi 1988].
+"""
+
+from __future__ import annotations
+
+from itertools import product
+
+import numpy as np
+
+from arrangement.numbers.float_filter import UNIT, Booleans, Floats
+
+from .questions import Questions, along
+
+#: Spring forces at once.
+_NUMBERS = 2**18
+_MAX_STEPS = 12
+#: Sums of integers up to this size are exact.
+_LARGEST = 2.0**50
+_ORTHANTS = np.array([np.diag([1.0, *signs]) for signs in product((1.0, -1.0), repeat=3)])
+#: Which of three old corners belong to a side with the new one: none, one, or two.
+_USED = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0], [1, 0, 1], [0, 1, 1]]) > 0
+
+
+@np.errstate(all="ignore")  # what is not finite proves nothing
+def have_no_equilibria(questions: Questions, max_nodes: int) -> tuple[Booleans, Floats]:
+    """Return for which questions it was proved that there is no equilibrium.
+
+    Args:
+        max_nodes: cones of one question.
+
+    Returns:
+        That, and for the others a motion (n, 3) in a cone that was left open.
+    """
+    n = len(questions)
+    inside = np.zeros((n, 3))
+    failed, nodes = np.zeros(n, dtype=bool), np.zeros(n, dtype=np.intp)
+    batch = max(1, _NUMBERS // (4 * questions.normal.shape[1]))
+    owners, cones = np.repeat(np.arange(n), 8), np.tile(_ORTHANTS, (n, 1, 1))
+    motions = np.where(np.any(questions.load, axis=1)[:, None], questions.load, 1.0)[owners]
+    while len(owners):
+        # The last ones first: few are waiting then.
+        waiting = owners[:-batch], cones[:-batch], motions[:-batch]
+        owners, cones, motions = owners[-batch:], cones[-batch:], motions[-batch:]
+        nodes += np.bincount(owners, minlength=n)
+        closed, motions = _Cones(questions.take(owners), cones).closed(motions)
+        owners, cones, motions = owners[~closed], cones[~closed], motions[~closed]
+        middles = (cones / np.linalg.norm(cones, axis=2, keepdims=True)).sum(axis=1)
+        inside[owners] = middles[:, 1:] / np.maximum(middles[:, :1], 1e-3)
+        halves = _halves(cones)
+        failed[
+            owners[(nodes[owners] > max_nodes) | (np.abs(halves).max(axis=(0, 2, 3)) > _LARGEST)]
+        ] = True
+        both = np.tile(owners, 2), halves.reshape(-1, 4, 4), np.tile(motions, (2, 1))
+        kept, more = ~failed[waiting[0]], ~failed[both[0]]
+        owners, cones, motions = (
+            np.concatenate([x[kept], y[more]]) for x, y in zip(waiting, both, strict=True)
+        )
+    return ~failed, inside
+
+
+def _halves(cones: Floats) -> Floats:
+    """Return both halves (2, n, 4, 4) of cones, cut across the widest angle of two generators."""
+    rows, sizes = np.arange(len(cones)), np.linalg.norm(cones, axis=2)
+    cosines = cones @ cones.transpose(0, 2, 1) / (sizes[:, :, None] * sizes[:, None, :])
+    cosines[:, np.arange(4), np.arange(4)] = 2.0
+    j, k = np.divmod(cosines.reshape(len(cones), 16).argmin(axis=1), 4)
+    # Powers of two bring both to about the same length.
+    powers = np.rint(np.log2(sizes[rows, k] / sizes[rows, j]))
+    left, right = np.exp2(np.maximum(powers, 0)), np.exp2(np.maximum(-powers, 0))
+    middle = left[:, None] * cones[rows, j] + right[:, None] * cones[rows, k]
+    halves = np.stack([cones, cones])
+    halves[0, rows, j] = halves[1, rows, k] = middle
+    return halves
+
+
+class _Cones:
+    """Cones of motions, each with its question, and what the contacts do at the generators.
+
+    Attributes:
+        low, high: (n, 4, m), bounds of spring forces.
+        on, off: (n, m), which contacts press, or are detached, everywhere.
+        slip: (n, m), 1 or -1 where contacts slip one way everywhere, else 0.
+        scale: (n, 4), about one over the size of the wrenches at a generator.
+    """
+
+    def __init__(self, q: Questions, cones: Floats) -> None:
+        self.q, self.start = q, cones[:, :, 0]
+        motions = cones[:, :, 1:].transpose(0, 2, 1)
+        spread, slips = q.spread @ np.abs(motions), q.tangent @ motions
+        sizes = 10 * UNIT * (np.abs(q.normal) @ np.abs(motions))
+        push = q.preload[:, :, None] * self.start[:, None, :]
+        force = push - q.stiffness[:, :, None] * (q.normal @ motions)
+        error = q.stiffness[:, :, None] * (spread + sizes) + 10 * UNIT * push
+        self.low = (force - error).transpose(0, 2, 1)
+        self.high = (force + error).transpose(0, 2, 1)
+        self.on: Booleans = np.all(self.low >= 0, axis=1)
+        self.off: Booleans = np.all(self.high <= 0, axis=1)
+        unsure = spread + 10 * UNIT * (np.abs(q.tangent) @ np.abs(motions))
+        self.slip = (slips > unsure).all(axis=2) * 1.0 - (slips < -unsure).all(axis=2)
+        self.pressed, self.loose = np.maximum(self.high, 0.0), ~(self.on | self.off)
+        self.doubt = q.spread + 10 * UNIT * (
+            np.abs(q.normal) + q.friction[..., None] * np.abs(q.tangent)
+        )
+        self.scale = 1 / (
+            self.start * np.abs(q.load).max(axis=1)[:, None] + self.pressed.sum(axis=2) + 1e-300
+        )
+
+    def take(self, rows: Booleans) -> _Cones:
+        part = object.__new__(_Cones)
+        for name, value in vars(self).items():
+            setattr(part, name, value.take(rows) if name == "q" else value[rows])
+        return part
+
+    def closed(self, motion: Floats) -> tuple[Booleans, Floats]:
+        """Return for which cones a virtual motion was found, and the last ones that were tried.
+
+        Args:
+            motion: (n, 3), the first to try.
+        """
+        n = len(motion)
+        found, last, rows, cones = np.zeros(n, dtype=bool), motion.copy(), np.arange(n), self
+        corners = np.full((n, 3, 3), np.nan)
+        for _ in range(_MAX_STEPS):
+            motion = motion / np.abs(motion).max(axis=1, keepdims=True)
+            motion[~(np.abs(motion) > 2.0**-60)] = 0.0
+            last[rows] = motion
+            works, least = cones.works(motion)
+            found[rows[works]] = True
+            motion, kept = _nearest_point(corners, least)
+            reached = np.einsum("nki,ni->nk", kept, motion)
+            going = ~works & ~(reached <= 1e-14).any(axis=1) & np.isfinite(motion).all(axis=1)
+            rows, corners, motion = rows[going], kept[going], motion[going]
+            if not len(rows):
+                break
+            cones = cones.take(going)
+        return found, last
+
+    def works(self, motion: Floats) -> tuple[Booleans, Floats]:
+        """Return which virtual motions close, and a sum of wrenches with the least work."""
+        q = self.q
+        normal, slip = along(q.normal, motion), along(q.tangent, motion)
+        side = np.where(self.slip != 0, self.slip, np.sign(slip))
+        kappa = normal - q.friction * side * slip
+        size = np.abs(motion)
+        error = (1 + q.friction) * along(self.doubt, size)
+        works = self._bounds(kappa - error, motion)
+        weights = self.pressed * (self.on | self.loose & (kappa < 0))[:, None]
+        # At infinity something must press: the load does not count there.
+        idle = (self.start == 0) & ~weights.any(axis=2)
+        if idle.any():
+            i, j = np.nonzero(idle)
+            values = np.where(self.pressed[i, j] > 0, kappa[i] * self.pressed[i, j], np.inf)
+            k = values.argmin(axis=1)
+            weights[i, j, k] = self.pressed[i, j, k]
+            idle[i, j] = self.pressed[i, j, k] == 0
+        edges = q.normal - (q.friction * side)[..., None] * q.tangent
+        sums = (weights @ edges + self.start[..., None] * q.load[:, None]) * self.scale[..., None]
+        work = np.einsum("nji,ni->nj", sums, motion)
+        j = np.where(idle, np.inf, work).argmin(axis=1)
+        return works, sums[np.arange(len(sums)), j]
+
+    def _bounds(self, low: Floats, motion: Floats) -> Booleans:
+        """Return where the least work at each generator is surely as it has to be."""
+        q, kappa = self.q, low[:, None]
+        pressing = np.minimum(kappa * self.low, kappa * self.high)
+        terms = np.where(self.on[:, None], pressing, np.minimum(kappa, 0.0) * self.pressed)
+        load = along(q.load[:, None], motion)
+        size = along(np.abs(q.load)[:, None], np.abs(motion))
+        total = terms.sum(axis=2) + self.start * load
+        rounding = (terms.shape[2] + 10) * UNIT
+        total -= rounding * (np.abs(terms).sum(axis=2) + self.start * size)
+        holds: Booleans = np.all(np.where(self.start > 0, total > 0, total >= 0), axis=1)
+        return holds
+
+
+def _nearest_point(corners: Floats, new: Floats) -> tuple[Floats, Floats]:
+    """Return the point nearest to 0 of the sides of tetrahedra at a new corner.
+
+    Args:
+        corners: (n, 3, 3), the old ones, NaN where there are fewer.
+
+    Returns:
+        The point, and the corners of its side, NaN for the others.
+    """
+    edges = corners - new[:, None]
+    gram = edges @ edges.transpose(0, 2, 1)
+    aims = -np.einsum("nki,ni->nk", edges, new)
+    shares = np.zeros((len(new), 7, 3))
+    for i in range(3):
+        shares[:, 1 + i, i] = aims[:, i] / gram[:, i, i]
+    for k, (i, j) in enumerate(((0, 1), (0, 2), (1, 2)), 4):
+        a, b, c = gram[:, i, i], gram[:, i, j], gram[:, j, j]
+        determinant = a * c - b * b
+        shares[:, k, i] = (aims[:, i] * c - aims[:, j] * b) / determinant
+        shares[:, k, j] = (aims[:, j] * a - aims[:, i] * b) / determinant
+    inside = ((shares > 0) | ~_USED).all(axis=2) & (shares.sum(axis=2) < 1)
+    gains = np.where(inside, (shares * np.nan_to_num(aims)[:, None]).sum(axis=2), -np.inf)
+    best = gains.argmax(axis=1)
+    share = shares[np.arange(len(new)), best]
+    point = new + np.einsum("nk,nki->ni", share, np.nan_to_num(edges))
+    kept = np.where((share > 0)[..., None], corners, np.nan)
+    # There is room for the new one: a side has three corners.
+    free = np.isnan(kept[..., 0]).argmax(axis=1)
+    kept[np.arange(len(new)), free] = new
+    return point, kept

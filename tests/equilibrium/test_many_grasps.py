@@ -1,0 +1,192 @@
+"""Many grasps in float arrays: the same answers as one by one, and none from floats alone."""
+
+import numpy as np
+import pytest
+
+from arrangement.errors import InputError
+from arrangement.numbers.exact import from_floats
+from equilibrium import Grasp, check_grasps, solve
+from equilibrium.grasps.inputs.random import random_grasp, random_wrench
+from equilibrium.many_grasps import check as module
+from equilibrium.model.errors import GraspError
+
+from . import degenerate
+
+ONE = {
+    "points": np.array([[[-1.0, 0], [1, 0]]]),
+    "normals": np.array([[[1.0, 0], [-1, 0]]]),
+    "friction": 0.5,
+    "wrenches": np.zeros((1, 1, 3)),
+}
+
+
+def arrays(grasps):
+    """Points, normals and values of grasps as arrays, filled up with NaN."""
+    most, size = max(map(len, grasps)), max(g.dimension for g in grasps)
+    points, normals = np.full((2, len(grasps), most, size), np.nan)
+    values = np.full((3, len(grasps), most), np.nan)
+    for i, grasp in enumerate(grasps):
+        for j, c in enumerate(grasp):
+            points[i, j], normals[i, j] = (list(map(float, x)) for x in (c.point, c.normal))
+            values[:, i, j] = float(c.friction), float(c.stiffness), float(c.preload)
+    return points, normals, *values
+
+
+def checked(grasps, wrenches, **options):
+    points, normals, friction, stiffness, preload = arrays(grasps)
+    loads = np.array([[list(map(float, w)) for w in row] for row in wrenches])
+    values = {"stiffness": stiffness, "preload": preload}
+    return check_grasps(points, normals, friction, loads, **values, **options), loads
+
+
+def agree(questions):
+    """Every answer is that of `solve`, one by one, also where floats have decided."""
+    found, loads = checked([grasp for grasp, _ in questions], [[w] for _, w in questions])
+    for i in range(len(questions)):
+        expected = solve(found.grasp(i), from_floats(loads[i, 0])).stable
+        assert found.resisted[i, 0] == expected, (i, found.screened[i, 0])
+    assert (found.screened ^ found.exact).all()
+    return found
+
+
+def mixed(seed):
+    """A random or a degenerate question; of these many loads are at the limit."""
+    if seed % 3 == 0:
+        return random_grasp(3 + seed // 3 % 6, seed), random_wrench(seed)
+    question = degenerate.question(seed)
+    return question.grasp, question.wrench
+
+
+def test_grasps_answered_as_one_by_one():
+    agree([mixed(seed) for seed in range(60)])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("part", range(20))
+def test_many_grasps_answered_as_one_by_one(part):
+    agree([mixed(seed) for seed in range(100 * part + 1000, 100 * part + 1100)])
+
+
+def test_random_grasps_mostly_screened(monkeypatch):
+    monkeypatch.setattr(module, "_exactly", lambda plan, number: (number, []))
+    grasps = [random_grasp(3 + seed % 6, seed) for seed in range(200)]
+    found, _ = checked(grasps, [[random_wrench(seed)] for seed in range(200)])
+    assert np.count_nonzero(found.screened) >= 196
+    assert 40 < np.count_nonzero(found.resisted) < 190
+
+
+def test_loads_at_the_limit_decided_exactly():
+    # The limit of the friction is 1: floats next to it are too near for floats.
+    loads = [[0, np.nextafter(1, k), 0] for k in (0, 2)] + [[0, 1, 0], [0, 0.999, 0], [0, 1.001, 0]]
+    found = check_grasps(**{**ONE, "wrenches": loads}, preload=1)
+    assert found.resisted.tolist() == [[True, False, True, True, False]]
+    assert found.exact.tolist() == [[True, True, True, False, False]]
+    assert repr(found) == (
+        "<CheckedGrasps: 1 grasp, 5 loads each: 3 resisted, 2 screened, 3 exact, 0 undecided>"
+    )
+
+
+@pytest.mark.parametrize("scale", [2.0**-70, 1e-9, 3.0, 1e12])
+def test_units_do_not_matter(scale):
+    points, normals, friction, stiffness, preload = arrays([random_grasp(4, s) for s in range(30)])
+    loads = np.array([[list(map(float, random_wrench(s)))] for s in range(30)])
+    first = check_grasps(points, normals, friction, loads, preload=preload, stiffness=stiffness)
+    other = check_grasps(
+        points * scale,
+        normals / scale,
+        friction,
+        loads * scale * [1, 1, scale],
+        preload=preload * scale,
+        stiffness=stiffness / scale,
+    )
+    assert (first.resisted == other.resisted).all()
+    assert np.count_nonzero(other.screened) >= 28
+
+
+@pytest.mark.parametrize("tiny", [5e-324, 1e-250, 1e250])
+def test_extreme_numbers_decided_exactly(tiny):
+    found = check_grasps(**{**ONE, "wrenches": [[0, tiny, 0]]}, preload=[1, 1])
+    assert found.exact.all()
+    assert found.resisted.all() == (tiny < 1)
+
+
+def test_normals_read_as_given_directions():
+    points = np.array([[[0.1, 0.2], [0.5, -0.7]]])
+    found = check_grasps(points, [[[1.0, 2.0], [-3, 4]]], 0.3, [[0.0, 0, 0]])
+    first, second = found.grasp(0)
+    assert list(map(float, first.point)) == [0.1, 0.2]
+    assert sum(x * x for x in first.normal) == 1
+    assert abs(first.normal[1] - 2 * first.normal[0]) < 3e-12
+    assert list(map(str, second.normal)) == ["-3/5", "4/5"]
+
+
+def test_missing_contacts_do_not_count():
+    grasp = random_grasp(3, 1)
+    points, normals, friction, stiffness, preload = arrays([grasp, random_grasp(8, 1)])
+    loads = [[float(x) for x in random_wrench(k)] for k in range(9)]
+    both = check_grasps(points, normals, friction, loads, preload=preload, stiffness=stiffness)
+    alone, _ = checked([grasp], [loads])
+    assert (both.resisted[0] == alone.resisted[0]).all()
+    nothing = check_grasps(points[:1] * np.nan, normals[:1], 1, [[0.0, 0, 0], [0, 1, 0]])
+    assert nothing.resisted.tolist() == [[True, False]]
+
+
+def test_empty_arrays_taken():
+    for shape in ((0, 3, 2), (0, 0, 3), (2, 0, 2)):
+        size = 3 * (shape[2] - 1)
+        found = check_grasps(np.zeros(shape), np.zeros(shape), 1, np.ones((2, size)))
+        assert found.resisted.tolist() == [[False, False]] * shape[0]
+
+
+def test_grasps_in_space_decided_exactly():
+    grasp = random_grasp(3, 5, dimension=3)
+    loads = [[0.0] * 6, [0, 0, 100.0, 0, 0, 0]]
+    found, _ = checked([grasp], [loads])
+    assert not found.screened.any()
+    verdicts = [solve(found.grasp(0), from_floats(np.array(load))) for load in loads]
+    assert found.resisted[0].tolist() == [bool(v.stable) for v in verdicts]
+    assert found.undecided[0].tolist() == [not v.decided for v in verdicts]
+
+
+def test_processes_give_the_same_answers():
+    questions = [mixed(seed) for seed in range(12)]
+    grasps, loads = [g for g, _ in questions], [[w] for _, w in questions]
+    one, two = (checked(grasps, loads, jobs=jobs)[0] for jobs in (1, 2))
+    assert (one.resisted == two.resisted).all()
+    assert (one.exact == two.exact).all()
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"points": [[-1.0, 0]]}, r"points is an array \(1, 2\); expected"),
+        ({"points": [[["a", "b"]]]}, "points is an array of <U1"),
+        ({"points": [[[np.nan, 0.0], [1, 0]]]}, r"points\[0, 0, 0\] is nan"),
+        ({"points": np.ma.masked_less(ONE["points"], 0)}, "points has masked entries"),
+        ({"normals": ONE["normals"][:, :1]}, r"normals is an array \(1, 1, 2\); expected"),
+        ({"normals": ONE["normals"] * 0}, r"normals\[0, 0\] is \[0.0, 0.0\]; expected a direction"),
+        ({"normals": ONE["points"] + np.inf}, r"normals\[0, 0, 0\] is inf"),
+        ({"friction": -1}, r"friction\[0, 0\] is -1.0; expected a finite number at least 0"),
+        ({"friction": [1, 2, 3]}, r"friction is an array \(3,\); expected"),
+        ({"stiffness": np.nan}, r"stiffness\[0, 0\] is nan"),
+        ({"preload": [[1, np.inf]]}, r"preload\[0, 1\] is inf"),
+        ({"wrenches": [0.0, 0, 0]}, r"wrenches is an array \(3,\); expected \(1, w, 3\)"),
+        ({"wrenches": np.zeros((2, 1, 3))}, r"wrenches is an array \(2, 1, 3\)"),
+        ({"wrenches": [[0, np.nan, 0]]}, r"wrenches\[0, 0, 1\] is nan"),
+        ({"wrenches": [[0, 2**53 + 1, 0]]}, "wrenches has 9007199254740993, which floats round"),
+        ({"jobs": 0}, "jobs is 0"),
+    ],
+)
+def test_bad_arrays_refused(change, words):
+    with pytest.raises((GraspError, InputError), match=words):
+        check_grasps(**{**ONE, **change})
+
+
+def test_spatial_springs_must_be_stiff():
+    points = np.array([[[0.0, 0, 1]]])
+    with pytest.raises(GraspError, match=r"stiffness\[0, 0\] is 0.0; expected .* above 0 in space"):
+        check_grasps(points, -points, 1, np.zeros((1, 6)), stiffness=0)
+
+
+def test_grasp_of_result_is_exact():
+    assert isinstance(check_grasps(**ONE).grasp(-1), Grasp)
