@@ -2,6 +2,7 @@ from . import pictures as pictures
 from .certificate.checker import Report as Report
 from .certificate.document import Certificate as Certificate
 from .decide.assemblies.verdict import AssemblyVerdict as AssemblyVerdict
+from .decide.many_grasps.check import CheckedGrasps as CheckedGrasps, check_grasps as check_grasps
 from .decide.solver import solve as solve, solve_many as solve_many
 from .decide.verdict import Verdict as Verdict
 from .grasps import inputs as inputs
@@ -11,7 +12,6 @@ from .grasps.files import (
     verify as verify,
 )
 from .grasps.inputs.documents import read_assembly as read_assembly
-from .many_grasps.check import CheckedGrasps as CheckedGrasps, check_grasps as check_grasps
 from .methods.compare import compare as compare
 from .methods.grasp_wrench_space import GraspWrenchSpace as GraspWrenchSpace
 from .model.assembly import Assembly as Assembly, BodyContact as BodyContact, RigidBody as RigidBody

@@ -328,6 +328,13 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "equilibrium.plane.search.motion_regions",
         "equilibrium.plane.search.units",
     ),
+    ("tests/equilibrium/test_many_grasps.py",): (
+        "equilibrium.decide.many_grasps.arrays",
+        "equilibrium.decide.many_grasps.check",
+        "equilibrium.decide.many_grasps.equilibria",
+        "equilibrium.decide.many_grasps.questions",
+        "equilibrium.decide.many_grasps.refutations",
+    ),
     ("tests/equilibrium/test_contact_states.py",): (
         "equilibrium.plane.states.contact_states",
         "equilibrium.plane.states.interval_filter",

@@ -15,8 +15,9 @@ import numpy as np
 
 from arrangement.console.number_form import ReprMixin, counted
 from arrangement.console.progress import watched
-from arrangement.numbers.exact import IntegerVector, from_floats, shown
-from arrangement.numbers.float_filter import EXACT, SMALLEST, Booleans, Floats, error_bound, scaled
+from arrangement.numbers.exact import IntegerVector, from_floats
+from arrangement.numbers.float_filter import SMALLEST, Booleans, Floats, error_bound, scaled
+from equilibrium.decide.many_grasps.arrays import exact_floats
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 
@@ -70,41 +71,6 @@ def _loads(wrenches: Any) -> Floats:
             f"wrenches is an array {loads.shape}; give (n, 3) finite numbers (f_x, f_y, tau)"
         )
     return loads
-
-
-def exact_floats(values: Any, name: str, form: str, remedy: str) -> Floats:
-    """Return an array as floats that have its values exactly; NaN and infinities stay.
-
-    Args:
-        form: what it should be; remedy: what takes other numbers.
-    """
-    rows = values if isinstance(values, list | tuple) else [values]
-    if any(map(np.ma.is_masked, rows)):
-        raise GraspError(f"{name} has masked entries; leave these out, or fill them")
-    try:
-        given = np.asarray(values)
-    except ValueError:
-        raise GraspError(f"{name} has rows of different lengths; give {form}") from None
-    if given.dtype.kind not in "iuf":
-        raise GraspError(
-            f"{name} is an array of {given.dtype}; give real numbers of numpy, or {remedy} about "
-            "exact ones"
-        )
-    with np.errstate(over="ignore", invalid="ignore"):
-        floats = given.astype(np.float64)
-        kept = floats.astype(given.dtype) == given
-    # Integers as large may turn back into themselves by overflow.
-    if given.dtype.kind == "f":
-        kept |= np.isnan(given)
-    else:
-        kept &= np.abs(floats) <= EXACT
-    if not kept.all():
-        first = given[~kept][0]
-        raise GraspError(
-            f"{name} has {shown(first.item())}, which floats round; give what they hold, or "
-            f"{remedy}"
-        )
-    return floats
 
 
 class _Facets:

@@ -5,9 +5,9 @@ import pytest
 
 from arrangement.errors import InputError
 from arrangement.numbers.exact import from_floats
-from equilibrium import Grasp, check_grasps, solve
+from equilibrium import Grasp, ResistedSet, check_grasps, solve
+from equilibrium.decide.many_grasps import check as module
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
-from equilibrium.many_grasps import check as module
 from equilibrium.model.errors import GraspError
 
 from . import degenerate
@@ -84,6 +84,20 @@ def test_loads_at_the_limit_decided_exactly():
     assert repr(found) == (
         "<CheckedGrasps: 1 grasp, 5 loads each: 3 resisted, 2 screened, 3 exact, 0 undecided>"
     )
+
+
+@pytest.mark.parametrize(("contacts", "seed"), [(3, 9), (3, 17), (4, 27)])
+def test_loads_near_a_limit_never_screened_wrongly(contacts, seed):
+    grasps = [random_grasp(contacts, seed)]
+    direction = np.array(list(map(float, random_wrench(seed))))
+    exact = ResistedSet(checked(grasps, [[direction]])[0].grasp(0))
+    (_, end), *_ = exact.along(from_floats(direction)).intervals
+    times = [float(end) * (1 + side * 2.0**-k) for k in range(1, 53, 3) for side in (1, -1)]
+    found, loads = checked(grasps, [np.outer(times, direction)])
+    assert found.resisted[0].tolist() == exact.check(loads[0]).resisted.tolist()
+    assert found.screened[0, :2].all()
+    assert found.resisted[0, :2].tolist() == [False, True]
+    assert found.exact[0, -2:].all()
 
 
 @pytest.mark.parametrize("scale", [2.0**-70, 1e-9, 3.0, 1e12])

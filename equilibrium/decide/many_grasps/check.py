@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 
@@ -13,14 +13,12 @@ from arrangement.console.workers import done, due
 from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import from_floats
-from arrangement.numbers.float_filter import Booleans, Floats
+from arrangement.numbers.float_filter import Booleans
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs.floats import from_float_data
-from equilibrium.model.contact import WRENCH_SIZES
-from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.wrench_sets.loads import exact_floats
 
+from .arrays import Arrays, read_arrays
 from .equilibria import have_equilibria
 from .questions import ANGLES, questions
 from .refutations import have_no_equilibria
@@ -29,8 +27,6 @@ from .refutations import have_no_equilibria
 _NUMBERS = 2**18
 #: Cones of motions of a question that is not resisted, first few: an open one may have a solution.
 _NODES = 200, 1500
-#: Points, normals, friction, stiffness, preload, wrenches; see `check_grasps`.
-_Arrays: TypeAlias = tuple[Floats, Floats, Floats, Floats, Floats, Floats]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -50,7 +46,7 @@ class CheckedGrasps(ReprMixin):
     screened: Booleans
     exact: Booleans
     undecided: Booleans
-    _arrays: _Arrays = field(repr=False)
+    _arrays: Arrays = field(repr=False)
 
     def __repr__(self) -> str:
         names = "resisted", "screened", "exact", "undecided"
@@ -107,7 +103,7 @@ def check_grasps(
     >>> check_grasps(points, -points, 0.5, loads, preload=1).resisted.tolist()
     [[True, False], [True, True]]
     """
-    arrays = _read(points, normals, friction, stiffness, preload, wrenches)
+    arrays = read_arrays(points, normals, friction, stiffness, preload, wrenches)
     shape = arrays[-1].shape[:2]
     resisted, decided = (np.zeros(shape, dtype=bool).reshape(-1) for _ in range(2))
     due(len(resisted), (1, 1), jobs)
@@ -128,7 +124,7 @@ def check_grasps(
     return CheckedGrasps(held, screened, exact, undecided, arrays)
 
 
-def _screened(arrays: _Arrays, numbers: Any) -> tuple[Booleans, Booleans]:
+def _screened(arrays: Arrays, numbers: Any) -> tuple[Booleans, Booleans]:
     """Return which questions are resisted, as far as floats prove it, and which are decided."""
     points, normals, *values, wrenches = arrays
     grasp, load = np.divmod(numbers, wrenches.shape[1])
@@ -149,7 +145,7 @@ def _screened(arrays: _Arrays, numbers: Any) -> tuple[Booleans, Booleans]:
 
 
 def _exactly(
-    plan: tuple[_Arrays, Booleans, float], number: int
+    plan: tuple[Arrays, Booleans, float], number: int
 ) -> tuple[int, list[tuple[int, bool | None]]]:
     """Return the number of a grasp, and its open loads with their answers; None: undecided."""
     arrays, screened, times = plan
@@ -171,7 +167,7 @@ def _exactly(
     return number, answers
 
 
-def _grasp(arrays: _Arrays, number: int) -> Grasp:
+def _grasp(arrays: Arrays, number: int) -> Grasp:
     rows = ~np.isnan(arrays[0][number, :, 0])
     points, normals, friction, stiffness, preload = (x[number, rows].tolist() for x in arrays[:5])
     angle = ANGLES[arrays[0].shape[2]]
@@ -185,63 +181,3 @@ def _grasp(arrays: _Arrays, number: int) -> Grasp:
         angle_tolerance=angle,
         as_given=True,
     ).grasp
-
-
-def _read(
-    points: Any, normals: Any, friction: Any, stiffness: Any, preload: Any, wrenches: Any
-) -> _Arrays:
-    """Return the arrays in full, all of floats; missing contacts have NaN in all."""
-    remedy = "ask `equilibrium.solve`"
-    places = exact_floats(points, "points", "(G, m, 2) or (G, m, 3) numbers", remedy)
-    if places.ndim != 3 or places.shape[2] not in WRENCH_SIZES:
-        raise GraspError(f"points is an array {places.shape}; expected (G, m, 2) or (G, m, 3)")
-    ways = exact_floats(normals, "normals", f"numbers like points, {places.shape}", remedy)
-    if ways.shape != places.shape:
-        raise GraspError(f"normals is an array {ways.shape}; expected {places.shape}, as points is")
-    count, size = len(places), WRENCH_SIZES[places.shape[2]]
-    loads = exact_floats(wrenches, "wrenches", f"({count}, w, {size}) numbers", remedy)
-    if loads.shape[-1:] != (size,) or loads.ndim == 1 or loads.shape[:-2] not in ((), (count,)):
-        raise GraspError(
-            f"wrenches is an array {loads.shape}; expected ({count}, w, {size}), or (w, {size}) "
-            "for the same loads on all grasps"
-        )
-    loads = np.broadcast_to(loads, (count, *loads.shape[-2:]))
-    missing: Booleans = np.all(np.isnan(places), axis=2)
-    columns = [
-        _column(value, name, missing, least)
-        for name, value, least in (
-            ("friction", friction, "at least 0"),
-            ("stiffness", stiffness, "at least 0" if size == 3 else "above 0 in space"),
-            ("preload", preload, "at least 0"),
-        )
-    ]
-    absent = missing[..., None]
-    _all(
-        absent | np.isfinite(places), "points", places, "a finite number, or NaN in all of a point"
-    )
-    _all(absent | np.isfinite(ways), "normals", ways, "a finite number")
-    _all(missing | np.any(ways != 0, axis=2), "normals", ways, "a direction other than 0")
-    _all(np.isfinite(loads), "wrenches", loads, "a finite number")
-    return places, ways, columns[0], columns[1], columns[2], loads
-
-
-def _column(value: Any, name: str, missing: Booleans, least: str) -> Floats:
-    floats = exact_floats(value, name, "one number, or (G, m)", "ask `equilibrium.solve`")
-    try:
-        column = np.where(missing, np.nan, np.broadcast_to(floats, missing.shape))
-    except ValueError:
-        raise GraspError(
-            f"{name} is an array {floats.shape}; expected a number, or what NumPy broadcasts to "
-            f"{missing.shape}: one for each contact"
-        ) from None
-    enough = column > 0 if least.startswith("above") else column >= 0
-    _all(missing | (enough & np.isfinite(column)), name, column, f"a finite number {least}")
-    return column
-
-
-def _all(valid: Booleans, name: str, array: Floats, rule: str) -> None:
-    """Raise the error of the first entry that is not valid."""
-    if not valid.all():
-        at = tuple(np.argwhere(~valid)[0].tolist())
-        value = array[at].tolist()
-        raise GraspError(f"{name}[{', '.join(map(str, at))}] is {value}; expected {rule}")

@@ -10,7 +10,7 @@ where the contact may detach, and 0 where it does everywhere. Each number is tak
 of its error.
 
 Lambda is the nearest point to 0 of a tetrahedron of possible sums of wrenches, which changes until
-it works or has 0 inside [Gilbert, Johnson and Keerthi 1988].
+it works or has 0 inside, as in the algorithm of Gilbert, Johnson and Keerthi.
 """
 
 from __future__ import annotations

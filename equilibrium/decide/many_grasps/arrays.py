@@ -1,0 +1,110 @@
+"""The float arrays of many grasps and loads, strictly read."""
+
+from __future__ import annotations
+
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from arrangement.numbers.exact import shown
+from arrangement.numbers.float_filter import EXACT, Booleans, Floats
+from equilibrium.model.contact import WRENCH_SIZES
+from equilibrium.model.errors import GraspError
+
+#: Points, normals, friction, stiffness, preload, wrenches; see `check_grasps`.
+Arrays: TypeAlias = tuple[Floats, Floats, Floats, Floats, Floats, Floats]
+
+
+def exact_floats(values: Any, name: str, form: str, remedy: str) -> Floats:
+    """Return an array as floats that have its values exactly; NaN and infinities stay.
+
+    Args:
+        form: what it should be; remedy: what takes other numbers.
+    """
+    rows = values if isinstance(values, list | tuple) else [values]
+    if any(map(np.ma.is_masked, rows)):
+        raise GraspError(f"{name} has masked entries; leave these out, or fill them")
+    try:
+        given = np.asarray(values)
+    except ValueError:
+        raise GraspError(f"{name} has rows of different lengths; give {form}") from None
+    if given.dtype.kind not in "iuf":
+        raise GraspError(
+            f"{name} is an array of {given.dtype}; give real numbers of numpy, or {remedy} about "
+            "exact ones"
+        )
+    with np.errstate(over="ignore", invalid="ignore"):
+        floats = given.astype(np.float64)
+        kept = floats.astype(given.dtype) == given
+    # Integers as large may turn back into themselves by overflow.
+    if given.dtype.kind == "f":
+        kept |= np.isnan(given)
+    else:
+        kept &= np.abs(floats) <= EXACT
+    if not kept.all():
+        first = given[~kept][0]
+        raise GraspError(
+            f"{name} has {shown(first.item())}, which floats round; give what they hold, or "
+            f"{remedy}"
+        )
+    return floats
+
+
+def read_arrays(
+    points: Any, normals: Any, friction: Any, stiffness: Any, preload: Any, wrenches: Any
+) -> Arrays:
+    """Return the arrays in full, all of floats; missing contacts have NaN in all."""
+    remedy = "ask `equilibrium.solve`"
+    places = exact_floats(points, "points", "(G, m, 2) or (G, m, 3) numbers", remedy)
+    if places.ndim != 3 or places.shape[2] not in WRENCH_SIZES:
+        raise GraspError(f"points is an array {places.shape}; expected (G, m, 2) or (G, m, 3)")
+    ways = exact_floats(normals, "normals", f"numbers like points, {places.shape}", remedy)
+    if ways.shape != places.shape:
+        raise GraspError(f"normals is an array {ways.shape}; expected {places.shape}, as points is")
+    count, size = len(places), WRENCH_SIZES[places.shape[2]]
+    loads = exact_floats(wrenches, "wrenches", f"({count}, w, {size}) numbers", remedy)
+    if loads.shape[-1:] != (size,) or loads.ndim == 1 or loads.shape[:-2] not in ((), (count,)):
+        raise GraspError(
+            f"wrenches is an array {loads.shape}; expected ({count}, w, {size}), or (w, {size}) "
+            "for the same loads on all grasps"
+        )
+    loads = np.broadcast_to(loads, (count, *loads.shape[-2:]))
+    missing: Booleans = np.all(np.isnan(places), axis=2)
+    columns = [
+        _column(value, name, missing, least)
+        for name, value, least in (
+            ("friction", friction, "at least 0"),
+            ("stiffness", stiffness, "at least 0" if size == 3 else "above 0 in space"),
+            ("preload", preload, "at least 0"),
+        )
+    ]
+    absent = missing[..., None]
+    _all(
+        absent | np.isfinite(places), "points", places, "a finite number, or NaN in all of a point"
+    )
+    _all(absent | np.isfinite(ways), "normals", ways, "a finite number")
+    _all(missing | np.any(ways != 0, axis=2), "normals", ways, "a direction other than 0")
+    _all(np.isfinite(loads), "wrenches", loads, "a finite number")
+    return places, ways, columns[0], columns[1], columns[2], loads
+
+
+def _column(value: Any, name: str, missing: Booleans, least: str) -> Floats:
+    floats = exact_floats(value, name, "one number, or (G, m)", "ask `equilibrium.solve`")
+    try:
+        column = np.where(missing, np.nan, np.broadcast_to(floats, missing.shape))
+    except ValueError:
+        raise GraspError(
+            f"{name} is an array {floats.shape}; expected a number, or what NumPy broadcasts to "
+            f"{missing.shape}: one for each contact"
+        ) from None
+    enough = column > 0 if least.startswith("above") else column >= 0
+    _all(missing | (enough & np.isfinite(column)), name, column, f"a finite number {least}")
+    return column
+
+
+def _all(valid: Booleans, name: str, array: Floats, rule: str) -> None:
+    """Raise the error of the first entry that is not valid."""
+    if not valid.all():
+        at = tuple(np.argwhere(~valid)[0].tolist())
+        value = array[at].tolist()
+        raise GraspError(f"{name}[{', '.join(map(str, at))}] is {value}; expected {rule}")
