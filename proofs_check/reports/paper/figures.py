@@ -126,7 +126,7 @@ FIGURES = (
         "A hand touches an object left, below and right. On the left the object is pushed up, on "
         "the right down; arrows sketch the contact forces that would answer.",
         "Contacts at (-1, 0), (0, -1), (1, 0), friction 1/2: the numbers that Table I implies. "
-        "Forces are exact equilibria, all to one scale, with contact states and motion.",
+        "Forces are exact equilibria, each panel to its own scale bar, with states and motion.",
         "The printed arrows are sketches; the figure prints no numbers.",
         ("table-three-contacts", "downward-forces", "vertical-limits"),
         two_pushes,
