@@ -95,7 +95,7 @@ def check_grasps(
         GraspError: arrays of wrong shapes, of other than real numbers, or with numbers out of
             range.
 
-    Complexity: about a millisecond for a screened question on eight contacts.
+    Complexity: about two milliseconds for a screened question on three to eight contacts.
 
     >>> import numpy as np
     >>> points = np.array([[[-1, 0], [1, 0], [np.nan, np.nan]], [[-1, 0], [1, 0], [0, -1]]])
@@ -111,8 +111,11 @@ def check_grasps(
     if dimension == 2 and most:
         size = max(1, _NUMBERS // (3 + most) ** 2)
         starts = range(0, len(resisted), size)
-        for part in watched([slice(k, k + size) for k in starts], "batches of questions"):
-            resisted[part], decided[part] = _screened(arrays, np.arange(len(resisted))[part])
+        # Those of as many contacts together: arrays are small then.
+        contacts = np.count_nonzero(~np.isnan(arrays[0][..., 0]), axis=1)
+        order = np.argsort(np.repeat(contacts, shape[1]), kind="stable")
+        for part in watched([order[k : k + size] for k in starts], "batches of questions"):
+            resisted[part], decided[part] = _screened(arrays, part)
     screened, held = decided.reshape(shape), resisted.reshape(shape)
     exact, undecided = np.zeros(shape, dtype=bool), np.zeros(shape, dtype=bool)
     plan = arrays, screened, budget.times()
@@ -128,9 +131,12 @@ def _screened(arrays: Arrays, numbers: Any) -> tuple[Booleans, Booleans]:
     """Return which questions are resisted, as far as floats prove it, and which are decided."""
     points, normals, *values, wrenches = arrays
     grasp, load = np.divmod(numbers, wrenches.shape[1])
-    friction, stiffness, preload = (x[grasp] for x in values)
+    missing = np.isnan(points[grasp, :, 0])
+    most = max(1, np.count_nonzero(~missing, axis=1).max())
+    at = grasp[:, None], np.argsort(missing, axis=1, kind="stable")[:, :most]
+    friction, stiffness, preload = (x[at] for x in values)
     asked, usable = questions(
-        points[grasp], normals[grasp], (friction, stiffness, preload), wrenches[grasp, load]
+        points[at], normals[at], (friction, stiffness, preload), wrenches[grasp, load]
     )
     resisted, decided = np.zeros(len(numbers), dtype=bool), np.zeros(len(numbers), dtype=bool)
     rows = np.flatnonzero(usable)

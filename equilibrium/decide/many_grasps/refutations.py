@@ -16,6 +16,7 @@ it works or has 0 inside, as in the algorithm of Gilbert, Johnson and Keerthi.
 from __future__ import annotations
 
 from itertools import product
+from typing import Any
 
 import numpy as np
 
@@ -25,12 +26,12 @@ from .questions import Questions, along
 
 #: Spring forces at once.
 _NUMBERS = 2**18
-_MAX_STEPS = 12
+_MAX_STEPS = 7
 #: Sums of integers up to this size are exact.
 _LARGEST = 2.0**50
 _ORTHANTS = np.array([np.diag([1.0, *signs]) for signs in product((1.0, -1.0), repeat=3)])
-#: Which of three old corners belong to a side with the new one: none, one, or two.
-_USED = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0], [1, 0, 1], [0, 1, 1]]) > 0
+#: Pairs of three old corners.
+_PAIRS = np.array([[0, 0, 1], [1, 2, 2]])
 
 
 @np.errstate(all="ignore")  # what is not finite proves nothing
@@ -110,14 +111,11 @@ class _Cones:
         unsure = spread + 10 * UNIT * (np.abs(q.tangent) @ np.abs(motions))
         self.slip = (slips > unsure).all(axis=2) * 1.0 - (slips < -unsure).all(axis=2)
         self.pressed, self.loose = np.maximum(self.high, 0.0), ~(self.on | self.off)
-        self.doubt = q.spread + 10 * UNIT * (
-            np.abs(q.normal) + q.friction[..., None] * np.abs(q.tangent)
-        )
         self.scale = 1 / (
             self.start * np.abs(q.load).max(axis=1)[:, None] + self.pressed.sum(axis=2) + 1e-300
         )
 
-    def take(self, rows: Booleans) -> _Cones:
+    def take(self, rows: Any) -> _Cones:
         part = object.__new__(_Cones)
         for name, value in vars(self).items():
             setattr(part, name, value.take(rows) if name == "q" else value[rows])
@@ -149,38 +147,46 @@ class _Cones:
 
     def works(self, motion: Floats) -> tuple[Booleans, Floats]:
         """Return which virtual motions close, and a sum of wrenches with the least work."""
-        q = self.q
+        q, m = self.q, self.on.shape[1]
         normal, slip = along(q.normal, motion), along(q.tangent, motion)
         side = np.where(self.slip != 0, self.slip, np.sign(slip))
         kappa = normal - q.friction * side * slip
-        size = np.abs(motion)
-        error = (1 + q.friction) * along(self.doubt, size)
-        works = self._bounds(kappa - error, motion)
         weights = self.pressed * (self.on | self.loose & (kappa < 0))[:, None]
         # At infinity something must press: the load does not count there.
-        idle = (self.start == 0) & ~weights.any(axis=2)
-        if idle.any():
-            i, j = np.nonzero(idle)
+        idle = (self.start == 0) & (weights @ np.ones(m) == 0)
+        i, j = np.nonzero(idle)
+        if len(i):
             values = np.where(self.pressed[i, j] > 0, kappa[i] * self.pressed[i, j], np.inf)
             k = values.argmin(axis=1)
             weights[i, j, k] = self.pressed[i, j, k]
             idle[i, j] = self.pressed[i, j, k] == 0
-        edges = q.normal - (q.friction * side)[..., None] * q.tangent
-        sums = (weights @ edges + self.start[..., None] * q.load[:, None]) * self.scale[..., None]
-        work = np.einsum("nji,ni->nj", sums, motion)
-        j = np.where(idle, np.inf, work).argmin(axis=1)
-        return works, sums[np.arange(len(sums)), j]
-
-    def _bounds(self, low: Floats, motion: Floats) -> Booleans:
-        """Return where the least work at each generator is surely as it has to be."""
-        q, kappa = self.q, low[:, None]
-        pressing = np.minimum(kappa * self.low, kappa * self.high)
-        terms = np.where(self.on[:, None], pressing, np.minimum(kappa, 0.0) * self.pressed)
         load = along(q.load[:, None], motion)
-        size = along(np.abs(q.load)[:, None], np.abs(motion))
-        total = terms.sum(axis=2) + self.start * load
-        rounding = (terms.shape[2] + 10) * UNIT
-        total -= rounding * (np.abs(terms).sum(axis=2) + self.start * size)
+        work = ((weights @ kappa[..., None])[..., 0] + self.start * load) * self.scale
+        work[idle] = np.inf
+        rows, j = np.arange(len(work)), work.argmin(axis=1)
+        works = work[rows, j] >= 0
+        near = np.flatnonzero(works)
+        works[near] = self.take(near).hold(kappa[near], motion[near])
+        edges = q.normal - (q.friction * side)[..., None] * q.tangent
+        sums = (weights[rows, j][:, None] @ edges)[:, 0] + self.start[rows, j][:, None] * q.load
+        return works, sums * self.scale[rows, j][:, None]
+
+    def hold(self, kappa: Floats, motion: Floats) -> Booleans:
+        """Return where the least work at each generator is surely as it has to be.
+
+        Args:
+            kappa: (n, m), the support of the contacts as computed.
+        """
+        q, size = self.q, np.abs(motion)
+        doubt = q.spread + 10 * UNIT * (
+            np.abs(q.normal) + q.friction[..., None] * np.abs(q.tangent)
+        )
+        low = (kappa - (1 + q.friction) * along(doubt, size))[:, None]
+        pressing = np.minimum(low * self.low, low * self.high)
+        terms = np.where(self.on[:, None], pressing, np.minimum(low, 0.0) * self.pressed)
+        total = terms.sum(axis=2) + self.start * along(q.load[:, None], motion)
+        sizes = np.abs(terms).sum(axis=2) + self.start * along(np.abs(q.load)[:, None], size)
+        total -= (terms.shape[2] + 10) * UNIT * sizes
         holds: Booleans = np.all(np.where(self.start > 0, total > 0, total >= 0), axis=1)
         return holds
 
@@ -197,18 +203,23 @@ def _nearest_point(corners: Floats, new: Floats) -> tuple[Floats, Floats]:
     edges = corners - new[:, None]
     gram = edges @ edges.transpose(0, 2, 1)
     aims = -np.einsum("nki,ni->nk", edges, new)
-    shares = np.zeros((len(new), 7, 3))
-    for i in range(3):
-        shares[:, 1 + i, i] = aims[:, i] / gram[:, i, i]
-    for k, (i, j) in enumerate(((0, 1), (0, 2), (1, 2)), 4):
-        a, b, c = gram[:, i, i], gram[:, i, j], gram[:, j, j]
-        determinant = a * c - b * b
-        shares[:, k, i] = (aims[:, i] * c - aims[:, j] * b) / determinant
-        shares[:, k, j] = (aims[:, j] * a - aims[:, i] * b) / determinant
-    inside = ((shares > 0) | ~_USED).all(axis=2) & (shares.sum(axis=2) < 1)
-    gains = np.where(inside, (shares * np.nan_to_num(aims)[:, None]).sum(axis=2), -np.inf)
-    best = gains.argmax(axis=1)
-    share = shares[np.arange(len(new)), best]
+    sizes = gram[:, [0, 1, 2], [0, 1, 2]]
+    alone = aims / sizes
+    i, j = _PAIRS
+    a, b, c = sizes[:, i], gram[:, i, j], sizes[:, j]
+    first = (aims[:, i] * c - aims[:, j] * b) / (a * c - b * b)
+    second = (aims[:, j] * a - aims[:, i] * b) / (a * c - b * b)
+    # How much nearer than the new corner: no other corner, one or two.
+    gains = np.zeros((len(new), 7))
+    gains[:, 1:4] = np.where((alone > 0) & (alone < 1), alone * aims, -np.inf)
+    inside = (first > 0) & (second > 0) & (first + second < 1)
+    gains[:, 4:] = np.where(inside, first * aims[:, i] + second * aims[:, j], -np.inf)
+    best, share = gains.argmax(axis=1), np.zeros((len(new), 3))
+    rows = np.flatnonzero((best > 0) & (best < 4))
+    share[rows, best[rows] - 1] = alone[rows, best[rows] - 1]
+    rows = np.flatnonzero(best >= 4)
+    pair = best[rows] - 4
+    share[rows, i[pair]], share[rows, j[pair]] = first[rows, pair], second[rows, pair]
     point = new + np.einsum("nk,nki->ni", share, np.nan_to_num(edges))
     kept = np.where((share > 0)[..., None], corners, np.nan)
     # There is room for the new one: a side has three corners.
