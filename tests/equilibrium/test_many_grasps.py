@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from arrangement.errors import InputError
+from arrangement.errors import InputError, OutOfReachError
 from arrangement.numbers.exact import from_floats
 from equilibrium import Grasp, ResistedSet, check_grasps, solve
 from equilibrium.decide.many_grasps import check as module
@@ -160,6 +160,17 @@ def test_grasps_in_space_decided_exactly():
     verdicts = [solve(found.grasp(0), from_floats(np.array(load))) for load in loads]
     assert found.resisted[0].tolist() == [bool(v.stable) for v in verdicts]
     assert found.undecided[0].tolist() == [not v.decided for v in verdicts]
+
+
+def test_limit_of_work_leaves_a_load_undecided(monkeypatch):
+    def end(solver, wrenches):
+        raise OutOfReachError("undecided: too many steps")
+
+    monkeypatch.setattr(module.Solver, "solve_many", end)
+    found = check_grasps(**{**ONE, "wrenches": [[0, 1, 0], [0, 0.5, 0]]}, preload=1)
+    assert found.undecided.tolist() == [[True, False]]
+    assert found.resisted.tolist() == [[False, True]]
+    assert not found.exact.any()
 
 
 def test_processes_give_the_same_answers():
