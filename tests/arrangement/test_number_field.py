@@ -287,7 +287,7 @@ def test_all_engines_and_counts_agree(seed, affine):
 def test_regions_over_a_field_can_be_asked():
     g = GOLDEN.root
     triangle = Arrangement([[1, 0], [0, 1], [1, g]], [0, 0, g]).region_at(["1/3", "1/3"])
-    assert triangle.vertices == ((0, 0), (0, 1), (g, 0))
+    assert triangle.vertices == ((0, 0), (g, 0), (0, 1))
     assert triangle.volume == g / 2
 
 

@@ -117,7 +117,7 @@ def test_a_claim_in_one_line_names_the_parameters_of_a_family(tmp_path, monkeypa
     assert found["counterexample"]["label"] == "shi(n=3)"
     assert "is false: 16 and -16" in found["evidence"]
     assert main(["try", "regions == k", "--of", "shi(n=2..5)"]) == 2
-    assert "chi(t), n" in capsys.readouterr().err
+    assert "points_off(q), n" in capsys.readouterr().err
 
 
 def test_pseudolines_of_a_type_are_counted_as_its_planes_are():
