@@ -62,7 +62,7 @@ def test_grasps_answered_as_one_by_one():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("part", range(20))
+@pytest.mark.parametrize("part", range(3))
 def test_many_grasps_answered_as_one_by_one(part):
     agree([mixed(seed) for seed in range(100 * part + 1000, 100 * part + 1100)])
 
