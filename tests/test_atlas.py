@@ -42,6 +42,7 @@ def test_a_page_links_files_that_are_there(folder):
             assert (folder / name).stat().st_size > 1000, name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "said"),
     [

@@ -23,6 +23,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return place
 
 
+@pytest.mark.slow
 def test_every_figure_and_table_is_a_file_and_on_the_page(folder):
     assert [f.number for f in FIGURES] == list(map(str, range(1, 8)))
     assert [t.number for t in TABLES] == ["I", "II", "III"]
