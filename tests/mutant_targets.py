@@ -175,7 +175,12 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "arrangement.enumeration.any_dimension",
         "arrangement.enumeration.reduction",
     ),
-    ("tests/arrangement/test_regions.py", FIELD, ENGINES): ("arrangement.enumeration.sequence",),
+    (
+        "tests/arrangement/test_regions.py",
+        "tests/arrangement/test_regions_alone.py",
+        FIELD,
+        ENGINES,
+    ): ("arrangement.enumeration.sequence",),
     (*LISTS, "tests/arrangement/test_regions_alone.py", ENGINES): (
         "arrangement.enumeration.choose",
     ),

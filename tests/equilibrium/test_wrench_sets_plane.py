@@ -8,11 +8,11 @@ from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.linear.intervals import holds, remainder, union
 from arrangement.numbers.linear.polyhedron import from_conditions
-from equilibrium import Contact, Grasp, read_grasp, solve
+from equilibrium import Contact, Grasp, GraspError, read_grasp, solve
 from equilibrium.wrench_sets.friction import least_friction
 from equilibrium.wrench_sets.margin import margin, sufficient_preloads
 from equilibrium.wrench_sets.outline import outline_of
-from equilibrium.wrench_sets.plane import FORCES, resisted_region, sectors
+from equilibrium.wrench_sets.plane import FORCES, polygon_cycle, resisted_region, sectors
 from equilibrium.wrench_sets.search_map import binary_search, compare, search_map
 
 from .strategies import directions, loads as wrenches, small, wide_grasps as grasps
@@ -302,6 +302,25 @@ def test_maps_of_the_paper_agree_with_the_exact_sets():
         assert found.disagreements == ()
     wrong = search_map(gap_grasp(), rays=4)
     assert [entry.direction for entry in wrong.disagreements] == [(-1, 0)]
+
+
+def test_point_just_within_the_tolerance_is_not_missed():
+    """From 7 the search ends at 7/2; only above 7/2 + 1 is a resisted magnitude missed."""
+    exact = ((Fraction(0), Fraction(18, 5)), (Fraction(89, 20), Fraction(9, 2)))
+    found = compare((Fraction(1), Fraction(0)), exact, Fraction(1), Fraction(7))
+    assert (found.found, found.missed) == (Fraction(7, 2), ())
+
+
+@pytest.mark.parametrize("name", ["rays", "tolerance", "max_magnitude"])
+def test_search_map_without_size_is_refused(name):
+    with pytest.raises(GraspError, match="all must be above 0"):
+        search_map(read_grasp(THREE), **{name: 0})
+
+
+def test_corners_of_a_polygon_end_with_the_lowest():
+    """Counter-clockwise; here the lowest corner is not the leftmost one."""
+    triangle = from_conditions([(1, 1, 0), (1, -2, 3), (-2, 1, 3)], [], 2)
+    assert polygon_cycle(triangle) == ((3, 3), (-1, 1), (1, -1))
 
 
 def test_what_no_preload_holds_a_small_one_may_lose():
