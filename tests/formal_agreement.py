@@ -237,6 +237,16 @@ def assembly_forms() -> Iterator[bytes]:
     changes += [{"tree": tree} for tree in trees]
     beside = {**assembly, "contacts": [joints[0], {**joints[1], "body_a": "a", "body_b": "b"}]}
     changes += [{"assembly": beside, "tree": {**part, "part": ["a"], "contacts": [0, 1]}}]
+    pulled = {"wrench": {"a": zero, "b": ["0", "1", "0"]}}
+    changes += [{**pulled, "tree": {**part, "contacts": places}} for places in ([1], [1, 1])]
+    # A load beyond the left one of two contacts, which has number 0 in the tree of the part.
+    feet = [{"body_a": "b", "body_b": None, **contact, "point": [x, "0"]} for x in ("-1", "1")]
+    tips = {"detached": ["0", "-1", "1"], "attached": ["0", "1", "1"]}
+    for places in ([1, 2], [2, 1]):
+        split = {**part, "contacts": places, "tree": {"contact": 0, "attachment": tips}}
+        standing = {**assembly, "contacts": [joints[0], *feet]}
+        wrench = {"a": zero, "b": ["0", "-1", "2"]}
+        changes.append({"assembly": standing, "wrench": wrench, "tree": split})
     changes.append({"pyramid": 4})
     yield from (json.dumps({**plain, **change}).encode() for change in changes)
     resting = {key: plain[key] for key in ("schema_version", "assembly")}
