@@ -106,7 +106,10 @@ INSCRIBED = "tests/arrangement/test_inscribed.py"
 TARGETS = {
     "checker": Target("equilibrium.certificate.checker", (*CHECKER, PLANES, PYRAMIDS)),
     "leaf rule": Target("equilibrium.certificate.plane", (*CHECKER, PLANES, PYRAMIDS)),
-    "law": Target("equilibrium.certificate.law", (*CHECKER, SPACE[0])),
+    "law": Target(
+        "equilibrium.certificate.law",
+        (*CHECKER, SPACE[0], "tests/equilibrium/test_displacement.py"),
+    ),
     "reading": Target("equilibrium.certificate.reading", (*CHECKER, *SPACE, PLANES)),
     "state rule": Target("equilibrium.certificate.states", (*ASSEMBLIES, *SPACE)),
     "assemblies": Target("equilibrium.certificate.assemblies", ASSEMBLIES),

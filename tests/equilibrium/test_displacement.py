@@ -396,3 +396,15 @@ def test_unit_is_largest_number_or_power_of_two():
             unit.numerator & (unit.numerator - 1) == 0 == unit.denominator & (unit.denominator - 1)
         )
     assert unit_of([]) == unit_of([Fraction(0)]) == 1
+
+
+def test_no_displacement_takes_nothing_from_the_work():
+    """Jaws that squeeze at rest: the two normals cancel, so a leaf of both has work 0."""
+    grasp = Grasp(Contact((x, 0), (-x, 0), "1/2", 1, 1) for x in (-1, 1))
+    held = solve(grasp, (0, 0, 0), max_displacement=0).certificate.to_dict()
+    leaf = {"virtual_motion": ["0"] * 3, "multipliers": {}}
+    leaf["displacements"] = {"0": ["1", "0"], "1": ["1", "0"]}
+    kept = {key: held[key] for key in ("schema_version", "grasp", "wrench", "max_displacement")}
+    found = check({**kept, "certificate": "not resisted", "tree": leaf})
+    assert not found
+    assert "is 0, and must be" in found.problem
