@@ -110,7 +110,10 @@ TARGETS = {
         "equilibrium.certificate.law",
         (*CHECKER, SPACE[0], "tests/equilibrium/test_displacement.py"),
     ),
-    "reading": Target("equilibrium.certificate.reading", (*CHECKER, *SPACE, PLANES)),
+    "reading": Target(
+        "equilibrium.certificate.reading",
+        (*CHECKER, *SPACE, PLANES, "tests/equilibrium/test_assembly_checker.py"),
+    ),
     "state rule": Target("equilibrium.certificate.states", (*ASSEMBLIES, *SPACE)),
     "assemblies": Target("equilibrium.certificate.assemblies", ASSEMBLIES),
     "enclosure": Target("equilibrium.certificate.enclosure", SPACE),

@@ -288,3 +288,11 @@ def test_certificate_of_a_grasp_is_not_about_an_assembly():
     proof = solve(Grasp([Contact((0, 0), (0, 1), 1)]), (0, 1, 0)).proof
     report = verify(proof, (PUSHED, dict.fromkeys("ab", ZERO)))
     assert report.problem == "it is about one body, not about an assembly"
+
+
+def test_assembly_of_no_body_has_no_virtual_motion():
+    nothing = {"bodies": [], "contacts": []}
+    document = {"schema_version": 3, "certificate": "not resisted", "assembly": nothing}
+    found = verify({**document, "wrench": {}, "tree": {"virtual_motion": {}}})
+    assert not found
+    assert "not above 0" in found.problem
