@@ -119,7 +119,8 @@ def main(folder):
         wheel = ("wheel", "--quiet", "--no-deps", "--wheel-dir", work / "pypi", DOCS.parent)
         subprocess.run([sys.executable, "-m", "pip", *wheel], check=True)
         site = ("--lite-dir", work, "--contents", work / "files", "--output-dir", folder)
-        subprocess.run([sys.executable, "-m", "jupyterlite_core.app", "build", *site], check=True)
+        build = (sys.executable, "-m", "jupyterlite_core.app", "build", *site)
+        subprocess.run(build, cwd=work, check=True)  # it leaves a database where it runs
 
 
 if __name__ == "__main__":

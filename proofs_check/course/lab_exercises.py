@@ -11,7 +11,6 @@ from typing import Any
 from urllib.parse import unquote
 
 from arrangement.arrangement import Arrangement
-from arrangement.enumeration.regions import walls
 from arrangement.errors import InputError
 from arrangement.library.files.json_files import read_document
 from arrangement.numbers import budget
@@ -235,9 +234,7 @@ def _triangles(planes: Arrangement) -> int:
     """Return how many regions of the projective plane, or bounded ones, have three sides."""
     if planes.dimension == 3:
         return planes.p_vector.get(3, 0) // 2 if planes.rank == 3 else 0
-    bounded = {region.signs for region in planes.bounded_regions()}
-    sides = zip(planes.regions(), walls(planes, planes.faces()), strict=True)
-    return sum(region.signs in bounded and len(found) == 3 for region, found in sides)
+    return planes.bounded_p_vector.get(3, 0)
 
 
 def _class_name(planes: Arrangement) -> str | None:

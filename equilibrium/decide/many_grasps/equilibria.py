@@ -16,22 +16,21 @@ from __future__ import annotations
 import numpy as np
 
 from arrangement.numbers.float_filter import UNIT, Booleans, Floats
+from equilibrium.plane.search.continuation import (
+    MAX_PATH_STEPS,
+    MAX_SMOOTHING_FACTOR,
+    NEWTON_RESIDUAL,
+    PATH_RESIDUAL,
+    SHARP,
+    SHARPEST,
+    SMOOTHING_FACTOR,
+)
 
 from .questions import Questions, along
 
-#: The smoothing parameter is multiplied by this, or by more where a step fails.
-_SMOOTHING_FACTOR = 0.1
-#: A path ends where a step fails with a larger factor.
-_MAX_SMOOTHING_FACTOR = 0.7
-_MAX_PATH_STEPS = 40
-#: Below this smoothing parameter equilibria are proposed.
-_SHARP = 2e-2
-_SHARPEST = 1e-8
 #: Where a path starts that starts near an equilibrium.
 _NEAR = 1e-2
 _MAX_NEWTON_STEPS = 20
-_PATH_RESIDUAL = 1e-8
-_NEWTON_RESIDUAL = 1e-12
 #: Above the rounding errors of a bound's own computation.
 _MARGIN = 1.01
 
@@ -46,18 +45,18 @@ def have_equilibria(questions: Questions, starts: Floats | None = None) -> Boole
     first = 1.0 if starts is None else _NEAR
     proved, rows, q = np.zeros(len(questions), dtype=bool), np.arange(len(questions)), questions
     motion = np.zeros((len(q), 3)) if starts is None else starts
-    eps, factor = np.full(len(q), first / _SMOOTHING_FACTOR), np.full(len(q), _SMOOTHING_FACTOR)
-    for _ in range(_MAX_PATH_STEPS):
+    eps, factor = np.full(len(q), first / SMOOTHING_FACTOR), np.full(len(q), SMOOTHING_FACTOR)
+    for _ in range(MAX_PATH_STEPS):
         sharper = eps * factor
         end, residual = _newton(q, motion, sharper)
-        tried = np.flatnonzero((sharper < _SHARP) & (residual < 1))
+        tried = np.flatnonzero((sharper < SHARP) & (residual < 1))
         holds = np.zeros(len(q), dtype=bool)
         holds[tried] = _exists_near(q.take(tried), end[tried], sharper[tried])
         proved[rows[holds]] = True
-        good = residual <= _PATH_RESIDUAL
-        going = ~holds & np.where(good, sharper >= _SHARPEST, factor <= _MAX_SMOOTHING_FACTOR)
+        good = residual <= PATH_RESIDUAL
+        going = ~holds & np.where(good, sharper >= SHARPEST, factor <= MAX_SMOOTHING_FACTOR)
         motion, eps = np.where(good[:, None], end, motion), np.where(good, sharper, eps)
-        factor = np.where(good, np.maximum(factor**2, _SMOOTHING_FACTOR), factor**0.5)
+        factor = np.where(good, np.maximum(factor**2, SMOOTHING_FACTOR), factor**0.5)
         rows, q = rows[going], q.take(going)
         motion, eps, factor = motion[going], eps[going], factor[going]
         if not len(rows):
@@ -93,7 +92,7 @@ def _newton(q: Questions, motion: Floats, eps: Floats) -> tuple[Floats, Floats]:
         residual = np.where(better, left, residual)
         damping = np.where(better, damping / 30, np.maximum(30 * damping, 1e-10))
         motion[rows], smallest[rows] = at, residual
-        going = (residual > _NEWTON_RESIDUAL) & ~stalled
+        going = (residual > NEWTON_RESIDUAL) & ~stalled
         if not going.any():
             break
         rows, q, at, width = rows[going], q.take(going), at[going], width[going]

@@ -26,23 +26,23 @@ from .state_equilibrium import Guess, exact_equilibrium
 
 _MAX_NEWTON_STEPS = 30
 #: The smoothing parameter is multiplied by this, or by more where a step fails.
-_SMOOTHING_FACTOR = 0.1
+SMOOTHING_FACTOR = 0.1
 #: A path ends where a step fails with a larger factor.
-_MAX_SMOOTHING_FACTOR = 0.7
+MAX_SMOOTHING_FACTOR = 0.7
 #: Smoothing parameters that are tried at most.
-_MAX_PATH_STEPS = 40
+MAX_PATH_STEPS = 40
 #: Below this smoothing parameter equilibria are proposed.
-_SHARP = 2e-2
+SHARP = 2e-2
 #: Below this one a path ends.
-_SHARPEST = 1e-8
+SHARPEST = 1e-8
 #: Residual of a point of a path, as a share of the load.
-_PATH_RESIDUAL = 1e-8
+PATH_RESIDUAL = 1e-8
 #: Where a path starts that starts near an equilibrium.
 _SHARPNESS_NEAR = 1e-3
 #: Motions smaller than this, or larger than its inverse, are not scaled.
 _MIN_SCALE = 1e-60
 #: Residual that ends Newton's method, as a share of the load.
-_NEWTON_RESIDUAL = 1e-12
+NEWTON_RESIDUAL = 1e-12
 
 
 def find_equilibrium(
@@ -90,18 +90,18 @@ class Continuation:
     def path(self, motion: Floats, first: float = 1.0) -> Iterator[tuple[Floats, float]]:
         """Yield motions along a path, from a sharpness on; the steps adapt."""
         slip = float(self.scale[0])
-        eps, factor = first / _SMOOTHING_FACTOR, _SMOOTHING_FACTOR
-        for _ in range(_MAX_PATH_STEPS):
+        eps, factor = first / SMOOTHING_FACTOR, SMOOTHING_FACTOR
+        for _ in range(MAX_PATH_STEPS):
             end, residual = self._newton(motion, eps * factor * slip)
-            good = residual <= _PATH_RESIDUAL * self.size
-            self.reached = min(self.reached, residual) if eps * factor < _SHARP else self.reached
-            if eps * factor < _SHARP and residual <= self.size:
+            good = residual <= PATH_RESIDUAL * self.size
+            self.reached = min(self.reached, residual) if eps * factor < SHARP else self.reached
+            if eps * factor < SHARP and residual <= self.size:
                 yield end, eps * factor * slip
             if good:
-                motion, eps, factor = end, eps * factor, max(factor**2, _SMOOTHING_FACTOR)
-                if eps < _SHARPEST:
+                motion, eps, factor = end, eps * factor, max(factor**2, SMOOTHING_FACTOR)
+                if eps < SHARPEST:
                     return
-            elif factor > _MAX_SMOOTHING_FACTOR:
+            elif factor > MAX_SMOOTHING_FACTOR:
                 return
             else:
                 factor = factor**0.5
@@ -111,7 +111,7 @@ class Continuation:
         value, jacobian = self._balance(motion, eps)
         residual, damping, factors = _length(value), 0.0, None
         for _ in range(_MAX_NEWTON_STEPS):
-            if not np.isfinite(jacobian).all() or residual <= _NEWTON_RESIDUAL * self.size:
+            if not np.isfinite(jacobian).all() or residual <= NEWTON_RESIDUAL * self.size:
                 break
             # Where a step fails only the damping changes.
             factors = factors or np.linalg.svd(jacobian * self.scale)
