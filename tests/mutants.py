@@ -13,8 +13,8 @@ or an entry dropped, or one function or end of an interval taken for its opposit
 target run in a process of their own, to the first that fails, or takes more than `LIMIT`: it has
 killed the mutant. First the code of functions is exchanged after all is imported, and tests that
 killed mutants nearby run first; what survives, or is not code of a function, is there from the
-import on. Exit 1 if mutants survive that are not among `EQUIVALENT`, or an entry there is no
-mutant, or is killed: each of these takes all tests of its target, so they run when asked.
+import on. Exit 1 if mutants survive that are not among `EQUIVALENT`, or one of these is
+killed: each of these takes all tests of its target, so they run when asked.
 """
 
 from __future__ import annotations
@@ -27,6 +27,7 @@ import importlib
 import importlib.abc
 import importlib.util
 import os
+import re
 import resource
 import sys
 import time
@@ -58,7 +59,12 @@ MEMORY = 4 * 2**30
 EQUIVALENT = "\n" + (ROOT / "tests" / "mutants_equivalent.txt").read_text(encoding="utf-8")
 
 
-def _reasons(target: str) -> dict[tuple[str, str], str]:
+def argued_targets() -> set[str]:
+    """Return the targets that `EQUIVALENT` has entries for."""
+    return set(re.findall(r"^\[([\w. ]+)\]$", EQUIVALENT, re.MULTILINE))
+
+
+def reasons(target: str) -> dict[tuple[str, str], str]:
     """Return the entries of `EQUIVALENT` for a target, by line of code and change."""
     found, text = dict[tuple[str, str], str](), ""
     for line in EQUIVALENT.partition(f"\n[{target}]\n")[2].partition("\n[")[0].splitlines():
@@ -321,9 +327,9 @@ def _preload() -> None:
 
 def run_target(name: str, seed: int, first: int = 1, argued: bool = False, sample: int = 0) -> int:
     """Run the mutants of a target and print those that survive; return how many should not."""
-    target, reasons, start = TARGETS[name], _reasons(name), time.monotonic()
+    target, argued_here, start = TARGETS[name], reasons(name), time.monotonic()
     listed = list(mutants(target.path.read_text(encoding="utf-8")))
-    wrong = set(reasons) - {(mutant.text, mutant.change) for mutant in listed}
+    wrong = set[tuple[str, str]]()
     if most := sample or target.sample:
         listed = Random(f"mutants {seed}").sample(listed, min(most, len(listed)))
     fork, alike, alive = get_context("fork"), 0, 0
@@ -341,7 +347,7 @@ def run_target(name: str, seed: int, first: int = 1, argued: bool = False, sampl
     if killed(-1):
         raise SystemExit(f"the tests of {name} fail without a mutant, or take too long")
     for number, mutant in enumerate(listed[first - 1 :], first - 1):
-        known = (mutant.text, mutant.change) in reasons
+        known = (mutant.text, mutant.change) in argued_here
         if known and not argued:
             alike += 1
         elif killed(number):
