@@ -40,6 +40,7 @@ from tests.package_commands import COMMANDS, INPUTS, PROBE, PROGRAMS, WITH_ALL, 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = ("arrangement", "equilibrium", "proofs_check")
 PYTHONS = ("python3.11", "python3.12", "python3.13")
+RECIPE = ".github/conda/recipe.yaml"
 #: What must be in the source archive beside the packages, the tests and the documentation.
 FILES = {
     ".zenodo.json",
@@ -49,11 +50,11 @@ FILES = {
     "LICENSE",
     "Makefile",
     "README.md",
-    "conda/recipe.yaml",
+    RECIPE,
     "constraints.txt",
 }
 RUBBISH = re.compile(
-    r"(^|/)(__pycache__|_build|_generated|build|dist|report|counterexamples|\.(?!gitignore|zenodo)"
+    r"(^|/)(__pycache__|_build|_generated|build|dist|report|counterexamples|\.(?!github|gitignore|zenodo)"
     r"[^/]*)(/|$)|\.(pyc|sqlite|egg-info)$"
 )
 #: Programs of other packages, each in an environment of its own.
@@ -139,7 +140,7 @@ def _release(archives: Sequence[Path], folder: Path) -> list[str]:
     wrong += wrong_tags(tags, archives[-1].name.split("-")[1], changelog)
     for command in (
         (*UV_RUN, "cffconvert", "--validate", "-i", "CITATION.cff"),
-        (*UV_RUN, "--from", "py-rattler-build", "python", "-c", RENDER, "conda/recipe.yaml"),
+        (*UV_RUN, "--from", "py-rattler-build", "python", "-c", RENDER, RECIPE),
     ):
         done = run(command, ROOT)
         print(f"  {command[-1]}: {(done.stdout.splitlines() or ['-'])[-1]}", flush=True)

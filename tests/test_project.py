@@ -63,7 +63,7 @@ def test_the_version_is_the_same_everywhere():
     version = arrangement.__version__
     citation = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
     assert importlib.metadata.version("slipstates") == version
-    recipe = (ROOT / "conda" / "recipe.yaml").read_text(encoding="utf-8")
+    recipe = (ROOT / ".github" / "conda" / "recipe.yaml").read_text(encoding="utf-8")
     assert re.findall(r"^version: (.*)$", citation, re.MULTILINE) == [version]
     assert re.findall(r'^  version: "(.*)"$', recipe, re.MULTILINE) == [version]
     assert f"## [{version}]" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
@@ -74,7 +74,7 @@ def test_citation_archive_and_recipe_agree_with_the_project():
         project = tomllib.load(stream)["project"]
     citation = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
     archive = json.loads((ROOT / ".zenodo.json").read_text(encoding="utf-8"))
-    recipe = (ROOT / "conda" / "recipe.yaml").read_text(encoding="utf-8")
+    recipe = (ROOT / ".github" / "conda" / "recipe.yaml").read_text(encoding="utf-8")
     assert archive["license"] == project["license"]
     assert archive["title"] == project["name"]
     assert [one["name"] for one in archive["creators"]] == [a["name"] for a in project["authors"]]
@@ -177,7 +177,7 @@ def paths_named(text: str) -> set[str]:
 
 @pytest.mark.parametrize("page", ["README.md", "CONTRIBUTING.md", "docs/architecture.rst"])
 def test_every_path_on_a_page_for_developers_exists(page):
-    folders = (ROOT / name for name in (*PACKAGES, "conda", "docs", "tests"))
+    folders = (ROOT / name for name in (".github", *PACKAGES, "docs", "tests"))
     known = [
         f"/{path.relative_to(ROOT).as_posix()}" for folder in folders for path in folder.rglob("*")
     ]
