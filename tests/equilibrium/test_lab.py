@@ -7,9 +7,11 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from arrangement import InputError
+from arrangement.drawing.scene.curves import flattened
 from equilibrium import Contact, Grasp, ResistedSet, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.law import law_problem, law_rows
@@ -17,6 +19,7 @@ from equilibrium.decide.solver import Solver
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.instances import paths
 from equilibrium.pictures.lab.page import lab_page
+from equilibrium.pictures.parts.body import body, frame_of
 from equilibrium.plane.states.contact_states import contact_states
 from tests.browser import Browser
 from tests.instances import is_in_space
@@ -284,6 +287,33 @@ def test_first_screen_shows_question_pictures_and_answer(browser, tmp_path):
     for name in ("grasp", "answer", "discs", "plane"):
         assert browser.run("return document.getElementById(arguments[0]).clientHeight", name) > 150
     assert browser.count("details[open]") == 0
+
+
+def test_indicative_outline_is_that_of_still_pictures(opened):
+    built_in = [read_grasp(path) for path in paths() if not is_in_space(path)]
+    random_ones = [grasp for grasp, _ in questions(60, 44)]
+    curves = 0
+    for grasp in [*built_in, *random_ones]:
+        frame = frame_of(grasp)
+        drawn = body(grasp, frame)
+        shown = opened.run("return window.lab.outline(arguments[0])", grasp.to_dict())
+        if drawn is None:
+            assert shown is None, grasp
+            continue
+        curves += 1
+        middle, half = np.array(frame.centre, dtype=float), float(frame.half)
+        places = middle + half * flattened(drawn, 16)
+        assert np.array(shown) == pytest.approx(places, abs=1e-6), grasp
+    assert curves > 30
+
+
+def test_index_of_a_force_stands_lower(opened):
+    verdict(opened)
+    assert opened.texts("#plane tspan") == ["x", "y"]
+    assert opened.texts("#load sub") == ["x", "y"]
+    assert "x" in opened.texts("#conditions sub")
+    script = "return document.getElementById(arguments[0]).textContent.includes('f_')"
+    assert not any(opened.run(script, name) for name in ("plane", "load", "conditions"))
 
 
 @pytest.mark.parametrize(("width", "first"), [(390, "contacts"), (800, "forces")])

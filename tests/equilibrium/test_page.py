@@ -95,7 +95,7 @@ def test_the_exact_conditions_of_the_marked_piece_are_told(browser, opened):
     opened("paper-three-contacts-preload-1", wrench=["1/10", -1, 0])
     states, *told = browser.text("conditions").splitlines()
     assert states == "states: stick, stick, stick"
-    assert "2 f_x + 1 ≥ 0" in told
+    assert "2 fx + 1 ≥ 0" in told
     browser.put("w-y", "1000001/1000000", "input")
     settled(browser)
     assert browser.run("return document.getElementById('conditions-box').hidden")

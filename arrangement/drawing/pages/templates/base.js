@@ -8,9 +8,24 @@ const draw = (name, attributes = {}, parent = null, text = null) =>
 
 function finish(element, attributes, parent, text) {
   for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-  if (text !== null) element.textContent = text;
+  if (text !== null) typeset(element, text);
   if (parent) parent.append(element);
   return element;
+}
+
+// Give an element a text, in which the index of f_x stands lower.
+function typeset(element, text) {
+  const parts = String(text).split(/(?<=\b[a-z])_([a-z]\d*|\d+)\b/);
+  element.replaceChildren(parts[0]);
+  for (let k = 1; k < parts.length; k += 2) {
+    if (element instanceof SVGElement) {
+      draw("tspan", { dy: "0.3em", "font-size": "75%" }, element, parts[k]);
+      if (parts[k + 1]) draw("tspan", { dy: "-0.225em" }, element, parts[k + 1]);
+    } else {
+      make("sub", {}, element, parts[k]);
+      element.append(parts[k + 1]);
+    }
+  }
 }
 
 // The place of a pointer in the coordinates of an SVG element, y upwards. A drag finds the matrix once,
@@ -52,7 +67,7 @@ function themeButton(button) {
 // The head of a page.
 function showHead() {
   at("title").textContent = data.title;
-  at("summary").textContent = data.summary;
+  typeset(at("summary"), data.summary);
   themeButton(at("theme"));
   at("print")?.addEventListener("click", () => window.print());
 }

@@ -3,7 +3,8 @@
 // A labelled field; `accept` takes the value, and returns what is wrong with it, if anything. Without
 // a parent the field with this id is meant. After typing, writeFields() shows what the state has.
 function field(parent, id, label, accept, { read = readTyped, rule = NUMBER_RULE, style = "" } = {}) {
-  const holder = parent ? make("label", { class: style }, parent, label) : null;
+  const holder = parent ? make("label", { class: style }, parent) : null;
+  if (holder) make("span", {}, holder, label);
   const box = holder ? make("input", { type: "text", id, autocomplete: "off", spellcheck: "false" }, holder) : at(id);
   box.setAttribute("aria-describedby", "problem");
   box.addEventListener("input", () => {

@@ -76,6 +76,7 @@ function niceStep(least) {
 function paintGrid(view, layer) {
   const [digit, exponent] = niceStep(34 / scale());
   const step = digit * 10 ** exponent;
+  const letters = letterSize(view, 7);
   const label = (k) => (exponent < 0 ? (k * step).toFixed(-exponent) : String(k * step)).replace("-", "−");
   for (const axis of [0, 1]) {
     const { low, high } = frame();
@@ -88,13 +89,13 @@ function paintGrid(view, layer) {
       const [x, y] = axis ? [-WIDE + 3, place + 2] : [place, HIGH - 3];
       const room = axis ? Math.abs(place) < HIGH - 14 : Math.abs(place) < WIDE - 16;
       if (layer && room) {
-        draw("text", { class: "tick", x: fixed(x), y: fixed(y), "text-anchor": axis ? "start" : "middle" }, view, label(k));
+        draw("text", { class: "tick", "font-size": letters, x: fixed(x), y: fixed(y), "text-anchor": axis ? "start" : "middle" }, view, label(k));
       }
     }
   }
   if (!layer) return;
-  draw("text", { class: "tick", x: WIDE - 4, y: HIGH - 11, "text-anchor": "end" }, view, data.axes[0]);
-  draw("text", { class: "tick", x: -WIDE + 3, y: -HIGH + 8 }, view, data.axes[1]);
+  draw("text", { class: "tick", "font-size": letters, x: WIDE - 4, y: HIGH - letters - 5, "text-anchor": "end" }, view, data.axes[0]);
+  draw("text", { class: "tick", "font-size": letters, x: -WIDE + 3, y: -HIGH + letters + 1 }, view, data.axes[1]);
 }
 
 // The states as one character for each contact, where they fit and nothing covers them.

@@ -29,8 +29,7 @@ function placeGrasp() {
     return { place: p, normal: n, cone: Array.from({ length: 9 }, (_, k) => edge((k / 4 - 1) * half)) };
   });
   data.origin = world(0, 0).map((x) => Math.min(1.5, Math.max(-1.5, x)));
-  const outline = state.outline ? statedOutline().map((p) => world(...p)) : outlineOf(data.contacts);
-  data.outline = outline && (state.outline || !crosses(outline)) ? outline : null;
+  data.outline = (state.outline ? statedOutline() : outlineOf(state.grasp))?.map((p) => world(...p)) ?? null;
   data.stated = Boolean(state.outline);
 }
 
@@ -41,40 +40,91 @@ function statedOutline() {
     : Array.from({ length: 72 }, (_, k) => [near(centre[0]) + near(radius) * Math.cos((k * Math.PI) / 36), near(centre[1]) + near(radius) * Math.sin((k * Math.PI) / 36)]);
 }
 
-// Whether a closed polygon crosses itself or runs clockwise.
-function crosses(points) {
-  const next = (i) => points[(i + 1) % points.length];
-  const side = (a, b, c) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-  if (area(points) <= 0) return true;
-  return points.some((a, i) => points.slice(0, i).some((c, j) => {
-    const [b, d] = [next(i), next(j)];
-    return side(a, b, c) * side(a, b, d) < -1e-15 && side(c, d, a) * side(c, d, b) < -1e-15;
-  }));
+// An indicative outline, that of the still pictures: a smooth closed curve through the contacts, along their tangents;
+// null where it would cross itself. Lengths are in halves of the larger extent of the contacts.
+function outlineOf(grasp) {
+  const places = grasp.map(({ point }) => floatsOf(point));
+  if (!places.length) return null;
+  const span = [0, 1].map((k) => places.map((p) => p[k])).map((v) => [Math.min(...v), Math.max(...v)]);
+  const middle = span.map(([low, high]) => (low + high) / 2);
+  const half = Math.max(...span.map(([low, high]) => (high - low) / 2)) || 1;
+  const all = grasp.map(({ normal }, i) => {
+    const n = floatsOf(normal);
+    return { p: places[i].map((x, k) => (x - middle[k]) / half), n, u: [n[1], -n[0]] };
+  });
+  const stops = all.filter((a, i) => all.findIndex((b) => same2(a.p, b.p) && same2(a.n, b.n)) === i);
+  const convex = stops.every((a) => stops.every((b) => dot2(a.n, b.p.map((x, k) => x - a.p[k])) > -1e-9));
+  const mean = [0, 1].map((k) => stops.reduce((sum, { p }) => sum + p[k], 0) / stops.length);
+  const pieces = convex ? convexPieces(stops)
+    : [mean, middle.map((x) => -x / half)].filter((c) => Math.max(...c.map(Math.abs)) <= 2).map((c) => piecesAround(stops, c)).find(Boolean);
+  return pieces ? pieces.flatMap((piece) => flattened(piece, 16)).map((p) => p.map((x, k) => x * half + middle[k])) : null;
 }
 
-// An indicative outline: a smooth closed curve through the contacts, along their tangents.
-function outlineOf(contacts) {
-  const stops = contacts.filter((c, i) => contacts.findIndex((o) => Math.hypot(o.place[0] - c.place[0], o.place[1] - c.place[1]) < 1e-6) === i);
-  if (!stops.length) return null;
-  const convex = stops.every((a) => stops.every((b) => a.normal[0] * (b.place[0] - a.place[0]) + a.normal[1] * (b.place[1] - a.place[1]) > -1e-9));
-  const along = ({ normal }) => [normal[1], -normal[0]];
-  const middle = [0, 1].map((k) => stops.reduce((sum, c) => sum + c.place[k], 0) / stops.length);
-  const angle = (c) => (convex ? Math.atan2(along(c)[1], along(c)[0]) : Math.atan2(c.place[1] - middle[1], c.place[0] - middle[0]));
-  const steps = (c) => c.place[0] * along(c)[0] + c.place[1] * along(c)[1];
-  const sorted = stops.toSorted((a, b) => (Math.abs(angle(a) - angle(b)) > 1e-9 ? angle(a) - angle(b) : steps(a) - steps(b)));
-  return sorted.flatMap((a, i) => {
-    const b = sorted[(i + 1) % sorted.length];
-    const [u, v] = [along(a), along(b)];
-    const away = [b.place[0] - a.place[0], b.place[1] - a.place[1]];
-    const chord = Math.hypot(...away);
-    let turn = Math.atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]);
-    if (Math.abs(turn) < 1e-9 && away[0] * u[0] + away[1] * u[1] <= 1e-9) turn = 2 * Math.PI;
-    if (turn < -1e-9 && convex) turn += 2 * Math.PI;
-    const bulge = turn > 3.1 ? Math.max(0.6, chord * 0.36) + (turn > 5 ? 0.9 : 0) : chord * (turn < 0 ? 0.35 : 0.33 + 0.06 * turn);
-    const curve = (t) => [0, 1].map((k) => (1 - t) ** 3 * a.place[k] + 3 * (1 - t) ** 2 * t * (a.place[k] + bulge * u[k])
-      + 3 * (1 - t) * t * t * (b.place[k] - bulge * v[k]) + t ** 3 * b.place[k]);
-    return Array.from({ length: 16 }, (_, k) => curve(k / 16));
+const dot2 = (a, b) => a[0] * b[0] + a[1] * b[1];
+const same2 = (a, b) => a[0] === b[0] && a[1] === b[1];
+const angleOf = ([x, y]) => (Math.atan2(y, x) + 2 * Math.PI) % (2 * Math.PI);
+const spun = ([x, y], a) => [x * Math.cos(a) - y * Math.sin(a), x * Math.sin(a) + y * Math.cos(a)];
+const flattened = ([p, q, r, end], steps) => Array.from({ length: steps }, (_, k) => k / steps)
+  .map((t) => [0, 1].map((i) => (1 - t) ** 3 * p[i] + 3 * t * (1 - t) ** 2 * q[i] + 3 * t * t * (1 - t) * r[i] + t ** 3 * end[i]));
+const cyclic = (list) => list.map((a, i) => [a, list[(i + 1) % list.length]]);
+const inOrder = (stops, ...keys) => stops.toSorted((a, b) => {
+  for (const key of keys) if (Math.abs(key(a) - key(b)) > 1e-9) return key(a) - key(b);
+  return 0;
+});
+
+// Contacts in the order of their tangent directions, counter-clockwise.
+function convexPieces(stops) {
+  return cyclic(inOrder(stops, ({ u }) => angleOf(u), ({ p, u }) => dot2(p, u))).flatMap(([a, b]) => {
+    let turn = (angleOf(b.u) - angleOf(a.u) + 2 * Math.PI) % (2 * Math.PI);
+    if (Math.min(turn, 2 * Math.PI - turn) < 1e-9) turn = dot2(b.p.map((x, k) => x - a.p[k]), a.u) <= 0 ? 2 * Math.PI : 0;
+    const chain = [a, ...(turn > Math.PI - 1e-9 ? between(a, b, turn) : []), b];
+    return chain.slice(1).map((stop, i) => bend(chain[i], stop));
   });
+}
+
+// Further stops where the outline turns by half a turn or more: of a circle that touches the tangents of both ends.
+function between({ p, u }, { p: q }, turn) {
+  const middle = [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2];
+  const reach = Math.max(Math.hypot(q[0] - p[0], q[1] - p[1]), 1) / 2;
+  const half = spun(u, turn / 2);
+  const outward = [half[1], -half[0]];
+  if (turn < 1.15 * Math.PI) return [{ p: along(middle, outward, reach), u: half }];
+  const n = [-u[1], u[0]];
+  const centre = along(middle, outward, (reach - dot2(n, [middle[0] - p[0], middle[1] - p[1]])) / dot2(n, outward));
+  const number = Math.ceil(turn / (0.5 * Math.PI) - 1e-9) - 1;
+  return Array.from({ length: number }, (_, j) => spun(u, (turn * (j + 1)) / (number + 1)))
+    .map((w) => ({ p: along(centre, [w[1], -w[0]], reach), u: w }));
+}
+
+// A cubic from one stop to the next, that of a circle where one fits.
+function bend({ p, u }, { p: q, u: v }) {
+  const away = [q[0] - p[0], q[1] - p[1]];
+  const chord = Math.hypot(...away);
+  const sine = u[0] * v[1] - u[1] * v[0];
+  const turn = Math.abs(Math.atan2(sine, dot2(u, v)));
+  const share = (4 / 3) * (Math.tan(turn / 4) / Math.tan(turn / 2));
+  const arms = turn < 1e-9 || Math.abs(sine) < 1e-9 ? [chord / 3, chord / 3]
+    : [away[0] * v[1] - away[1] * v[0], u[0] * away[1] - u[1] * away[0]].map((x) => Math.min(Math.max((share * x) / sine, 0), 0.9 * chord));
+  return [p, along(p, u, arms[0]), along(q, v, -arms[1]), q];
+}
+
+// Contacts in angular order around a centre; null when the curve crosses itself.
+function piecesAround(stops, centre) {
+  const from = ({ p }) => angleOf([p[0] - centre[0], p[1] - centre[1]]);
+  const pieces = cyclic(inOrder(stops, from, ({ u }) => angleOf(u))).map(([{ p, u }, { p: q, u: v }]) => {
+    const arm = 0.38 * Math.hypot(q[0] - p[0], q[1] - p[1]);
+    return [p, along(p, u, arm), along(q, v, -arm), q];
+  });
+  return stops.length < 3 || crosses(pieces.flatMap((piece) => flattened(piece, 12))) ? null : pieces;
+}
+
+// Whether a closed polygon crosses itself or runs clockwise.
+function crosses(points) {
+  if (area(points) <= 0) return true;
+  const side = (a, b, c) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  const edges = cyclic(points);
+  const apart = ([a, b], [c, d]) => side(a, b, c) * side(a, b, d) < -1e-18;
+  return edges.some((one, i) => edges.slice(0, i).some((other) => apart(one, other) && apart(other, one)));
 }
 
 // How long a force is drawn; while something is dragged lengths stay comparable.

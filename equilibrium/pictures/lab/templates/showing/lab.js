@@ -81,6 +81,7 @@ Object.assign(window, { lab: {
   },
   check: checkDocument,
   says: (method, grasp, wrench) => saidBy(method, readGrasp(grasp), readWrench(wrench)),
+  outline: (grasp) => outlineOf(readGrasp(grasp)),
   states: (grasp) => [...statesOf(readGrasp(grasp))].filter(Boolean).map(({ states }) => states),
   pieces(grasp) {
     const contacts = readGrasp(grasp);

@@ -13,7 +13,7 @@ function paintMap() {
   at("plane-caption").textContent = stale ? "Being computed …" : state.other ? comparedWords()
     : "Each polygon: one choice of states. Darker: more contacts stick; hatched: some detached. Drag: changes the force.";
   at("conditions-box").hidden = !piece;
-  if (piece) at("conditions").textContent = [`states: ${piece.states.join(", ")}`, ...conditions(piece)].join("\n");
+  if (piece) typeset(at("conditions"), [`states: ${piece.states.join(", ")}`, ...conditions(piece)].join("\n"));
 }
 
 // The exact conditions of a piece on the wrench.
