@@ -214,6 +214,8 @@ def _f_vector(
         from .planes.proved import proved_f_vector
 
         return proved_f_vector(arrangement), "none: counted by the verified program"
+    from .counts import f_vector
+
     if regions > budget.FACES * budget.times() and not _counts_are_cheap(arrangement):
         times = math.ceil(1.2 * regions / budget.FACES)
         return None, f"not counted by dimension: {regions:,} regions; --limit {times} allows it"
@@ -221,9 +223,11 @@ def _f_vector(
         faces = arrangement.faces()
         return faces.f_vector, faces.engine
     except OutOfReachError as error:
-        if error.f_vector is None:
+        try:
+            counted = error.f_vector or f_vector(arrangement)
+        except OutOfReachError:
             return None, f"not counted by dimension: {error}"
-        return error.f_vector, "none: counted by Zaslavsky's theorem, not enumerated"
+        return counted, "none: counted by Zaslavsky's theorem, not enumerated"
 
 
 def _counts_are_cheap(arrangement: Arrangement) -> bool:

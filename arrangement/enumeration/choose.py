@@ -128,7 +128,8 @@ def enumerate_regions(planes: Planes, count: Callable[[Planes], int]) -> FaceSeq
 
     regions, many = most_regions(m, planes.rank, central), "up to "
     if budget.excess(**takes()) > 1:
-        with suppress(OutOfReachError):  # then the bound has to do
+        # else the bound has to do
+        with suppress(OutOfReachError, budget.WorkOver), budget.at_most(budget.STEPS):
             regions, many = min(count(planes), 10**300), ""
     what = f"a list of the {many}{budget.about(regions)} regions of {planes!r}"
     budget.check_cost(what, "count them (arrangement count, region_count())", **takes())
@@ -221,9 +222,12 @@ def _check_cost(
     exact, instead = None, "count them (arrangement count, counts.f_vector)"
     if budget.excess(**takes()) > 1 and count is not None:
         try:
-            exact = tuple(count(planes))
+            with budget.at_most(budget.STEPS):
+                exact = tuple(count(planes))
             faces = min(sum(exact), 10**300)
-        except OutOfReachError:  # then the bound has to do
+        except budget.WorkOver:  # then the bound has to do
+            pass
+        except OutOfReachError:
             instead = "leave out planes: to count them takes too long as well"
     try:
         many = "" if exact is not None else "up to "

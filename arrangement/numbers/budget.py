@@ -205,7 +205,7 @@ def check_size(number: int, kind: str, where: str = "") -> None:
 
 
 class WorkOver(BaseException):
-    """A command has taken all its steps.
+    """A command, or other work that is counted, has taken all its steps.
 
     Not an `Exception`, so that no handler on the way mistakes it for bad input.
     """
@@ -219,6 +219,24 @@ def metered(steps: float = COMMAND_STEPS) -> Iterator[None]:
         yield
     finally:
         _meter.reset(token)
+
+
+@contextmanager
+def at_most(steps: float) -> Iterator[None]:
+    """Count the steps inside, in Python as well, and end what takes more (scaled).
+
+    For work that only helps to decide about other work.
+
+    Raises:
+        WorkOver: it takes more.
+    """
+    inside = _Meter(steps)
+    token = _meter.set(inside)
+    try:
+        yield
+    finally:
+        _meter.reset(token)
+        spend(inside.spent)
 
 
 def allow(steps: float) -> None:

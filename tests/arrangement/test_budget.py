@@ -222,6 +222,34 @@ def test_list_refused_by_size_unless_limit_allows():
     assert len(planes.faces()) == 243
 
 
+def test_list_refused_by_a_bound_where_counting_takes_long(tmp_path, capsys):
+    """Work that decides whether a list is made is within the limits of the list."""
+    planes = families.resonance(6)
+    with budget.limit(0.1):
+        with pytest.raises(
+            OutOfReachError, match=r"of the up to .* faces .* count them"
+        ) as refused:
+            planes.faces()
+        assert refused.value.f_vector is None
+    path = tmp_path / "planes.json"
+    path.write_text(json.dumps(planes.to_dict()))
+    assert arrangement_main(["count", str(path), "--json", "--limit", "0.3"]) == 0
+    counted = json.loads(capsys.readouterr().out)
+    assert counted["f_vector"] == [1, 57750, 700350, 2742180, 4695600, 3662064, 1066044]
+    assert counted["engine"] == "none: counted by Zaslavsky's theorem, not enumerated"
+
+
+def test_work_that_helps_to_decide_is_counted_with_the_rest():
+    with budget.metered(1000):
+        with pytest.raises(budget.WorkOver), budget.at_most(100):
+            budget.spend(101)
+        with budget.at_most(100):
+            budget.spend(99)
+        assert budget.spent() == 200
+    with pytest.raises(budget.WorkOver), budget.limit(0.1), budget.at_most(100):
+        budget.spend(11)
+
+
 def test_larger_limit_lists_what_a_smaller_one_lists():
     """The bound alone refuses nothing: the pencil has far fewer faces than planes may have."""
     listed = []

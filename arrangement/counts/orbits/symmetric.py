@@ -37,6 +37,8 @@ _CHUNK = 1 << 19
 _COVERED = 1 << 25
 #: Steps for a pair of a flat and a plane, and for a flat that comes up.
 _PAIR, _COVER = 5, 8
+#: The same for the planes through a flat, and for those that the others cut out on it: measured.
+_PART = 60_000
 #: Flats that are put together at once.
 MANY = 1 << 20
 
@@ -310,6 +312,7 @@ def flats_and_faces(
         residues = [[0] * len(moduli), [0] * len(moduli)]
         sets = unpack(flats.members, automorphisms.size)
         for place, members in enumerate(watched(sets, f"classes of rank {rank}")):
+            budget.spend((1 + faces) * _PART)
             chosen = [planes.firsts[i] for i in np.flatnonzero(members)]
             moebius = first_whitney_numbers(localization(planes, chosen))[-1] if rank else 1
             inside = _regions(planes, chosen, rank) if faces else 1
