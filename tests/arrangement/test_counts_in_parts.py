@@ -1,7 +1,9 @@
 """Counts in parts: however they are stopped, shared or spread, the numbers are the same."""
 
+import io
 import json
 import shutil
+import zipfile
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -120,6 +122,8 @@ def test_what_cannot_be_used_is_refused(tmp_path):
         in_parts(RESONANCE, tmp_path, time_limit=0)
     with pytest.raises(InputError, match="parts is 0"):
         in_parts(RESONANCE, tmp_path, parts=0)
+    with pytest.raises(InputError, match="parts is 1000000000; expected at most 100,000"):
+        in_parts(RESONANCE, tmp_path, parts=10**9)
     with pytest.raises(InputError, match="no planes"):
         in_parts(Arrangement([], dimension=2), tmp_path / "new")
     (tmp_path / "file").write_text("")
@@ -136,7 +140,9 @@ def test_symmetries_of_a_plan_are_checked(tmp_path, generators):
         in_parts(families.braid(4), tmp_path)
 
 
-@pytest.mark.parametrize("plan", ["[]", "3", {"layout": 1}, {"parts": 0}, {"parts": "3"}])
+@pytest.mark.parametrize(
+    "plan", ["[]", "3", {"layout": 1}, *({"parts": x} for x in (0, "3", 1.5, True, 10**9))]
+)
 def test_a_plan_of_another_kind_is_refused(tmp_path, plan):
     in_parts(families.braid(4), tmp_path)
     place = tmp_path / "plan.json"
@@ -226,6 +232,24 @@ def test_no_changed_array_is_believed(store, tmp_path, value):
             refused(tmp_path, place.name)
         place.unlink()
     assert in_parts(RESONANCE, tmp_path) == NUMBERS
+
+
+@pytest.mark.parametrize("shape", [(10**13,), (10**9, 10**9), (10**25,), (0, 10**25)])
+def test_a_part_with_less_than_its_header_says_is_named(store, tmp_path, shape):
+    """It would be refused for want of memory, and its name would be unknown."""
+    shutil.copytree(store, tmp_path, dirs_exist_ok=True)
+    place = tmp_path / "rank-04" / "part-01.npz"
+    stream = io.BytesIO()
+    header = {"descr": "<i8", "fortran_order": False, "shape": shape}
+    np.lib.format.write_array_header_1_0(stream, header)
+    with zipfile.ZipFile(place) as old:
+        content = {name: old.read(name) for name in old.namelist()}
+    with zipfile.ZipFile(place, "w") as new:
+        for name, data in (content | {"residues.npy": stream.getvalue()}).items():
+            new.writestr(name, data)
+    refused(tmp_path, place.name)
+    place.write_bytes(stream.getvalue())
+    refused(tmp_path, place.name)
 
 
 def test_a_forecast_of_few_flats_counts_them():

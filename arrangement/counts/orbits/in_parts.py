@@ -25,9 +25,10 @@ from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
-from zipfile import BadZipFile
+from zipfile import BadZipFile, ZipFile
 
 import numpy as np
+from numpy.lib import format as npy
 from numpy.typing import NDArray
 
 from arrangement.console import workers
@@ -46,10 +47,19 @@ from .symmetric import MANY, Classes, Flats, classes
 
 #: Parts of a rank in the upper half. More take less memory each; fewer see more repeats at once.
 PARTS = 64
+#: A division into more would look for more files than flats.
+_MAX_PARTS = 100_000
 #: A rank with fewer flats is done in this process.
 _FEW = 20_000
 _LAYOUT = 2
 _FACTOR = np.uint64(0xD6E8FEB86659FD93)
+#: Bytes that one byte of an archive can stand for: 1,032 by the format of its compression.
+_MAX_EXPANSION = 1100
+#: What archives and their arrays raise, whatever is in them.
+_UNREADABLE = (
+    *(OSError, ValueError, OverflowError, EOFError, RuntimeError),
+    *(BadZipFile, zlib.error),
+)
 #: Arrays of a file: what is added up, with how many flats come up to which parts of the rank after,
 #: and these flats, for each of the parts.
 _SUMS = ("residues", "counts")
@@ -84,6 +94,8 @@ def first_whitney_numbers_in_parts(
     """
     deadline = Deadline(time_limit)
     root = str(Path(folder).absolute())
+    if parts > _MAX_PARTS:
+        raise InputError(f"parts is {shown(parts)}; expected at most {_MAX_PARTS:,}")
     if not workers.due(parts, shard, jobs):
         raise InputError(f"parts is {shown(parts)} and shard {shard}; give a part to each shard")
     _prepare(Path(root), configuration(arrangement), parts)
@@ -166,7 +178,7 @@ def _prepare(root: Path, config: Configuration, parts: int) -> None:
         raise InputError(f"{root} has parts of other planes; name another folder")
     try:  # a file may come from anywhere
         search.verified(found["generators"])
-        if not found["parts"] >= 1:
+        if type(found["parts"]) is not int or not 1 <= found["parts"] <= _MAX_PARTS:
             raise ValueError(found["parts"])
     except (KeyError, TypeError, ValueError, IndexError):
         raise InputError(
@@ -283,27 +295,40 @@ def _checksum(
     return {f"checksum-{min(arrays)}": np.frombuffer(digest.digest(), dtype=np.uint8)}
 
 
+def _array(file: ZipFile, name: str, most: float) -> NDArray[Any]:
+    """Return an array of an archive; refuse one whose header has more bytes than can be there."""
+    with file.open(f"{name}.npy") as stream:
+        npy.read_magic(stream)
+        shape, _, dtype = npy.read_array_header_1_0(stream)
+        if math.prod(shape) * dtype.itemsize > most:
+            raise ValueError(f"its {name} have the shape {shown(shape)}, which is not in it")
+        stream.seek(0)
+        found: NDArray[Any] = npy.read_array(stream, allow_pickle=False)
+        return found
+
+
 def _read(root: str, rank: int, part: int, above: int | None = None) -> dict[str, NDArray[Any]]:
     """Return what is added up of a file, or the flats that come up to a part of the rank after."""
     place, plan = _place(root, rank, part), _made(root).plan
 
-    def checked(file: Any, *names: str) -> dict[str, NDArray[Any]]:
-        arrays = {name: file[name] for name in names}
+    def checked(file: ZipFile, *names: str) -> dict[str, NDArray[Any]]:
+        arrays = {name: _array(file, name, most) for name in names}
         ((name, checksum),) = _checksum(plan, rank, part, arrays).items()
-        if not np.array_equal(file[name], checksum):
+        if not np.array_equal(_array(file, name, most), checksum):
             raise ValueError(f"it is not part {part} of rank {rank} of these planes, as written")
         return arrays
 
     try:
-        with np.load(place, allow_pickle=False) as file:
+        most = _MAX_EXPANSION * place.stat().st_size
+        with ZipFile(place) as file:
             names = _SUMS if above is None else tuple(f"{name}-{above}" for name in _FLATS)
-            if names[0] in file:
+            if f"{names[0]}.npy" in file.namelist():
                 return checked(file, *names)
             if above in checked(file, *_SUMS)["counts"][0]:
                 raise KeyError(names[0])
             return {}
     except (AttributeError, KeyError, TypeError):
         why = "it is not part of a count"
-    except (OSError, ValueError, EOFError, BadZipFile, zlib.error) as error:
+    except _UNREADABLE as error:
         why = reason(error)
     raise InputError(f"{place} cannot be read ({why}); delete it and run the command again")
