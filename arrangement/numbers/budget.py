@@ -128,7 +128,7 @@ def check_cost(
     forecast = " and ".join(c.text() for c in costs if c.amount > c.allowed * times())
     remedies = [instead] if instead else []
     if factor < _MAX_SUGGESTED_FACTOR:
-        remedies.append(f"{_raised_limit(math.ceil(1.2 * factor))} allows it")
+        remedies.append(f"{raised_limit(math.ceil(1.2 * factor))} allows it")
     remedy = ", or ".join(remedies) or "ask for less"
     raise OutOfReachError(f"{what}: this would take about {forecast}; {remedy}")
 
@@ -175,7 +175,7 @@ def _needed_factor(costs: tuple[_Cost, ...]) -> float:
     return max(c.amount / c.allowed if c.amount < _NEARLY_INFINITE else math.inf for c in costs)
 
 
-def _raised_limit(factor: int) -> str:
+def raised_limit(factor: int) -> str:
     """Return how to scale the limits: a call in Python, an option of a command."""
     in_python = _meter.get() is None
     return f"with arrangement.limit({factor})" if in_python else f"--limit {factor}"
@@ -198,7 +198,7 @@ def check_size(number: int, kind: str, where: str = "") -> None:
     if number <= max_size(kind):
         return
     place = f"{where}: " if where else ""
-    remedy = _raised_limit(math.ceil(number / MAX_SIZES[kind])).removeprefix("with ")
+    remedy = raised_limit(math.ceil(number / MAX_SIZES[kind])).removeprefix("with ")
     raise OutOfReachError(
         f"{place}{number:,} {kind}; at most {max_size(kind):,} are allowed, or more with {remedy}"
     )
@@ -266,6 +266,18 @@ def spend(steps: float) -> None:
             f"it has taken {about(meter.spent)} steps without an answer; ask for less, or "
             f"--limit {math.ceil(2 * times())} allows more"
         )
+
+
+def left() -> float:
+    """Return the steps that the command may still take; infinity in Python.
+
+    >>> with metered(1000):
+    ...     spend(600)
+    ...     left()
+    400.0
+    """
+    meter = _meter.get()
+    return math.inf if meter is None else meter.allowed * times() - meter.spent
 
 
 def spent() -> float:

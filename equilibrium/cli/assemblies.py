@@ -5,18 +5,22 @@ from __future__ import annotations
 import argparse
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
+from arrangement.console.number_form import JsonMixin
 from arrangement.console.options import values
 from arrangement.console.options.signature import options_of
-from equilibrium.model.errors import GraspError
+from arrangement.numbers import budget
+from equilibrium.model.errors import GraspError, UndecidedError
 
 from .arguments import add_command, show, tell_rounding
 
 if TYPE_CHECKING:
     from equilibrium.model.assembly import Assembly
+
+_Found = TypeVar("_Found", bound=JsonMixin)
 
 _AXES = ("BODY", "F_X", "F_Y", "TAU")
 #: Options of solve that are about one body.
@@ -104,6 +108,7 @@ def asked_assembly(
     """
     from equilibrium.model.assembly import Assembly, wrenches_of
 
+    budget.allow(3 * budget.COMMAND_STEPS)  # of a part of many contacts, as in space
     assembly, stated = Assembly.from_dict(document), wrenches_of(document)
     if preload is not None:
         assembly = assembly.with_preload(preload)
@@ -135,6 +140,8 @@ def solve_assembly(arguments: argparse.Namespace, given: Mapping[str, Any]) -> i
         verdict.certificate.save(arguments.certificate)
     yes = verdict.stable if verdict.decided else None
     document, lines = verdict.to_dict(arguments.all), verdict.lines(arguments.all)
+    if isinstance(document.get("equilibria"), dict):
+        yes = None
     return show(arguments, document, lines, yes, assembly)
 
 
@@ -149,6 +156,19 @@ def draw_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) ->
     subject = solve(assembly, wrenches) if "wrench" in document else assembly
     options = given_options(arguments, OF_ASSEMBLIES, DRAWINGS)
     return write(arguments, OF_ASSEMBLIES, subject, options)
+
+
+def or_undecided(
+    ask: Callable[[], _Found], text: Callable[[_Found], str]
+) -> tuple[dict[str, Any], str]:
+    """Return the JSON form and the text of an answer, or why it is undecided."""
+    from equilibrium.decide.answer import undecided
+
+    try:
+        found = ask()
+    except UndecidedError as unknown:
+        return undecided(unknown), f": undecided, {unknown}"
+    return found.to_dict(), text(found)
 
 
 def refuse_one_body(arguments: argparse.Namespace, names: Iterable[str]) -> None:

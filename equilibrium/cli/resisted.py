@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from arrangement.console.number_form import bracket, counted, number, vector
 from arrangement.console.options import values
 from arrangement.numbers.exact import RationalVector, number_text
-from equilibrium.model.errors import GraspError
+from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import read_wrench
 
 from .arguments import (
@@ -29,7 +29,13 @@ from .arguments import (
     show,
     spanning_wrench,
 )
-from .assemblies import add_on_body, asked_assembly, assembly_document, refuse_one_body
+from .assemblies import (
+    add_on_body,
+    asked_assembly,
+    assembly_document,
+    or_undecided,
+    refuse_one_body,
+)
 
 if TYPE_CHECKING:
     from equilibrium.model.assembly import Assembly
@@ -153,6 +159,7 @@ def _resisted(arguments: argparse.Namespace) -> int:
 
 def _of_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> int:
     """Print magnitudes of wrenches on bodies, or the margin of those of the file."""
+    from equilibrium.decide.answer import undecided
     from equilibrium.wrench_sets import ResistedSet
 
     refuse_one_body(arguments, _ONE_BODY)
@@ -164,9 +171,12 @@ def _of_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> 
     given = document, arguments.on, arguments.preload
     assembly, wrenches = asked_assembly(*given, required=arguments.margin)
     resisted = ResistedSet(assembly, max_displacement=arguments.max_displacement)
-    if arguments.margin:
-        return _show_margin(arguments, resisted, resisted.margin(wrenches))
-    magnitudes: Any = resisted.along(arguments.along, wrenches)
+    try:
+        if arguments.margin:
+            return _show_margin(arguments, resisted, resisted.margin(wrenches))
+        magnitudes: Any = resisted.along(arguments.along, wrenches)
+    except UndecidedError as unknown:
+        return show(arguments, undecided(unknown), [f"undecided: {unknown}"], None, assembly)
     lines = [f"resisted for t in {intervals_text(magnitudes.intervals)}"]
     return show(arguments, magnitudes.to_dict(), lines, bool(magnitudes.intervals), assembly)
 
@@ -356,29 +366,34 @@ def _margin(arguments: argparse.Namespace, grasp: Grasp) -> int:
 
 def _show_margin(arguments: argparse.Namespace, resisted: ResistedSet, factors: Margin) -> int:
     """Print a margin, with the preload and the friction that resist the wrench."""
-    grasp, preloads = resisted.grasp, factors.preloads
+    grasp, chosen = resisted.grasp, arguments.contacts
     whose = "a uniform preload"
-    if arguments.contacts is not None:
-        loads = [factors.wrench, *(arguments.also or ())]
-        preloads = resisted.preloads(loads, arguments.contacts)
-        whose = f"this preload of contacts {', '.join(map(str, preloads.contacts))}"
+    if chosen is not None:
+        whose = f"this preload of contacts {', '.join(map(str, sorted({*chosen})))}"
     elif arguments.also is not None:
         raise GraspError("--also goes with --contacts")
+    loads = [factors.wrench, *(arguments.also or ())]
     tolerance = Fraction(1, 2**20) if arguments.tolerance is None else arguments.tolerance
-    friction = factors.friction(tolerance)
-    remedies = {"preload": preloads.to_dict(), "friction": friction.to_dict()}
+    preload, in_preloads = or_undecided(
+        lambda: factors.preloads if chosen is None else resisted.preloads(loads, chosen),
+        lambda found: f" in {intervals_text(found.intervals)}{_force(grasp)}",
+    )
+    friction, coefficient = or_undecided(
+        lambda: factors.friction(tolerance), lambda found: f": {_friction(found.low, found.high)}"
+    )
     more, again = _rounded(resisted, factors.magnitudes) if any(factors.wrench) else ({}, [])
     doubt = "within_error" in more and resisted.solve(factors.wrench).doubt
     word = "yes" if factors.resisted else "no"
     word += f", for the rounded data; it {doubt}" if doubt else ""
-    yes = None if doubt else factors.resisted
+    yes = None if doubt or "verdict" in {*preload, *friction} else factors.resisted
     lines = [
         f"resisted: {word}",
         f"resisted when scaled by a factor in {intervals_text(factors.intervals)}",
         *again,
-        f"resisted with {whose} in {intervals_text(preloads.intervals)}" + _force(grasp),
-        "least uniform friction: " + _friction(friction.low, friction.high),
+        f"resisted with {whose}{in_preloads}",
+        f"least uniform friction{coefficient}",
     ]
+    remedies = {"preload": preload, "friction": friction}
     return show(arguments, factors.to_dict() | more | remedies, lines, yes, grasp)
 
 

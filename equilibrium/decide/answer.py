@@ -11,6 +11,11 @@ from equilibrium.model.errors import UndecidedError
 from . import RESISTED, UNDECIDED
 
 
+def undecided(reason: object) -> dict[str, str]:
+    """Return the JSON form of what is not known, and why."""
+    return {"verdict": UNDECIDED, "reason": str(reason)}
+
+
 class AnswerMixin(HintsMixin):
     """What verdicts on grasps and on assemblies have in common.
 

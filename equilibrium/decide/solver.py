@@ -270,8 +270,8 @@ class Solver(ReprMixin):
         except TimeoutError as late:
             if effort.spent <= effort.steps:
                 raise TimeLimitError(f"undecided: {late}; give more time, or none") from None
-            more = math.ceil(2 * budget.times())
-            raise OutOfReachError(f"undecided: {late}; --limit {more} allows more") from None
+            more = budget.raised_limit(math.ceil(2 * budget.times()))
+            raise OutOfReachError(f"undecided: {late}; {more} allows more") from None
 
     def solve_many(
         self, wrenches: Iterable[Iterable[Rational]], *, jobs: int = 1, dask: str | None = None
@@ -311,7 +311,7 @@ class Solver(ReprMixin):
         return self._proved(wrench, self._search(wrench, Effort()).close(tree, nodes))
 
     def _usual_effort(self) -> Effort:
-        return Effort(STEPS[self.grasp.dimension] * budget.times())
+        return Effort.usual(STEPS[self.grasp.dimension])
 
     def _in_plane(self, wrench: RationalVector, effort: Effort, shorten: bool) -> Solution | Tree:
         """Search in the plane, in units that keep numbers small."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from arrangement.numbers import budget
 from arrangement.numbers.deadline import Deadline
 
 
@@ -32,6 +33,11 @@ class Effort(Deadline):
         super().__init__(seconds)
         self.steps, self.spent = steps, 0.0
 
+    @classmethod
+    def usual(cls, steps: float) -> Effort:
+        """Return steps for one question, scaled; no more than the command that runs has left."""
+        return cls(min(steps * budget.times(), budget.left()))
+
     @property
     def passed(self) -> bool:
         """Whether one of the two limits is over."""
@@ -40,6 +46,8 @@ class Effort(Deadline):
     def check(self, work: float = 1) -> None:
         """Count steps, and raise `TimeoutError` when a limit is over."""
         self.spent += work
+        if self.spent > self.steps:
+            raise TimeoutError(str(self))
         super().check(work)
 
     def __str__(self) -> str:

@@ -6,11 +6,21 @@ from fractions import Fraction
 
 import pytest
 
-from arrangement import OutOfReachError, limit
-from equilibrium import Assembly, BodyContact, Contact, EquilibriumError, GraspError, ResistedSet
+from arrangement import limit
+from arrangement.numbers.budget import metered
+from equilibrium import (
+    Assembly,
+    BodyContact,
+    Contact,
+    EquilibriumError,
+    GraspError,
+    ResistedSet,
+    solve,
+)
 from equilibrium.cli import main
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.grasps.textbook import TEXTBOOK, stack, wedge
+from equilibrium.model.errors import UndecidedError
 from equilibrium.wrench_sets.friction import LARGEST
 from proofs_check.instances.bodies import textbook_questions
 from proofs_check.routes.bodies import resisted
@@ -149,11 +159,25 @@ class TestLimits:
         with pytest.raises(GraspError, match="zero"):
             ResistedSet(stack()[0]).along({})
 
-    def test_large_tree_is_refused_with_its_limit(self):
-        assembly, weights = TEXTBOOK["arch"](voussoirs=4)
-        push = {"voussoir 2": [1, 0, 0]}
-        with limit(0.001), pytest.raises(OutOfReachError, match="--limit"):
-            ResistedSet(assembly).along(push, weights)
+    @pytest.mark.parametrize(
+        "ask",
+        [
+            lambda arch, weights: ResistedSet(arch).along({"voussoir 2": [1, 0, 0]}, weights),
+            lambda arch, weights: ResistedSet(arch).margin(weights).preloads,
+            lambda arch, weights: ResistedSet(arch).margin(weights).friction(),
+            lambda arch, weights: solve(arch, weights).equilibria,
+        ],
+        ids=["along", "preloads", "friction", "equilibria"],
+    )
+    def test_large_tree_is_undecided_with_its_limit(self, ask):
+        arch = TEXTBOOK["arch"](voussoirs=4)
+        reason = "after 16 nodes, the tree of a part with 10 contacts is not closed; with arrange"
+        with limit(0.004), pytest.raises(UndecidedError, match=reason):
+            ask(*arch)
+
+    def test_steps_of_a_command_leave_it_undecided(self):
+        with metered(1000), pytest.raises(UndecidedError, match="limit of 1,000 steps"):
+            ResistedSet(wedge()[0]).along({"wedge": [1, 0, 0]}, wedge()[1])
 
     @pytest.mark.parametrize(
         "ask",
@@ -206,6 +230,29 @@ class TestCommand:
         assert capsys.readouterr().out == "resisted for t in [0, 1/2]\n"
         assert main(["solve", file, "--preload", "1"]) == 0
         assert "block 1 moves by (0, 0, 0)" in capsys.readouterr().out
+
+    @pytest.mark.parametrize(
+        ("command", "lines", "where"),
+        [
+            (["resisted", "--along", "voussoir 2", "1", "0", "0"], ["undecided: "], None),
+            (["resisted", "--margin"], ["uniform preload: undecided, "], "preload"),
+            (["solve", "--all"], ["resisted: an exact", "all equilibria: undecided"], "equilibria"),
+        ],
+    )
+    def test_large_part_is_undecided(self, command, lines, where, tmp_path, capsys):
+        path = tmp_path / "arch.json"
+        assembly, weights = TEXTBOOK["arch"](voussoirs=4)
+        assembly.save(path, weights)
+        command = [command[0], str(path), *command[1:], "--limit", "0.004"]
+        assert main(command) == 3
+        text = capsys.readouterr().out
+        assert all(line in text for line in lines)
+        assert "the tree of a part with 10 contacts is not closed; --limit 1 allows more" in text
+        assert main([*command, "--json"]) == 3
+        document = json.loads(capsys.readouterr().out)
+        found = document[where] if where else document
+        assert found["verdict"] == "undecided"
+        assert found["reason"] in text
 
     @pytest.mark.parametrize(
         ("options", "words"),

@@ -18,7 +18,7 @@ import pytest
 from scipy.optimize import linprog
 
 from arrangement.errors import InputError
-from arrangement.numbers import deadline
+from arrangement.numbers import budget, deadline
 from arrangement.numbers.linear.programs import Infeasible, feasible_point
 from equilibrium import Grasp, Solution, Verdict, read_grasp, solve, unit_normal
 from equilibrium.certificate.checker import check
@@ -764,6 +764,10 @@ class TestAnswers:
             patch.setitem(STEPS, 3, 100_000)
             assert main(options) == 3
             assert capsys.readouterr().out.startswith("undecided: limit of 100,000 steps")
+        with monkeypatch.context() as patch:
+            patch.setattr(budget, "COMMAND_STEPS", 30_000)
+            assert main(options) == 3
+            assert capsys.readouterr().out.startswith("undecided: limit of 60,000 steps")
         assert main(options) == 1
         capsys.readouterr()
         assert main(["solve", "two-opposed-fingers", "--weight", "1"]) == 0

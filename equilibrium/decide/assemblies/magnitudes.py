@@ -17,7 +17,6 @@ from fractions import Fraction
 from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.console.number_form import counted
-from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, to_text
 from arrangement.numbers.linear.intervals import (
@@ -30,6 +29,7 @@ from arrangement.numbers.linear.intervals import (
 from equilibrium.decide.solver import STEPS
 from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.effort import Effort
+from equilibrium.model.errors import UndecidedError
 
 from .contact_program import ContactProgram, LinearQuestion, Node
 from .parts import AssemblyPart, parts_of, with_root_as_ground
@@ -58,7 +58,7 @@ def assembly_magnitudes(
         disjoint, closed, increasing.
 
     Raises:
-        OutOfReachError: a part takes more nodes or steps than the limits allow.
+        UndecidedError: a part takes more nodes or steps than the limits allow.
     """
     found = _ALL
     moves = zip(*(parts_of(assembly, wrenches)[1] for wrenches in (base, along)), strict=True)
@@ -89,6 +89,9 @@ def surviving_states(
 
     Args:
         known: of a wider range; they are tried first.
+
+    Raises:
+        UndecidedError: a part takes more nodes or steps than the limits allow.
     """
     found = []
     pairs = _questions(assembly, wrenches, assembly.read_wrenches({}))
@@ -141,7 +144,7 @@ def part_equilibria(
         lies in another.
 
     Raises:
-        OutOfReachError: a part has too many choices of states.
+        UndecidedError: a part has too many choices of states.
     """
     none = assembly.read_wrenches({})
     found = []
@@ -192,36 +195,40 @@ class _Tree:
 
     Attributes:
         waiting: states that are still to be looked at.
+        nodes: those that were.
     """
 
     def __init__(self, question: LinearQuestion) -> None:
         self.question = question
-        self.effort = Effort(STEPS[3] * budget.times())
+        self.effort = Effort.usual(STEPS[3])
+        self.nodes = 0
         self.waiting: list[Node] = [("undecided",) * len(question.rows)]
 
     def __iter__(self) -> Iterator[ContactProgram]:
-        most = math.ceil(MAX_NODES * budget.times())
-        for _ in range(most):
-            if not self.waiting:
-                return
+        most = MAX_NODES * budget.times()
+        while self.waiting:
+            if self.nodes >= most:
+                raise TimeoutError
+            self.nodes += 1
             yield ContactProgram(self.question, self.waiting.pop(), self.effort)
-        if self.waiting:
-            raise TimeoutError(f"limit of {most:,} nodes")
 
 
 @contextmanager
 def _limited(question: LinearQuestion) -> Iterator[_Tree]:
-    """Give a tree, whose limits are errors.
+    """Give a tree, whose limits leave the question undecided.
 
     Raises:
-        OutOfReachError: one is passed.
+        UndecidedError: one is passed.
     """
+    tree = _Tree(question)
     try:
-        yield _Tree(question)
+        yield tree
     except TimeoutError as late:
         contacts, more = counted(len(question.rows), "contact"), math.ceil(2 * budget.times())
-        raise OutOfReachError(
-            f"undecided: {late} for {contacts} in one part; --limit {more} allows more"
+        limit = f", {late}" if late.args else ""
+        raise UndecidedError(
+            f"after {counted(tree.nodes, 'node')}{limit}, the tree of a part with {contacts} is "
+            f"not closed; {budget.raised_limit(more)} allows more"
         ) from None
 
 

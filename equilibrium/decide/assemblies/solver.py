@@ -12,7 +12,6 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from arrangement.errors import OutOfReachError
-from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, to_text, vector_text
 from arrangement.numbers.linear.intervals import Interval
 from equilibrium.certificate.assemblies import joint_rows
@@ -109,7 +108,7 @@ def solve_assembly(
     'resisted'
     """
     read = assembly.read_wrenches(wrenches)
-    effort = Effort(STEPS[3] * budget.times()) if time_limit is None else Effort(seconds=time_limit)
+    effort = Effort.usual(STEPS[3]) if time_limit is None else Effort(seconds=time_limit)
     bound = read_displacement(max_displacement)
     verdict = _decided(assembly, read, _Limits(effort, nodes, bound))
     return _checked(replace(verdict, max_displacement=bound))

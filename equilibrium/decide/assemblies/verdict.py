@@ -14,9 +14,10 @@ from arrangement.numbers.exact import RationalVector, dot, to_text
 from equilibrium.certificate.assemblies import AssemblyReport, check_assembly
 from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.reading import SCHEMA_VERSION
-from equilibrium.decide.answer import AnswerMixin
+from equilibrium.decide.answer import AnswerMixin, undecided
 from equilibrium.model.assembly import SIZE, Assembly, Wrenches
 from equilibrium.model.displacement import displacement_entry, displacement_words
+from equilibrium.model.errors import UndecidedError
 from equilibrium.model.solution import Solution
 
 from .magnitudes import PartEquilibrium, part_equilibria
@@ -92,12 +93,23 @@ class AssemblyVerdict(AnswerMixin):
         Those of different parts combine freely. To find all takes far longer than the verdict.
 
         Raises:
-            UndecidedError: whether there are any is not known.
-            OutOfReachError: a part has too many choices of contact states.
+            UndecidedError: whether there are any is not known, or a part has too many choices of
+                contact states.
         """
         if not self.stable:
             return ()
-        return part_equilibria(self.assembly, self.wrenches, self.max_displacement)
+        found = self._all_equilibria
+        if isinstance(found, str):
+            raise UndecidedError(found)
+        return found
+
+    @cached_property
+    def _all_equilibria(self) -> tuple[tuple[PartEquilibrium, ...], ...] | str:
+        """The equilibria of each part; or why they are not known, which takes long to find out."""
+        try:
+            return part_equilibria(self.assembly, self.wrenches, self.max_displacement)
+        except UndecidedError as unknown:
+            return str(unknown)
 
     @cached_property
     def balances_rigidly(self) -> bool:
@@ -146,7 +158,7 @@ class AssemblyVerdict(AnswerMixin):
         """Return a JSON form; exact numbers are strings of rationals.
 
         Args:
-            every: with `equilibria`.
+            every: with `equilibria`, or why they are not known.
         """
         found: dict[str, Any] = {"reason": self.reason} if self.reason else {}
         if self.solution is not None:
@@ -156,7 +168,12 @@ class AssemblyVerdict(AnswerMixin):
                 "forces": [list(map(to_text, force)) for force in self.forces],
             }
         if every and self.solution is not None:
-            found["equilibria"] = [[one.to_dict() for one in part] for part in self.equilibria]
+            parts = self._all_equilibria
+            found["equilibria"] = (
+                undecided(parts)
+                if isinstance(parts, str)
+                else [[one.to_dict() for one in part] for part in parts]
+            )
         return {
             "verdict": self.verdict,
             **found,
@@ -169,7 +186,7 @@ class AssemblyVerdict(AnswerMixin):
         """Return the answer in lines for people: the reason, or motions and forces.
 
         Args:
-            every: with `equilibria`.
+            every: with `equilibria`, or why they are not known.
         """
         within = displacement_words(self.max_displacement)
         if self.solution is None:
@@ -187,7 +204,10 @@ class AssemblyVerdict(AnswerMixin):
         width = max(map(len, pairs), default=0)
         for i, (pair, state, force) in enumerate(zip(pairs, self.states, self.forces, strict=True)):
             found.append(f"    contact {i + 1}  {pair:<{width}}  {state:<8}  force {vector(force)}")
-        for part in self.equilibria if every else ():
+        parts = self._all_equilibria if every else ()
+        if isinstance(parts, str):
+            return [*found, f"all equilibria: undecided, {parts}"]
+        for part in parts:
             numbers = ", ".join(str(i + 1) for i in part[0].contacts)
             many = counted(len(part), "family", "families")
             found.append(f"  contacts {numbers}: {many} of equilibria")
