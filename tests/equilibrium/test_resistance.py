@@ -188,9 +188,7 @@ def test_limit_of_work_ends_search(monkeypatch):
     grasp, wrench = hard()
     monkeypatch.setitem(STEPS, 2, 20_000)
     for times in (1, 2):
-        words = (
-            f"undecided: limit of {20 * times},000 steps; with arrangement.limit({2 * times})"
-        )
+        words = f"undecided: limit of {20 * times},000 steps; with arrangement.limit({2 * times})"
         with pytest.raises(OutOfReachError, match=re.escape(words)), budget.limit(times):
             solve(grasp, wrench)
     with budget.limit(1000):
