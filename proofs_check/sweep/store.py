@@ -41,6 +41,8 @@ _CHUNKS = (
     "CAST(checksum AS BLOB) "
     "FROM chunks LEFT JOIN environments ON environments.id = chunks.environment"
 )
+#: Bytes of a cell; SQLite refuses larger ones without reading them.
+_MAX_CELL = 1 << 26
 #: Where the table cannot be read in order, this many numbers are looked up one by one.
 _LOOKED_UP = 1_000_000
 #: Damaged chunks that a message names.
@@ -232,6 +234,7 @@ def _opened(path: str, place: str) -> Iterator[sqlite3.Connection]:
         connection = sqlite3.connect(place, timeout=60, isolation_level=None, uri=place != path)
     except sqlite3.Error as error:
         raise SweepError(f"cannot open {path}: {error}") from None
+    connection.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, _MAX_CELL)
     try:
         yield connection
     except BaseException as error:

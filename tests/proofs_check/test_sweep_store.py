@@ -96,6 +96,8 @@ def answers(whole: Path) -> list[str]:
         ("UPDATE plan SET record = replace(record, '60', '50')", "its plan is not"),
         ("UPDATE plan SET claim = replace(claim, 'holds', 'fails')", "its plan is not"),
         ("DELETE FROM plan", "it has 0 plans, not one"),
+        ("UPDATE chunks SET result = zeroblob(70000000) WHERE number = 1", "big, chunk 1 not"),
+        ("UPDATE plan SET record = zeroblob(70000000)", "string or blob too big"),
         ("DROP TABLE chunks", "no such table: chunks, chunks 0, 1, 2, 3, 4, 5 not"),
     ],
 )
