@@ -326,7 +326,10 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_space.py::TestModel",
         "tests/equilibrium/test_grasp.py",
     ): ("equilibrium.model.unit_normal",),
-    ("tests/equilibrium/test_methods.py",): ("equilibrium.plane.contact_rows",),
+    (
+        "tests/equilibrium/test_methods.py",
+        "tests/equilibrium/test_wrench_sets_plane.py::test_friction_without_normal_force_is_none",
+    ): ("equilibrium.plane.contact_rows",),
     (
         "tests/equilibrium/test_leaves.py",
         "tests/equilibrium/test_verdict.py",

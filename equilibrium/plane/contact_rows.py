@@ -11,7 +11,9 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import Any, TypeAlias, TypeVar
 
-from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.deadline import Deadline
+from arrangement.numbers.exact import RationalVector, dot
+from arrangement.numbers.linear.programs import Infeasible, Program, Unbounded
 from equilibrium.model.contact import Contact, pyramid_edges
 from equilibrium.model.grasp import Grasp
 
@@ -69,6 +71,52 @@ def cone_rows(friction: Fraction, normal: RationalVector, tangential: RationalVe
     """Return ``friction c_n - c_t`` and ``friction c_n + c_t``, at least 0 inside the cone."""
     limit = tuple(friction * x if x else x for x in normal)
     return sum_row(limit, tangential, -1), sum_row(limit, tangential, 1)
+
+
+def any_friction_does(
+    n: int,
+    inequalities: Sequence[RationalVector],
+    equalities: Sequence[RationalVector],
+    forces: Iterable[Pair],
+    deadline: Deadline | None = None,
+) -> bool:
+    """Return whether conditions have a solution, where friction may have any coefficient.
+
+    The cone of a contact is a half-plane then, without its edge: where the normal force is 0 there
+    is no friction. A contact without normal force in all solutions has no friction in any, which
+    is one more equality. When no such contact is left, the mean of solutions with normal forces at
+    each of the others is one with friction in cones.
+
+    Args:
+        forces: of the contacts with friction.
+    """
+    rubbing, equal = list(forces), list(equalities)
+    while True:
+        program = Program(n, inequalities, equal, deadline)
+        if not program.feasible:
+            return False
+        loose = _never_pressed(program, rubbing)
+        if not loose:
+            return True
+        equal += [tangential for _, tangential in loose]
+        rubbing = [pair for pair in rubbing if pair not in loose]
+
+
+def _never_pressed(program: Program, forces: list[Pair]) -> list[Pair]:
+    """Return the contacts whose normal force is 0 in all solutions, of which there are some."""
+    loose = forces
+    while loose:
+        columns = zip(*(row for row, _ in loose), strict=True)
+        found = program.minimize([-sum(column) for column in columns][:-1])
+        assert not isinstance(found, Infeasible)
+        ends = [(*found.point, Fraction(1))]
+        if isinstance(found, Unbounded):
+            ends.append((*found.ray, Fraction(0)))
+        rest = [(row, t) for row, t in loose if not any(dot(row, end) > 0 for end in ends)]
+        if len(rest) == len(loose):
+            break
+        loose = rest
+    return loose
 
 
 def balance_rows(

@@ -4,7 +4,8 @@ In the coefficient the equations are not linear, and more friction is not always
 bisection would be wrong. Instead a whole range of coefficients is refuted at once: let every
 slipping contact have its own coefficient anywhere in the range, and every sticking one the largest.
 That is a linear program for each choice of contact states; if all are infeasible, no coefficient of
-the range resists the wrench. Ranges that are not refuted are halved, the lower half first.
+the range resists the wrench. Ranges that are not refuted are halved, the lower half first. For any
+coefficient cones are half-planes, in which friction takes a normal force.
 """
 
 from __future__ import annotations
@@ -19,7 +20,6 @@ from arrangement.console.number_form import JsonMixin
 from arrangement.console.progress import watched
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, rational, shown
-from arrangement.numbers.linear import programs
 from equilibrium.decide.assemblies.magnitudes import Survivors, surviving_states
 from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.solver import Solver, prepare
@@ -30,6 +30,7 @@ from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.contact_rows import (
     DIRECTION,
     Pair,
+    any_friction_does,
     balance_rows,
     cone_rows,
     displacement_rows,
@@ -181,9 +182,11 @@ class _OfGrasp(_Search):
         kept = []
         listed = contact_states(self.grasp) if states is None else states
         for choice in watched(listed, "contact states"):
-            equalities, inequalities, n = _relaxed_rows(self.grasp, choice, self.wrench, low, high)
+            relaxed = _relaxed_rows(self.grasp, choice, self.wrench, low, high)
+            equalities, inequalities, open_forces, n = relaxed
             inequalities += displacement_rows(self.max_displacement, self.grasp, n)
-            if programs.Program(n, inequalities, equalities).feasible:
+            forces = open_forces if high is None else ()
+            if any_friction_does(n, inequalities, equalities, forces):
                 kept.append(choice)
         return kept
 
@@ -218,8 +221,8 @@ class _OfAssembly(_Search):
 
 def _relaxed_rows(
     grasp: Grasp, states: States, wrench: RationalVector, low: Fraction, high: Fraction | None
-) -> tuple[list[RationalVector], list[RationalVector], int]:
-    """Return equalities, inequalities and the number of variables of the relaxation.
+) -> tuple[list[RationalVector], list[RationalVector], list[Pair], int]:
+    """Return equalities, inequalities, forces and the number of variables of the relaxation.
 
     The variables are the motion and the tangential force of each contact that touches; every
     solution with a coefficient in ``[low, high]`` satisfies the rows.
@@ -247,7 +250,7 @@ def _relaxed_rows(
             inequalities.append(sum_row(pull, normal, -low))
             inequalities.append(tuple(-DIRECTION[state] * x for x in slip))
     balance, _ = balance_rows(grasp, forces, wrench, n)
-    return [*balance, *sticking], inequalities, n
+    return [*balance, *sticking], inequalities, forces, n
 
 
 def _ranges() -> Iterator[tuple[Fraction, Fraction]]:

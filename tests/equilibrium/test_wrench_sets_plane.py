@@ -8,7 +8,10 @@ from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.linear.intervals import holds, remainder, union
 from arrangement.numbers.linear.polyhedron import from_conditions
-from equilibrium import Contact, Grasp, GraspError, read_grasp, solve
+from equilibrium import Assembly, Contact, Grasp, GraspError, read_grasp, solve
+from equilibrium.decide.assemblies.solver import AssemblySolver
+from equilibrium.model.effort import Effort
+from equilibrium.plane.contact_rows import any_friction_does
 from equilibrium.wrench_sets.friction import least_friction
 from equilibrium.wrench_sets.margin import margin, sufficient_preloads
 from equilibrium.wrench_sets.outline import outline_of
@@ -264,6 +267,29 @@ def test_least_friction_with_many_open_ranges_is_refused(monkeypatch):
     monkeypatch.setitem(budget.MAX_SIZES, "open ranges of friction coefficients", 1)
     with pytest.raises(OutOfReachError, match="tolerance 1/4: 2 open ranges of friction coeff"):
         least_friction(grasp, (2, -2, 0), "1/4")
+
+
+def test_wall_that_nothing_presses_on_bears_no_weight():
+    wall = Contact([-1, 0], [1, 0], 1)
+    hung, leant = ((push, *(-x for x in wall.tangential_wrench[1:])) for push in (0, -1))
+    grasp, body = Grasp([wall]), AssemblySolver(Assembly.of_grasp(Grasp([wall])))
+    assert least_friction(grasp, hung).impossible
+    assert least_friction(body, {"object": hung}).impossible
+    assert least_friction(grasp, leant).high == least_friction(body, {"object": leant}).high == 1
+
+
+def test_friction_without_normal_force_is_none():
+    # Of x, u, v: the normal force x with friction u, and u, as a normal force, with friction v.
+    x, u, v = ([Fraction(int(j == i)) for j in range(4)] for i in range(3))
+    forces, rubbing = [(x, u), (u, v)], [0, 0, 1, -1]
+    assert any_friction_does(3, [x, u], [rubbing], forces)
+    assert any_friction_does(3, [x, u], [x, rubbing], [])
+    # Without x there is no u, then without u no v.
+    assert not any_friction_does(3, [x, u], [x, rubbing], forces)
+    assert any_friction_does(3, [x, u], [x], forces)
+    late = Effort(0)
+    with pytest.raises(TimeoutError):
+        any_friction_does(3, [x, u], [x, rubbing], forces, late)
 
 
 @settings(max_examples=6)

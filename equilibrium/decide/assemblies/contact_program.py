@@ -26,6 +26,7 @@ from arrangement.numbers.linear.programs import Infeasible, Program
 from equilibrium.model.effort import Effort
 from equilibrium.model.rows import ContactRow, ContactRows
 from equilibrium.model.solution import Solution
+from equilibrium.plane.contact_rows import any_friction_does
 
 #: The states of all contacts.
 Node = tuple[str, ...]
@@ -100,7 +101,7 @@ class ContactProgram:
     def __init__(
         self, question: LinearQuestion, states: Node, deadline: Effort | None = None
     ) -> None:
-        self.question, self.states = question, states
+        self.question, self.states, self._deadline = question, states, deadline
         n = question.rows.n
         forces: list[tuple[int | None, int | None]] = []
         size = n
@@ -187,8 +188,12 @@ class ContactProgram:
 
     @property
     def feasible(self) -> bool:
-        """Whether there is a solution."""
-        return self._program.feasible
+        """Whether there is a solution; with any friction, one with some coefficient."""
+        if self.question.frictions is None or self.question.frictions[1] is not None:
+            return self._program.feasible
+        pairs = zip(self._normal, self._tangential, strict=True)
+        forces = [(self._row(normal), self._row(rubbed)) for normal, rubbed in pairs if rubbed]
+        return any_friction_does(self.size, self._least, self._equal, forces, self._deadline)
 
     def start(self) -> End | None:
         """Return the solution of the least magnitude; None if there is none."""
@@ -229,7 +234,9 @@ class ContactProgram:
             preload = contact.preload + t * question.preload_slope
             spring = preload - contact.stiffness * dot(contact.normal_wrench, solution.motion)
             rub, lift = min(contact.stiffness * abs(slip), missed), pressed - max(spring, 0)
-            violations.append(rub + _LIFT_WEIGHT * lift)
+            # Half-planes of any friction have an edge that belongs to no cone.
+            edge = abs(rubbed) if most is None and not pressed else 0
+            violations.append(rub + _LIFT_WEIGHT * lift + edge)
             slips = "slip+" if slip > 0 else "slip-" if slip < 0 else "stick"
             slips = "attached" if question.is_smooth(contact) else slips
             states.append(slips if spring > 0 else "detached")

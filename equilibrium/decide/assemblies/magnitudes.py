@@ -256,7 +256,7 @@ def _survivor(question: LinearQuestion) -> Node | None:
     """Return states whose program has a solution; None if there are none."""
     with _limited(question) as tree:
         for program in tree:
-            start = program.start()
+            start = program.start() if program.feasible else None
             if start is None:
                 continue
             if program.is_complete:
