@@ -337,6 +337,9 @@ def robust(found: Any, bounds: Bounds, deadline: Deadline = NO_DEADLINE) -> Robu
     def decide(grasp: Grasp, wrench: RationalVector) -> Any:
         return _soon(found, effort_within(deadline), grasp, wrench)
 
+    # Bounds that leave a load at its limit, such as those of preloads that are 0.
+    if proof := standing_proof(found, bounds, found):
+        return answer(answer=HOLDS, certificate=proof)
     for other in corners(found, bounds, decide):
         turned = decide(other, found.wrench)
         if turned is not None and turned.verdict != name:

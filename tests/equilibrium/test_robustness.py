@@ -170,8 +170,11 @@ def two_pads(*, friction="1/2"):
     )
 
 
-def floor(*, wall=False):
-    """A box of side 2 on a floor, and at a wall on its right."""
+def floor(*, wall=False, space=False):
+    """A box of side 2 on a floor, in the plane at a wall on its right, too."""
+    if space:
+        corners = itertools.product((-1, 1), repeat=2)
+        return Grasp(Contact([*corner, 0], [0, 0, 1], "1/2", 1000) for corner in corners)
     places = [((-1, -1), (0, 1)), ((1, -1), (0, 1))]
     places += [((1, "-1/2"), (-1, 0)), ((1, "1/2"), (-1, 0))] * wall
     return Grasp(Contact(*place, "1/2", 1000) for place in places)
@@ -213,6 +216,19 @@ class TestRobust:
             .robust(friction="10%")
             .certificate.verify()
         )
+
+    @pytest.mark.parametrize(
+        ("grasp", "wrench"),
+        [(floor(), (5, -10, 0)), (floor(space=True), (3, 4, -10, 0, 0, 0))],
+        ids=["plane", "space"],
+    )
+    def test_load_at_its_limit_holds_within_bounds_that_leave_it_there(self, grasp, wrench):
+        """A share of the preload 0 is 0, so that no other grasp is within the bounds."""
+        found = solve(grasp, wrench).robust(preload="10%")
+        assert found.answer == "holds"
+        assert found.certificate.verify()
+        assert solve(grasp, [x * Fraction(1001, 1000) for x in wrench]).verdict == "resisted"
+        assert solve(grasp, [*wrench[:1], 5, *wrench[2:]]).verdict == "not resisted"
 
     @pytest.mark.parametrize("degrees", [1, "1/2", "1/4", "1/10"])
     def test_jaws_hold_a_twentieth_of_their_limit_within_degrees(self, degrees):
