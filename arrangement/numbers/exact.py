@@ -54,14 +54,14 @@ def rational(value: Rational, name: str = "number") -> Fraction:
     >>> rational("7/3"), rational("-0.25"), rational(5)
     (Fraction(7, 3), Fraction(-1, 4), Fraction(5, 1))
     """
+    if isinstance(value, str):
+        return _from_text(value, name)
     if isinstance(value, bool) or type(value).__name__ in ("bool_", "bool"):
         raise InputError(f"{name} is the Boolean {value}; write 0 or 1 if a number is meant")
     if isinstance(value, Fraction):
         return value
     if isinstance(value, int):
         return Fraction(value)
-    if isinstance(value, str):
-        return _from_text(value, name)
     if isinstance(value, numbers.Rational):
         return Fraction(int(value.numerator), int(value.denominator))
     if isinstance(value, numbers.Real):
@@ -89,7 +89,9 @@ def _from_text(text: str, name: str) -> Fraction:
         budget.check_size(len(text), "characters of a number", f"{name} is {shown(text)}")
     ratio = _INTEGER_OR_RATIO.fullmatch(text)
     if ratio is not None:
-        denominator = integer(ratio[2]) if ratio[2] else 1
+        if not ratio[2]:
+            return Fraction(integer(ratio[1]))
+        denominator = integer(ratio[2])
         if denominator == 0:
             raise InputError(f"{name} is {shown(text)}, which divides by zero")
         return Fraction(integer(ratio[1]), denominator)

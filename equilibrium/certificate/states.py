@@ -74,14 +74,14 @@ class StateQuestion:
     ) -> None:
         self.form, self.edges, self.max_displacement = form, edges, max_displacement
         works = math.lcm(*(x.denominator for x in (*load, *(c.preload for c in rows))))
-        self.load = tuple(int(x * works) for x in load)
+        self.load = tuple(whole(load, works))
         units = [math.lcm(*(x.denominator for row in c.wrenches for x in row)) for c in rows]
         pairs = list(zip(rows, units, strict=True))
         motions = math.lcm(*(c.stiffness.denominator * unit for c, unit in pairs))
         self.works = works
         self.contacts = [
             _IntegerContact(
-                tuple(tuple(int(x * unit) for x in row) for row in c.wrenches),
+                tuple(tuple(whole(row, unit)) for row in c.wrenches),
                 unit,
                 int(c.preload * works),
                 int(c.stiffness * motions / unit),
@@ -100,19 +100,18 @@ class StateQuestion:
         scale = math.lcm(
             *(x.denominator for row in (leaf.motion, *leaf.multipliers.values()) for x in row)
         )
-        motion = [int(x * scale) for x in leaf.motion]
-        work: Any = dot(self.load, motion) - taken * scale * self.works
+        motion = whole(leaf.motion, scale)
+        work: Any = dot(self.load, motion)
         rest: list[Any] = [0] * len(motion)
         cone = _LINE if self.form.tangents == 1 else self.edges
+        none = [0] * (self.form.tangents + 1)
         for i, contact in enumerate(self.contacts):
             state, given = place.states.get(i, "undecided"), leaf.multipliers.get(i)
-            alpha, *h = (
-                (0,) * (self.form.tangents + 1)
-                if given is None
-                else (int(x * scale) for x in given)
-            )
-            a, *b = (dot(row, motion) for row in contact.wrenches)
-            is_below = _is_below(a - alpha * contact.unit, b, contact.friction, state, cone)
+            alpha, *h = none if given is None else whole(given, scale)
+            is_below = False
+            if state != "detached":
+                a, *b = [dot(row, motion) for row in contact.wrenches]
+                is_below = _is_below(a - alpha * contact.unit, b, contact.friction, state, cone)
             if broken := broken_multipliers(state, alpha, h, is_below=is_below):
                 return f"{path}: contact {i + 1}, {_named(state)}: {broken}"
             factors: list[Any] = [-alpha * contact.per_alpha, *(x * contact.per_h for x in h)]
@@ -126,7 +125,8 @@ class StateQuestion:
         if any(rest):
             more = " and of the displacements" * bool(leaf.displacements)
             return f"{path}: the sum of -alpha k N + h T{more} is not 0"
-        return "" if work > 0 else f"{path}: the work of load and contacts is not above 0"
+        is_above = work > taken * scale * self.works
+        return "" if is_above else f"{path}: the work of load and contacts is not above 0"
 
 
 class _IntegerContact(NamedTuple):
@@ -152,7 +152,7 @@ def split_states(
     Raises:
         CertificateError: the contact is not attached, or directions are not in order.
     """
-    contact, ends = split.at[0], list(split.directions)
+    contact, ends = split.at[0], list(map(_whole_direction, split.directions))
     state = states.get(contact, "undecided")
     parts: list[State]
     if (split.kind == "faces") != bool(edges):
@@ -233,16 +233,17 @@ def _is_below(
         slip = _SIGNS.get(state) if isinstance(state, str) else state
         possible = slip.edges if isinstance(slip, SlipFace) else edges
         return bool(room >= friction * max(dot(edge, b) for edge in possible))
-    square, size = dot(b, b), Fraction(1)
+    square, size = dot(b, b), 1
     if isinstance(state, tuple) and not (turn(state[0], b) >= 0 and turn(b, state[1]) >= 0):
         # The nearer end: the squares compare as the products do, since both ends are in view.
         along = [(dot(end, b), dot(end, end)) for end in state]
-        signed = [(x * abs(x), length) for x, length in along]
-        (square, size) = max(signed, key=lambda pair: pair[0] / pair[1])
-    if square < 0:
-        # alpha may be above a: at most a + mu |x . b|.
-        return bool(room >= 0 or room * room * size <= friction**2 * -square)
-    return bool(room >= 0 and room * room * size >= friction**2 * square)
+        (square, size), (other, length) = [(x * abs(x), length) for x, length in along]
+        if other * size > square * length:
+            square, size = other, length
+    room *= friction.denominator
+    reach = room * room * size - friction.numerator**2 * abs(square)
+    # Below 0, alpha may be above a: at most a + mu |x . b|.
+    return bool(room >= 0 or reach <= 0) if square < 0 else bool(room >= 0 and reach >= 0)
 
 
 _LARGE = "alpha is larger than what the contact does on the virtual motion"
@@ -253,6 +254,17 @@ def _named(state: State) -> str:
         return state
     ends = (f"({', '.join(map(short, end))})" for end in getattr(state, "ends", state))
     return f"slip between {' and '.join(ends)}"
+
+
+def whole(row: RationalVector, unit: int) -> list[int]:
+    """Return a row times a multiple of its denominators."""
+    return [x.numerator * (unit // x.denominator) for x in row]
+
+
+def _whole_direction(row: RationalVector) -> RationalVector:
+    """Return the same direction in integers."""
+    unit = math.lcm(*(x.denominator for x in row))
+    return tuple(whole(row, unit))  # type: ignore[arg-type]
 
 
 def turn(left: Sequence[Any], right: Sequence[Any]) -> Any:
