@@ -92,6 +92,13 @@ class RoundCones:
 
     def support(self, state: State, b: Floats) -> Any:
         """Return the largest products of b (..., 2) with a unit vector that the state allows."""
+        if b.ndim == 1:
+            x, y = b.tolist()
+            if isinstance(state, tuple):
+                (p, q), (r, s) = _units(state).tolist()
+                if p * y < q * x or x * s < y * r:
+                    return max(p * x + q * y, r * x + s * y)
+            return math.hypot(x, y)
         x, y = b.T
         size = np.hypot(x, y)
         if not isinstance(state, tuple):

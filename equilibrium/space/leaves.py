@@ -9,12 +9,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from fractions import Fraction
-from itertools import islice
+from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, to_text
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot, to_text
 from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.plane.contacts import FloatContacts, nearest
 
@@ -45,7 +45,7 @@ class _WholeContact(NamedTuple):
 
 
 class _Numbers(NamedTuple):
-    """The integers of a leaf, all times the same: alpha and h, and those of displacements."""
+    """The coprime integers of a leaf: alpha and h, and those of displacements."""
 
     motion: Sequence[int]
     given: dict[int, Sequence[int]]
@@ -112,9 +112,9 @@ class Leaves:
         for fine, nothing in _ROUNDINGS:
             if kept is None or not np.array_equal(kept, ray.sizes > nothing):
                 kept = ray.sizes > nothing
-                places = list(zip(*np.nonzero(kept), strict=True))
-                places.sort(key=lambda place: -ray.room[place])
-                places = [(int(i), int(j)) for i, j in places]
+                order = np.argsort(-ray.room[kept], kind="stable")
+                places = np.argwhere(kept)[order].tolist()
+                listed = ray.multipliers[kept][order].tolist()
                 columns = [self.each[i].columns[j] for i, j in places]
                 pinned = self._pinned(states, ray, kept, nothing)
             unit = fine / largest
@@ -124,20 +124,17 @@ class Leaves:
                 self.contacts.arms(max(1.0, 1 / arm), max(1.0, arm)).tolist(),
             )
             motion = _rounded(pinned, [x * unit for x in ray.virtual.tolist()], steps)
-            listed = [ray.multipliers[place] for place in places]
-            values, scale = _cancelled(
-                columns, [round(float(x) * unit) for x in listed], len(motion)
-            )
+            values, scale = _cancelled(columns, [round(x * unit) for x in listed], len(motion))
             given: dict[int, list[int]] = {}
             pins: dict[int, list[int]] = {}
             for (i, j), value in zip(places, values, strict=True):
                 (given if j < size else pins).setdefault(i, [0] * size)[j % size] = value
             own, common = _common(motion)
-            found = _Numbers(
-                [scale * x for x in own],
-                {i: [common * x for x in row] for i, row in given.items()},
-                {i: [common * x for x in row] for i, row in pins.items()},
-            )
+            rows = [*given.values(), *pins.values()]
+            shared = math.gcd(*(scale * x for x in own), *(common * x for x in chain(*rows)))
+            for row in rows:
+                row[:] = [common * x // shared for x in row]
+            found = _Numbers([scale * x // shared for x in own], given, pins)
             if self._holds(states, found):
                 self.found[states] = ExactLeaf(_node(found), found)
                 return self.found[states].node
@@ -225,7 +222,7 @@ def _cancelled(
             if value:
                 others = [x + value * y for x, y in zip(others, column, strict=True)]
         rows = list(zip(*columns[:count], others, strict=True))
-        reduced, pivots, scale = gauss_jordan(rows)
+        reduced, pivots, scale = gauss_jordan(rows, by_flint=True)
         if len(rows[0]) - 1 in pivots:
             continue
         sign = 1 if scale > 0 else -1
@@ -254,19 +251,15 @@ def _rounded(
 
 
 def _node(leaf: _Numbers) -> Any:
-    """Return the form of a leaf, in coprime integers."""
+    """Return the form of a leaf."""
     motion, given, pins = leaf
-    every = [*motion, *(x for part in (given, pins) for row in part.values() for x in row)]
-    whole = [to_text(x) for x in primitive(every)]
+    moved = list(map(to_text, motion))
     if not (given or pins):
-        return whole
-    numbers = iter(whole)
-    moved = list(islice(numbers, len(motion)))
-    rows = {str(i): list(islice(numbers, len(row))) for i, row in given.items()}
-    short = {i: row if set(row[1:]) - {"0"} else row[:1] for i, row in rows.items()}
-    found: dict[str, Any] = {"virtual_motion": moved, "multipliers": short}
+        return moved
+    rows = {
+        str(i): list(map(to_text, row if any(row[1:]) else row[:1])) for i, row in given.items()
+    }
+    found: dict[str, Any] = {"virtual_motion": moved, "multipliers": rows}
     if pins:
-        found["displacements"] = {
-            str(i): list(islice(numbers, len(row))) for i, row in pins.items()
-        }
+        found["displacements"] = {str(i): list(map(to_text, row)) for i, row in pins.items()}
     return found

@@ -93,10 +93,10 @@ class _Known:
         unit = 1 << max(abs(x) for x in motion).bit_length()
         self.leaves.append(leaf)
         self._motion[n] = [x / unit for x in motion]
-        self._rest[n] = nearest(Fraction(leaves.rest(leaf.numbers), leaves.unit * unit))
+        self._rest[n] = _ratio(leaves.rest(leaf.numbers), leaves.unit * unit)
         rows = np.zeros((m, 1 + c.rows.tangents))
         for i, row in given.items():
-            rows[i] = [nearest(Fraction(x, unit)) for x in row]
+            rows[i] = [_ratio(x, unit) for x in row]
         taken = rows[:, 0]
         a, b = c.normal @ self._motion[n], c.tangents @ self._motion[n]
         rub = c.friction * self._cones.support("stick", b)
@@ -132,6 +132,14 @@ class _Known:
                     good &= rows[:, 2 + t :] @ np.array(end, dtype=float) <= 0
                 left = left[good]
         yield from (self.leaves[k] for k in left[-_MAX_PROPOSED_LEAVES:].tolist())
+
+
+def _ratio(x: int, y: int) -> float:
+    """Return the float nearest to a quotient, infinity for one that is too large."""
+    try:
+        return x / y
+    except OverflowError:
+        return nearest(Fraction(x, y))
 
 
 class Memory:

@@ -83,6 +83,7 @@ class _Block(NamedTuple):
             rows of the block, not of balance; counts: how many in each column.
         dual: (2 f, rows), what multipliers of the rows are of alpha, h and displacements.
         room: (rows,), where there has to be room in a leaf.
+        ends: (k, tangents), unit vectors at the ends of the directions of slip.
     """
 
     rows: Any
@@ -95,6 +96,7 @@ class _Block(NamedTuple):
     kinds: list[Any]
     dual: Floats
     room: Floats
+    ends: Floats
 
 
 class _Columns(NamedTuple):
@@ -183,6 +185,7 @@ class Relaxation:
                 cones.append((kind, rows))
             cones[-1][1][: 1 if cones[-1][0] == "round" else None, -1] = 1.0
         table = np.concatenate([rows for _, rows in cones])
+        ends = np.array(self.cones.ends(state), dtype=float).reshape(-1, f - 1)
         felt = np.flatnonzero(table[:, :n].any(axis=1))
         # A contact without friction has no unknown but its normal force.
         count = 0 if state == "detached" else f if self.friction[i] else 1
@@ -200,6 +203,7 @@ class Relaxation:
             [_CLARABEL_CONES[kind](len(rows)) for kind, rows in cones],
             table[:, alpha:-1].T,
             table[:, -1],
+            ends / lengths(ends)[:, None],
         )
 
     def _program(
@@ -284,11 +288,10 @@ class Relaxation:
         multipliers, room = np.array(found).reshape(self.m, 2 * f), np.zeros((self.m, 2 * f))
         along, across = self.normal @ virtual, self.tangents @ virtual
         most = self.cones.support("stick", across)
-        for i, state in enumerate(states):
+        for i, (state, block) in enumerate(zip(states, blocks, strict=True)):
             if isinstance(state, tuple):
                 most[i] = self.cones.support(state, across[i])
-                ends = np.array(self.cones.ends(state), dtype=float)
-                room[i, 1:f] = min(-(ends @ multipliers[i, 1:f]) / lengths(ends))
+                room[i, 1:f] = min((-block.ends @ multipliers[i, 1:f]).tolist())
         slack, alpha = along - multipliers[:, 0] - self.friction * most, multipliers[:, 0]
         kinds = np.array([state if isinstance(state, str) else "" for state in states])
         room[:, 0] = np.where(kinds == "undecided", np.minimum(alpha, slack), slack)
