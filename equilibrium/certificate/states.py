@@ -114,6 +114,8 @@ class StateQuestion:
                 is_below = _is_below(a - alpha * contact.unit, b, contact.friction, state, cone)
             if broken := broken_multipliers(state, alpha, h, is_below=is_below):
                 return f"{path}: contact {i + 1}, {_named(state)}: {broken}"
+            if given is None and i not in leaf.displacements:
+                continue
             factors: list[Any] = [-alpha * contact.per_alpha, *(x * contact.per_h for x in h)]
             work += alpha * contact.per_work
             if i in leaf.displacements:

@@ -90,22 +90,19 @@ class RoundCones:
             return [*found, ("plus", np.zeros((1, 2)), -np.eye(3)[:1])]
         return [*found, ("round", np.zeros((3, 2)), np.diag([-mu, -1.0, -1.0]))]
 
-    def support(self, state: State, b: Floats) -> Any:
-        """Return the largest products of b (..., 2) with a unit vector that the state allows."""
-        if b.ndim == 1:
-            x, y = b.tolist()
-            if isinstance(state, tuple):
-                (p, q), (r, s) = _units(state).tolist()
-                if p * y < q * x or x * s < y * r:
-                    return max(p * x + q * y, r * x + s * y)
-            return math.hypot(x, y)
-        x, y = b.T
-        size = np.hypot(x, y)
-        if not isinstance(state, tuple):
-            return size
-        (p, q), (r, s) = _units(state).tolist()
-        seen = (p * y >= q * x) & (x * s >= y * r)
-        return np.where(seen, size, np.maximum(p * x + q * y, r * x + s * y))
+    def support(self, b: Floats) -> Floats:
+        """Return the largest products of b (m, 2) with a unit vector."""
+        size: Floats = np.hypot(*b.T)
+        return size
+
+    def largest(self, state: State, b: Sequence[float]) -> float:
+        """Return the largest product of b with a unit vector that the state allows."""
+        x, y = b
+        if isinstance(state, tuple):
+            (p, q), (r, s) = _units(state).tolist()
+            if p * y < q * x or x * s < y * r:
+                return float(max(p * x + q * y, r * x + s * y))
+        return math.hypot(x, y)
 
     def misses(self, limit: Floats, friction: Floats, slip: Floats) -> Floats:
         """Return how far friction forces (m, 2) are from what slips demand."""
@@ -210,10 +207,15 @@ class Pyramids:
         inside = np.column_stack([-mu * reach, sides]) if mu else -np.eye(1 + t)[:1]
         return [*found, ("plus", np.zeros((len(inside), t)), inside)]
 
-    def support(self, state: State, b: Floats) -> Any:
-        """Return the largest products of b (..., 2) with an edge that the state allows."""
-        edges = np.array(state.edges, dtype=float) if isinstance(state, Slip) else self._corners
-        return (b @ edges.T).max(axis=-1)
+    def support(self, b: Floats) -> Floats:
+        """Return the largest products of b (m, t) with an edge."""
+        products: Floats = (b @ self._corners.T).max(axis=-1)
+        return products
+
+    def largest(self, state: State, b: Sequence[float]) -> float:
+        """Return the largest product of b with an edge that the state allows."""
+        edges = state.edges if isinstance(state, Slip) else self.edges
+        return float(max(dot(edge, b) for edge in edges))
 
     def misses(self, limit: Floats, friction: Floats, slip: Floats) -> Floats:
         """Return how far friction forces (m, 2) are from what slips demand."""

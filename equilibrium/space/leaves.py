@@ -48,8 +48,8 @@ class _Numbers(NamedTuple):
     """The coprime integers of a leaf: alpha and h, and those of displacements."""
 
     motion: Sequence[int]
-    given: dict[int, Sequence[int]]
-    pins: dict[int, Sequence[int]]
+    given: dict[int, list[int]]
+    pins: dict[int, list[int]]
 
 
 class ExactLeaf(NamedTuple):
@@ -101,11 +101,16 @@ class Leaves:
             ]
             preload = int(c.preload * unit)
             self.each.append(_WholeContact(whole, own, tuple(columns), preload, c.friction))
+        # Turns are multiples of one over the length: the unit of length makes no difference.
+        arm = 2.0 ** round(math.log2(contacts.length))
+        self._arms, self._unit = contacts.arms(arm), max(1.0, arm)
+        self._steps = [int(x) for x in contacts.arms(max(1.0, 1 / arm), max(1.0, arm)).tolist()]
+        self._sizes = contacts.arms(contacts.length)
+        self._frames = np.concatenate([contacts.tangents, contacts.normal[:, None]], axis=1)
 
     def leaf(self, states: Node, ray: Ray) -> Any | None:
         """Return a leaf near a dual ray, or None where rounding finds none."""
-        arm = 2.0 ** round(math.log2(self.contacts.length))
-        largest = float(np.abs(ray.virtual * self.contacts.arms(arm)).max())
+        largest = float(np.abs(ray.virtual * self._arms).max())
         if not 0 < largest < math.inf or not np.isfinite(ray.multipliers).all():
             return None
         kept, size = None, self.size
@@ -117,13 +122,8 @@ class Leaves:
                 listed = ray.multipliers[kept][order].tolist()
                 columns = [self.each[i].columns[j] for i, j in places]
                 pinned = self._pinned(states, ray, kept, nothing)
-            unit = fine / largest
-            # Turns are multiples of one over the length: the unit of length makes no difference.
-            unit, steps = (
-                unit * max(1.0, arm),
-                self.contacts.arms(max(1.0, 1 / arm), max(1.0, arm)).tolist(),
-            )
-            motion = _rounded(pinned, [x * unit for x in ray.virtual.tolist()], steps)
+            unit = fine / largest * self._unit
+            motion = _rounded(pinned, [x * unit for x in ray.virtual.tolist()], self._steps)
             values, scale = _cancelled(columns, [round(x * unit) for x in listed], len(motion))
             given: dict[int, list[int]] = {}
             pins: dict[int, list[int]] = {}
@@ -147,10 +147,8 @@ class Leaves:
 
         The conditions of such a contact have no room, as of one on an axis of a rotation.
         """
-        c = self.contacts
-        scale = ray.virtual * c.arms(c.length)
-        limit = max(nothing, 1e-9) * float(np.abs(scale).max())
-        moved = np.abs(np.column_stack([c.tangents @ ray.virtual, c.normal @ ray.virtual]))
+        limit = max(nothing, 1e-9) * float(np.abs(ray.virtual * self._sizes).max())
+        moved = np.abs(self._frames @ ray.virtual)
         still = (moved.max(axis=1) <= limit) & ~kept[:, 0]
         return [
             row
@@ -216,12 +214,9 @@ def _cancelled(
 
     Those that come first are changed.
     """
+    whole = list(zip(*columns, strict=True)) or [()] * n
     for count in (n, n + _MORE_MULTIPLIERS, len(columns)):
-        others = [0] * n
-        for column, value in zip(columns[count:], values[count:], strict=True):
-            if value:
-                others = [x + value * y for x, y in zip(others, column, strict=True)]
-        rows = list(zip(*columns[:count], others, strict=True))
+        rows = [(*row[:count], dot(row[count:], values[count:])) for row in whole]
         reduced, pivots, scale = gauss_jordan(rows, by_flint=True)
         if len(rows[0]) - 1 in pivots:
             continue
@@ -235,12 +230,14 @@ def _cancelled(
 
 
 def _rounded(
-    rows: list[IntegerVector], motion: list[float], steps: list[float]
+    rows: list[IntegerVector], motion: list[float], steps: list[int]
 ) -> Sequence[Fraction | int]:
     """Return a motion of multiples of steps near a given one, on which all rows are exactly 0."""
     found: list[Fraction | int] = [
-        int(step) * round(x / step) for x, step in zip(motion, steps, strict=True)
+        step * round(x / step) for x, step in zip(motion, steps, strict=True)
     ]
+    if not rows:
+        return found
     # Pivots go to the entries that come first: the largest stay as they are.
     order = sorted(range(len(motion)), key=lambda j: abs(motion[j]))
     reduced, pivots, scale = gauss_jordan([[row[j] for j in order] for row in rows])

@@ -10,10 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
+from itertools import islice
 from typing import Any
 
 import numpy as np
 
+from arrangement.numbers.exact import dot
 from arrangement.numbers.float_filter import Floats
 from equilibrium.plane.contacts import nearest
 
@@ -26,6 +28,8 @@ _MAX_LEAVES = 20_000
 _MAX_LEAF_CONTACTS = 80_000
 #: Leaves that arrays have room for at first.
 _FIRST_ROOM = 64
+#: Leaves that are compared with the slips of a part, the latest ones.
+_MAX_COMPARED_LEAVES = 500
 #: Leaves that floats propose for a part, of which none may hold.
 _MAX_PROPOSED_LEAVES = 3
 #: Equilibria that are kept, besides the last.
@@ -77,7 +81,8 @@ class _Known:
         #: The works of a load are ``motion . w + rest``.
         self._motion, self._rest = np.empty((_FIRST_ROOM, rows.n)), np.empty(_FIRST_ROOM)
         #: Of each contact ``a - alpha``, its error, ``b`` and h, as leaves have them.
-        self._numbers = np.empty((_FIRST_ROOM, m, 2 + 2 * rows.tangents))
+        self._slips: list[list[tuple[float, float, list[float], list[float]]]] = []
+        self._friction = leaves.contacts.friction.tolist()
         #: For each state of `_PLAIN_STATES` and contact, whether it holds there.
         self._holds = np.empty((len(_PLAIN_STATES), m, _FIRST_ROOM), np.bool_)
 
@@ -85,7 +90,7 @@ class _Known:
         """Add one."""
         n, c, m = len(self.leaves), self._contacts, self._m
         if n == len(self._rest):
-            for name in ("_motion", "_rest", "_numbers"):
+            for name in ("_motion", "_rest"):
                 old = getattr(self, name)
                 setattr(self, name, np.concatenate([old, old]))
             self._holds = np.concatenate([self._holds, self._holds], axis=2)
@@ -99,10 +104,11 @@ class _Known:
             rows[i] = [_ratio(x, unit) for x in row]
         taken = rows[:, 0]
         a, b = c.normal @ self._motion[n], c.tangents @ self._motion[n]
-        rub = c.friction * self._cones.support("stick", b)
+        rub = c.friction * self._cones.support(b)
         size = _SUM_ERROR * (np.abs(a) + np.abs(taken) + np.abs(rub))
-        self._numbers[n] = np.column_stack([a - taken, size, b, rows[:, 1:]])
-        inside, least = a - taken - rub >= -size, rows[:, 0] >= 0
+        numbers = a - taken, size, b, rows[:, 1:]
+        self._slips.append(list(zip(*(x.tolist() for x in numbers), strict=True)))
+        inside, least = a - taken - rub >= -size, taken >= 0
         moved = ~rows[:, 1:].any(axis=1)
         self._holds[:, :, n] = (
             inside & least & moved,
@@ -119,19 +125,17 @@ class _Known:
         if plain:
             places: Any = (*zip(*plain, strict=True), slice(n))
             near &= self._holds[places].all(axis=0)
-        left = np.flatnonzero(near)
-        for i, state in enumerate(states):
-            if not left.size:
-                return
-            if state not in _PLAIN_STATES:
-                rows = self._numbers[left, i]
-                t = self._contacts.rows.tangents
-                rub = self._contacts.friction[i] * self._cones.support(state, rows[:, 2 : 2 + t])
-                good = rows[:, 0] - rub >= -rows[:, 1]
-                for end in self._cones.ends(state):
-                    good &= rows[:, 2 + t :] @ np.array(end, dtype=float) <= 0
-                left = left[good]
-        yield from (self.leaves[k] for k in left[-_MAX_PROPOSED_LEAVES:].tolist())
+        slips = [(i, state) for i, state in enumerate(states) if state not in _PLAIN_STATES]
+        left = np.flatnonzero(near)[-_MAX_COMPARED_LEAVES:].tolist()
+        fits = (k for k in reversed(left) if all(self._fits(k, i, state) for i, state in slips))
+        yield from (self.leaves[k] for k in islice(fits, _MAX_PROPOSED_LEAVES))
+
+    def _fits(self, k: int, i: int, state: Any) -> bool:
+        """Return whether a leaf holds, about, where a contact slips."""
+        inside, size, b, h = self._slips[k][i]
+        if inside - self._friction[i] * self._cones.largest(state, b) < -size:
+            return False
+        return all(dot(h, end) <= 0 for end in self._cones.ends(state))
 
 
 def _ratio(x: int, y: int) -> float:

@@ -16,10 +16,10 @@ a leaf. Otherwise its solution says which contact to split.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from functools import cache
-from itertools import pairwise
+from functools import cache, lru_cache
+from itertools import accumulate
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -43,6 +43,8 @@ _ROOM_ERROR = 1e-6
 _EVEN_RATIO = 100.0
 #: Whether a contact touches is asked before how it slips, by this factor.
 _LIFT_WEIGHT = 3.0
+#: Programs of unlike shapes that are kept to be changed in place, each of some 100 kB.
+_MAX_LAYOUTS = 256
 _CLARABEL_CONES = {
     "zero": clarabel.ZeroConeT,
     "plus": clarabel.NonnegativeConeT,
@@ -74,26 +76,43 @@ class Point(NamedTuple):
     forces: Floats
 
 
+class _Shape(NamedTuple):
+    """What blocks have in common whose programs differ in numbers alone.
+
+    Attributes:
+        size: how many rows.
+        rows: those with coefficients of the motion.
+        places, own: of coefficients of the forces their rows, and whether these are rows of the
+            block, not of balance; columns: how many in each.
+        cones: of the rows, with their sizes.
+        cost: of the normal force.
+    """
+
+    size: int
+    rows: tuple[int, ...]
+    places: tuple[int, ...]
+    own: tuple[bool, ...]
+    columns: tuple[int, ...]
+    cones: tuple[tuple[str, int], ...]
+    cost: float
+
+
 class _Block(NamedTuple):
     """The rows of one contact in one state: minus what they give, and `right`, is in the cones.
 
     Attributes:
-        rows, motion: the rows (k,) with coefficients (k, n) of the motion.
-        data, index, own: coefficients of the forces by columns, their rows, and whether these are
-            rows of the block, not of balance; counts: how many in each column.
+        shape: its number.
+        motion: coefficients (k, n) of the motion.
+        data: coefficients of the forces by columns.
         dual: (2 f, rows), what multipliers of the rows are of alpha, h and displacements.
         room: (rows,), where there has to be room in a leaf.
         ends: (k, tangents), unit vectors at the ends of the directions of slip.
     """
 
-    rows: Any
+    shape: int
     motion: Floats
     data: Floats
-    index: Any
-    own: Any
-    counts: list[int]
     right: Floats
-    kinds: list[Any]
     dual: Floats
     room: Floats
     ends: Floats
@@ -121,6 +140,52 @@ class _Columns(NamedTuple):
         column = np.repeat(np.arange(self.shape[1]), np.diff(self.indptr))
         found[self.indices, column] = self.data
         return found
+
+
+class _Layout:
+    """Programs that differ in numbers alone, of blocks of certain shapes.
+
+    Attributes:
+        starts: where the rows of each block begin, and the last ends; those of balance come first.
+        solver: of the last one, to be changed in place.
+    """
+
+    def __init__(self, n: int, shapes: Sequence[_Shape]) -> None:
+        self.starts = list(accumulate((shape.size for shape in shapes), initial=n))
+        places = list(zip(shapes, self.starts, strict=False))
+        felt = [row + start for shape, start in places for row in shape.rows]
+        index = felt * n
+        for shape, start in places:
+            index += [i + start * own for i, own in zip(shape.places, shape.own, strict=True)]
+        counts = [len(felt)] * n + [count for shape in shapes for count in shape.columns]
+        self.indices = np.array(index, dtype=int)
+        self.pointer = np.append(0, np.cumsum(counts, dtype=int))
+        self.shape = self.starts[-1], len(counts)
+        cones = (cone for shape in shapes for cone in shape.cones)
+        self.kinds = [clarabel.ZeroConeT(n), *(_CLARABEL_CONES[kind](k) for kind, k in cones)]
+        costs = (shape.cost * (j == 0) for shape in shapes for j in range(len(shape.columns)))
+        self.cost = np.array([*[0.0] * n, *costs])
+        self.solver: Any = None
+
+
+class _Program(NamedTuple):
+    """The program of one node.
+
+    Attributes:
+        order: contacts in the order of their blocks: like ones come together.
+    """
+
+    order: list[int]
+    blocks: list[_Block]
+    layout: _Layout
+    matrix: _Columns
+    right: Floats
+
+    @property
+    def parts(self) -> Iterator[tuple[int, _Block, int, int]]:
+        """Contacts, their blocks, and where their rows begin and end."""
+        starts = self.layout.starts
+        return zip(self.order, self.blocks, starts, starts[1:], strict=False)
 
 
 class Relaxation:
@@ -159,6 +224,8 @@ class Relaxation:
         uneven = max(spread, c.friction.max(initial=0.0)) > _EVEN_RATIO
         self.settings.iterative_refinement_enable = bool(uneven)
         self._block = cache(self._new_block)
+        self._shapes: dict[_Shape, int] = {}
+        self._layout = lru_cache(_MAX_LAYOUTS)(self._new_layout)
 
     def _new_block(self, i: int, state: State) -> _Block:
         # Of each row: motion, force, end; alpha, h, displacements of a leaf; its room.
@@ -191,106 +258,101 @@ class Relaxation:
         count = 0 if state == "detached" else f if self.friction[i] else 1
         along = np.array([self.normal[i], *self.tangents[i]])[:count]
         columns = np.concatenate([-along, table[:, n : n + count].T], axis=1)
-        column, place = np.nonzero(columns)
+        # Zeros of balance are kept: with them the shapes of all contacts are alike.
+        column, place = np.nonzero((columns != 0) | (np.arange(columns.shape[1]) < n))
+        shape = _Shape(
+            len(table),
+            tuple(felt.tolist()),
+            tuple((place - n * (place >= n)).tolist()),
+            tuple((place >= n).tolist()),
+            tuple(np.bincount(column, minlength=count).tolist()),
+            tuple((kind, len(rows)) for kind, rows in cones),
+            float(state == "undecided"),
+        )
         return _Block(
-            felt,
+            self._shapes.setdefault(shape, len(self._shapes)),
             table[felt, :n],
             columns[column, place],
-            place - n * (place >= n),
-            place >= n,
-            np.bincount(column, minlength=count).tolist(),
             table[:, end],
-            [_CLARABEL_CONES[kind](len(rows)) for kind, rows in cones],
             table[:, alpha:-1].T,
             table[:, -1],
             ends / lengths(ends)[:, None],
         )
 
-    def _program(
-        self, states: Sequence[State]
-    ) -> tuple[list[_Block], list[int], _Columns, Floats, list[Any]]:
-        """Return blocks, where they begin and the last ends, and the matrix, end and cones."""
-        blocks = list(map(self._block, range(self.m), states))
-        starts = [self.n]
-        for block in blocks:
-            starts.append(starts[-1] + len(block.right))
-        rows = starts[-1]
-        felt = [block.rows + start for block, start in zip(blocks, starts, strict=False)]
-        place = np.concatenate(felt or [np.zeros(0, int)])
+    def _new_layout(self, shapes: tuple[int, ...]) -> _Layout:
+        every = list(self._shapes)
+        return _Layout(self.n, [every[k] for k in shapes])
+
+    def _program(self, states: Sequence[State]) -> _Program:
+        every = list(map(self._block, range(self.m), states))
+        order = sorted(range(self.m), key=lambda i: every[i].shape)
+        blocks = [every[i] for i in order]
+        layout = self._layout(tuple(block.shape for block in blocks))
         motion = np.concatenate([block.motion for block in blocks] or [np.zeros((0, self.n))])
-        data, index = [motion.T.ravel()], [np.tile(place, self.n)]
-        counts = [len(place)] * self.n
-        for block, start in zip(blocks, starts, strict=False):
-            data.append(block.data)
-            index.append(block.index + start * block.own)
-            counts += block.counts
-        pointer = np.concatenate([[0], np.cumsum(counts)])
-        entries = np.concatenate(data), np.concatenate(index), pointer
-        matrix = _Columns(*entries, (rows, len(counts)))
-        ends = [self.load, *(block.right for block in blocks)]
-        kinds = [clarabel.ZeroConeT(self.n), *(kind for block in blocks for kind in block.kinds)]
-        return blocks, starts, matrix, np.concatenate(ends), kinds
+        data = np.concatenate([motion.T.ravel(), *(block.data for block in blocks)])
+        right = np.concatenate([self.load, *(block.right for block in blocks)])
+        matrix = _Columns(data, layout.indices, layout.pointer, layout.shape)
+        return _Program(order, blocks, layout, matrix, right)
 
     def solve(self, states: Sequence[State]) -> Ray | Point | None:
         """Return a ray or a point for one node; None where the program solver fails."""
-        blocks, starts, matrix, right, kinds = self._program(states)
-        n = matrix.shape[1]
-        cost, j = np.zeros(n), self.n
-        for block, state in zip(blocks, states, strict=True):
-            if state == "undecided":
-                cost[j] = 1.0
-            j += len(block.counts)
-        program = _squares(n, self.n), cost, matrix, right, kinds
-        found = clarabel.DefaultSolver(*program, self.settings).solve()
+        program = self._program(states)
+        layout, matrix, right = program.layout, program.matrix, program.right
+        if layout.solver is None:
+            squares = _squares(matrix.shape[1], self.n)
+            question = squares, layout.cost, matrix, right, layout.kinds, self.settings
+            layout.solver = clarabel.DefaultSolver(*question)
+        else:
+            layout.solver.update(A=matrix.data, b=right)
+        found = layout.solver.solve()
         status = str(found.status)
         if status in ("PrimalInfeasible", "AlmostPrimalInfeasible"):
-            return self._ray(states, blocks, starts, np.array(found.z))
+            return self._ray(states, program, np.array(found.z))
         if status not in ("Solved", "AlmostSolved"):
             return None
-        return self._point(blocks, np.array(found.x))
+        return self._point(program, np.array(found.x))
 
     def first(self, states: Sequence[State], change: Floats) -> tuple[float, Point] | None:
         """Return the least share of a change of the load, up to 1, with a point, if any has one."""
-        blocks, _, matrix, right, kinds = self._program(states)
+        node = self._program(states)
+        matrix, right = node.matrix, node.right
         rows, n = matrix.shape
         data: list[Any] = [matrix.data, -change * self.arms / self.force, [-1.0, 1.0]]
         index = [matrix.indices, np.arange(self.n), [rows, rows + 1]]
         pointer = np.append(matrix.indptr, matrix.indptr[-1] + self.n + 2)
         whole = _Columns(np.concatenate(data), np.concatenate(index), pointer, (rows + 2, n + 1))
-        ends, kinds = np.append(right, [0.0, 1.0]), [*kinds, clarabel.NonnegativeConeT(2)]
+        ends, kinds = (
+            np.append(right, [0.0, 1.0]),
+            [*node.layout.kinds, clarabel.NonnegativeConeT(2)],
+        )
         program = _squares(n + 1, self.n, 0.0), np.append(np.zeros(n), 1.0), whole, ends, kinds
         found = clarabel.DefaultSolver(*program, self.settings).solve()
         if str(found.status) not in ("Solved", "AlmostSolved"):
             return None
-        return float(found.x[-1]), self._point(blocks, np.array(found.x))
+        return float(found.x[-1]), self._point(node, np.array(found.x))
 
-    def _point(self, blocks: Sequence[_Block], found: Floats) -> Point:
+    def _point(self, program: _Program, found: Floats) -> Point:
         """Return the motion, and all forces of each contact, of the unknowns."""
         forces, j = np.zeros((self.m, self.frame)), self.n
-        for i, block in enumerate(blocks):
-            forces[i, : len(block.counts)] = found[j : j + len(block.counts)]
-            j += len(block.counts)
+        shapes = list(self._shapes)
+        for i, block in zip(program.order, program.blocks, strict=True):
+            count = len(shapes[block.shape].columns)
+            forces[i, :count] = found[j : j + count]
+            j += count
         return Point(found[: self.n], forces)
 
-    def _ray(
-        self,
-        states: Sequence[State],
-        blocks: Sequence[_Block],
-        starts: Sequence[int],
-        dual: Floats,
-    ) -> Ray:
+    def _ray(self, states: Sequence[State], program: _Program, dual: Floats) -> Ray:
         """Read a virtual motion and multipliers off a dual ray, in the units of the grasp."""
         virtual, f = -dual[: self.n], self.frame
-        found = [
-            block.dual @ dual[start:end]
-            for block, (start, end) in zip(blocks, pairwise(starts), strict=True)
-        ]
-        multipliers, room = np.array(found).reshape(self.m, 2 * f), np.zeros((self.m, 2 * f))
+        multipliers, room = np.zeros((2, self.m, 2 * f))
+        for i, block, start, end in program.parts:
+            multipliers[i] = block.dual @ dual[start:end]
         along, across = self.normal @ virtual, self.tangents @ virtual
-        most = self.cones.support("stick", across)
-        for i, (state, block) in enumerate(zip(states, blocks, strict=True)):
-            if isinstance(state, tuple):
-                most[i] = self.cones.support(state, across[i])
+        most = self.cones.support(across)
+        for i, block in zip(program.order, program.blocks, strict=True):
+            if len(block.ends):
+                state = states[i]
+                most[i] = self.cones.largest(state, across[i].tolist())
                 room[i, 1:f] = min((-block.ends @ multipliers[i, 1:f]).tolist())
         slack, alpha = along - multipliers[:, 0] - self.friction * most, multipliers[:, 0]
         kinds = np.array([state if isinstance(state, str) else "" for state in states])
@@ -308,11 +370,12 @@ class Relaxation:
         Unknowns are the multipliers of all rows and the room, of which `room` is a part in cones.
         Of states that are all loose it needs no springs, and sees loads tiny beside preloads.
         """
-        blocks, starts, matrix, right, kinds = self._program(states)
+        program = self._program(states)
+        matrix, right = program.matrix, program.right
         right = right / (np.abs(right).max() or 1.0)
         rows, columns = matrix.shape
         inside = np.zeros(rows)
-        for block, (start, end) in zip(blocks, pairwise(starts), strict=True):
+        for _, block, start, end in program.parts:
             inside[start:end] = room * block.room
         last = np.append(np.zeros(rows), 1.0)
         n = self.n
@@ -329,15 +392,15 @@ class Relaxation:
         ends = np.concatenate([np.zeros(columns + 1), np.ones(2 * n + 1), np.zeros(rows - n)])
         kept = [clarabel.ZeroConeT(columns), clarabel.NonnegativeConeT(2 * n + 2)]
         free, k = [], columns + 2 * n + 2
-        for kind in kinds[1:]:
+        for kind in program.layout.kinds[1:]:
             # Multipliers of equations are free.
             free += [*range(k, k + kind.dim)] if isinstance(kind, clarabel.ZeroConeT) else []
             kept += [] if isinstance(kind, clarabel.ZeroConeT) else [kind]
             k += kind.dim
         table, ends = np.delete(table, free, axis=0), np.delete(ends, free)
-        program = (_squares(rows + 1, n, 0.0), -last, _Columns.of(table), ends, kept)
-        found = np.array(clarabel.DefaultSolver(*program, self.settings).solve().x)
-        return self._ray(states, blocks, starts, found[:-1]) if found[-1] > -_ROOM_ERROR else None
+        question = (_squares(rows + 1, n, 0.0), -last, _Columns.of(table), ends, kept)
+        found = np.array(clarabel.DefaultSolver(*question, self.settings).solve().x)
+        return self._ray(states, program, found[:-1]) if found[-1] > -_ROOM_ERROR else None
 
     def violations(self, states: Sequence[State], found: Point) -> Floats:
         """Return how far each contact is from the law: the change of force that it would take."""

@@ -21,6 +21,7 @@ from arrangement.numbers.exact import (
     largest,
     primitive,
     reduced,
+    without_denominators,
 )
 
 _Item = TypeVar("_Item")
@@ -263,7 +264,10 @@ def gauss_jordan(
         by_flint: use FLINT for short integers, too: three times as fast from five rows on, if the
             tenth of a second of its import does not matter.
     """
-    rows = fast_integers([primitive(row) for row in matrix])
+    if by_flint:
+        rows: list[list[Any]] = [list(without_denominators(row)) for row in matrix]
+    else:
+        rows = fast_integers([primitive(row) for row in matrix])
     pivots: list[int] = []
     if rows and rows[0] and (by_flint or not isinstance(rows[0][0], int)):
         from flint import fmpz_mat
