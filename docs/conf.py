@@ -81,7 +81,7 @@ def make_figures(app):
 
     The script NAME.py makes files whose names start with NAME. A script that fails, or makes no
     such file, ends the build. Modules that start with an underscore are what scripts share. A page
-    NAME.rst and pages in a folder NAME are what the script may read. Interactive pages are copied
+    NAME.rst and files in a folder NAME are what the script may read. Interactive pages are copied
     to the folder pages of the site, where links open them.
     """
     source = Path(app.srcdir)
@@ -94,7 +94,7 @@ def make_figures(app):
     due = []
     for script in sorted(source.glob("figures/[!_]*.py")):
         stamp = folder / f".{script.stem}"
-        read = [script, *source.rglob(f"{script.stem}.rst"), *source.glob(f"{script.stem}/*.rst")]
+        read = [script, *source.rglob(f"{script.stem}.rst"), *source.glob(f"{script.stem}/*.*")]
         changed = max(newest, *(path.stat().st_mtime for path in read))
         if not stamp.exists() or stamp.stat().st_mtime <= changed:
             due.append((script, stamp))

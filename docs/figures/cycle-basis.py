@@ -30,7 +30,7 @@ def text(signs):
     return "".join("0+−"[s] for s in signs)
 
 
-def panel(axes, enumeration, places, number):
+def panel(axes, enumeration, places, number, size):
     cycle = enumeration.cycles[number]
     last = number == len(enumeration.cycles) - 1
     if not last:
@@ -42,20 +42,21 @@ def panel(axes, enumeration, places, number):
         axes.plot(*places[list(edge)].T, color=colour, lw=2.2 if bold else 0.7, zorder=2 + bold)
     axes.plot(*places.T, "o", color="black", ms=2.5, zorder=4)
     name = "symmetric sum" if last else f"cycle {number + 1}"
-    axes.set_title(f"{name}: {text(enumeration.lines[number])}", size=7, pad=3)
+    axes.set_title(f"{name}: {text(enumeration.lines[number])}", size=size, pad=size / 2)
     axes.set(xlim=(-0.85, 0.85), ylim=(-0.85, 0.85), aspect="equal")
     axes.set_axis_off()
 
 
-def make():
+def make(size=7, inches=(5.4, 3.9)):
     enumeration = published_enumeration(read_arrangement("three-generic-planes"))
     outer = [region for region, _ in nx.find_cycle(nx.Graph(enumeration.cycles[-1]))]
     places = flat(enumeration.graph, outer)
-    figure = Figure(figsize=(5.4, 3.9))
+    figure = Figure(figsize=inches)
     for number, axes in enumerate(figure.subplots(2, 3).flat):
-        panel(axes, enumeration, places, number)
+        panel(axes, enumeration, places, number, size)
     figure.subplots_adjust(0.01, 0.01, 0.99, 0.93, wspace=0.05, hspace=0.2)
     return figure
 
 
 save_figure("cycle-basis.svg", make)
+save_figure("cycle-basis-slide.svg", lambda: make(18, (11.8, 5)))

@@ -79,13 +79,27 @@ def slips():
     return figure
 
 
+def crossing():
+    figure, (axes,) = panels([(-2.1, 1.7, -1.7, 1.5)], scale=42)
+    body(axes, [(-1, -0.4), (-0.4, -1), (1, -1), (1, 1), (-1, 1)])
+    for contact, other in (((-1, 0.3), (-1, -1.6)), ((0.3, -1), (-1.6, -1))):
+        away = tuple(2 * a - b for a, b in zip(contact, other, strict=True))
+        line(axes, other, away, color=ORANGE, ls=(0, (4, 2)), lw=2)
+        dot(axes, *contact, size=60)
+        speed = (-(contact[1] + 1), contact[0] + 1)
+        arrow(axes, contact, [0.5 * x for x in speed], GREEN, lw=2.5)
+    dot(axes, -1, -1, GREEN, 90)
+    label(axes, -1.5, -1.35, "centre", GREEN, **BIG)
+    return figure
+
+
 def pull():
     figure, (axes,) = panels([(-1.7, 1.7, -1.7, 1.95)], scale=42)
     disc(axes, (0, 0.3), "moves up, no finger resists")
     return figure
 
 
-for make in (moment, cone, balanced, slips, pull):
+for make in (moment, cone, balanced, slips, crossing, pull):
     save(f"lecture-1-{make.__name__}.svg", make)
 write_grasp(FREE, "lecture-1-question.svg", "grasp", wrench=(0, 1, 0), **LOOK)
 write_grasp(SQUEEZED, "lecture-1-holds.svg", "grasp", wrench=(0, 1, 0), **LOOK)

@@ -22,3 +22,5 @@ floor = [(-6, -1), (6, -1), (6, 0), (-6, 0)]
 arch = Assembly.from_polygons(stones, "31/100", ground=[floor])
 weights = {name: (0, -1, -sum(x for x, _ in row) / 4) for name, row in stones.items()}
 OF_ASSEMBLIES.write(solve(arch, weights), "two-bodies-arch.svg")
+large = {"font_size": 20, "legend": "none", "width": 174}
+OF_ASSEMBLIES.write(solve(arch, weights), "two-bodies-arch-slide.svg", **large)

@@ -1,9 +1,10 @@
-"""Slides, an exercise sheet and solutions of each lesson, made from the lesson by Sphinx.
+"""An exercise sheet and solutions of each lesson, made from the lesson by Sphinx, and its slides.
 
-Beside the page NAME.html of a lesson stand NAME-slides.html, NAME-exercises.html and
-NAME-solutions.html. Each is one file with its pictures and MathML in it, which needs no network.
-A lesson has a section Exercises with one numbered list, and a section Answers in which each answer
-starts with its number in bold; on the page of the lesson the answers are folded.
+Beside the page NAME.html of a lesson stand NAME-exercises.html, NAME-solutions.html and, where
+there is a file slides/NAME.toml, NAME-slides.html. Each is one file with its pictures and MathML in
+it, which needs no network. A lesson has a section Exercises with one numbered list, and a section
+Answers in which each answer starts with its number in bold; on the page of the lesson the answers
+are folded.
 """
 
 import base64
@@ -18,13 +19,17 @@ from docutils import nodes
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from latex2mathml.converter import convert
 
-from .slides import slides, title
-from .talks import course, write_talks
+from .slides import course, write_slides
 
 KINDS = {"slides": "Slides", "exercises": "Exercise sheet", "solutions": "Solutions"}
 _PAGES = Environment(
     loader=FileSystemLoader(Path(__file__).parent), autoescape=True, undefined=StrictUndefined
 )
+
+
+def title(section):
+    """Return the title of a section."""
+    return section.next_node(nodes.title).astext()
 
 
 def sections(tree):
@@ -91,7 +96,7 @@ def picture(path, alt, shown=""):
 
 
 def write(app, tree, name):
-    """Write the slides and the sheets of a lesson beside its page."""
+    """Write the sheets of a lesson beside its page."""
 
     def html(parts):
         holder = nodes.container("", *(part.deepcopy() for part in parts))
@@ -106,20 +111,15 @@ def write(app, tree, name):
     given = {
         "title": lesson,
         "style": app.builder.highlighter.get_stylesheet(),
-        "page": f"{name.rpartition('/')[2]}.html",
     }
     sheets = {"course": "", "date": "", "points": 0, **course(app.srcdir)}
     sheet = [{"number": n, "question": html(parts), "answer": ""} for n, parts in asked.items()]
     solved = [{**one, "answer": html(answered[one["number"]])} for one in sheet]
-    for kind, text in (
-        ("slides", {"slides": slides(tree, html), "script": _script()}),
-        ("exercises", {"exercises": sheet}),
-        ("solutions", {"exercises": solved}),
-    ):
-        page = _PAGES.get_template("slides.html" if kind == "slides" else "sheet.html")
+    page = _PAGES.get_template("sheet.html")
+    for kind, shown in (("exercises", sheet), ("solutions", solved)):
         path = Path(app.outdir) / f"{name}-{kind}.html"
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(page.render(sheets | given | text, kind=KINDS[kind]), "utf-8")
+        path.write_text(page.render(sheets | given, exercises=shown, kind=KINDS[kind]), "utf-8")
 
 
 def hand_out(app, tree, name):
@@ -128,26 +128,25 @@ def hand_out(app, tree, name):
         return
     write(app, copy.deepcopy(tree), name)
     stem = name.rpartition("/")[2]
-    links = " · ".join(f'<a href="{stem}-{kind}.html">{text}</a>' for kind, text in KINDS.items())
+    kinds = dict(KINDS)
+    if not (Path(app.srcdir) / "slides" / f"{stem}.toml").exists():
+        del kinds["slides"]
+    links = " · ".join(f'<a href="{stem}-{kind}.html">{text}</a>' for kind, text in kinds.items())
     whole = next(tree.findall(nodes.section))
     whole.insert(1, nodes.raw("", f'<p class="handouts">{links}</p>', format="html"))
     fold_answers(sections(tree)["Answers"])
 
 
-def _script():
-    return (Path(__file__).parent / "slides.js").read_text("utf-8")
-
-
-def write_lectures(app, error):
-    """Write the slides of the lectures, when the figures are there."""
+def write_all_slides(app, error):
+    """Write the slides of lectures and lessons, when the figures are there."""
     if app.builder.format == "html" and error is None:
         figures = Path(app.srcdir) / "_generated"
-        write_talks(
+        write_slides(
             app,
             lambda name, alt: picture(figures / f"{name}.svg", alt),
             mathml,
-            _PAGES.get_template("talk.html"),
-            _script(),
+            _PAGES.get_template("slides.html"),
+            (Path(__file__).parent / "slides.js").read_text("utf-8"),
         )
 
 
@@ -159,4 +158,4 @@ _UNFOLD = """addEventListener("beforeprint", () => {
 def setup(app):
     app.add_js_file(None, body=_UNFOLD)
     app.connect("doctree-resolved", hand_out)
-    app.connect("build-finished", write_lectures)
+    app.connect("build-finished", write_all_slides)

@@ -2,7 +2,7 @@
 
     python docs/handouts/pdf.py docs/_build/html
 
-A slide is a page, without those of the labs; sheets are on A4.
+A slide is a page; sheets are on A4.
 """
 
 import os

@@ -1,36 +1,6 @@
 "use strict";
-// Slides of 1280 x 720: what does not fit goes on to a further slide, or is made smaller if it is
-// one block. Steps of a slide appear one by one. Keys: arrows, space, Page, Home, End; N shows the
-// notes, F fills the screen.
-
-/** Move the blocks of a slide that do not fit, and give each slide the notes of its blocks. */
-function paginate(slide) {
-  const blocks = [...slide.querySelectorAll(".block")];
-  blocks.forEach((block) => block.remove());
-  const empty = slide.cloneNode(true);
-  empty.classList.remove("first");
-  for (const block of blocks) {
-    let room = slide.querySelector(".body");
-    const isFull = () => room.scrollHeight > room.clientHeight + 1;
-    room.append(block);
-    if (isFull() && room.children.length > 1) {
-      slide.after(empty.cloneNode(true));
-      slide = slide.nextElementSibling;
-      room = slide.querySelector(".body");
-      room.append(block);
-    }
-    if (isFull()) block.style.zoom = String((0.98 * room.clientHeight) / room.scrollHeight);
-    const note = block.querySelector("template");
-    slide.querySelector(".notes").append(note.content);
-    note.remove();
-  }
-}
-
-/** Choose the size of code so that its longest line is not broken, as far as it can be read. */
-function fit(code) {
-  const longest = Math.max(...code.textContent.split("\n").map((line) => line.length));
-  code.style.fontSize = `${Math.max(14, Math.min(22, 1125 / (0.603 * longest)))}px`;
-}
+// Slides of 1280 x 720, with steps that appear one by one. Keys: arrows, space, Page, Home, End; N
+// shows the notes, F fills the screen.
 
 let now = 0;
 /** @type {HTMLElement[]} */
@@ -67,8 +37,6 @@ const KEYS = {
 };
 
 addEventListener("load", () => {
-  document.querySelectorAll("pre").forEach(fit);
-  document.querySelectorAll(".slide").forEach(paginate);
   all = [...document.querySelectorAll(".slide")];
   all.forEach((slide, index) => {
     slide.querySelector(".foot span").textContent = `${index + 1} / ${all.length}`;
@@ -92,6 +60,6 @@ addEventListener("keydown", (event) => {
   }
 });
 addEventListener("touchend", (event) => {
-  if (event.target.closest("a, pre")) return;
+  if (event.target.closest("a")) return;
   go(event.changedTouches[0].clientX > innerWidth / 2 ? 1 : -1);
 });
