@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from importlib import import_module
@@ -47,6 +48,9 @@ def entry(module: str) -> Callable[..., int]:
     """Return the function ``main`` of a module, which is imported when it is called."""
 
     def main(argv: Sequence[str] | None = None) -> int:
+        # Before numpy is imported: on a busy machine threads for small matrices wait for each
+        # other a hundred times as long as they work. For more cores there is --jobs.
+        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
         try:
             program = import_module(module).main
         except Exception as error:

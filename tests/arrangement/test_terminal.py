@@ -4,6 +4,7 @@ import argparse
 import io
 import json
 import math
+import os
 import subprocess
 import sys
 from collections.abc import Iterable
@@ -233,6 +234,20 @@ def test_a_fault_at_import_is_no_answer(tmp_path, monkeypatch, capsys):
     monkeypatch.syspath_prepend(tmp_path)
     assert entry("broken_program")([]) == 70
     assert "the module no_such_library is missing" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("given", "used"), [({}, "1"), ({"OPENBLAS_NUM_THREADS": "3"}, "3")])
+def test_programs_use_one_thread_unless_told(given, used, tmp_path):
+    text = "import os, sys\ndef main(argv):\n    assert 'numpy' not in sys.modules\n"
+    text += "    print(os.environ['OPENBLAS_NUM_THREADS'])\n    return 0\n"
+    (tmp_path / "some_program.py").write_text(text, encoding="utf-8")
+    run = "from arrangement.console.entry import entry; entry('some_program')()"
+    paths = os.pathsep.join([str(tmp_path), *filter(None, sys.path)])
+    environment = {**os.environ, "PYTHONPATH": paths, **given}
+    if not given:
+        environment.pop("OPENBLAS_NUM_THREADS", None)
+    words = [sys.executable, "-c", run]
+    assert subprocess.check_output(words, env=environment, text=True, timeout=60).strip() == used
 
 
 @pytest.mark.parametrize(
