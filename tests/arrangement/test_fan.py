@@ -89,6 +89,14 @@ def test_numbers_beyond_64_bits_change_nothing():
     ).all()
 
 
+def test_sums_of_products_just_beyond_64_bits_keep_their_sign():
+    """Each product is below 2^62, and the sum of three is above 2^63."""
+    ray = np.array([[1_861_605_171] * 3])
+    one = np.array([[True]]), np.zeros((1, 0), np.int8), np.array([1], np.int8)
+    fan = Fan(ray, np.zeros((0, 3), np.int64), *one)
+    assert fan.cut((2**31,) * 3).signs.tolist() == [[1]]
+
+
 def test_a_plane_that_contains_everything_has_the_sign_zero():
     line = Fan.space(2).cut((1, 0), (0,))
     assert faces(line) == [((0,), 1)]
