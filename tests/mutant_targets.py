@@ -36,6 +36,9 @@ ASSEMBLIES = (
     "tests/equilibrium/test_assemblies.py::TestForged::test_question_of_a_certificate_is_compared",
     "tests/equilibrium/test_assemblies.py::TestCommand::test_verified_checker_takes_an_assembly",
 )
+TOUCHING = tuple(
+    f"tests/equilibrium/test_assembly_inputs.py::Test{name}" for name in ("Polygons", "Weight")
+)
 FIELD = "tests/arrangement/test_number_field.py"
 SPACE_SEARCH = (
     *(
@@ -116,6 +119,7 @@ TARGETS = {
     ),
     "state rule": Target("equilibrium.certificate.states", (*ASSEMBLIES, *SPACE)),
     "assemblies": Target("equilibrium.certificate.assemblies", ASSEMBLIES),
+    "touching": Target("equilibrium.grasps.touching", TOUCHING),
     "enclosure": Target("equilibrium.certificate.enclosure", SPACE),
     "uncertain": Target("equilibrium.certificate.uncertain", ROBUST),
     "robust": Target("equilibrium.certificate.robust", ROBUST),

@@ -84,9 +84,7 @@ def law_problem(
 def _in_cone(
     friction: Sequence[Fraction], limit: Fraction, edges: Sequence[RationalVector]
 ) -> bool:
-    """Return whether a friction force is in the disc, or in the polygon of the edges."""
-    if len(friction) == 1:
-        return abs(friction[0]) <= limit
+    """Return whether a friction force is in the disc, in the plane an interval, or polygon."""
     if not edges:
         return _dot(friction, friction) <= limit * limit
     sides = zip(outward(edges), edges, strict=True)
@@ -107,10 +105,9 @@ def _does_most(
 ) -> bool:
     """Return whether no friction force of the cone does less work on a slip.
 
-    In the disc that is ``-limit |s|``, done by one force alone; by all where there is no slip.
+    In the disc, in the plane an interval, that is ``-limit |s|``, done by one force alone; by all
+    where there is no slip.
     """
-    if len(slip) == 1:
-        return not slip[0] or friction[0] == (-limit if slip[0] > 0 else limit)
     work = _dot(friction, slip)
     if edges:
         return work == -limit * max(_dot(edge, slip) for edge in edges)

@@ -119,9 +119,7 @@ def _touches(one: _NamedPolygon, other: _NamedPolygon) -> Iterator[tuple[Rationa
 
 
 def _common(edge: _Edge, mine: _Edge) -> list[RationalVector]:
-    """Return the ends of what two edges have in common, if both lie on one line."""
-    if any(turn(difference(edge[1], edge[0]), difference(p, edge[0])) for p in mine):
-        return []
+    """Return the ends of what two edges have in common, two if both lie on one line."""
     ends = [p for p in mine if place_on_segment(*edge, p) is not None]
     ends += [p for p in edge if place_on_segment(*mine, p) is not None]
     return list(dict.fromkeys(ends))
@@ -150,7 +148,10 @@ def _refuse_overlap(one: _NamedPolygon, other: _NamedPolygon) -> None:
 
 
 def _pieces(edge: _Edge, shape: _NamedPolygon) -> Iterator[_Edge]:
-    """Yield the parts of an edge between the places where it meets the edges of a polygon."""
+    """Yield the parts of an edge between the places where it meets the edges of a polygon.
+
+    Where it runs along one of these, it meets another one at each of the ends.
+    """
     start, end = edge
     along = difference(end, start)
     places = {Fraction(0), Fraction(1)}
@@ -160,9 +161,6 @@ def _pieces(edge: _Edge, shape: _NamedPolygon) -> Iterator[_Edge]:
             s = turn(difference(a, start), across) / slope
             t = turn(difference(a, start), along) / slope
             places |= {s} if 0 <= s <= 1 and 0 <= t <= 1 else set()
-        else:
-            on = (place_on_segment(start, end, p) for p in (a, b))
-            places |= {s for s in on if s is not None}
     ordered = [tuple(x + s * y for x, y in zip(start, along, strict=True)) for s in sorted(places)]
     yield from pairwise(ordered)
 

@@ -167,11 +167,42 @@ class TestPolygons:
             box("1/2", "1/4", 1, "1/2"),
             box(-1, -1, 4, 3),
             box("1/2", -1, 1, 3),
+            box("3/2", 0),
+            box(0, "1/2", 2, 1),
+            # The middle of no edge is in the other polygon.
+            [["19/10", "1/5"], [10, "3/20"], [10, "1/4"]],
+            [["1/10", "1/5"], [-10, "1/4"], [-10, "3/20"]],
+            [["1/5", "1/10"], ["3/20", -10], ["1/4", -10]],
+            [["1/5", "9/10"], ["1/4", 10], ["3/20", 10]],
+            # A notch with the box in it, but for a corner.
+            [[-1, -1], [4, -1], [4, 2], [2, 2], [2, "1/2"], ["7/4", 0], [0, 0], [0, 2], [-1, 2]],
         ],
     )
     def test_overlaps_are_refused(self, other):
         with pytest.raises(GraspError, match="a and b overlap"):
             Assembly.from_polygons({"a": box(0, 0), "b": other}, 1)
+
+    def test_box_in_a_notch_touches_on_three_sides(self):
+        notch = [[-1, -1], [4, -1], [4, 2], [2, 2], [2, 0], [0, 0], [0, 2], [-1, 2]]
+        made = Assembly.from_polygons({"a": box(0, 0), "b": notch}, 1)
+        assert sorted(touches(made), key=str) == sorted(
+            [
+                ("a", "b", 0, 0, 0, 1),
+                ("a", "b", 2, 0, 0, 1),
+                ("a", "b", 0, 0, 1, 0),
+                ("a", "b", 0, 1, 1, 0),
+                ("a", "b", 2, 0, -1, 0),
+                ("a", "b", 2, 1, -1, 0),
+            ],
+            key=str,
+        )
+
+    def test_polygons_around_a_common_axis_are_apart(self):
+        made = Assembly.from_polygons({"a": box(0, 0), "b": box(0, 2), "c": box(3, 0)}, 1)
+        assert not made.contacts
+        # Its box meets that of a.
+        corner = [[4, 0], [4, 2], [1, 2]]
+        assert not Assembly.from_polygons({"a": box(0, 0), "b": corner}, 1).contacts
 
     def test_normal_of_irrational_length_needs_a_tolerance(self):
         halves = {"a": [[0, 0], [1, 0], [1, 1]], "b": [[0, 0], [1, 1], [0, 1]]}
