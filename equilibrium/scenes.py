@@ -28,9 +28,9 @@ from arrangement.numbers.exact import to_text
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
-from equilibrium.model.contact import WRENCH_SIZES, Contact
+from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Circle, Mesh, Polygon
 from equilibrium.wrench_sets.line import resisted_magnitudes
 from equilibrium.wrench_sets.spatial import spatial_magnitudes
@@ -75,11 +75,11 @@ class EngineScene(ReprMixin):
     repr_fields = ("grasp", "directions")
 
     def __init__(self, grasp: Grasp, directions: Iterable[Iterable[Any]] | None = None) -> None:
-        many = WRENCH_SIZES[grasp.dimension]
+        many = grasp.wrench_size
         axes = [[int(i == k) for i in range(many)] for k in range(many)]
         given = axes if directions is None else directions
         self.grasp = grasp
-        self.directions = tuple(read_wrench(x, grasp.dimension) for x in given)
+        self.directions = tuple(grasp.read_wrench(x) for x in given)
         if not all(map(any, self.directions)):
             raise GraspError("a direction is zero; give one that is not")
         if not all(c.stiffness for c in grasp):

@@ -28,7 +28,7 @@ from arrangement.numbers.exact import RationalVector, to_text, vector_text
 from equilibrium.model.contact import VALUES, pyramid_edges
 from equilibrium.model.displacement import along_tangents, displacement_entry
 from equilibrium.model.errors import CertificateError, GraspError
-from equilibrium.model.grasp import Grasp, in_plane, read_wrench
+from equilibrium.model.grasp import Grasp, in_plane
 
 from .enclosure import enclosure_problem
 from .law import displacement_problem, law_problem, law_rows, short
@@ -145,7 +145,7 @@ def _difference(asked: Question, found: Question) -> str:
         for i, (one, other) in enumerate(zip(own, wanted, strict=True), 1)
         for name in ("point", "normal", *VALUES, "tangent")
     ]
-    for name, one, other in [*rows, ("wrench: it", wrench, read_wrench(load, own.dimension))]:
+    for name, one, other in [*rows, ("wrench: it", wrench, own.read_wrench(load))]:
         if one != other:
             pair = [x if isinstance(x, tuple) else (x,) for x in (one, other)]
             texts = [vector_text(x) if len(x) > 1 else short(*x) for x in pair]

@@ -54,7 +54,7 @@ from arrangement.numbers.exact import RationalVector, rational, rational_vector,
 from equilibrium.model.contact import WRENCH_SIZES
 from equilibrium.model.displacement import read_displacement
 from equilibrium.model.errors import CertificateError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Enclosure
 
 from .robust import check_form
@@ -191,7 +191,7 @@ def _grasp_and_wrench(document: Mapping[str, Any]) -> tuple[Grasp, RationalVecto
     if isinstance(document["grasp"], Mapping) and "outline" in document["grasp"]:
         raise CertificateError("the grasp of a certificate has no outline; leave it out")
     grasp = Grasp.from_dict(document["grasp"])
-    return grasp, read_wrench(check_list(document["wrench"], "wrench"), grasp.dimension)
+    return grasp, grasp.read_wrench(check_list(document["wrench"], "wrench"))
 
 
 def read_bound(document: Mapping[str, Any]) -> Fraction | None:

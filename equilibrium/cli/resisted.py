@@ -14,7 +14,6 @@ from arrangement.console.number_form import bracket, counted, number, vector
 from arrangement.console.options import values
 from arrangement.numbers.exact import RationalVector, number_text
 from equilibrium.model.errors import GraspError, UndecidedError
-from equilibrium.model.grasp import read_wrench
 
 from .arguments import (
     add_applied,
@@ -216,9 +215,9 @@ def _candidates(arguments: argparse.Namespace, grasp: Grasp) -> int:
     found = read_any(arguments.candidates, round_normals=arguments.round_normals)
     if found.pull:
         raise GraspError("a candidate has adhesion; leave the column out")
-    start = read_wrench(given_load(arguments, grasp), grasp.dimension)
+    start = grasp.read_wrench(given_load(arguments, grasp))
     base = _base(arguments, grasp)
-    loads = [start] if isinstance(base, int) else [start, read_wrench(base, grasp.dimension)]
+    loads = [start] if isinstance(base, int) else [start, grasp.read_wrench(base)]
     wrench = list(map(sum, zip(*loads, strict=True)))
     sets = _set(arguments, grasp).with_contact(found.grasp)
     verdicts = [resisted.solve(wrench).verdict for resisted in sets]
@@ -240,7 +239,7 @@ def _base(arguments: argparse.Namespace, grasp: Grasp) -> RationalVector | int:
     """Return what acts in any case: --base, and the pull of adhesion in the data."""
     if not arguments.pull:
         return arguments.base or 0
-    base = read_wrench(arguments.base or [0] * len(arguments.pull), grasp.dimension)
+    base = grasp.read_wrench(arguments.base or [0] * len(arguments.pull))
     return tuple(x + y for x, y in zip(base, arguments.pull, strict=True))
 
 

@@ -25,11 +25,11 @@ from arrangement.library.arguments import entries
 from arrangement.numbers import budget
 from arrangement.numbers.exact import Rational, RationalVector, vector_text
 from equilibrium.model.assembly import Assembly
-from equilibrium.model.contact import WRENCH_SIZES, pyramid_edges
+from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.displacement import read_displacement
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import EquilibriumError, GraspError, TimeLimitError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Open, Outcome, Solution, Tree
 from equilibrium.plane.contacts import FloatContacts, IntegerContacts, are_moderate, nearest
@@ -213,7 +213,7 @@ class Solver(ReprMixin):
     @property
     def no_wrench(self) -> RationalVector:
         """The wrench 0."""
-        return (Fraction(0),) * WRENCH_SIZES[self.grasp.dimension]
+        return (Fraction(0),) * self.grasp.wrench_size
 
     def for_grasp(self, grasp: Grasp) -> Solver:
         """Return the solver of another grasp, with the same cones and largest displacement."""
@@ -262,7 +262,7 @@ class Solver(ReprMixin):
         Args:
             memory: in space, of other wrenches; by default that of this solver.
         """
-        applied = read_wrench(wrench, self.grasp.dimension)
+        applied = self.grasp.read_wrench(wrench)
         if self.grasp.dimension == 3:
             return self._proved(applied, self._search(applied, effort, nodes, memory).decide())
         try:
@@ -278,7 +278,7 @@ class Solver(ReprMixin):
     ) -> Iterator[Verdict]:
         """Yield the verdict of each wrench, in order; see the function `solve_many`."""
         rows = entries(wrenches, "wrenches", "wrenches")
-        applied = [read_wrench(wrench, self.grasp.dimension) for wrench in rows]
+        applied = [self.grasp.read_wrench(wrench) for wrench in rows]
         starts = range(0, len(applied), WRENCHES_PER_TASK)
         tasks = [applied[k : k + WRENCHES_PER_TASK] for k in starts]
         due(len(tasks), (1, 1), jobs)

@@ -12,7 +12,7 @@ from arrangement.numbers.exact import RationalVector, shown, to_text
 from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
 from equilibrium.plane.contacts import FloatContacts
 
@@ -168,7 +168,7 @@ def compare(
         if pyramid is not None:
             raise GraspError("an assembly takes no pyramid; leave it out")
     else:
-        applied = read_wrench(wrench, grasp.dimension)
+        applied = grasp.read_wrench(wrench)
         if pyramid is not None:
             pyramid_edges(pyramid, grasp.dimension)
     answers = [

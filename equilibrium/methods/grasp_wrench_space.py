@@ -48,9 +48,9 @@ from arrangement.numbers.linear.programs import (
 from arrangement.numbers.linear.rank import cross
 from equilibrium.methods.method import Accepting, Method, Outcome, cut
 from equilibrium.methods.springs import Forces
-from equilibrium.model.contact import WRENCH_SIZES, pyramid_edges
+from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp
 from equilibrium.plane.contact_rows import (
     cone_edge,
     edge_directions,
@@ -175,7 +175,7 @@ class GraspWrenchSpace:
 
     def verdict(self, wrench: Iterable[Any]) -> WrenchSpaceVerdict:
         """Return whether the method counts a wrench as resisted; one exact linear program."""
-        load = read_wrench(wrench, self.grasp.dimension)
+        load = self.grasp.read_wrench(wrench)
         directions = [edge_directions(contact, self.pyramid) for contact in self.grasp]
         columns = [edge for c in self.grasp for edge in friction_edges(c, self.pyramid)]
         n, k = len(columns), len(directions[0]) if directions else 2
@@ -242,7 +242,7 @@ class GraspWrenchSpace:
 
     @property
     def _axes(self) -> int:
-        return WRENCH_SIZES[self.grasp.dimension]
+        return self.grasp.wrench_size
 
 
 def _hull(points: Iterable[RationalVector]) -> Polyhedron:
@@ -267,7 +267,7 @@ def round_cones(grasp: Grasp, wrench: Iterable[Any]) -> WrenchSpaceVerdict:
     >>> round_cones(fingers, [0, 0, 0, 1, 0, 0]).accepts
     False
     """
-    load = read_wrench(wrench, grasp.dimension)
+    load = grasp.read_wrench(wrench)
     for pyramid in PYRAMIDS:
         inside = GraspWrenchSpace(grasp, pyramid=pyramid).verdict(load)
         if inside.accepts:

@@ -131,6 +131,19 @@ class Grasp(HintsMixin):
         """Two for a grasp in the plane, three in space."""
         return self.contacts[0].dimension if self.contacts else 2
 
+    @property
+    def wrench_size(self) -> int:
+        """How many numbers a wrench on it has: three in the plane, six in space."""
+        return WRENCH_SIZES[self.dimension]
+
+    def read_wrench(self, values: Iterable[Any]) -> RationalVector:
+        """Return an applied wrench as rationals: ``(f_x, f_y, tau)``, or six numbers in space.
+
+        Raises:
+            GraspError: it has another length.
+        """
+        return read_wrench(values, self.dimension)
+
     def require_plane(self) -> None:
         """Refuse a grasp in space, where a function knows the plane only.
 

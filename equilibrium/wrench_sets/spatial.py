@@ -22,7 +22,7 @@ from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.displacement import read_displacement
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp
 from equilibrium.plane.contact_rows import sum_row
 
 #: A magnitude and its verdict.
@@ -182,7 +182,7 @@ def spatial_magnitudes(
     >>> spatial_magnitudes(fingers, [0, 1, 0, 0, 0, 0]).borders[0].resisted
     Fraction(1, 1)
     """
-    along, start = (read_wrench(w, grasp.dimension) for w in (direction, base))
+    along, start = (grasp.read_wrench(w) for w in (direction, base))
     if not any(along):
         raise GraspError("the direction is zero; give one that is not")
     share = rational(width, "width")

@@ -135,6 +135,7 @@ class TestWeight:
 class TestPolygons:
     def test_edges_in_common_have_two_contacts(self):
         made = Assembly.from_polygons({"a": box(0, 0), "b": box(1, 1)[::-1]}, 1, ground=[FLOOR])
+        assert not any(map(any, made.weights.values()))
         assert sorted(touches(made), key=str) == sorted(
             [
                 ("a", None, 0, 0, 0, 1),

@@ -20,7 +20,7 @@ from arrangement.numbers.exact import (
     to_text,
     vector_text,
 )
-from equilibrium.model.contact import VALUES, WRENCH_SIZES, Contact
+from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Outline
@@ -246,7 +246,7 @@ def completed(found: Conversion, extras: Sequence[Mapping[str, Any]]) -> Convers
     contacts: list[Contact] = []
     places: list[int] = []
     remarks = []
-    pull = [Fraction(0)] * WRENCH_SIZES[found.grasp.dimension]
+    pull = [Fraction(0)] * found.grasp.wrench_size
     for i, (contact, entry) in enumerate(zip(found.grasp, values, strict=True)):
         radius, stuck = entry.get("pad", Fraction(0)), entry.get("adhesion", Fraction(0))
         pull = [x - stuck * n for x, n in zip(pull, contact.normal_wrench, strict=True)]

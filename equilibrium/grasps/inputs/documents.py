@@ -17,7 +17,7 @@ from equilibrium.grasps.files import decimal_text, has_decimals, read_contacts
 from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp
 
 from .conversion import (
     DEFAULT_TOLERANCE,
@@ -41,7 +41,7 @@ def question_document(grasp: Grasp, wrench: Any, taker: str) -> dict[str, Any]:
     Raises:
         InputError: a number has more than 1000 digits.
     """
-    load = [to_text(x) for x in read_wrench(wrench, grasp.dimension)]
+    load = [to_text(x) for x in grasp.read_wrench(wrench)]
     document = {"grasp": grasp.to_dict(), "wrench": load}
     longest = max(map(len, re.findall(r"[0-9]+", json.dumps(document))))
     budget.check_size(longest, "digits of a number on a page", taker)

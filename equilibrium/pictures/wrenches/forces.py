@@ -18,7 +18,7 @@ from arrangement.numbers.exact import rational
 from equilibrium.methods.compare import Comparison, check_cost, compare
 from equilibrium.methods.registry import METHODS, WITH_REGION, method_named
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.panel import (
     PlaneQuestion,
     explain_borders,
@@ -253,7 +253,7 @@ def draw_methods(grasp: Grasp, *, wrenches: Iterable[Wrench], width: float = 88.
     Raises:
         GraspError: no wrench, or too many.
     """
-    questions = [read_wrench(wrench, grasp.dimension) for wrench in wrenches]
+    questions = [grasp.read_wrench(wrench) for wrench in wrenches]
     if not questions:
         raise GraspError("there is no wrench; give at least one")
     budget.check_size(len(questions), "wrenches in a picture")
