@@ -30,7 +30,7 @@ help:
 	@echo "make docs-check      build it and open every page in headless Chromium"
 	@echo "make pdf             print its slides, exercise sheets and solutions as PDF, with Chromium"
 	@echo "make notebooks       write the lessons as notebooks in docs/_build/notebooks and run each"
-	@echo "make lite            make a site in which the lessons run in a browser: docs/_build/lite"
+	@echo "make lite            add to it what runs lessons and gallery in a browser: docs/_build/html/lite"
 	@echo "make atlas           write pages of 305 arrangements in docs/_build/atlas"
 	@echo "make bench           measure speed; ARGS='--only targets' compares it with the targets"
 	@echo "make mutants         run mutation tests; list the mutants that survive"
@@ -159,7 +159,7 @@ notebooks: docs
 	$(BIN)/python docs/notebooks.py docs/_build/notebooks
 
 lite: docs $(VENV)/.stamp-lite
-	$(BIN)/python docs/lite.py docs/_build/lite
+	$(BIN)/python docs/lite.py docs/_build/html
 
 package-check: $(VENV)/.stamp-package
 	$(BIN)/python tests/check_package.py $(ARGS)

@@ -1,6 +1,7 @@
-"""Make a JupyterLite site of the lessons: python docs/lite.py FOLDER.
+"""Make a JupyterLite site of lessons and gallery: python docs/lite.py docs/_build/html.
 
-The notebooks are those of `notebooks.py`. In a browser they run in Pyodide, with the wheel
+It lies in the folder `lite` of the site, whose pages then link to it. The notebooks are made as in
+`notebooks.py`. In a browser they run in Pyodide, with the wheel
 of this checkout. Pyodide and its wheels come from its own server; python-flint, trimesh and
 latex2mathml from PyPI. A browser has no shell: cells of commands call the programs in Python.
 
@@ -58,8 +59,8 @@ def bash(line, cell):
         if target:
             pathlib.Path(target).write_text(text.getvalue(), "utf-8")'''
 
-#: Lessons that are run as in a browser, and what stands for the first cell.
-RUN = ("02-a-contact-is-a-plane", "04-counting", "09-certificates")
+#: Pages that are run as in a browser, and what stands for the first cell.
+RUN = ("02-a-contact-is-a-plane", "04-counting", "09-certificates", "sphere")
 BLOCKED = """\
 import subprocess, sys
 sys.modules["flint"] = None
@@ -97,7 +98,7 @@ def in_browser(made):
 
 
 def run(name, made):
-    """Run a notebook as in a browser, and compare its outputs with those of the lesson."""
+    """Run a notebook as in a browser, and compare its outputs with those of the page."""
     made.cells[0].source = BLOCKED
     for cell in made.cells[:2]:
         cell.metadata.pop("shown")
@@ -106,21 +107,39 @@ def run(name, made):
     print(f"{name}: {len(made.cells)} cells run without python-flint, processes and a shell")
 
 
-def main(folder):
-    """Write the notebooks and the wheel to a folder, and make the site of them."""
+def link(page):
+    """Link the notebook of a page on it."""
+    text = page.read_text("utf-8")
+    target = f"../lite/notebooks/index.html?path={page.stem}.ipynb"
+    if target in text:
+        return
+    new = f'<a href="{target}">Run in the browser</a>'
+    if '<p class="handouts">' in text:
+        text = re.sub(r'(<p class="handouts">.*?)</p>', rf"\1 · {new}</p>", text, count=1)
+    else:
+        text = text.replace("</h1>", f'</h1>\n<p class="handouts">{new}</p>', 1)
+    page.write_text(text, "utf-8")
+
+
+def main(html):
+    """Write the notebooks and the wheel, make the site of them, and link it."""
+    pages = {folder: write_markdown(folder) for folder in ("lessons", "gallery")}
     with tempfile.TemporaryDirectory() as name:
         work = Path(name)
         (work / "files").mkdir()
-        for lesson, text in write_markdown().items():
-            if lesson in RUN:
-                run(lesson, with_start(notebook(text)))
+        for stem, text in (pages["lessons"] | pages["gallery"]).items():
+            if stem in RUN:
+                run(stem, with_start(notebook(text)))
             made = in_browser(with_start(notebook(text)))
-            nbformat.write(made, work / "files" / f"{lesson}.ipynb")
+            nbformat.write(made, work / "files" / f"{stem}.ipynb")
         wheel = ("wheel", "--quiet", "--no-deps", "--wheel-dir", work / "pypi", DOCS.parent)
         subprocess.run([sys.executable, "-m", "pip", *wheel], check=True)
-        site = ("--lite-dir", work, "--contents", work / "files", "--output-dir", folder)
+        site = ("--lite-dir", work, "--contents", work / "files", "--output-dir", html / "lite")
         build = (sys.executable, "-m", "jupyterlite_core.app", "build", *site)
         subprocess.run(build, cwd=work, check=True)  # it leaves a database where it runs
+    for folder, texts in pages.items():
+        for stem in texts:
+            link(html / folder / f"{stem}.html")
 
 
 if __name__ == "__main__":

@@ -31,7 +31,7 @@ SETTINGS = {
 _FENCE = re.compile(r"(?ms)^```(pycon|console|python file=\S+)\n(.*?)^```$")
 _ANSWER = re.compile(r"(?m)^\*\*(\d+)\.\*\* ?")
 _IMAGE = re.compile(r"\]\(_generated/([\w.-]+)\)")
-_LESSON = re.compile(r"\]\((\d\d-[\w-]+)\.md")
+_BESIDE = re.compile(r"\]\(([\w-]+)\.md")
 _PAGE = re.compile(r"\]\(\.\./([\w/-]+)\.md")
 _CHECKER, _FLAGS = doctest.OutputChecker(), doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 _new = nbformat.v4
@@ -50,8 +50,8 @@ def prepare(app, tree, name):
             caption.parent.replace_self(block)
 
 
-def write_markdown():
-    """Return the lessons as Markdown."""
+def write_markdown(folder="lessons"):
+    """Return the pages of a folder as Markdown."""
     with tempfile.TemporaryDirectory() as work:
         app = Sphinx(
             DOCS,
@@ -67,7 +67,9 @@ def write_markdown():
         app.build()
         if app.statuscode:
             raise SystemExit("the warnings above must go; pictures are made by: make docs")
-        return {page.stem: page.read_text("utf-8") for page in sorted(Path(work).glob("lessons/*"))}
+        return {
+            page.stem: page.read_text("utf-8") for page in sorted(Path(work).glob(f"{folder}/*"))
+        }
 
 
 def code_cell(source, shown="", tags=()):
@@ -130,9 +132,9 @@ def text_cells(text):
 
 
 def notebook(text):
-    """Return the notebook of a lesson in Markdown."""
+    """Return the notebook of a page in Markdown."""
     text = _IMAGE.sub(r"](images/\1)", text)
-    text = _LESSON.sub(r"](\1.ipynb", text)
+    text = _BESIDE.sub(r"](\1.ipynb", text)
     text = _PAGE.sub(r"](../html/\1.html", text)
     cells, at = [], 0
     for block in _FENCE.finditer(text):

@@ -66,9 +66,11 @@ def check_search_for(browser: Browser, site: Path, word: str) -> list[str]:
 
 
 def check_site(site: Path) -> dict[str, list[str]]:
-    """Return what is wrong, page by page; listings of source code are left out."""
+    """Return what is wrong, page by page, without listings of code and what needs a network."""
     pages = sorted(
-        page for page in site.rglob("*.html") if "_modules" not in page.relative_to(site).parts
+        page
+        for page in site.rglob("*.html")
+        if not {"_modules", "lite"} & set(page.relative_to(site).parts)
     )
     if not pages:
         return {str(site): ["there are no pages; build the site first"]}
