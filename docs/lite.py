@@ -123,7 +123,7 @@ def link(page):
 
 def main(html):
     """Write the notebooks and the wheel, make the site of them, and link it."""
-    pages = {folder: write_markdown(folder) for folder in ("lessons", "gallery")}
+    pages = write_markdown()
     with tempfile.TemporaryDirectory() as name:
         work = Path(name)
         (work / "files").mkdir()

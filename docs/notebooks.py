@@ -50,8 +50,8 @@ def prepare(app, tree, name):
             caption.parent.replace_self(block)
 
 
-def write_markdown(folder="lessons"):
-    """Return the pages of a folder as Markdown."""
+def write_markdown():
+    """Return the pages of lessons and gallery as Markdown, by folder and name."""
     with tempfile.TemporaryDirectory() as work:
         app = Sphinx(
             DOCS,
@@ -67,8 +67,10 @@ def write_markdown(folder="lessons"):
         app.build()
         if app.statuscode:
             raise SystemExit("the warnings above must go; pictures are made by: make docs")
+        folders = (Path(work, name) for name in ("lessons", "gallery"))
         return {
-            page.stem: page.read_text("utf-8") for page in sorted(Path(work).glob(f"{folder}/*"))
+            folder.name: {page.stem: page.read_text("utf-8") for page in sorted(folder.iterdir())}
+            for folder in folders
         }
 
 
@@ -165,10 +167,10 @@ def execute(made):
 
 
 def main(folder):
-    """Write and run all notebooks."""
+    """Write and run the notebooks of the lessons."""
     (folder / "images").mkdir(parents=True, exist_ok=True)
     os.environ["PATH"] = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
-    for name, text in write_markdown().items():
+    for name, text in write_markdown()["lessons"].items():
         for image in _IMAGE.findall(text):
             shutil.copy(DOCS / "_generated" / image, folder / "images")
         made = notebook(text)
