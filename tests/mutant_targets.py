@@ -26,6 +26,8 @@ GRASP = "tests/equilibrium/test_grasp.py::TestValues"
 PLANES = "tests/equilibrium/test_space.py::TestPlanes"
 PYRAMIDS = "tests/equilibrium/test_space.py::TestPyramids"
 SOLVER = ("tests/equilibrium/test_verdict.py",)
+STATES = ("tests/equilibrium/test_contact_states.py", *SOLVER)
+PROGRAMS = "tests/arrangement/test_linprog.py"
 SEARCH = ("tests/equilibrium/test_leaves.py", "tests/equilibrium/test_resistance.py")
 SPACE = (
     "tests/equilibrium/test_space_checker.py",
@@ -154,9 +156,9 @@ TARGETS = {
         ("tests/arrangement/test_affine_space.py",),
         24,
     ),
-    "states": Target("equilibrium.plane.states.state_system", SOLVER, 12),
-    "elimination": Target("arrangement.numbers.linear.rank", SOLVER, 12),
-    "pieces": Target("equilibrium.plane.states.equilibrium", SOLVER, 12),
+    "states": Target("equilibrium.plane.states.state_system", STATES, 12),
+    "elimination": Target("arrangement.numbers.linear.rank", (PROGRAMS, *SOLVER), 12),
+    "pieces": Target("equilibrium.plane.states.equilibrium", STATES, 12),
     "leaves": Target("equilibrium.plane.search.virtual_motions", SEARCH, 12),
     "guess": Target("equilibrium.plane.search.state_equilibrium", SEARCH, 12),
     "splits": Target("equilibrium.plane.search.state_splits", SEARCH, 12),
@@ -226,10 +228,8 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     (
         "tests/arrangement/test_great_circles_exactness.py",
         "tests/arrangement/test_affine_space.py",
-    ): (
-        "arrangement.numbers.float_filter",
-        "arrangement.numbers.packing",
-    ),
+    ): ("arrangement.numbers.float_filter",),
+    ("tests/arrangement/test_packing.py",): ("arrangement.numbers.packing",),
     ("tests/arrangement/test_symbolic.py",): (
         "arrangement.numbers.symbolic",
         "arrangement.planes.equation_text",
@@ -282,7 +282,6 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_displacement.py",
     ): (
         "equilibrium.decide.solver",
-        "equilibrium.decide.state_choices",
         "equilibrium.decide.answer",
         "equilibrium.decide.verdict",
     ),
@@ -353,6 +352,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "equilibrium.decide.many_grasps.questions",
         "equilibrium.decide.many_grasps.refutations",
     ),
+    STATES: ("equilibrium.decide.state_choices",),
     ("tests/equilibrium/test_contact_states.py",): (
         "equilibrium.plane.states.contact_states",
         "equilibrium.plane.states.interval_filter",
