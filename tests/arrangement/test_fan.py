@@ -97,6 +97,13 @@ def test_sums_of_products_just_beyond_64_bits_keep_their_sign():
     assert fan.cut((2**31,) * 3).signs.tolist() == [[1]]
 
 
+def test_rays_moved_along_a_line_are_exact_just_beyond_64_bits():
+    """A ray (V, V, V, -V) goes to (2 V, 2 V, 2 V, -6 V), times 2^30 on the way."""
+    ray, line = np.array([[1, 1, 1, -1]]) * 1_932_735_283, np.ones((1, 4), np.int64)
+    one = np.array([[True]]), np.zeros((1, 0), np.int8), np.array([2], np.int8)
+    assert Fan(ray, line, *one).cut((2**30,) * 4).rays[0].tolist() == [1, 1, 1, -3]
+
+
 def test_a_plane_that_contains_everything_has_the_sign_zero():
     line = Fan.space(2).cut((1, 0), (0,))
     assert faces(line) == [((0,), 1)]
