@@ -230,6 +230,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/arrangement/test_affine_space.py",
     ): ("arrangement.numbers.float_filter",),
     ("tests/arrangement/test_packing.py",): ("arrangement.numbers.packing",),
+    ("tests/arrangement/test_intervals.py",): ("arrangement.numbers.linear.intervals",),
     ("tests/arrangement/test_symbolic.py",): (
         "arrangement.numbers.symbolic",
         "arrangement.planes.equation_text",
@@ -246,7 +247,6 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "arrangement.numbers.linear.programs",
     ),
     ("tests/equilibrium/test_wrench_sets_plane.py",): (
-        "arrangement.numbers.linear.intervals",
         "equilibrium.wrench_sets.friction",
         "equilibrium.wrench_sets.margin",
         "equilibrium.wrench_sets.outline",
@@ -352,7 +352,10 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "equilibrium.decide.many_grasps.questions",
         "equilibrium.decide.many_grasps.refutations",
     ),
-    STATES: ("equilibrium.decide.state_choices",),
+    (
+        "tests/arrangement/test_budget.py::test_states_undecided_by_floats_refused_by_number",
+        *STATES,
+    ): ("equilibrium.decide.state_choices",),
     ("tests/equilibrium/test_contact_states.py",): (
         "equilibrium.plane.states.contact_states",
         "equilibrium.plane.states.interval_filter",
