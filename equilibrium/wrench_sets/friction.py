@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -20,6 +20,7 @@ from arrangement.console.number_form import JsonMixin
 from arrangement.console.progress import watched
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, rational, shown
+from equilibrium.decide.assemblies.contact_program import ContactProgram, LinearQuestion
 from equilibrium.decide.assemblies.magnitudes import Survivors, surviving_states
 from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.solver import Solver, prepare
@@ -27,19 +28,7 @@ from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.assembly import Wrenches
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.plane.contact_rows import (
-    DIRECTION,
-    Pair,
-    any_friction_does,
-    balance_rows,
-    cone_rows,
-    displacement_rows,
-    negated,
-    normal_force_row,
-    slip_row,
-    sum_row,
-    unit_row,
-)
+from equilibrium.model.rows import ContactRows
 from equilibrium.plane.states.contact_states import contact_states
 from equilibrium.plane.states.state_system import States
 
@@ -174,21 +163,20 @@ class _OfGrasp(_Search):
     def __init__(self, solver: Solver, wrench: RationalVector, width: Fraction) -> None:
         super().__init__(wrench, width)
         self.grasp, self.max_displacement = solver.grasp, solver.max_displacement
+        rows, still = ContactRows.of_grasp(self.grasp), (Fraction(0),) * len(wrench)
+        self.question = LinearQuestion(rows, wrench, still, max_displacement=self.max_displacement)
 
     def possible(
         self, states: list[States] | None, low: Fraction, high: Fraction | None
     ) -> list[States]:
         """Return the states that the relaxation over a range does not refute."""
-        kept = []
+        question = replace(self.question, frictions=(low, high))
         listed = contact_states(self.grasp) if states is None else states
-        for choice in watched(listed, "contact states"):
-            relaxed = _relaxed_rows(self.grasp, choice, self.wrench, low, high)
-            equalities, inequalities, open_forces, n = relaxed
-            inequalities += displacement_rows(self.max_displacement, self.grasp, n)
-            forces = open_forces if high is None else ()
-            if any_friction_does(n, inequalities, equalities, forces):
-                kept.append(choice)
-        return kept
+        return [
+            choice
+            for choice in watched(listed, "contact states")
+            if ContactProgram(question, choice).feasible
+        ]
 
     def resists(self, coefficient: Fraction) -> bool:
         """Return whether the wrench is resisted at one coefficient; exact."""
@@ -217,40 +205,6 @@ class _OfAssembly(_Search):
         solver = AssemblySolver(self.assembly.with_friction(coefficient), self.max_displacement)
         verdict = solver.solve(self.wrench)
         return verdict.decided and verdict.stable
-
-
-def _relaxed_rows(
-    grasp: Grasp, states: States, wrench: RationalVector, low: Fraction, high: Fraction | None
-) -> tuple[list[RationalVector], list[RationalVector], list[Pair], int]:
-    """Return equalities, inequalities, forces and the number of variables of the relaxation.
-
-    The variables are the motion and the tangential force of each contact that touches; every
-    solution with a coefficient in ``[low, high]`` satisfies the rows.
-    """
-    n = 3 + len(states) - states.count("detached")
-    columns = iter(range(3, n))
-    inequalities: list[RationalVector] = []
-    sticking: list[RationalVector] = []
-    forces: list[Pair] = []
-    for contact, state in zip(grasp, states, strict=True):
-        normal, slip = normal_force_row(contact, n), slip_row(contact, n)
-        if state == "detached":
-            inequalities.append(negated(normal))
-            forces.append(((Fraction(0),) * (n + 1),) * 2)
-            continue
-        tangential = unit_row(next(columns), n)
-        forces.append((normal, tangential))
-        inequalities.append(normal)
-        if high is not None:
-            inequalities += cone_rows(high, normal, tangential)
-        if state == "stick":
-            sticking.append(slip)
-        else:
-            pull = tuple(DIRECTION[state] * x for x in tangential)
-            inequalities.append(sum_row(pull, normal, -low))
-            inequalities.append(tuple(-DIRECTION[state] * x for x in slip))
-    balance, _ = balance_rows(grasp, forces, wrench, n)
-    return [*balance, *sticking], inequalities, forces, n
 
 
 def _ranges() -> Iterator[tuple[Fraction, Fraction]]:

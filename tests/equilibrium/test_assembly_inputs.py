@@ -183,6 +183,26 @@ class TestPolygons:
         with pytest.raises(GraspError, match="a and b overlap"):
             Assembly.from_polygons({"a": box(0, 0), "b": other}, 1)
 
+    def test_overlap_with_the_ground_is_named(self):
+        with pytest.raises(GraspError, match="a and the ground overlap"):
+            Assembly.from_polygons({"a": box(0, "-1/2")}, 1, ground=[FLOOR])
+
+    def test_box_in_an_arm_of_another_polygon_overlaps(self):
+        # The ray from the box to the right leaves one arm and crosses the other one.
+        arms = [[0, 0], [10, 0], [10, 5], [8, 5], [8, 2], [4, 2], [4, 5], [0, 5]]
+        with pytest.raises(GraspError, match="a and b overlap"):
+            Assembly.from_polygons({"a": box(1, 3), "b": arms}, 1)
+        assert not Assembly.from_polygons({"a": box(5, 3), "b": arms}, 1).contacts
+
+    def test_values_are_those_of_all_contacts(self):
+        values = {"stiffness": 2, "preload": 3}
+        for given, stiffness, preload in (({}, 1, 0), (values, 2, 3)):
+            made = Assembly.from_polygons({"a": box(0, 0)}, "1/2", ground=[FLOOR], **given)
+            rows = {
+                (c.contact.friction, c.contact.stiffness, c.contact.preload) for c in made.contacts
+            }
+            assert rows == {(Fraction(1, 2), stiffness, preload)}
+
     def test_box_in_a_notch_touches_on_three_sides(self):
         notch = [[-1, -1], [4, -1], [4, 2], [2, 2], [2, 0], [0, 0], [0, 2], [-1, 2]]
         made = Assembly.from_polygons({"a": box(0, 0), "b": notch}, 1)

@@ -178,7 +178,7 @@ class ContactProgram:
     def _row(self, terms: _Terms) -> RationalVector:
         row = [Fraction(0)] * (self.size + 1)
         for j, x in terms.items():
-            row[j] += x
+            row[j] = x
         return tuple(row)
 
     @property
@@ -295,7 +295,8 @@ class ContactProgram:
 def _add(terms: _Terms, others: _Terms, factor: Fraction) -> None:
     if factor:
         for j, x in others.items():
-            terms[j] = terms.get(j, Fraction(0)) + factor * x
+            if x:
+                terms[j] = terms[j] + factor * x if j in terms else factor * x
 
 
 def _sum(terms: _Terms, others: _Terms, factor: Fraction | int = 1) -> _Terms:
