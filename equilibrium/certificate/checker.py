@@ -29,6 +29,7 @@ from equilibrium.model.contact import VALUES, pyramid_edges
 from equilibrium.model.displacement import along_tangents, displacement_entry
 from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp, in_plane
+from equilibrium.model.solution import Solution
 
 from .enclosure import enclosure_problem
 from .law import displacement_problem, law_problem, law_rows, short
@@ -187,23 +188,25 @@ def check(
         problem = robust_problem(document, grasp, wrench)
         report = Report(kind, problem, bounds=read_bounds(document))
     elif kind == "resisted":
-        report = Report(kind, _equilibrium_problem(document, grasp, wrench, bound))
+        how = edges_of(document), bound
+        report = Report(kind, proof_problem(grasp, wrench, _read_solution(document, grasp), *how))
     else:
-        report = _refuted(document, grasp, wrench, bound)
+        report = _tree_report(document["tree"], grasp, wrench, edges_of(document), bound)
     pyramid_of = document.get("pyramid")
     report = replace(report, pyramid=pyramid_of, max_displacement=bound, grasp=grasp, wrench=wrench)
     return report.asked(question, pyramid, max_displacement)
 
 
-def _refuted(
-    document: Mapping[str, Any],
+def _tree_report(
+    tree: Any,
     grasp: Grasp,
     wrench: RationalVector,
+    edges: Sequence[RationalVector],
     max_displacement: Fraction | None,
 ) -> Report:
     """Check a tree; in space also one in the plane that has all contacts and the load."""
-    tree, form = document["tree"], FORMS[grasp.dimension]
-    edges, plane = edges_of(document), read_plane(tree) if form.tangents == 2 else None
+    form = FORMS[grasp.dimension]
+    plane = read_plane(tree) if form.tangents == 2 else None
     if form.tangents == 1:
         return walk(tree, PlanarQuestion(grasp, wrench, max_displacement))
     if plane is None:
@@ -220,34 +223,37 @@ def _refuted(
     return walk(plane.tree, question)
 
 
-def _equilibrium_problem(
-    document: Mapping[str, Any],
-    grasp: Grasp,
-    wrench: RationalVector,
-    max_displacement: Fraction | None,
-) -> str:
-    """Return what is wrong with the equilibrium of a certificate, or nothing."""
+def _read_solution(document: Mapping[str, Any], grasp: Grasp) -> Solution:
+    """Return the equilibrium of a certificate, or the box that holds it."""
     form = FORMS[grasp.dimension]
     if "enclosure" in document:
-        box = read_enclosure(document["enclosure"], len(grasp), form)
-        return enclosure_problem(grasp, wrench, box, max_displacement)
-    found = read_equilibrium(document, len(grasp), form)
-    return equilibrium_problem(grasp, wrench, *found, edges_of(document), max_displacement)
+        return Solution((), (), read_enclosure(document["enclosure"], len(grasp), form))
+    motion, forces = read_equilibrium(document, len(grasp), form)
+    return Solution(motion, tuple(forces))
 
 
-def equilibrium_problem(
+def proof_problem(
     grasp: Grasp,
     wrench: RationalVector,
-    motion: RationalVector,
-    forces: Sequence[RationalVector],
+    proof: Solution | Any,
     edges: Sequence[RationalVector] = (),
     max_displacement: Fraction | None = None,
 ) -> str:
-    """Return what is wrong with a motion and forces, normal ones first; empty if they are proof."""
+    """Return what is wrong with an equilibrium, or a tree; empty if it is proof.
+
+    Args:
+        edges: of friction pyramids; none for cones, in space round ones.
+
+    Raises:
+        InputError: a node of the tree is none, or does not fit its place.
+    """
+    if not isinstance(proof, Solution):
+        return _tree_report(proof, grasp, wrench, edges, max_displacement).problem
+    if proof.box is not None:
+        return enclosure_problem(grasp, wrench, proof.box, max_displacement)
     rows = law_rows(grasp)
-    if problem := displacement_problem(rows, motion, max_displacement):
-        return problem
-    return law_problem(rows, wrench, motion, forces, edges)
+    problem = displacement_problem(rows, proof.motion, max_displacement)
+    return problem or law_problem(rows, wrench, proof.motion, proof.forces, edges)
 
 
 def edges_of(document: Mapping[str, Any]) -> tuple[RationalVector, ...]:

@@ -188,7 +188,7 @@ def solve_many(
 #: Steps of one question in the plane and in space, see `Effort`: about 20 and 60 seconds.
 STEPS = {2: 200_000_000, 3: 600_000_000}
 #: Wrenches that a process takes at once, with one memory in space.
-WRENCHES_PER_TASK = 50
+WRENCHES_PER_TASK = 250
 #: Up to so many contacts of many wrenches all choices of contact states are tried.
 MAX_CONTACTS_FOR_ALL_STATES = 12
 
@@ -337,7 +337,7 @@ class Solver(ReprMixin):
         from equilibrium.space.tree import SETTINGS, SpatialSearch
 
         def accept(solution: Solution) -> bool:
-            return bool(self._verdict(wrench, solution).verify())
+            return not self._verdict(wrench, solution).problem
 
         return SpatialSearch(
             FloatContacts(ContactRows.of_grasp(self.grasp)),

@@ -21,10 +21,10 @@ from arrangement.console.plugins import named
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, dot, to_text, vector_text
-from equilibrium.certificate.checker import Report, check, equilibrium_problem
+from equilibrium.certificate.checker import Report, check, proof_problem
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
 from equilibrium.certificate.uncertain import Bounds
-from equilibrium.model.contact import pyramid_words
+from equilibrium.model.contact import pyramid_edges, pyramid_words
 from equilibrium.model.displacement import (
     displacement,
     displacement_entry,
@@ -176,21 +176,21 @@ class Verdict(AnswerMixin):
             max_displacement=self.max_displacement,
         )
 
+    @property
+    def problem(self) -> str:
+        """What the checker finds wrong with the equilibrium or the tree; empty if nothing."""
+        edges = () if self.pyramid is None else pyramid_edges(self.pyramid)
+        proof = self.solution or self.tree
+        return proof_problem(self.grasp, self.wrench, proof, edges, self.max_displacement)
+
     def accepted(self) -> Verdict:
         """Return this verdict, whose proof the checker accepts.
 
         Raises:
             EquilibriumError: it does not, which is an internal error.
         """
-        solution = self.solution
         try:
-            if solution is None:
-                problem = self.verify().problem
-            else:
-                shown, bound = (solution.motion, solution.forces), self.max_displacement
-                problem = equilibrium_problem(
-                    self.grasp, self.wrench, *shown, max_displacement=bound
-                )
+            problem = self.problem
         except CertificateError as error:
             problem = str(error)
         if problem:

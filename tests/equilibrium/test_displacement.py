@@ -124,7 +124,7 @@ def test_displacements_without_stiffness_have_no_unit(capsys, tmp_path):
 
 def test_checker_must_accept_a_proof_before_the_verdict_leaves(monkeypatch):
     grasp = read_grasp(THREE)
-    monkeypatch.setattr(verdicts, "equilibrium_problem", lambda *_, **__: "forged")
+    monkeypatch.setattr(verdicts, "proof_problem", lambda *_, **__: "forged")
     with pytest.raises(EquilibriumError, match="internal error") as caught:
         solve(grasp, (0, 1, 0))
     assert not isinstance(caught.value, InputError)
