@@ -173,7 +173,7 @@ def solve_many(
     once, so answers do not depend on the number of processes.
 
     Args:
-        jobs: processes of this machine.
+        jobs: processes of this machine, at most: few wrenches are decided sooner by one.
         dask: address of a Dask scheduler whose workers decide.
         pyramid, max_displacement: see `solve`.
 
@@ -188,7 +188,12 @@ def solve_many(
 #: Steps of one question in the plane and in space, see `Effort`: about 20 and 60 seconds.
 STEPS = {2: 200_000_000, 3: 600_000_000}
 #: Wrenches that a process takes at once, with one memory in space.
-WRENCHES_PER_TASK = 250
+WRENCHES_PER_TASK = 100
+#: Steps (see `Effort`) in which a process starts, with room for what it shares the machine with.
+_START_STEPS = 6_000_000
+#: Steps that one of many wrenches takes for each contact: by all choices of states, else in the
+#: plane, and in space.
+_STEPS_BY_STATES, _STEPS_PER_CONTACT = 1000, {2: 5000, 3: 20_000}
 #: Up to so many contacts of many wrenches all choices of contact states are tried.
 MAX_CONTACTS_FOR_ALL_STATES = 12
 
@@ -282,10 +287,19 @@ class Solver(ReprMixin):
         starts = range(0, len(applied), WRENCHES_PER_TASK)
         tasks = [applied[k : k + WRENCHES_PER_TASK] for k in starts]
         due(len(tasks), (1, 1), jobs)
+        jobs = self._processes(len(applied), len(tasks), jobs)
         if jobs == 1 and dask is None:
             memories = chain.from_iterable(repeat(_new_memory(), len(task)) for task in tasks)
             return map(self._one_of_many, watched(applied, "wrenches"), memories)
         return self._by_workers(tasks, jobs, dask)
+
+    def _processes(self, wrenches: int, tasks: int, jobs: int) -> int:
+        """Return 1 where other processes save less work than they take to start."""
+        each = (
+            _STEPS_BY_STATES if self._has_few_contacts else _STEPS_PER_CONTACT[self.grasp.dimension]
+        )
+        saved = wrenches * len(self.grasp) * each * (1 - math.ceil(tasks / jobs) / max(1, tasks))
+        return jobs if saved > _START_STEPS else 1
 
     def find_refutation(self, wrench: RationalVector) -> Tree | None:
         """Search for the tree that proves what the choices of contact states have shown."""
@@ -380,10 +394,13 @@ class Solver(ReprMixin):
                 early[at] = outcomes
             yield from map(self._verdict, task, early.pop(number))
 
+    @property
+    def _has_few_contacts(self) -> bool:
+        return self.grasp.dimension == 2 and len(self.grasp) <= MAX_CONTACTS_FOR_ALL_STATES
+
     def _one_of_many(self, wrench: RationalVector, memory: Memory) -> Verdict:
         """Decide by the choices of contact states, if they are few and none is left open."""
-        few = self.grasp.dimension == 2 and len(self.grasp) <= MAX_CONTACTS_FOR_ALL_STATES
-        if not few or not are_moderate(wrench):
+        if not self._has_few_contacts or not are_moderate(wrench):
             return self.decide(wrench, self._usual_effort(), memory=memory)
         piece = self.choices.first_equilibrium(wrench)
         if piece is not None:

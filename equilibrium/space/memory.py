@@ -82,6 +82,8 @@ class _Known:
         self._motion, self._rest = np.empty((_FIRST_ROOM, rows.n)), np.empty(_FIRST_ROOM)
         #: Of each contact ``a - alpha``, its error, ``b`` and h, as leaves have them.
         self._slips: list[list[tuple[float, float, list[float], list[float]]]] = []
+        #: By contact and slip, which of them hold there, of those that were compared.
+        self._fitting: dict[tuple[int, Any], dict[int, bool]] = {}
         self._friction = leaves.contacts.friction.tolist()
         #: For each state of `_PLAIN_STATES` and contact, whether it holds there.
         self._holds = np.empty((len(_PLAIN_STATES), m, _FIRST_ROOM), np.bool_)
@@ -125,17 +127,24 @@ class _Known:
         if plain:
             places: Any = (*zip(*plain, strict=True), slice(n))
             near &= self._holds[places].all(axis=0)
-        slips = [(i, state) for i, state in enumerate(states) if state not in _PLAIN_STATES]
+        slips = [
+            (i, state, self._fitting.setdefault((i, state), {}))
+            for i, state in enumerate(states)
+            if state not in _PLAIN_STATES
+        ]
         left = np.flatnonzero(near)[-_MAX_COMPARED_LEAVES:].tolist()
-        fits = (k for k in reversed(left) if all(self._fits(k, i, state) for i, state in slips))
+        fits = (k for k in reversed(left) if all(self._fits(k, *slip) for slip in slips))
         yield from (self.leaves[k] for k in islice(fits, _MAX_PROPOSED_LEAVES))
 
-    def _fits(self, k: int, i: int, state: Any) -> bool:
+    def _fits(self, k: int, i: int, state: Any, known: dict[int, bool]) -> bool:
         """Return whether a leaf holds, about, where a contact slips."""
-        inside, size, b, h = self._slips[k][i]
-        if inside - self._friction[i] * self._cones.largest(state, b) < -size:
-            return False
-        return all(dot(h, end) <= 0 for end in self._cones.ends(state))
+        found = known.get(k)
+        if found is None:
+            inside, size, b, h = self._slips[k][i]
+            found = inside - self._friction[i] * self._cones.largest(state, b) >= -size
+            found = found and all(dot(h, end) <= 0 for end in self._cones.ends(state))
+            known[k] = found
+        return found
 
 
 def _ratio(x: int, y: int) -> float:

@@ -124,9 +124,10 @@ def test_displacements_without_stiffness_have_no_unit(capsys, tmp_path):
 
 def test_checker_must_accept_a_proof_before_the_verdict_leaves(monkeypatch):
     grasp = read_grasp(THREE)
-    monkeypatch.setattr(verdicts, "proof_problem", lambda *_, **__: "forged")
-    with pytest.raises(EquilibriumError, match="internal error") as caught:
-        solve(grasp, (0, 1, 0))
+    with monkeypatch.context() as forging:
+        forging.setattr(verdicts, "proof_problem", lambda *_, **__: "forged")
+        with pytest.raises(EquilibriumError, match="internal error") as caught:
+            solve(grasp, (0, 1, 0))
     assert not isinstance(caught.value, InputError)
     assert not solve(grasp, (0, 2, 0)).stable
     monkeypatch.setattr(deciding, "resistance", lambda *_: ["1", "0", "0"])

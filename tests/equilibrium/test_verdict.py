@@ -43,7 +43,8 @@ def test_many_loads_have_single_verdicts_and_proofs(grasp, loads, most):
         assert verdict.verify()
 
 
-def test_processes_answer_in_order_in_the_plane_and_in_space():
+def test_processes_answer_in_order_in_the_plane_and_in_space(monkeypatch):
+    monkeypatch.setattr(solver, "_START_STEPS", 0)
     loads = [(0, Fraction(k, 40), 0) for k in range(120)]
     found = list(Solver(THREE).solve_many(loads, jobs=2))
     assert [verdict.stable for verdict in found] == [k <= 40 for k in range(120)]
@@ -55,8 +56,16 @@ def test_processes_answer_in_order_in_the_plane_and_in_space():
         Solver(THREE).solve_many(loads, jobs=0)
 
 
+def test_processes_start_only_where_they_save_more(monkeypatch):
+    monkeypatch.setattr(solver, "done", lambda *_: pytest.fail("a process was started"))
+    few = [(0, Fraction(k, 40), 0) for k in range(120)]
+    assert len(list(Solver(THREE).solve_many(few, jobs=2))) == 120
+    assert Solver(THREE)._processes(100_000, 1000, 2) == 2
+
+
 def test_processes_change_no_answer(monkeypatch):
     monkeypatch.setattr(solver, "WRENCHES_PER_TASK", 4)
+    monkeypatch.setattr(solver, "_START_STEPS", 0)
     loads = [random_wrench(k, dimension=3) for k in range(8)]
     asked = Solver(read_grasp("three-fingers-on-a-ball"))
     asked.solve(loads[-1])
