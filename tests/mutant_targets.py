@@ -231,12 +231,12 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ): ("arrangement.numbers.float_filter",),
     ("tests/arrangement/test_packing.py",): ("arrangement.numbers.packing",),
     ("tests/arrangement/test_intervals.py",): ("arrangement.numbers.linear.intervals",),
+    ("tests/arrangement/test_cones.py",): ("arrangement.numbers.linear.cones",),
     ("tests/arrangement/test_symbolic.py",): (
         "arrangement.numbers.symbolic",
         "arrangement.planes.equation_text",
     ),
     ("tests/equilibrium/test_wrench_sets_space.py",): (
-        "arrangement.numbers.linear.cones",
         "arrangement.numbers.linear.separation",
         "equilibrium.wrench_sets.space",
     ),
