@@ -76,7 +76,7 @@ class Point(NamedTuple):
     forces: Floats
 
 
-class _Shape(NamedTuple):
+class _ConeShape(NamedTuple):
     """What blocks have in common whose programs differ in numbers alone.
 
     Attributes:
@@ -142,7 +142,7 @@ class _Columns(NamedTuple):
         return found
 
 
-class _Layout:
+class _ConeLayout:
     """Programs that differ in numbers alone, of blocks of certain shapes.
 
     Attributes:
@@ -150,7 +150,7 @@ class _Layout:
         solver: of the last one, to be changed in place.
     """
 
-    def __init__(self, n: int, shapes: Sequence[_Shape]) -> None:
+    def __init__(self, n: int, shapes: Sequence[_ConeShape]) -> None:
         self.starts = list(accumulate((shape.size for shape in shapes), initial=n))
         places = list(zip(shapes, self.starts, strict=False))
         felt = [row + start for shape, start in places for row in shape.rows]
@@ -168,7 +168,7 @@ class _Layout:
         self.solver: Any = None
 
 
-class _Program(NamedTuple):
+class _ConeProgram(NamedTuple):
     """The program of one node.
 
     Attributes:
@@ -177,7 +177,7 @@ class _Program(NamedTuple):
 
     order: list[int]
     blocks: list[_Block]
-    layout: _Layout
+    layout: _ConeLayout
     matrix: _Columns
     right: Floats
 
@@ -224,7 +224,7 @@ class Relaxation:
         uneven = max(spread, c.friction.max(initial=0.0)) > _EVEN_RATIO
         self.settings.iterative_refinement_enable = bool(uneven)
         self._block = cache(self._new_block)
-        self._shapes: dict[_Shape, int] = {}
+        self._shapes: dict[_ConeShape, int] = {}
         self._layout = lru_cache(_MAX_LAYOUTS)(self._new_layout)
 
     def _new_block(self, i: int, state: State) -> _Block:
@@ -260,7 +260,7 @@ class Relaxation:
         columns = np.concatenate([-along, table[:, n : n + count].T], axis=1)
         # Zeros of balance are kept: with them the shapes of all contacts are alike.
         column, place = np.nonzero((columns != 0) | (np.arange(columns.shape[1]) < n))
-        shape = _Shape(
+        shape = _ConeShape(
             len(table),
             tuple(felt.tolist()),
             tuple((place - n * (place >= n)).tolist()),
@@ -279,11 +279,11 @@ class Relaxation:
             ends / lengths(ends)[:, None],
         )
 
-    def _new_layout(self, shapes: tuple[int, ...]) -> _Layout:
+    def _new_layout(self, shapes: tuple[int, ...]) -> _ConeLayout:
         every = list(self._shapes)
-        return _Layout(self.n, [every[k] for k in shapes])
+        return _ConeLayout(self.n, [every[k] for k in shapes])
 
-    def _program(self, states: Sequence[State]) -> _Program:
+    def _program(self, states: Sequence[State]) -> _ConeProgram:
         every = list(map(self._block, range(self.m), states))
         order = sorted(range(self.m), key=lambda i: every[i].shape)
         blocks = [every[i] for i in order]
@@ -292,7 +292,7 @@ class Relaxation:
         data = np.concatenate([motion.T.ravel(), *(block.data for block in blocks)])
         right = np.concatenate([self.load, *(block.right for block in blocks)])
         matrix = _Columns(data, layout.indices, layout.pointer, layout.shape)
-        return _Program(order, blocks, layout, matrix, right)
+        return _ConeProgram(order, blocks, layout, matrix, right)
 
     def solve(self, states: Sequence[State]) -> Ray | Point | None:
         """Return a ray or a point for one node; None where the program solver fails."""
@@ -331,7 +331,7 @@ class Relaxation:
             return None
         return float(found.x[-1]), self._point(node, np.array(found.x))
 
-    def _point(self, program: _Program, found: Floats) -> Point:
+    def _point(self, program: _ConeProgram, found: Floats) -> Point:
         """Return the motion, and all forces of each contact, of the unknowns."""
         forces, j = np.zeros((self.m, self.frame)), self.n
         shapes = list(self._shapes)
@@ -341,7 +341,7 @@ class Relaxation:
             j += count
         return Point(found[: self.n], forces)
 
-    def _ray(self, states: Sequence[State], program: _Program, dual: Floats) -> Ray:
+    def _ray(self, states: Sequence[State], program: _ConeProgram, dual: Floats) -> Ray:
         """Read a virtual motion and multipliers off a dual ray, in the units of the grasp."""
         virtual, f = -dual[: self.n], self.frame
         multipliers, room = np.zeros((2, self.m, 2 * f))
