@@ -46,8 +46,10 @@ def extreme(rows: list[Row], flat: list[Row], n: int) -> set[frozenset[int]]:
 
 def drawn(seed: int) -> tuple[list[Row], list[Row], int]:
     random = Random(seed)
-    n = random.randint(1, 4)
+    n = random.randint(1, 4) if seed % 3 else 4
     rows = [tuple(random.randint(-2, 2) for _ in range(n)) for _ in range(random.randint(0, 6))]
+    if rows and seed % 3 == 0:  # in a plane, which both conditions have in common
+        rows.insert(0, tuple(-x for x in rows[0]))
     flat = [tuple(random.randint(-1, 1) for _ in range(n))] * random.choice([0, 0, 1])
     return rows, flat, n
 
