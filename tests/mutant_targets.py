@@ -356,6 +356,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/arrangement/test_budget.py::test_states_undecided_by_floats_refused_by_number",
         *STATES,
     ): ("equilibrium.decide.state_choices",),
+    ("tests/equilibrium/test_many_grasps_files.py",): ("equilibrium.decide.many_grasps.tables",),
     ("tests/equilibrium/test_contact_states.py",): (
         "equilibrium.plane.states.contact_states",
         "equilibrium.plane.states.interval_filter",

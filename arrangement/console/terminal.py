@@ -100,23 +100,28 @@ def add_common_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def add_jobs_option(parser: argparse.ArgumentParser) -> None:
+def add_jobs_option(parser: Any) -> None:
     """Add the number of processes."""
     parser.add_argument(
         "--jobs", type=integer_argument, default=1, metavar="N", help="processes (default: 1)"
     )
 
 
-def add_worker_options(parser: argparse.ArgumentParser) -> None:
-    """Add who does the parts of a long computation: processes, machines or a cluster."""
+def add_worker_options(parser: Any, shard: bool = True) -> None:
+    """Add who does the parts of a long computation: processes, machines or a cluster.
+
+    Args:
+        shard: whether a machine may do some of the parts alone.
+    """
     add_jobs_option(parser)
-    parser.add_argument(
-        "--shard",
-        type=shard_argument,
-        default=(1, 1),
-        metavar="I/N",
-        help="do only the I-th of N parts, for machines without a cluster",
-    )
+    if shard:
+        parser.add_argument(
+            "--shard",
+            type=shard_argument,
+            default=(1, 1),
+            metavar="I/N",
+            help="do only the I-th of N parts, for machines without a cluster",
+        )
     parser.add_argument("--dask", metavar="ADDRESS", help="of a scheduler that has workers")
 
 

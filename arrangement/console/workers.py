@@ -15,6 +15,7 @@ from typing import Any, TypeVar
 
 from arrangement.errors import InputError, WorkerError, extra
 
+Part = TypeVar("Part")
 Result = TypeVar("Result")
 #: How often in a row workers may die without any result before all is given up.
 _MOST_DEATHS = 3
@@ -37,9 +38,9 @@ def due(count: int, shard: tuple[int, int], jobs: int) -> range:
 
 
 def done(
-    function: Callable[[Any, int], Result],
+    function: Callable[[Any, Part], Result],
     plan: Any,
-    numbers: Sequence[int],
+    numbers: Sequence[Part],
     jobs: int = 1,
     dask: str | None = None,
 ) -> Iterator[Result]:
@@ -54,7 +55,7 @@ def done(
 
 
 def on_processes(
-    function: Callable[[Any, int], Result], plan: Any, numbers: Sequence[int], jobs: int
+    function: Callable[[Any, Part], Result], plan: Any, numbers: Sequence[Part], jobs: int
 ) -> Iterator[Result]:
     """Yield ``function(plan, number)`` for all numbers, from processes of their own.
 
@@ -74,7 +75,7 @@ def on_processes(
         pool = ProcessPoolExecutor(
             jobs, mp_context=get_context("spawn"), initializer=_follow_parent
         )
-        running: dict[Future[Result], int] = {}
+        running: dict[Future[Result], Part] = {}
         try:
             while left or running:
                 while left and len(running) < 2 * jobs:
@@ -115,7 +116,7 @@ def _follow_parent() -> None:
 
 
 def on_dask(
-    function: Callable[[Any, int], Result], plan: Any, numbers: Sequence[int], address: str
+    function: Callable[[Any, Part], Result], plan: Any, numbers: Sequence[Part], address: str
 ) -> Iterator[Result]:
     """Yield ``function(plan, number)`` for all numbers, from the workers of a Dask cluster.
 

@@ -38,6 +38,7 @@ MAX_SIZES = {
     "bytes of a certificate": 64 * 2**20,
     "bytes of a mesh": 32 * 2**20,
     "bytes of a file of many arrangements": 64 * 2**20,
+    "bytes of many grasps": 256 * 2**20,
     "bytes of a record": 256 * 2**20,
     "characters of a number": 100_000,
     "digits of a number on a page": 1000,

@@ -1,11 +1,19 @@
-"""The subcommand ``equilibrium solve``: by the full model, as printed, or by other methods too."""
+"""The subcommand ``equilibrium solve``: by the full model, as printed, or by other methods too.
+
+Of a file of many grasps all questions are answered, in floats where these prove it.
+"""
 
 from __future__ import annotations
 
 import argparse
+import math
+import re
 from collections.abc import Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from arrangement.console import terminal
+from arrangement.numbers import budget
 from arrangement.numbers.deadline import Deadline
 from equilibrium.model.errors import GraspError
 
@@ -15,6 +23,7 @@ from .arguments import (
     add_cone,
     add_displacement,
     applied,
+    force_given,
     grasp_of,
     seconds,
     show,
@@ -51,7 +60,21 @@ def add_command_solve(commands: Any) -> None:
     text = "decide whether a grasp, or an assembly of bodies, resists a wrench"
     answers = ("resisted", "not resisted", "undecided")
     parser = add_command(commands, "solve", _solve, text, *answers, heading="common")
-    add_on_body(add_applied(parser, required=False))
+    loads = add_applied(parser, required=False)
+    add_on_body(loads)
+    loads.add_argument(
+        "--wrenches",
+        metavar="FILE",
+        help="of many grasps: the loads, a .csv with the columns f_x, f_y, tau (in space f_x to "
+        "tau_z) and, if grasps have loads of their own, grasp; or a .npz with an array wrenches",
+    )
+    many = parser.add_argument_group(
+        "many grasps (a .npz of arrays, or a .csv with a column grasp)"
+    )
+    many.add_argument(
+        "-o", "--output", metavar="OUT", help="write the answers, as .csv or .npz (default: stdout)"
+    )
+    terminal.add_worker_options(many, shard=False)
     parser.add_argument(
         "--certificate",
         metavar="OUT.json",
@@ -110,25 +133,74 @@ def _bound(text: str) -> tuple[str, str]:
 
 
 def _solve(arguments: argparse.Namespace) -> int:
+    if arguments.wrenches is not None or _has_many(arguments.grasp):
+        return _many(arguments)
+    if arguments.output is not None or arguments.dask is not None or arguments.jobs != 1:
+        raise GraspError("--output, --jobs and --dask are for many grasps; omit them")
     document = assembly_document(arguments)
     if document is None and arguments.on is not None:
         raise GraspError("--on is for an assembly; a grasp takes --wrench F_X F_Y TAU")
     if arguments.methods is not None:
-        _refuse(arguments, "methods", _OF_THE_VERDICT)
+        _refuse(arguments, "--methods", _OF_THE_VERDICT)
         return _by_methods(arguments, document)
     if document is not None:
         return solve_assembly(arguments, document)
     if arguments.as_printed:
-        _refuse(arguments, "as-printed", (*_OF_THE_VERDICT, "cone"))
+        _refuse(arguments, "--as-printed", (*_OF_THE_VERDICT, "cone"))
         return _as_printed(arguments)
     return _by_full_model(arguments)
+
+
+def _many(arguments: argparse.Namespace) -> int:
+    """Decide the questions of a file of many grasps."""
+    from equilibrium.decide.many_grasps import tables
+    from equilibrium.decide.many_grasps.check import check_grasps
+
+    alone = "on", "methods", "as_printed", "cone", "round_normals", "as_given"
+    _refuse(arguments, "a file of many grasps", (*_OF_THE_VERDICT, *alone))
+    names, arrays = tables.read_grasps(arguments.grasp)
+    stated = arrays.pop("wrenches", None)
+    if arguments.wrenches is not None:
+        stated = tables.read_loads(arguments.wrenches, names)
+    elif (given := _one_load(arguments, arrays["points"])) is not None:
+        stated = given
+    if stated is None:
+        raise GraspError("the grasps have no loads; give --wrenches FILE or --wrench F_X F_Y TAU")
+    if arguments.preload is not None:
+        arrays["preload"] = float(arguments.preload)
+    budget.allow(math.inf)  # it reports its progress
+    checked = check_grasps(**arrays, wrenches=stated, jobs=arguments.jobs, dask=arguments.dask)
+    if arguments.output is not None:
+        tables.write_answers(arguments.output, names, checked)
+    yes = None if checked.undecided.any() else True
+    if not (checked.resisted | checked.undecided).all():
+        yes = False
+    document = {"grasps": names, **{x: getattr(checked, x).tolist() for x in tables.ANSWERS}}
+    lines = tables.answers_csv(names, checked).splitlines()
+    return show(arguments, document, [repr(checked)[1:-1]] if arguments.output else lines, yes)
+
+
+def _has_many(path: str) -> bool:
+    """Return whether a path is that of a file of many grasps, by its ending or its columns."""
+    if not path.lower().endswith(".csv") or not Path(path).is_file():
+        return path.lower().endswith(".npz")
+    with Path(path).open(encoding="utf-8", errors="replace") as lines:
+        header = next((x for x in lines if x.strip() and not x.lstrip().startswith("#")), "")
+    return "grasp" in re.split(r"[\s,;]+", header)
+
+
+def _one_load(arguments: argparse.Namespace, points: Any) -> list[list[float]] | None:
+    """Return the load that is given for all grasps, if there is one."""
+    dimension = points.shape[-1] if points.ndim == 3 else 2
+    load = force_given(arguments, dimension) or arguments.wrench
+    return None if load is None else [list(map(float, load))]
 
 
 def _refuse(arguments: argparse.Namespace, form: str, options: tuple[str, ...]) -> None:
     """Refuse options that do not go with a form of the command."""
     for option in options:
-        if getattr(arguments, option) not in (None, False):
-            raise GraspError(f"--{form} does not take --{option.replace('_', '-')}; omit one")
+        if getattr(arguments, option) not in (None, False, []):
+            raise GraspError(f"{form} does not take --{option.replace('_', '-')}; omit one")
 
 
 def _by_methods(arguments: argparse.Namespace, document: Mapping[str, Any] | None) -> int:

@@ -137,9 +137,12 @@ def _near_in_space(v: RationalVector, limit: int) -> RationalVector:
     scaled = [v[j] / abs(v[first]) for j in others]
     length = _root(1 + Fraction(dot(scaled, scaled)), limit)
     exact = [x / (1 + length) for x in scaled]
-    a, b = map(float, exact)
-    few = range(max(limit // 2, 1), limit + 1) if limit <= 2**14 else (limit,)
-    unit = min(few, key=lambda k: max(abs(a - round(a * k) / k), abs(b - round(b * k) / k)))
+    unit = limit
+    if limit <= 2**14:
+        import numpy as np
+
+        few, pair = np.arange(max(limit // 2, 1), limit + 1), np.array(exact, dtype=float)[:, None]
+        unit = int(few[np.abs(pair - np.rint(pair * few) / few).max(axis=0).argmin()])
     halves = [Fraction(round(x * unit), unit) for x in exact]
     square: Fraction = dot(halves, halves)
     found: list[Fraction] = [(1 if v[first] > 0 else -1) * (1 - square) / (1 + square)] * 3

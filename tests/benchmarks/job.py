@@ -292,6 +292,28 @@ def loads_as_arrays(loads: int) -> Work:
     return lambda: int(ResistedSet(made(*data, 0.5, preload=1.0).grasp).check(given).resisted.sum())
 
 
+def _many_grasps(dimension: int, alone: bool, number: int) -> Work:
+    """Ours: grasps of 3 to 8 contacts as arrays, or one by one; how many resist a load."""
+    import numpy as np
+
+    from equilibrium import check_grasps, solve
+    from equilibrium.grasps.inputs.random import random_grasp, random_wrench
+
+    grasps = [random_grasp(3 + k % 6, k, dimension=dimension) for k in range(number)]
+    loads = [random_wrench(k, dimension=dimension) for k in range(number)]
+    if alone:
+        return lambda: sum(bool(solve(*pair).stable) for pair in zip(grasps, loads, strict=True))
+    points, normals = np.full((2, number, 8, dimension), np.nan)
+    values = np.full((3, number, 8), np.nan)
+    for i, grasp in enumerate(grasps):
+        for j, c in enumerate(grasp):
+            points[i, j], normals[i, j] = np.array([c.point, c.normal], float)
+            values[:, i, j] = c.friction, c.stiffness, c.preload
+    friction, stiffness, preload = values
+    given = points, normals, friction, np.array(loads, float)[:, None]
+    return lambda: int(check_grasps(*given, preload=preload, stiffness=stiffness).resisted.sum())
+
+
 def inscribed_types(number: int) -> Work:
     """Ours: whether types of nine planes with weights are inscribable; microseconds for a type."""
     import numpy as np

@@ -31,6 +31,10 @@ JOBS = (
     ("loads_in_the_plane", 1000, "1000 loads on 8 contacts in the plane", 2.0),
     ("loads_in_space", 1000, "1000 loads on 4 contacts in space", 10.0),
     ("loads_as_arrays", 10_000, "10,000 loads on 8 contacts as arrays", 5.0),
+    ("grasps_in_the_plane", 10_000, "10,000 grasps of 3 to 8 contacts as arrays", 10.0),
+    ("grasps_in_the_plane_alone", 100, "100 of these one by one", 10.0),
+    ("grasps_in_space", 200, "200 grasps in space of 3 to 8 contacts as arrays", 1.0),
+    ("grasps_in_space_alone", 200, "the same one by one", 30.0),
 )
 #: The same for jobs that report the microseconds of one item.
 MEDIANS = (

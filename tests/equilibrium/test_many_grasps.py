@@ -1,5 +1,7 @@
 """Many grasps in float arrays: the same answers as one by one, and none from floats alone."""
 
+from random import Random
+
 import numpy as np
 import pytest
 
@@ -68,7 +70,7 @@ def test_many_grasps_answered_as_one_by_one(part):
 
 
 def test_random_grasps_mostly_screened(monkeypatch):
-    monkeypatch.setattr(module, "_exactly", lambda plan, number: (number, []))
+    monkeypatch.setattr(module, "_exactly", lambda times, task: (task[0], []))
     grasps = [random_grasp(3 + seed % 6, seed) for seed in range(200)]
     found, _ = checked(grasps, [[random_wrench(seed)] for seed in range(200)])
     assert np.count_nonzero(found.screened) >= 196
@@ -152,14 +154,81 @@ def test_empty_arrays_taken():
         assert found.resisted.tolist() == [[False, False]] * shape[0]
 
 
-def test_grasps_in_space_decided_exactly():
-    grasp = random_grasp(3, 5, dimension=3)
-    loads = [[0.0] * 6, [0, 0, 100.0, 0, 0, 0]]
-    found, _ = checked([grasp], [loads])
-    assert not found.screened.any()
-    verdicts = [solve(found.grasp(0), from_floats(np.array(load))) for load in loads]
-    assert found.resisted[0].tolist() == [bool(v.stable) for v in verdicts]
-    assert found.undecided[0].tolist() == [not v.decided for v in verdicts]
+#: Along axes, of rational and of irrational length.
+DIRECTIONS = (1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 0.6, 0.8), (0.6, 0, -0.8), (1, 1, 1), (1, 2, 3)
+
+
+def degenerate_in_space(count, seed):
+    """Small integers, parallel normals, coincident points; many loads are at cones' boundaries."""
+    source, most = Random(f"degenerate in space {seed}"), 5
+    points, normals = np.full((2, count, most, 3), np.nan)
+    values, loads = np.full((3, count, most), np.nan), np.zeros((count, 1, 6))
+    for i in range(count):
+        for j in range(source.randint(1, most)):
+            points[i, j] = [source.choice((-1, 0, 1, 0.5)) for _ in range(3)]
+            normals[i, j] = [x * source.choice((1, -1)) for x in source.choice(DIRECTIONS)]
+            preload = source.choice((0, 1, 2)) if i % 2 else 0
+            values[:, i, j] = source.choice((0, 0.5, 1)), source.choice((1, 2)), preload
+            if i % 3 == 0:  # opposed by forces on the boundary of their cones
+                unit = normals[i, j] / np.linalg.norm(normals[i, j])
+                across = np.cross(unit, (0, 0, 1) if unit[2] == 0 else (1, 0, 0))
+                rubs = source.choice((0, 1, -1)) * values[0, i, j]
+                force = source.choice((0, 1, 2)) * (unit + rubs * across)
+                loads[i, 0] -= *force, *np.cross(points[i, j], force)
+        if i % 3:
+            loads[i, 0] = [source.randint(-2, 2) * source.choice((1, 0)) for _ in range(6)]
+    return points, normals, *values, loads
+
+
+def agree_in_space(points, normals, friction, stiffness, preload, loads):
+    """What is screened has the answer of `solve`; the rest is not solved here."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(module, "_exactly", lambda times, task: (task[0], []))
+        values = {"stiffness": stiffness, "preload": preload}
+        found = check_grasps(points, normals, friction, loads, **values)
+    for i in np.flatnonzero(found.screened[:, 0]).tolist():
+        verdict = solve(found.grasp(i), from_floats(loads[i, 0]))
+        assert not verdict.decided or verdict.stable == found.resisted[i, 0], i
+    return found
+
+
+def random_in_space(seeds):
+    grasps = [random_grasp(3 + seed % 6, seed, dimension=3) for seed in seeds]
+    loads = [[list(map(float, random_wrench(seed, dimension=3)))] for seed in seeds]
+    return *arrays(grasps), np.array(loads)
+
+
+def test_screened_grasps_in_space_answered_as_one_by_one():
+    found = agree_in_space(*random_in_space(range(24)))
+    assert np.count_nonzero(found.screened) >= 12
+    assert 4 <= np.count_nonzero(found.resisted) <= 12
+    found = agree_in_space(*degenerate_in_space(80, 1))
+    assert np.count_nonzero(found.screened) >= 40
+    assert found.resisted.any()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("part", range(3))
+def test_many_screened_grasps_in_space_answered_as_one_by_one(part):
+    agree_in_space(*random_in_space(range(1000 + 100 * part, 1100 + 100 * part)))
+    agree_in_space(*degenerate_in_space(900, 10 + part))
+
+
+def test_rest_in_space_decided_exactly():
+    two = [[[0.0, 0, 1], [0, 0, -1]]]
+    loads = [[1.0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1]]
+    found = check_grasps(two, np.negative(two), 0.5, loads, preload=1)
+    # On both fingers no friction turns about the line between them.
+    assert found.resisted.tolist() == [[True, False]]
+    assert found.exact.tolist() == [[True, True]]
+
+
+def test_spatial_normals_of_a_grasp_are_near_the_given_ones():
+    points = np.array([[[0.0, 0, 1]]])
+    (contact,) = check_grasps(points, [[[1.0, 2, -4]]], 1, np.ones((1, 6))).grasp(0)
+    x, y, z = contact.normal
+    assert x * x + y * y + z * z == 1
+    assert max(abs(y - 2 * x), abs(z + 4 * x)) < 1e-11
 
 
 def test_limit_of_work_leaves_a_load_undecided(monkeypatch):

@@ -20,8 +20,8 @@ from equilibrium.model.grasp import Grasp
 
 from .arrays import Arrays, read_arrays
 from .equilibria import have_equilibria
-from .questions import ANGLES, questions
-from .refutations import have_no_equilibria
+from .questions import ANGLE, questions
+from .refutations import are_outside_cones, have_no_equilibria
 
 #: Numbers in the matrices of questions that are screened at once.
 _NUMBERS = 2**18
@@ -70,16 +70,17 @@ def check_grasps(
     preload: Any = 0,
     stiffness: Any = 1,
     jobs: int = 1,
+    dask: str | None = None,
 ) -> CheckedGrasps:
     """Decide which of many grasps in float arrays resist their loads.
 
     The answers are about the binary fractions that the floats are, and about normals divided by
-    their lengths: in place of one of irrational length stands a rational unit vector, in the plane
-    within 10^-12, in space within 10^-6 of it (tangent of the angle), see `CheckedGrasps.grasp`.
+    their lengths: in place of one of irrational length stands a rational unit vector within 10^-12
+    of it (tangent of the angle), see `CheckedGrasps.grasp`.
 
-    In the plane "resisted" and "not resisted" are proved in floats with a bound on their errors
-    where that is possible: an equilibrium exists near one that was found, or virtual motions refute
-    all. The rest, and in space every question, is decided by `equilibrium.solve`.
+    "Resisted" and "not resisted" are proved in floats with a bound on their errors where that is
+    possible: an equilibrium exists near one that was found, or virtual motions refute all, in space
+    one for all motions. The rest is decided by `equilibrium.solve`.
 
     Args:
         points: (G, m, 2), in space (G, m, 3), contact points. A contact whose coordinates are all
@@ -89,13 +90,14 @@ def check_grasps(
         friction, preload, stiffness: (G, m), or what NumPy broadcasts to it: a number, one for
             each contact (m,), or one for each grasp (G, 1).
         wrenches: (G, w, 3), in space (G, w, 6), or (w, 3) and (w, 6) for the same loads on all.
-        jobs: processes of this machine for what is decided exactly.
+        jobs: processes of this machine.
+        dask: address of a Dask scheduler whose workers decide.
 
     Raises:
         GraspError: arrays of wrong shapes, of other than real numbers, or with numbers out of
             range.
 
-    Complexity: about two milliseconds for a screened question on three to eight contacts.
+    Complexity: about a millisecond for a screened question on three to eight contacts.
 
     >>> import numpy as np
     >>> points = np.array([[[-1, 0], [1, 0], [np.nan, np.nan]], [[-1, 0], [1, 0], [0, -1]]])
@@ -105,68 +107,80 @@ def check_grasps(
     """
     arrays = read_arrays(points, normals, friction, stiffness, preload, wrenches)
     shape = arrays[-1].shape[:2]
-    resisted, decided = (np.zeros(shape, dtype=bool).reshape(-1) for _ in range(2))
-    due(len(resisted), (1, 1), jobs)
-    most, dimension = arrays[0].shape[1:]
-    if dimension == 2 and most:
-        size = max(1, _NUMBERS // (3 + most) ** 2)
-        starts = range(0, len(resisted), size)
-        # Those of as many contacts together: arrays are small then.
-        contacts = np.count_nonzero(~np.isnan(arrays[0][..., 0]), axis=1)
-        order = np.argsort(np.repeat(contacts, shape[1]), kind="stable")
-        for part in watched([order[k : k + size] for k in starts], "batches of questions"):
-            resisted[part], decided[part] = _screened(arrays, part)
-    screened, held = decided.reshape(shape), resisted.reshape(shape)
-    exact, undecided = np.zeros(shape, dtype=bool), np.zeros(shape, dtype=bool)
-    plan = arrays, screened, budget.times()
-    rest = np.flatnonzero(~screened.all(axis=1)).tolist()
-    for number, answers in watched(done(_exactly, plan, rest, jobs), "grasps", len(rest)):
+    screened, resisted, exact, undecided = (np.zeros(shape, dtype=bool) for _ in range(4))
+    due(shape[0], (1, 1), jobs)
+    # Those of as many contacts together: arrays are small then.
+    present = ~np.isnan(arrays[0][..., 0])
+    order = np.argsort(np.count_nonzero(present, axis=1), kind="stable")
+    size = max(1, _NUMBERS // ((3 + present.shape[1]) ** 2 * max(shape[1], 1)))
+    batches = [(rows, _part(arrays, rows)) for rows in _batches(order, size)]
+    parts = done(_screened, None, batches, jobs, dask)
+    for rows, holds, decided in watched(parts, "batches of grasps", len(batches)):
+        resisted[rows], screened[rows] = holds, decided
+    rest = np.flatnonzero(~screened.all(axis=1))
+    tasks = [(i, _part(arrays, [i]), np.flatnonzero(~screened[i])) for i in rest.tolist()]
+    found = done(_exactly, budget.times(), tasks, jobs, dask)
+    for number, answers in watched(found, "grasps", len(tasks)):
         for load, answer in answers:
             (undecided if answer is None else exact)[number, load] = True
-            held[number, load] = bool(answer)
-    return CheckedGrasps(held, screened, exact, undecided, arrays)
+            resisted[number, load] = bool(answer)
+    return CheckedGrasps(resisted, screened, exact, undecided, arrays)
 
 
-def _screened(arrays: Arrays, numbers: Any) -> tuple[Booleans, Booleans]:
-    """Return which questions are resisted, as far as floats prove it, and which are decided."""
-    points, normals, *values, wrenches = arrays
-    grasp, load = np.divmod(numbers, wrenches.shape[1])
-    missing = np.isnan(points[grasp, :, 0])
-    most = max(1, np.count_nonzero(~missing, axis=1).max())
-    at = grasp[:, None], np.argsort(missing, axis=1, kind="stable")[:, :most]
-    friction, stiffness, preload = (x[at] for x in values)
-    asked, usable = questions(
-        points[at], normals[at], (friction, stiffness, preload), wrenches[grasp, load]
-    )
-    resisted, decided = np.zeros(len(numbers), dtype=bool), np.zeros(len(numbers), dtype=bool)
-    rows = np.flatnonzero(usable)
-    resisted[rows] = have_equilibria(asked.take(rows))
-    for nodes in _NODES:
-        rows = rows[~resisted[rows]]
-        refuted, motions = have_no_equilibria(asked.take(rows), nodes)
-        decided[rows] = refuted
-        rows = rows[~refuted]
-        resisted[rows] = have_equilibria(asked.take(rows), motions[~refuted])
-    return resisted, decided | resisted
+def _batches(order: Any, size: int) -> list[Any]:
+    return [order[k : k + size] for k in range(0, len(order), size)]
+
+
+def _part(arrays: Arrays, rows: Any) -> Arrays:
+    """Return the arrays of some grasps, with the contacts that there are in front."""
+    missing = np.isnan(arrays[0][rows, :, 0])
+    most = np.count_nonzero(~missing, axis=1).max(initial=0)
+    at = np.asarray(rows)[:, None], np.argsort(missing, axis=1, kind="stable")[:, :most]
+    points, normals, friction, stiffness, preload = (x[at] for x in arrays[:5])
+    return points, normals, friction, stiffness, preload, arrays[5][rows]
+
+
+def _screened(_: None, batch: tuple[Any, Arrays]) -> tuple[Any, Booleans, Booleans]:
+    """Return which questions on some grasps are resisted, as far as floats prove it, or not."""
+    rows, (points, normals, *values, wrenches) = batch
+    count, loads, size = wrenches.shape
+    resisted, decided = (np.zeros(count * loads, dtype=bool) for _ in range(2))
+    if points.shape[1] and loads:
+        friction, stiffness, preload = (np.repeat(x, loads, axis=0) for x in values)
+        asked, usable = questions(
+            np.repeat(points, loads, axis=0),
+            np.repeat(normals, loads, axis=0),
+            (friction, stiffness, preload),
+            wrenches.reshape(-1, size),
+        )
+        left = np.flatnonzero(usable)
+        decided[left] = are_outside_cones(asked.take(left))
+        left = left[~decided[left]]
+        resisted[left] = have_equilibria(asked.take(left))
+        for nodes in _NODES if size == 3 else ():
+            left = left[~resisted[left]]
+            refuted, motions = have_no_equilibria(asked.take(left), nodes)
+            decided[left] = refuted
+            left = left[~refuted]
+            resisted[left] = have_equilibria(asked.take(left), motions[~refuted])
+    shape = count, loads
+    return rows, resisted.reshape(shape), (decided | resisted).reshape(shape)
 
 
 def _exactly(
-    plan: tuple[Arrays, Booleans, float], number: int
+    times: float, task: tuple[int, Arrays, Any]
 ) -> tuple[int, list[tuple[int, bool | None]]]:
     """Return the number of a grasp, and its open loads with their answers; None: undecided."""
-    arrays, screened, times = plan
-    loads = arrays[-1][number]
+    number, arrays, open_loads = task
+    loads = arrays[-1][0]
+    if not arrays[0].shape[1]:
+        return number, [(k, not loads[k].any()) for k in open_loads.tolist()]
     answers: list[tuple[int, bool | None]] = []
-    if np.isnan(arrays[0][number]).all():
-        return number, [
-            (k, not any(load)) for k, load in enumerate(loads) if not screened[number, k]
-        ]
-    solver = Solver(_grasp(arrays, number))
+    solver = Solver(_grasp(arrays, 0))
     with budget.limit(times):
-        for load in np.flatnonzero(~screened[number]).tolist():
+        for load in open_loads.tolist():
             try:
-                wrench = from_floats(loads[load])
-                verdict = next(solver.solve_many([wrench]))
+                verdict = next(solver.solve_many([from_floats(loads[load])]))
                 answers.append((load, verdict.stable if verdict.decided else None))
             except OutOfReachError:
                 answers.append((load, None))
@@ -176,7 +190,6 @@ def _exactly(
 def _grasp(arrays: Arrays, number: int) -> Grasp:
     rows = ~np.isnan(arrays[0][number, :, 0])
     points, normals, friction, stiffness, preload = (x[number, rows].tolist() for x in arrays[:5])
-    angle = ANGLES[arrays[0].shape[2]]
     return from_float_data(
         points,
         normals,
@@ -184,6 +197,6 @@ def _grasp(arrays: Arrays, number: int) -> Grasp:
         stiffness=stiffness,
         preload=preload,
         tolerance=0,
-        angle_tolerance=angle,
+        angle_tolerance=ANGLE,
         as_given=True,
     ).grasp

@@ -1,14 +1,16 @@
 """Equilibria of many questions at once, each proved to exist by a bound on errors.
 
 The smoothed balance is followed as in `equilibrium.plane.search.continuation`, for all questions
-together. What it ends at is a guess of contact states, whose conditions are a linear system
-``A z = b`` and inequalities. The unknowns z are the motion d and the tangential forces of the
-contacts that stick. For an approximate inverse R of A with ``|I - R A| <= beta < 1`` (largest row
-sum) A is regular, and its solution is within ``|R (b - A z')| / (1 - beta)`` of any z'
-[Rump2010]. Where the inequalities hold, strictly, everywhere so near, there is an equilibrium.
-Where all contacts stick d is 0, and the tangential forces alone have to balance the load: R is an
-approximate right inverse then, and ``z' + R y`` with ``|y| <= |b - A z'| / (1 - beta)`` a solution.
-All bounds are taken over all numbers within the errors of the data.
+together. What it ends at is a guess of contact states, whose conditions are a system F(z) = 0 and
+inequalities. The unknowns z are the motion d and the tangential forces of the contacts that stick;
+in the plane F is linear, in space the directions of slips turn with d. Let R be an approximate
+inverse of the Jacobian J of F at z'. If ``|R F(z')| <= rho / 2`` and ``|I - R J(z)| <= 1/2``
+(largest row sum) for all z within rho of z', then ``z - R F(z)`` maps this box into itself and
+contracts: it has a zero of F [Rump2010]. Where the inequalities hold, strictly, in the whole box,
+there is an equilibrium. Where all contacts stick d is 0, and the tangential forces alone have to
+balance the load: R is an approximate right inverse then, and ``z' + R y`` with ``|y| <= |b - A z'|
+/ (1 - beta)``, beta = ``|I - A R|``, a solution of ``A z = b``. All bounds are taken over all
+numbers within the errors of the data.
 """
 
 from __future__ import annotations
@@ -26,11 +28,17 @@ from equilibrium.plane.search.continuation import (
     SMOOTHING_FACTOR,
 )
 
-from .questions import Questions, along
+from .questions import ROUNDING, Questions, along
 
 #: Where a path starts that starts near an equilibrium.
 _NEAR = 1e-2
 _MAX_NEWTON_STEPS = 20
+#: Steps to the motion of contact states.
+_STATE_STEPS = 4
+#: Contacts that stick while others slip, at most: with three the motion is 0, mostly.
+_MAX_STICKING = 2
+#: From this share of its limit on, smooth friction is that of a slip.
+_SLIP_SHARE = 0.9999
 #: Above the rounding errors of a bound's own computation.
 _MARGIN = 1.01
 
@@ -44,14 +52,17 @@ def have_equilibria(questions: Questions, starts: Floats | None = None) -> Boole
     """
     first = 1.0 if starts is None else _NEAR
     proved, rows, q = np.zeros(len(questions), dtype=bool), np.arange(len(questions)), questions
-    motion = np.zeros((len(q), 3)) if starts is None else starts
+    motion = np.zeros_like(q.load) if starts is None else starts
     eps, factor = np.full(len(q), first / SMOOTHING_FACTOR), np.full(len(q), SMOOTHING_FACTOR)
     for _ in range(MAX_PATH_STEPS):
+        if not len(rows):
+            break
         sharper = eps * factor
         end, residual = _newton(q, motion, sharper)
         tried = np.flatnonzero((sharper < SHARP) & (residual < 1))
         holds = np.zeros(len(q), dtype=bool)
-        holds[tried] = _exists_near(q.take(tried), end[tried], sharper[tried])
+        if len(tried):
+            holds[tried] = _exists_near(q.take(tried), end[tried], sharper[tried])
         proved[rows[holds]] = True
         good = residual <= PATH_RESIDUAL
         going = ~holds & np.where(good, sharper >= SHARPEST, factor <= MAX_SMOOTHING_FACTOR)
@@ -59,16 +70,7 @@ def have_equilibria(questions: Questions, starts: Floats | None = None) -> Boole
         factor = np.where(good, np.maximum(factor**2, SMOOTHING_FACTOR), factor**0.5)
         rows, q = rows[going], q.take(going)
         motion, eps, factor = motion[going], eps[going], factor[going]
-        if not len(rows):
-            break
     return proved
-
-
-def _exists_near(q: Questions, motion: Floats, eps: Floats) -> Booleans:
-    """Return where an equilibrium of the contact states at a motion exists."""
-    force, slip = q.spring_forces(motion)[0], along(q.tangent, motion)
-    ratio = -slip / np.hypot(slip, eps[:, None])
-    return _by_states(q, force > 0, ratio) | _at_rest(q, ratio)
 
 
 def _newton(q: Questions, motion: Floats, eps: Floats) -> tuple[Floats, Floats]:
@@ -81,8 +83,8 @@ def _newton(q: Questions, motion: Floats, eps: Floats) -> tuple[Floats, Floats]:
         turned = jacobian.transpose(0, 2, 1)
         square = turned @ jacobian
         size = np.trace(square, axis1=1, axis2=2) + 1e-300
-        square += (damping * size)[:, None, None] * np.eye(3)
-        moved = at - _solved(square, np.einsum("nij,nj->ni", turned, value))
+        square += (damping * size)[:, None, None] * np.eye(motion.shape[1])
+        moved = at - _solved(square, along(turned, value))
         tried, tried_jacobian = _balance(q, moved, width)
         left = np.linalg.norm(tried, axis=1)
         better = left < residual
@@ -104,123 +106,215 @@ def _newton(q: Questions, motion: Floats, eps: Floats) -> tuple[Floats, Floats]:
 def _balance(q: Questions, motion: Floats, eps: Floats) -> tuple[Floats, Floats]:
     """Return the sums of all wrenches, and their derivatives."""
     force = q.preload - q.stiffness * along(q.normal, motion)
-    eps = eps[:, None]
-    soft = eps * np.where(q.stiffness > 0, q.stiffness, 1.0)
+    soft = eps[:, None] * np.where(q.stiffness > 0, q.stiffness, 1.0)
     smooth = np.sqrt(force * force + soft * soft)
-    normal, touching = (force + smooth) / 2, (1 + force / smooth) / 2
-    normal = np.where(q.reach[..., 0] > 0, normal, 0.0)
-    slip = along(q.tangent, motion)
-    root = np.sqrt(slip * slip + eps * eps)
-    pull = q.friction[..., None] * q.tangent
-    arm = q.normal - (slip / root)[..., None] * pull
-    turn = (normal * eps * eps / root**3)[..., None] * q.tangent
-    spring = (touching * q.stiffness)[..., None] * q.normal
-    value = q.load + np.einsum("nm,nmi->ni", normal, arm)
-    jacobian = -(arm.transpose(0, 2, 1) @ spring + pull.transpose(0, 2, 1) @ turn)
+    normal, touching = np.where(q.present, (force + smooth) / 2, 0.0), (1 + force / smooth) / 2
+    slip = along(q.tangents, motion)
+    root = np.sqrt((slip * slip).sum(axis=2) + (eps * eps)[:, None])
+    ratio = -slip / root[..., None]
+    arm = q.normal + q.friction[..., None] * _pull(q, ratio)
+    value = q.load + (normal[:, None] @ arm)[:, 0]
+    # Of -c_n mu T^T (I - ratio ratio^T) T / root; of `across` in the plane nothing is left.
+    turn = normal * q.friction / root
+    jacobian = -arm.transpose(0, 2, 1) @ ((touching * q.stiffness)[..., None] * q.normal)
+    k = q.load.shape[1]
+    pulls, shares = q.tangents.reshape(len(q), -1, k), np.repeat(turn, slip.shape[2], axis=1)
+    jacobian -= pulls.transpose(0, 2, 1) @ (shares[..., None] * pulls)
+    along_slip = _pull(q, ratio)
+    jacobian += along_slip.transpose(0, 2, 1) @ (turn[..., None] * along_slip)
     return value, jacobian
 
 
+def _pull(q: Questions, shares: Floats) -> Floats:
+    """Return the wrenches (n, m, k) of tangential forces (n, m, t)."""
+    pulls: Floats = (shares[..., None, :] @ q.tangents)[..., 0, :]
+    return pulls
+
+
 def _solved(matrix: Floats, right: Floats) -> Floats:
-    """Solve three equations each, roughly, by cofactors."""
-    a, b, c = np.moveaxis(matrix, 1, 0)
-    rows = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)], axis=2)
-    determinant = np.einsum("ni,ni->n", a, rows[:, :, 0])
-    found: Floats = np.einsum("nij,nj->ni", rows, right) / determinant[:, None]
-    return np.nan_to_num(found, nan=0.0, posinf=0.0, neginf=0.0)
-
-
-def _by_states(q: Questions, touching: Booleans, ratio: Floats) -> Booleans:
-    """Return where an equilibrium of these contact states exists."""
-    n, m = ratio.shape
-    present = q.reach[..., 0] > 0
-    on = touching & present
-    rubs = on & (q.friction > 0)
-    sticks = rubs & (np.abs(ratio) <= 0.9999)
-    sign = np.where(rubs & ~sticks, np.sign(ratio), 0.0)
-    edge = q.normal + (sign * q.friction)[..., None] * q.tangent
-    weight, push = np.where(on, q.stiffness, 0.0), np.where(on, q.preload, 0.0)
-    matrix, errors = np.zeros((n, 3 + m, 3 + m)), np.zeros((n, 3 + m, 3 + m))
-    matrix[:, :3, :3] = -np.einsum("nm,nmi,nmj->nij", weight, edge, q.normal)
-    stuck = np.where(sticks[..., None], q.tangent, 0.0)
-    matrix[:, 3:, :3], matrix[:, :3, 3:] = stuck, stuck.transpose(0, 2, 1)
-    i = np.arange(3, 3 + m)
-    matrix[:, i, i] = ~sticks
-    # Each error of N and T, twice in a product, and the roundings of the sums.
-    wide = (1 + q.friction)[..., None] * (2.2 * q.spread + 2 * (m + 8) * UNIT * q.reach)
-    errors[:, :3, :3] = np.einsum("nm,nmi,nmj->nij", weight, wide, q.reach)
-    unsure = np.where(sticks[..., None], q.spread, 0.0)
-    errors[:, 3:, :3], errors[:, :3, 3:] = unsure, unsure.transpose(0, 2, 1)
-    right, right_errors = np.zeros((n, 3 + m)), np.zeros((n, 3 + m))
-    right[:, :3] = -q.load - np.einsum("nm,nmi->ni", push, edge)
-    right_errors[:, :3] = np.einsum("nm,nmi->ni", push, wide) + (m + 8) * UNIT * np.abs(q.load)
-    found, radius = _enclosed(matrix, errors, right, right_errors)
-    motion, tangential = found[:, :3], found[:, 3:]
-    force, error = q.spring_forces(motion)
-    shift = radius[:, None] * q.reach.sum(axis=2) * _MARGIN
-    error = _MARGIN * (error + q.stiffness * (shift + 2 * UNIT * np.abs(force)))
-    slip = along(q.tangent, motion)
-    size = np.abs(motion)
-    doubt = _MARGIN * (shift + along(q.spread, size) + 10 * UNIT * along(q.reach, size))
-    least = force - error
-    inside = np.abs(tangential) + radius[:, None] < (1 - 8 * UNIT) * q.friction * least
-    holds = np.where(on, least > 0, force + error < 0) | ~present
-    holds &= np.where(sticks, inside, True) & np.where(sign != 0, -sign * slip > doubt, True)
-    proved: Booleans = holds.all(axis=1) & np.isfinite(radius)
-    return proved
-
-
-def _enclosed(
-    matrix: Floats, errors: Floats, right: Floats, right_errors: Floats
-) -> tuple[Floats, Floats]:
-    """Return solutions, roughly, and how far every entry of the true ones is away at most."""
-    k = matrix.shape[1]
-    usable = np.all(np.isfinite(matrix), axis=(1, 2)) & np.all(np.isfinite(right), axis=1)
-    # One singular matrix would end the inversion of all.
-    shaken = np.where(usable[:, None, None], matrix, np.eye(k)) + np.diag(
-        1e-15 * (1 + np.arange(k) ** 0.5)
-    )
+    """Solve equations, roughly; what is singular has the solution 0."""
     try:
-        inverse = np.linalg.inv(shaken)
-    except np.linalg.LinAlgError:
-        inverse = np.linalg.pinv(shaken)
-    found = np.einsum("nij,nj->ni", inverse, right)
-    for _ in range(2):
-        found = found + np.einsum(
-            "nij,nj->ni", inverse, right - np.einsum("nij,nj->ni", matrix, found)
-        )
-    size, rounding = np.abs(inverse), (k + 4) * UNIT
-    off = right - np.einsum("nij,nj->ni", matrix, found)
-    wide = errors + rounding * np.abs(matrix)
-    residual = np.abs(off) + np.einsum("nij,nj->ni", wide, np.abs(found))
-    residual += right_errors + rounding * np.abs(right)
-    far = np.abs(np.eye(k) - inverse @ matrix) + size @ wide
-    beta = _MARGIN * far.sum(axis=2).max(axis=1) + k * k * UNIT
-    radius = _MARGIN * np.einsum("nij,nj->ni", size, residual).max(axis=1) / (1 - beta)
-    return found, np.where(usable & (beta < 0.9), radius, np.nan)
+        solution = np.linalg.solve(matrix, right[..., None])[..., 0]
+    except np.linalg.LinAlgError:  # one singular matrix ends the solution of all
+        solution = along(np.linalg.pinv(np.nan_to_num(matrix)), right)
+    found: Floats = np.nan_to_num(solution, nan=0.0, posinf=0.0, neginf=0.0)
+    return found
+
+
+def _exists_near(q: Questions, motion: Floats, eps: Floats) -> Booleans:
+    """Return where an equilibrium of the contact states at a motion exists."""
+    force, slip = q.preload - q.stiffness * along(q.normal, motion), along(q.tangents, motion)
+    ratio = -slip / np.sqrt((slip * slip).sum(axis=2) + (eps * eps)[:, None])[..., None]
+    on = (force > 0) & q.present
+    share = q.friction * np.maximum(force, 0.0)
+    sticks = on & (q.friction > 0) & (_length(ratio) <= _SLIP_SHARE)
+    exists = np.zeros(len(q), dtype=bool)
+    few = np.flatnonzero(np.count_nonzero(sticks, axis=1) <= _MAX_STICKING)
+    if len(few):
+        part = _States(q.take(few), on[few], sticks[few])
+        exists[few] = part.hold(motion[few], (share[..., None] * ratio)[few])
+    rest = np.flatnonzero(~exists & np.any(q.preload > 0, axis=1))
+    if len(rest):
+        exists[rest] = _at_rest(q.take(rest), ratio[rest])
+    return exists
+
+
+def _length(vectors: Floats) -> Floats:
+    """Return the lengths of vectors among the tangents."""
+    lengths: Floats = np.sqrt((vectors * vectors).sum(axis=-1))
+    return lengths
+
+
+class _States:
+    """The equations and inequalities of given contact states.
+
+    Attributes:
+        on, slides: (n, m), which contacts press, and which of them slip.
+        stuck: (n, s), numbers of the contacts that stick, s at most 2, filled up with others.
+        real: (n, s), which are no filling.
+        pulls: (n, s t, k), tangents of these.
+    """
+
+    def __init__(self, q: Questions, on: Booleans, sticks: Booleans) -> None:
+        self.q, self.on, self.sticks = q, on, sticks
+        self.slides = on & (q.friction > 0) & ~sticks
+        self.stuck = np.argsort(~sticks, axis=1, kind="stable")[:, :_MAX_STICKING]
+        self.real = np.take_along_axis(sticks, self.stuck, axis=1)
+        pulls = q.tangents[np.arange(len(q))[:, None], self.stuck]
+        self.pulls = np.where(self.real[..., None, None], pulls, 0.0)
+        self.n, (self.k, self.t) = len(q), (q.load.shape[1], q.tangents.shape[2])
+        self.pulls = self.pulls.reshape(self.n, -1, self.k)
+        self.weight = np.where(on, q.stiffness, 0.0)
+        self.rub = np.where(self.slides, q.friction, 0.0)
+
+    def _at(self, z: Floats) -> tuple[Floats, Floats]:
+        """Return F and its Jacobian; sizes of slips and forces of springs are kept."""
+        q, k, motion = self.q, self.k, z[:, : self.k]
+        self.spring = q.preload - q.stiffness * along(q.normal, motion)
+        slip = along(q.tangents, motion)
+        self.size = _length(slip)
+        way = np.where(self.slides[..., None], slip / self.size[..., None], 0.0)
+        arm = q.normal - self.rub[..., None] * _pull(q, way)
+        force = np.where(self.on, self.spring, 0.0)
+        value = np.zeros_like(z)
+        value[:, :k] = q.load + (force[:, None] @ arm)[:, 0] + (z[:, None, k:] @ self.pulls)[:, 0]
+        filled = np.repeat(~self.real, self.t, axis=1)
+        value[:, k:] = along(self.pulls, motion) + np.where(filled, z[:, k:], 0.0)
+        jacobian = np.zeros((*z.shape, z.shape[1]))
+        first = -arm.transpose(0, 2, 1) @ (self.weight[..., None] * q.normal)
+        if self.t == 2:
+            across = _pull(q, np.stack([-way[..., 1], way[..., 0]], axis=2))
+            turn = np.where(self.slides, force * self.rub / self.size, 0.0)
+            first -= across.transpose(0, 2, 1) @ (turn[..., None] * across)
+        jacobian[:, :k, :k] = first
+        jacobian[:, :k, k:], jacobian[:, k:, :k] = self.pulls.transpose(0, 2, 1), self.pulls
+        i = np.arange(k, z.shape[1])
+        jacobian[:, i, i] = filled
+        return value, jacobian
+
+    def hold(self, motion: Floats, friction: Floats) -> Booleans:
+        """Return where there is an equilibrium near a motion and friction forces (n, m, t)."""
+        forces = friction[np.arange(self.n)[:, None], self.stuck] * self.real[..., None]
+        z = np.concatenate([motion, forces.reshape(self.n, -1)], axis=1)
+        for _ in range(_STATE_STEPS if self.t == 2 else 2):
+            value, jacobian = self._at(z)
+            z = z - _solved(jacobian, value)
+        return self._enclosed(z)
+
+    def _enclosed(self, z: Floats) -> Booleans:
+        """Return where F surely has a zero in a box around z in which all inequalities hold."""
+        q, k, m = self.q, self.k, self.q.normal.shape[1]
+        value, jacobian = self._at(z)
+        try:
+            inverse = np.linalg.inv(jacobian)
+        except np.linalg.LinAlgError:
+            inverse = np.linalg.pinv(np.nan_to_num(jacobian))
+        magnitude = np.abs(inverse)
+        reach, tilt, mu = q.reach, q.tilt + ROUNDING, q.friction
+        way, width = along(reach, np.abs(z[:, :k])), reach.sum(axis=2)
+        # Errors at z' itself: of springs, directions of slips, and so of the balance.
+        spring, missed = self._errors(way)
+        turned = self._turned(missed)
+        share = np.where(self.on, spring, 0.0) * (1 + mu)
+        share += np.where(self.on, np.abs(self.spring), 0.0) * ((1 + mu) * tilt + mu * turned)
+        held = np.zeros_like(tilt)
+        pulled = _length(z[:, k:].reshape(self.n, -1, self.t)) * self.real
+        np.put_along_axis(held, self.stuck, pulled, axis=1)
+        rounding = (m + 16) * UNIT
+        share += held * tilt + rounding * (np.abs(self.spring) * self.on * (1 + mu) + held)
+        error = np.zeros_like(z)
+        error[:, :k] = (share[:, None] @ reach)[:, 0] + rounding * np.abs(q.load)
+        stuck = np.take_along_axis(missed, self.stuck, axis=1) * self.real
+        error[:, k:] = np.repeat(stuck, self.t, axis=1)
+        radius = 2.1 * _MARGIN * along(magnitude, np.abs(value) + error).max(axis=1)[:, None]
+        # Errors in the whole box, of the Jacobian too.
+        spring, missed = self._errors(way + radius * width)
+        spring, missed = spring + q.stiffness * radius * width, missed + 1.5 * radius * width
+        turned, least = self._turned(missed), self.size - missed
+        arm = (1 + mu) * tilt + mu * turned
+        unsure = self.weight * (arm + (1 + mu + arm) * tilt + rounding * (1 + mu))
+        if self.t == 2:
+            bent = spring / least + (np.abs(self.spring) + spring) * (
+                3 * missed / (least * least) + 3 * tilt / least
+            )
+            bent += rounding * np.abs(self.spring) / self.size
+            unsure += np.where(self.slides, mu * bent, 0.0)
+        errors = np.zeros_like(jacobian)
+        errors[:, :k, :k] = reach.transpose(0, 2, 1) @ (unsure[..., None] * reach)
+        rows = np.take_along_axis(tilt[..., None] * reach, self.stuck[..., None], axis=1)
+        rows = np.repeat(rows * self.real[..., None], self.t, axis=1)
+        errors[:, k:, :k], errors[:, :k, k:] = rows, rows.transpose(0, 2, 1)
+        far = np.abs(np.eye(z.shape[1]) - inverse @ jacobian)
+        far += magnitude @ (errors + (z.shape[1] + 4) * UNIT * np.abs(jacobian))
+        proved = _MARGIN * far.sum(axis=2).max(axis=1) < 0.5
+        sure = np.where(self.on, self.spring > _MARGIN * spring, self.spring < -_MARGIN * spring)
+        sure &= ~self.slides | (self.size > _MARGIN * missed)
+        most = (1 - 8 * UNIT) * mu * (self.spring - _MARGIN * spring)
+        sure &= ~self.sticks | (held + 1.5 * radius < most)
+        holds: Booleans = proved & (sure | ~q.present).all(axis=1) & np.isfinite(radius[:, 0])
+        return holds
+
+    def _errors(self, way: Floats) -> tuple[Floats, Floats]:
+        """Return errors of springs and of slips (lengths) that go this far in each wrench."""
+        q = self.q
+        tilted = _MARGIN * (q.tilt + ROUNDING) * way
+        return q.stiffness * tilted + 5 * UNIT * (q.preload + np.abs(self.spring)), 1.5 * tilted
+
+    def _turned(self, missed: Floats) -> Floats:
+        """Return how far unit vectors along slips are off where slips are off so far."""
+        if self.t == 1:
+            return np.zeros_like(missed)
+        return np.where(self.slides, missed / (self.size - missed) + 8 * UNIT, 0.0)
 
 
 def _at_rest(q: Questions, ratio: Floats) -> Booleans:
     """Return where tangential forces, within the cones of the preloads, balance the load."""
-    m = ratio.shape[1]
+    (n, m, t), k = ratio.shape, q.load.shape[1]
     most = q.friction * q.preload
-    rows = most[..., None] * q.tangent
-    spread = most[..., None] * (q.spread + 4 * UNIT * q.reach)
-    right = -q.load - np.einsum("nm,nmi->ni", q.preload, q.normal)
-    wide = q.spread + (m + 8) * UNIT * q.reach
-    right_error = np.einsum("nm,nmi->ni", q.preload, wide) + (m + 8) * UNIT * np.abs(q.load)
-    square = rows.transpose(0, 2, 1) @ rows + 1e-200 * np.eye(3)
-    columns = [_solved(square, np.broadcast_to(axis, q.load.shape)) for axis in np.eye(3)]
-    inverse = rows @ np.stack(columns, axis=2)
-    share = np.clip(ratio, -0.9999, 0.9999)
+    rows = (most[..., None, None] * q.tangents).reshape(n, m * t, k)
+    reach = np.repeat(most[..., None] * q.reach, t, axis=1)
+    spread = (np.repeat(q.tilt, t, axis=1) + ROUNDING)[..., None] * reach
+    right = -q.load - (q.preload[:, None] @ q.normal)[:, 0]
+    wide = (q.preload * (q.tilt + ROUNDING + m * UNIT))[:, None] @ q.reach
+    right_error = wide[:, 0] + (m + 8) * UNIT * np.abs(q.load)
+    square = rows.transpose(0, 2, 1) @ rows
+    size = np.trace(square, axis1=1, axis2=2) + 1e-300
+    square += 1e-15 * size[:, None, None] * np.eye(k)
+    try:
+        inverse = rows @ np.linalg.inv(square)
+    except np.linalg.LinAlgError:
+        inverse = rows @ np.linalg.pinv(square)
+    share = np.clip(ratio, -_SLIP_SHARE, _SLIP_SHARE).reshape(n, m * t)
     for _ in range(3):
-        share = share + along(inverse, right - np.einsum("nm,nmi->ni", share, rows))
-    rounding = (m + 6) * UNIT
-    off = np.abs(right - np.einsum("nm,nmi->ni", share, rows)) + right_error
-    off += np.einsum("nm,nmi->ni", np.abs(share), spread + rounding * np.abs(rows))
+        share = share + along(inverse, right - (share[:, None] @ rows)[:, 0])
+    rounding = (m * t + 6) * UNIT
+    off = np.abs(right - (share[:, None] @ rows)[:, 0]) + right_error
+    off += (np.abs(share)[:, None] @ (spread + rounding * reach))[:, 0]
     size = np.abs(inverse)
-    far = np.abs(np.eye(3) - rows.transpose(0, 2, 1) @ inverse)
-    far += (spread + rounding * np.abs(rows)).transpose(0, 2, 1) @ size
-    beta = _MARGIN * far.sum(axis=2).max(axis=1) + 9 * UNIT
+    far = np.abs(np.eye(k) - rows.transpose(0, 2, 1) @ inverse)
+    far += (spread + rounding * reach).transpose(0, 2, 1) @ size
+    beta = _MARGIN * far.sum(axis=2).max(axis=1) + k * k * UNIT
     change = _MARGIN * size.sum(axis=2) * (off.max(axis=1) / (1 - beta))[:, None]
-    proved: Booleans = (beta < 0.9) & np.all(np.abs(share) + change < 1 - 8 * UNIT, axis=1)
+    room = 1 - 8 * UNIT - _length(np.abs(share).reshape(n, m, t) + change.reshape(n, m, t))
+    proved: Booleans = (beta < 0.9) & np.all((room > 0) | (most == 0), axis=1)
     return proved

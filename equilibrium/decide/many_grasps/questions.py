@@ -1,11 +1,13 @@
-"""The numbers of many questions in the plane, in floats, with bounds of their errors.
+"""The numbers of many questions, in floats, with bounds of their errors.
 
 A question is a grasp and a load. Its units are powers of two, in which its largest numbers are
 about one: of length, of force, and of displacement, near what springs yield. So scaling is exact.
+Rows are wrenches in R^k, k = 3 in the plane and 6 in space, where a contact has two tangents.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, fields
 from fractions import Fraction
 from typing import Any
@@ -14,11 +16,12 @@ import numpy as np
 
 from arrangement.numbers.float_filter import UNIT, Booleans, Floats
 
-#: Largest tangent of the angle from a given normal to the rational unit normal that stands for it,
-#: in the plane and in space, where finer ones take long to find.
-ANGLES = {2: Fraction(1, 10**12), 3: Fraction(1, 10**6)}
-#: Error in the plane of the entries of a unit normal, with this angle and what computing it rounds.
-_NORMAL_ERROR = 1.1e-12
+#: Largest tangent of the angle from a given normal to the rational unit normal that stands for it.
+ANGLE = Fraction(1, 10**12)
+#: How far normals and tangents in floats are off at most, their rounding included.
+_TILT = 1.1e-12
+#: Relative error by rounding of wrenches, and of their scalar products with motions.
+ROUNDING = 10 * UNIT
 #: Numbers but 0 below this, or above its inverse, in the units of the question: no screening.
 _SMALLEST = 2.0**-100
 
@@ -27,18 +30,23 @@ _SMALLEST = 2.0**-100
 class Questions:
     """n questions on up to m contacts; contacts that never press have zeros alone.
 
+    The exact unit normal of a contact is the given direction turned by a small angle, and its
+    tangents turn along. So N and the wrench of a unit vector among the tangents are off by at most
+    `tilt` times `reach` in each entry, beside what computing them rounds.
+
     Attributes:
-        load: (n, 3), exact.
-        normal, tangent: (n, m, 3), N and T.
-        spread: (n, m, 3), errors of N and T at most; 0 where the normal is along an axis.
-        reach: (n, m, 3), not below the absolute entries of N and T.
+        load: (n, k), exact.
+        normal: (n, m, k), N.
+        tangents: (n, m, t, k), T, t = 1 in the plane and 2 in space.
+        tilt: (n, m), the angle at most; 0 where the normal is along an axis.
+        reach: (n, m, k), not below the absolute entries of wrenches of unit forces.
         friction, stiffness, preload: (n, m), exact.
     """
 
     load: Floats
     normal: Floats
-    tangent: Floats
-    spread: Floats
+    tangents: Floats
+    tilt: Floats
     reach: Floats
     friction: Floats
     stiffness: Floats
@@ -49,19 +57,23 @@ class Questions:
 
     def take(self, rows: Any) -> Questions:
         """Return some of the questions."""
-        return Questions(*(getattr(self, entry.name)[rows] for entry in fields(self)))
+        return Questions(*(getattr(self, name)[rows] for name in _FIELDS))
 
-    def spring_forces(self, motion: Floats) -> tuple[Floats, Floats]:
-        """Return ``preload - stiffness N . d`` for motions (n, 3), and bounds of the errors."""
-        force = self.preload - self.stiffness * along(self.normal, motion)
-        shift = 10 * UNIT * along(self.reach, np.abs(motion)) + along(self.spread, np.abs(motion))
-        return force, self.stiffness * shift + 10 * UNIT * self.preload
+    @property
+    def present(self) -> Booleans:
+        """Which contacts may press, (n, m)."""
+        present: Booleans = self.reach[..., 0] > 0
+        return present
+
+
+_FIELDS = [entry.name for entry in fields(Questions)]
 
 
 def along(rows: Floats, motion: Floats) -> Floats:
-    """Return the scalar products of rows (n, m, 3) with a vector (n, 3) each."""
-    products: Floats = np.einsum("nmi,ni->nm", rows, motion)
-    return products
+    """Return the scalar products of rows (n, ..., k) with a vector (n, k) each."""
+    flat = len(rows), math.prod(rows.shape[1:-1]), rows.shape[-1]
+    products = rows.reshape(flat) @ motion[..., None]
+    return products.reshape(rows.shape[:-1])
 
 
 @np.errstate(all="ignore")  # questions with extreme numbers are not used
@@ -71,10 +83,11 @@ def questions(
     """Return the questions, and which of them may be screened: no number is extreme.
 
     Args:
-        points, normals: (n, m, 2); NaN for contacts that are missing.
+        points, normals: (n, m, 2) or (n, m, 3); NaN for contacts that are missing.
         values: friction, stiffness and preload, (n, m).
-        loads: (n, 3).
+        loads: (n, k).
     """
+    size = points.shape[2]
     friction, stiffness, preload = values
     pressing = ~np.isnan(points[..., 0]) & ((stiffness > 0) | (preload > 0))
     friction, stiffness, preload = (np.where(pressing, x, 0.0) for x in values)
@@ -82,8 +95,7 @@ def questions(
     # Then nothing underflows on the way.
     given = _moderate(_SMALLEST**2, loads, friction, stiffness, preload, points)
     length = _unit(np.abs(points).max(axis=(1, 2), initial=0.0))
-    arms = np.stack([np.ones_like(length), np.ones_like(length), length], axis=1)
-    load = loads / arms
+    load = loads / np.where(np.arange(loads.shape[1]) < size, 1.0, length[:, None])
     force = _unit(np.maximum(np.abs(load).max(axis=1), preload.max(axis=1, initial=0.0)))
     load, preload, points = (
         load / force[:, None],
@@ -98,19 +110,53 @@ def questions(
         step = np.fmax(step, 2 * shares[np.arange(len(step)), middle])
     stiffness = stiffness * _unit(np.where(np.isfinite(step), step, 1.0))[:, None]
     usable = given & _moderate(_SMALLEST, load, friction, stiffness, preload, points)
-    largest = np.abs(normals).max(axis=2, keepdims=True, initial=0.0)
-    unit = normals / np.where(largest > 0, largest, 1.0)
-    size = np.hypot(unit[..., 0], unit[..., 1])[..., None]
-    unit = unit / np.where(size > 0, size, 1.0)
-    (x, y), (u, v) = np.moveaxis(points, 2, 0), np.moveaxis(unit, 2, 0)
-    normal, tangent = np.stack([u, v, x * v - y * u], 2), np.stack([-v, u, x * u + y * v], 2)
-    ones = pressing.astype(float)
-    reach = np.stack([ones, ones, np.abs(x) + np.abs(y)], axis=2)
-    spread = np.where((normals != 0).all(axis=2)[..., None], _NORMAL_ERROR, 0.0) * reach
+    unit = _directions(normals)
+    frame = np.stack([unit, *_tangents(unit)], axis=2)
+    turns = _torques(points[:, :, None], frame)
+    wrenches = np.concatenate([frame, turns], axis=3)
+    ones = pressing[..., None] * np.ones(size)
+    arms = np.abs(points).sum(axis=2)[..., None] * np.ones(turns.shape[3])
+    # Normals along an axis are exact.
+    slanted = np.count_nonzero(normals, axis=2) > 1
+    tilt = slanted * _TILT
     return (
-        Questions(load, normal, tangent, spread, reach, friction, stiffness, preload),
+        Questions(
+            load,
+            wrenches[:, :, 0],
+            wrenches[:, :, 1:],
+            tilt,
+            np.concatenate([ones, arms], axis=2),
+            friction,
+            stiffness,
+            preload,
+        ),
         usable,
     )
+
+
+def _torques(points: Floats, forces: Floats) -> Floats:
+    """Return the torques of forces at points, one number in the plane, three in space."""
+    if forces.shape[-1] == 3:
+        return np.cross(points, forces)
+    return (points[..., :1] * forces[..., 1:]) - (points[..., 1:] * forces[..., :1])
+
+
+def _directions(vectors: Floats) -> Floats:
+    """Return vectors divided by their lengths; those of length 0 stay."""
+    largest = np.abs(vectors).max(axis=2, keepdims=True, initial=0.0)
+    moderate = vectors / np.where(largest > 0, largest, 1.0)
+    length = np.sqrt((moderate * moderate).sum(axis=2, keepdims=True))
+    units: Floats = moderate / np.where(length > 0, length, 1.0)
+    return units
+
+
+def _tangents(unit: Floats) -> list[Floats]:
+    """Return unit vectors at right angles to unit normals and to each other, one or two."""
+    if unit.shape[2] == 2:
+        return [np.stack([-unit[..., 1], unit[..., 0]], axis=2)]
+    axis = np.eye(3)[np.abs(unit).argmin(axis=2)]
+    first = _directions(np.cross(unit, axis))
+    return [first, np.cross(unit, first)]
 
 
 def _moderate(smallest: float, *numbers: Floats) -> Booleans:

@@ -22,16 +22,95 @@ import numpy as np
 
 from arrangement.numbers.float_filter import UNIT, Booleans, Floats
 
-from .questions import Questions, along
+from .questions import ROUNDING, Questions, along
 
 #: Spring forces at once.
 _NUMBERS = 2**18
 _MAX_STEPS = 7
+#: Corners that come to the hull of the wrenches of a question.
+_MAX_HULL_STEPS = 60
+#: A hull as near to 0 is thought to have it inside.
+_LEAST_SQUARE = 1e-12
 #: Sums of integers up to this size are exact.
 _LARGEST = 2.0**50
 _ORTHANTS = np.array([np.diag([1.0, *signs]) for signs in product((1.0, -1.0), repeat=3)])
 #: Pairs of three old corners.
 _PAIRS = np.array([[0, 0, 1], [1, 2, 2]])
+
+
+@np.errstate(all="ignore")  # what is not finite proves nothing
+def are_outside_cones(questions: Questions) -> Booleans:
+    """Return which loads no forces in the friction cones balance, as far as it was proved.
+
+    The virtual motion is the point nearest to 0 of the convex hull of the load and of the forces
+    ``N + mu T^T u``, ``|u| <= 1``, found as [Wolfe1976] does: the load and the contacts do at least
+    its square as work. Where the hull has 0 in it there is none.
+    """
+    q, k = questions, questions.load.shape[1]
+    proved, rows = np.zeros(len(q), dtype=bool), np.flatnonzero(np.any(q.load, axis=1))
+    q = q.take(rows)
+    corners, shares = np.zeros((len(q), k + 2, k)), np.zeros((len(q), k + 2))
+    size = np.linalg.norm(q.load, axis=1)
+    corners[:, 0], shares[:, 0] = q.load / size[:, None], 1.0
+    for _ in range(_MAX_HULL_STEPS):
+        if not len(rows):
+            break
+        motion = (shares[:, None] @ corners)[:, 0]
+        works, least = _works_against_cones(q, motion)
+        proved[rows[works]] = True
+        square = (motion * motion).sum(axis=1)
+        nearer = square - (least * motion).sum(axis=1) > 1e-6 * square
+        going = np.flatnonzero(~works & nearer & (square > _LEAST_SQUARE))
+        rows, q, corners, shares = rows[going], q.take(going), corners[going], shares[going]
+        corners[np.arange(len(rows)), (shares == 0).argmax(axis=1)] = least[going]
+        _nearest_in_hull(corners, shares)
+    return proved
+
+
+def _works_against_cones(q: Questions, motion: Floats) -> tuple[Booleans, Floats]:
+    """Return where load and contacts surely do work, and the wrench (n, k) that does the least."""
+    rub, push = along(q.tangents, motion), along(q.normal, motion)
+    length, far = np.sqrt((rub * rub).sum(axis=2)), along(q.reach, np.abs(motion))
+    scale = 1 / np.sqrt(1 + q.friction * q.friction)
+    work = np.where(q.present, (push - q.friction * length) * scale, np.inf)
+    doubt = (1 + 1.5 * q.friction) * (q.tilt + 2 * ROUNDING) * far * scale
+    load = along(q.load[:, None], motion)[:, 0]
+    sure = load > 20 * UNIT * along(np.abs(q.load)[:, None], np.abs(motion))[:, 0]
+    works: Booleans = sure & np.all(work >= doubt, axis=1)
+    i = np.arange(len(work)), work.argmin(axis=1)
+    way = rub[i] / np.where(length[i] > 0, length[i], 1.0)[:, None]
+    least = q.normal[i] - q.friction[i][:, None] * (way[:, None] @ q.tangents[i])[:, 0]
+    size = np.linalg.norm(q.load, axis=1)
+    from_load = load / size < work[i]
+    return works, np.where(from_load[:, None], q.load / size[:, None], least * scale[i][:, None])
+
+
+def _nearest_in_hull(corners: Floats, shares: Floats) -> None:
+    """Change the shares (n, c) of corners (n, c, k) to those of the point nearest to 0.
+
+    The last corner has the share 0 yet, as the free places, which are 0.
+    """
+    count = shares.shape[1]
+    used = np.any(corners, axis=2)
+    rows = np.arange(len(shares))
+    for _ in range(count):
+        if not len(rows):
+            break
+        inside, old = used[rows], shares[rows]
+        products = corners[rows] @ corners[rows].transpose(0, 2, 1) + 1e-13 * np.eye(count)
+        products += np.where(inside, 0.0, 1.0)[:, None] * np.eye(count)
+        new = np.linalg.solve(products, inside[..., None] * 1.0)[..., 0]
+        new = np.where(inside, new / new.sum(axis=1, keepdims=True), 0.0)
+        bad = inside & (new <= 1e-12)
+        steps = np.where(bad, old / np.where(bad & (old > new), old - new, 1.0), 1.0)
+        step = steps.min(axis=1, keepdims=True)
+        moved = old + step * (new - old)
+        leaving = bad & (steps <= step)
+        moved[leaving] = 0.0
+        used[rows] &= ~leaving
+        corners[rows] *= used[rows][..., None]
+        shares[rows] = moved / moved.sum(axis=1, keepdims=True)
+        rows = rows[bad.any(axis=1)]
 
 
 @np.errstate(all="ignore")  # what is not finite proves nothing
@@ -97,18 +176,21 @@ class _Cones:
     """
 
     def __init__(self, q: Questions, cones: Floats) -> None:
-        self.q, self.start = q, cones[:, :, 0]
-        motions = cones[:, :, 1:].transpose(0, 2, 1)
-        spread, slips = q.spread @ np.abs(motions), q.tangent @ motions
-        sizes = 10 * UNIT * (np.abs(q.normal) @ np.abs(motions))
+        self.load, self.normal, self.tangent = q.load, q.normal, q.tangents[:, :, 0]
+        self.friction, self.spread = q.friction, q.tilt[..., None] * q.reach
+        self.start, motions = cones[:, :, 0], cones[:, :, 1:].transpose(0, 2, 1)
+        sizes, slips = np.abs(motions), self.tangent @ motions
+        # What is exactly 0 stays so.
+        unsure, error = (
+            (self.spread + ROUNDING * np.abs(row)) @ sizes for row in (self.tangent, self.normal)
+        )
         push = q.preload[:, :, None] * self.start[:, None, :]
         force = push - q.stiffness[:, :, None] * (q.normal @ motions)
-        error = q.stiffness[:, :, None] * (spread + sizes) + 10 * UNIT * push
+        error = q.stiffness[:, :, None] * error + ROUNDING * push
         self.low = (force - error).transpose(0, 2, 1)
         self.high = (force + error).transpose(0, 2, 1)
         self.on: Booleans = np.all(self.low >= 0, axis=1)
         self.off: Booleans = np.all(self.high <= 0, axis=1)
-        unsure = spread + 10 * UNIT * (np.abs(q.tangent) @ np.abs(motions))
         self.slip = (slips > unsure).all(axis=2) * 1.0 - (slips < -unsure).all(axis=2)
         self.pressed, self.loose = np.maximum(self.high, 0.0), ~(self.on | self.off)
         self.scale = 1 / (
@@ -118,7 +200,7 @@ class _Cones:
     def take(self, rows: Any) -> _Cones:
         part = object.__new__(_Cones)
         for name, value in vars(self).items():
-            setattr(part, name, value.take(rows) if name == "q" else value[rows])
+            setattr(part, name, value[rows])
         return part
 
     def closed(self, motion: Floats) -> tuple[Booleans, Floats]:
@@ -147,10 +229,10 @@ class _Cones:
 
     def works(self, motion: Floats) -> tuple[Booleans, Floats]:
         """Return which virtual motions close, and a sum of wrenches with the least work."""
-        q, m = self.q, self.on.shape[1]
-        normal, slip = along(q.normal, motion), along(q.tangent, motion)
+        m = self.on.shape[1]
+        normal, slip = along(self.normal, motion), along(self.tangent, motion)
         side = np.where(self.slip != 0, self.slip, np.sign(slip))
-        kappa = normal - q.friction * side * slip
+        kappa = normal - self.friction * side * slip
         weights = self.pressed * (self.on | self.loose & (kappa < 0))[:, None]
         # At infinity something must press: the load does not count there.
         idle = (self.start == 0) & (weights @ np.ones(m) == 0)
@@ -160,15 +242,15 @@ class _Cones:
             k = values.argmin(axis=1)
             weights[i, j, k] = self.pressed[i, j, k]
             idle[i, j] = self.pressed[i, j, k] == 0
-        load = along(q.load[:, None], motion)
+        load = along(self.load[:, None], motion)
         work = ((weights @ kappa[..., None])[..., 0] + self.start * load) * self.scale
         work[idle] = np.inf
         rows, j = np.arange(len(work)), work.argmin(axis=1)
         works = work[rows, j] >= 0
         near = np.flatnonzero(works)
         works[near] = self.take(near).hold(kappa[near], motion[near])
-        edges = q.normal - (q.friction * side)[..., None] * q.tangent
-        sums = (weights[rows, j][:, None] @ edges)[:, 0] + self.start[rows, j][:, None] * q.load
+        edges = self.normal - (self.friction * side)[..., None] * self.tangent
+        sums = (weights[rows, j][:, None] @ edges)[:, 0] + self.start[rows, j][:, None] * self.load
         return works, sums * self.scale[rows, j][:, None]
 
     def hold(self, kappa: Floats, motion: Floats) -> Booleans:
@@ -177,15 +259,16 @@ class _Cones:
         Args:
             kappa: (n, m), the support of the contacts as computed.
         """
-        q, size = self.q, np.abs(motion)
-        doubt = q.spread + 10 * UNIT * (
-            np.abs(q.normal) + q.friction[..., None] * np.abs(q.tangent)
-        )
-        low = (kappa - (1 + q.friction) * along(doubt, size))[:, None]
-        pressing = np.minimum(low * self.low, low * self.high)
-        terms = np.where(self.on[:, None], pressing, np.minimum(low, 0.0) * self.pressed)
-        total = terms.sum(axis=2) + self.start * along(q.load[:, None], motion)
-        sizes = np.abs(terms).sum(axis=2) + self.start * along(np.abs(q.load)[:, None], size)
+        size = np.abs(motion)
+        rubs = self.friction[..., None]
+        doubt = (1 + rubs) * self.spread
+        doubt = doubt + ROUNDING * (np.abs(self.normal) + rubs * np.abs(self.tangent))
+        low = kappa - along(doubt, size)
+        pressing = np.minimum(low[:, None] * self.low, low[:, None] * self.high)
+        loose = np.minimum(low, 0.0)[:, None] * self.pressed
+        terms = np.where(self.on[:, None], pressing, loose)
+        total = terms.sum(axis=2) + self.start * along(self.load[:, None], motion)
+        sizes = np.abs(terms).sum(axis=2) + self.start * along(np.abs(self.load)[:, None], size)
         total -= (terms.shape[2] + 10) * UNIT * sizes
         holds: Booleans = np.all(np.where(self.start > 0, total > 0, total >= 0), axis=1)
         return holds

@@ -188,7 +188,7 @@ def each_line(
     ask_contacts(text.count("\n"))
     parts: list[tuple[Any, Any, dict[str, Any]]] = []
     extras: list[dict[str, Fraction]] = []
-    for line, row in _rows(text):
+    for line, row in table_rows(text, check_header):
         try:
             if _ANGLE in row:
                 normal = direction_of(rational(row[_ANGLE], _ANGLE))
@@ -208,15 +208,17 @@ def _together(parts: list[tuple[Any, Any, dict[str, Any]]], convert: Any) -> Con
     return found
 
 
-def _rows(text: str) -> Iterator[tuple[int, dict[str, str]]]:
-    """Yield line numbers and entries by column."""
+def table_rows(
+    text: str, check: Callable[[list[str]], None]
+) -> Iterator[tuple[int, dict[str, str]]]:
+    """Yield line numbers and entries by column, whose names a function may refuse."""
     lines = ["" if line.lstrip().startswith("#") else line for line in io.StringIO(text)]
     first = next(filter(str.strip, lines), "")
     reader = csv.reader(lines, delimiter=max(_SEPARATORS, key=first.count), strict=True)
     try:
         rows = (row for row in reader if any(map(str.strip, row)))
         header = [_SHORT.get(name.strip(), name.strip()) for name in next(rows, [])]
-        _check_header(header)
+        check(header)
         for row in rows:
             if len(row) != len(header):
                 raise GraspError(
@@ -227,8 +229,12 @@ def _rows(text: str) -> Iterator[tuple[int, dict[str, str]]]:
         raise GraspError(f"line {reader.line_num}: {error}") from None
 
 
-def _check_header(header: list[str]) -> None:
-    """Refuse missing, unknown and repeated columns."""
+def check_header(header: list[str], keys: tuple[str, ...] = ()) -> None:
+    """Refuse missing, unknown and repeated columns.
+
+    Args:
+        keys: that lines may have in a table of many grasps, which has floats alone.
+    """
     in_space = any(name in header for name in _IN_SPACE)
     required: tuple[str, ...] = (*_REQUIRED, *_IN_SPACE) if in_space else _REQUIRED
     if _ANGLE in header:
@@ -244,9 +250,11 @@ def _check_header(header: list[str]) -> None:
             f"the first line must name the columns {', '.join(required)}{where}; {missing[0]} is "
             "missing"
         )
+    allowed = (*keys, *_REQUIRED, *_IN_SPACE, *VALUES[1:]) if keys else _KNOWN
     for name in header:
-        if name not in _KNOWN:
-            known = ", ".join(_KNOWN)
-            raise GraspError(f"the column {shown(name)} is unknown; expected one of {known}")
+        if name not in allowed:
+            raise GraspError(
+                f"the column {shown(name)} is unknown; expected one of {', '.join(allowed)}"
+            )
         if header.count(name) > 1:
             raise GraspError(f"the column {name} appears twice; keep one")
