@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
-from importlib.resources import files
 from random import Random
 from typing import Any
 
@@ -63,39 +61,24 @@ from proofs_check.statements.statement import (
     View,
 )
 
-
-@cache
-def _document() -> dict[str, Any]:
-    return tomllib.loads(files(__package__).joinpath("claims.toml").read_text(encoding="utf-8"))
-
-
-def paper() -> dict[str, str]:
-    """Return title and source of the paper that the claims are about."""
-    return {"title": _text(_document()["title"]), "about": _text(_document()["source"])}
+from . import entries, plain
 
 
 @cache
 def words() -> Mapping[str, Mapping[str, Any]]:
     """Return what is said of each claim, by its id, in the order of the paper."""
-    found = {}
-    for number, title in _document()["sections"].items():
-        heading = title if number == "beyond" else f"{number}. {title}"
-        for id, said in _document()[number].items():
-            found[id] = {key: _value(key, value) for key, value in said.items()}
-            found[id]["section"] = heading
-    return found
+    return {
+        id: {**{key: _value(key, value) for key, value in said.items()}, "section": heading}
+        for heading, id, said in entries()
+    }
 
 
 def _value(key: str, value: Any) -> Any:
     if key in _READ:
         return _READ[key](value)
     if isinstance(value, str):
-        return _text(value)
-    return tuple(map(_text, value)) if isinstance(value, list) else value
-
-
-def _text(value: str) -> str:
-    return " ".join(value.split())
+        return plain(value)
+    return tuple(map(plain, value)) if isinstance(value, list) else value
 
 
 def _view(view: Mapping[str, Any]) -> View:
@@ -103,7 +86,7 @@ def _view(view: Mapping[str, Any]) -> View:
     instance = dict(view.get("instance", {}))
     if "grasp" in instance:
         instance = {**read_grasp(instance.pop("grasp")).to_dict(), **instance}
-    return View(**{**view, "caption": _text(view["caption"]), "instance": instance or None})
+    return View(**{**view, "caption": plain(view["caption"]), "instance": instance or None})
 
 
 _READ: dict[str, Callable[[Any], Any]] = {

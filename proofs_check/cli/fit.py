@@ -18,7 +18,7 @@ from proofs_check.own_claims.fit import (
 from proofs_check.reports.report import plain
 from proofs_check.reports.text import table, value_text
 
-from .run import width
+from .listing import width
 
 
 def run_fit(arguments: argparse.Namespace) -> int:

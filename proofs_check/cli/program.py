@@ -86,14 +86,18 @@ def _parser() -> Parser:
             heading="common",
         )
     )
-    listed = command("list", "run.list_claims", "list claims, or describe one", heading="common")
+    listed = command(
+        "list", "listing.list_claims", "list claims, or describe one", heading="common"
+    )
     listed.add_argument(
         "source",
         nargs="?",
         metavar="ID|FILE.py",
         help="a claim to describe, or a file (default: the claims of the paper)",
     )
-    new = command("new", "run.new_file", "write a file of claims to start from", heading="common")
+    new = command(
+        "new", "listing.new_file", "write a file of claims to start from", heading="common"
+    )
     new.add_argument("name", metavar="NAME", help="of the file; .py is added")
     new.add_argument(
         "--example",
@@ -177,9 +181,9 @@ def _parser() -> Parser:
 
 def _claims() -> list[str]:
     """Return the ids of the claims of the paper."""
-    from proofs_check.claims import registry
+    from proofs_check.claims import entries
 
-    return [claim.id for claim in registry()]
+    return [id for _, id, _ in entries()]
 
 
 def _later(function: str) -> Callable[[argparse.Namespace], int]:

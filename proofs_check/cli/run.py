@@ -1,16 +1,13 @@
-"""The commands list, run, try and new: claims of the paper and of files."""
+"""The commands run and try: claims of the paper and of files."""
 
 from __future__ import annotations
 
 import argparse
 import json
 import shlex
-import shutil
 import sys
-import textwrap
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
-from importlib.resources import files
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -27,6 +24,7 @@ from proofs_check.statements.evidence import evaluate
 from proofs_check.statements.statement import Claim, Kind, Route
 
 from . import printed
+from .listing import width
 
 
 class _Request(NamedTuple):
@@ -50,52 +48,6 @@ def _asked(names: Iterable[str], arguments: argparse.Namespace) -> _Request:
     options = (arguments.seed, arguments.samples, arguments.classes)
     large, verified = (getattr(arguments, option, False) for option in ("large", "verified"))
     return _Request(tuple(dict.fromkeys(names)), *options, large, verified)
-
-
-def list_claims(arguments: argparse.Namespace) -> int:
-    """List the claims of the paper or of a file, or describe one claim."""
-    file, id = claim_file.split(arguments.source) if arguments.source else (None, "")
-    if id:
-        found = claim_file.named(arguments.source)[0] if file else claims.registry()[id]
-        if arguments.json:
-            terminal.print_json(report.claim_record(found))
-        else:
-            print(_described(found, width()))
-        return terminal.YES
-    known = list(claim_file.named(arguments.source) if file else claims.registry())
-    if arguments.json:
-        terminal.print_json({"claims": [report.claim_record(claim) for claim in known]})
-    else:
-        rows = [(claim.id, claim.locator, claim.statement) for claim in known]
-        print("\n".join(text.table(rows, width())))
-    return terminal.YES
-
-
-def _described(claim: Claim, width: int) -> str:
-    entries = [
-        ("id", claim.id),
-        ("locator", claim.locator),
-        ("statement", claim.statement),
-        *(("hypothesis", entry) for entry in claim.hypotheses),
-        ("quantity", claim.quantity),
-        *((f"computed {i}", route.name) for i, route in enumerate(claim.routes, 1)),
-        *(("evidence", f"{source.kind.value}: {source.over}") for source in claim.sources),
-        ("expected", claim.expected.value),
-        ("holds when", claim.hypothesis.text if claim.hypothesis else ""),
-        ("meaning", claim.meaning),
-        *(("proved", text.badge_text(badge)) for badge in report.badges(claim)),
-        (
-            "in prose",
-            claim.prose or ("" if claim.theorems or not claim.proof else "the whole proof"),
-        ),
-    ]
-    lines = []
-    for name, entry in entries:
-        if entry:
-            lines += textwrap.wrap(f"{name:<12}{entry}", width, subsequent_indent=" " * 12)
-    if claim.theorems:
-        lines += ["in Coq (docs, Formal verification):", *map(report.theorem, claim.theorems)]
-    return "\n".join(lines)
 
 
 def run_claims(arguments: argparse.Namespace) -> int:
@@ -185,26 +137,6 @@ def _about(asked: _Request) -> dict[str, str]:
         title = claim_file.heading(file).rstrip(".") or Path(file).name
         return {"title": title, "about": ", ".join(names), "command": command}
     return {**claims.paper(), "command": command}
-
-
-def new_file(arguments: argparse.Namespace) -> int:
-    """Write a file with two claims to begin with, or an example; refuse to replace a file."""
-    path = Path(arguments.name)
-    if not path.name:
-        raise OwnClaimError(f"{path} names no file; give a name such as mypaper")
-    path = path if path.suffix == ".py" else path.with_name(f"{path.name}.py")
-    if path.exists():
-        raise OwnClaimError(f"{path} is there already; choose another name")
-    example = files("proofs_check.examples").joinpath(f"{arguments.example}.py")
-    begun = example.read_text(encoding="utf-8")
-    write_text_atomically(path, begun.replace("FILE.py", str(path)))
-    if arguments.json:
-        terminal.print_json({"output": str(path)})
-    else:
-        print(
-            f"{path} is written; check its claims with: proofs-check run {shlex.quote(str(path))}"
-        )
-    return terminal.YES
 
 
 def _results(
@@ -316,8 +248,3 @@ def _save(found: dict[str, Any], folder: str) -> str:
         raise OwnClaimError(f"cannot make the folder {folder}: {error.strerror}") from None
     write_text_atomically(target, json.dumps(content, indent=1) + "\n")
     return str(target)
-
-
-def width() -> int:
-    """Return the width to write for: of the terminal, at least 60 characters, at most 160."""
-    return min(max(shutil.get_terminal_size((110, 24)).columns, 60), 160)

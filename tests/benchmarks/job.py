@@ -452,18 +452,26 @@ def sign_vectors_topes(planes: int) -> Work:
     return lambda: len(OrientedMatroid(columns).topes())
 
 
-#: The public functions above, and the questions over fields.
-JOBS: dict[str, Callable[[int], Work]] = {
-    name: job
-    for name, job in list(globals().items())
-    if name.islower()
-    and name[0] != "_"
-    and getattr(job, "__annotations__", {}).get("return") == Work
-} | {
-    f"{question} {square}": partial(_asked, question, square)
-    for question in FIELD_QUESTIONS
-    for square in (0, 5)
-}
+#: The public functions above, the questions over fields, and many grasps.
+JOBS: dict[str, Callable[[int], Work]] = (
+    {
+        name: job
+        for name, job in list(globals().items())
+        if name.islower()
+        and name[0] != "_"
+        and getattr(job, "__annotations__", {}).get("return") == Work
+    }
+    | {
+        f"{question} {square}": partial(_asked, question, square)
+        for question in FIELD_QUESTIONS
+        for square in (0, 5)
+    }
+    | {
+        f"grasps_in_{place}{way}": partial(_many_grasps, dimension, bool(way))
+        for place, dimension in (("the_plane", 2), ("space", 3))
+        for way in ("", "_alone")
+    }
+)
 
 
 def measure(work: Work, budget: float = 5.0, most: int = 15) -> dict[str, float]:

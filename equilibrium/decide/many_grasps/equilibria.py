@@ -151,7 +151,7 @@ def _exists_near(q: Questions, motion: Floats, eps: Floats) -> Booleans:
     exists = np.zeros(len(q), dtype=bool)
     few = np.flatnonzero(np.count_nonzero(sticks, axis=1) <= _MAX_STICKING)
     if len(few):
-        part = _States(q.take(few), on[few], sticks[few])
+        part = _FixedStates(q.take(few), on[few], sticks[few])
         exists[few] = part.hold(motion[few], (share[..., None] * ratio)[few])
     rest = np.flatnonzero(~exists & np.any(q.preload > 0, axis=1))
     if len(rest):
@@ -165,7 +165,7 @@ def _length(vectors: Floats) -> Floats:
     return lengths
 
 
-class _States:
+class _FixedStates:
     """The equations and inequalities of given contact states.
 
     Attributes:
