@@ -110,7 +110,7 @@ def test_grasps_in_space_read(files, capsys):
         (["more.npz", "--weight", "1"], "more.npz has the array 'extra'"),
         (["letters.csv", "--weight", "1"], "line 2: x is 'left'"),
         (["grasps.csv", "--wrenches", "half.csv"], "half.csv has 0 loads of the grasp 'b, 2'"),
-        (["grasps.csv", "--wrenches", "third.csv"], "loads of 'c', which is no grasp"),
+        (["grasps.csv", "--wrenches", "third.csv"], "loads of 'c'; expected names of grasps"),
     ],
 )
 def test_bad_files_refused(words, message, files, capsys):

@@ -95,7 +95,7 @@ def read_loads(path: str, names: Sequence[str]) -> Floats:
                 "expected as many of each grasp"
             )
     if unknown := [name for name in tables if name not in set(names)]:
-        raise GraspError(f"{path} has loads of {shown(unknown[0])}, which is no grasp of the file")
+        raise GraspError(f"{path} has loads of {shown(unknown[0])}; expected names of grasps")
     return np.array([tables[name] for name in names])
 
 
