@@ -221,6 +221,6 @@ def write(
 def _skip_docstrings() -> None:
     """Keep matplotlib from writing the docstrings of its classes, a fifth of its import's time."""
     with suppress(ImportError):
-        from matplotlib import artist
+        from matplotlib import artist as artists
 
-        artist.kwdoc = lambda _: ""
+        artists.kwdoc = lambda artist: ""
