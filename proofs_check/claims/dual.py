@@ -49,10 +49,23 @@ def _rank_three(rng: random.Random) -> Iterator[Case]:
 
 
 def _planar_by_networkx(planes: Arrangement) -> tuple[bool, bool]:
-    graph = nx.Graph([tuple(edge) for edge in _faces_graph(planes).edges])
-    graph.add_nodes_from(_faces_graph(planes).vertices)
+    found = _faces_graph(planes)
+    numbers = {vertex: k for k, vertex in enumerate(found.vertices)}
+    graph = nx.Graph([[numbers[vertex] for vertex in edge] for edge in found.edges])
+    graph.add_nodes_from(numbers.values())
     planar, _ = nx.check_planarity(graph)
-    return bool(planar), len(graph) > 3 and nx.node_connectivity(graph) >= 3
+    return bool(planar), len(graph) > 3 and all(
+        _biconnected_without(graph, vertex) for vertex in list(graph)
+    )
+
+
+def _biconnected_without(graph: nx.Graph, vertex: int) -> bool:
+    near = list(graph[vertex])
+    graph.remove_node(vertex)
+    try:
+        return bool(nx.is_biconnected(graph))
+    finally:
+        graph.add_edges_from((vertex, other) for other in near)
 
 
 def _planar_by_sphere(planes: Arrangement) -> tuple[bool, bool]:

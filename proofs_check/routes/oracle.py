@@ -34,14 +34,23 @@ def project(
     Returns:
         The inequalities that remain, or None when there is no solution.
     """
-    rows = [_whole(row) for row in inequalities]
     left = [_whole(row) for row in equalities]
-    variables = range(len([*left, *rows][0]) - 1 if left or rows else 0)
+    variables = range(len([*left, *inequalities][0]) - 1 if left or inequalities else 0)
+    pivots = []
     for j in variables:
         pivot = next((row for row in left if row[j]), None) if j != keep else None
         if pivot is not None:
             left = [_cancelled(row, pivot, j) for row in left if row is not pivot]
-            rows = [_cancelled(row, pivot, j) for row in rows]
+            pivots.append((j, pivot))
+    rows = []
+    for inequality in inequalities:
+        row = _whole(inequality)
+        for j, pivot in pivots:
+            row = _cancelled(row, pivot, j)
+        if any(row[:-1]):
+            rows.append(row)
+        elif row[-1] < 0:
+            return None
     rows += [way for row in left for way in (row, tuple([-x for x in row]))]
     for j in variables:
         if j != keep:
@@ -74,6 +83,8 @@ def _cancelled(row: Whole, pivot: Whole, j: int) -> Whole:
 def _whole(row: Sequence[Fraction | int]) -> Whole:
     """Return a positive multiple with coprime integer entries."""
     scale = math.lcm(*[x.denominator for x in row])
+    if scale == 1:
+        return _reduced([x.numerator for x in row])
     return _reduced([x.numerator * (scale // x.denominator) for x in row])
 
 
