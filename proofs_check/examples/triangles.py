@@ -25,7 +25,7 @@ def triangles(dual: DualPolyhedron) -> int:
     hypotheses=["at least four planes", "general position"],
     classes=7,
     planes=(4, 7),
-    samples=50,
+    samples=20,
     expected="refuted",
 )
 def twice_as_many_triangles(dual: DualPolyhedron) -> bool | str:
@@ -40,7 +40,7 @@ def twice_as_many_triangles(dual: DualPolyhedron) -> bool | str:
     when=lambda dual: dual.arrangement.is_simple,
     hypotheses=["general position"],
     classes=7,
-    samples=50,
+    samples=20,
     locator="F. Levi, 1926",
 )
 def at_least_twice_as_many_triangles(dual: DualPolyhedron) -> bool | str:

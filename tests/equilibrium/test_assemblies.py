@@ -117,7 +117,7 @@ class TestBruteForce:
             self.agree(seed, 4)
 
     @pytest.mark.slow
-    @pytest.mark.parametrize("seeds", [range(200 * k, 200 * k + 200) for k in range(3)], ids=str)
+    @pytest.mark.parametrize("seeds", [range(200 * k, 200 * k + 200) for k in range(2)], ids=str)
     def test_many_random_assemblies_agree(self, seeds):
         for seed in seeds:
             self.agree(1000 + seed, 4)
@@ -198,12 +198,12 @@ class TestPlane:
         assert solve(both, loads).verdict == alone
 
     def test_one_body_is_the_planar_question(self):
-        for k, (grasp, wrench) in enumerate(self.questions(25)):
+        for k, (grasp, wrench) in enumerate(self.questions(12)):
             self.agrees(grasp, wrench, k % 2)
 
     @pytest.mark.slow
-    def test_one_body_is_the_planar_question_200_times(self):
-        for k, (grasp, wrench) in enumerate(self.questions(200)):
+    def test_one_body_is_the_planar_question_100_times(self):
+        for k, (grasp, wrench) in enumerate(self.questions(100)):
             self.agrees(grasp, wrench, k % 2)
 
 
@@ -363,11 +363,11 @@ class TestForged:
                     assert len(one.assembly) != len(other.assembly)
 
     def test_forged_certificates_are_refused(self):
-        self.refused(20)
+        self.refused(8)
 
     @pytest.mark.slow
-    def test_forged_certificates_are_refused_200_times(self):
-        self.refused(200)
+    def test_forged_certificates_are_refused_100_times(self):
+        self.refused(100)
 
     def test_yes_turned_into_no_is_no_certificate(self):
         proof = solve(STACK, WEIGHTS).proof

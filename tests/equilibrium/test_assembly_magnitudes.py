@@ -140,7 +140,7 @@ class TestBruteForce:
         self.agree(range(15))
 
     @pytest.mark.slow
-    @pytest.mark.parametrize("seeds", [range(k, k + 25) for k in range(1000, 1100, 25)], ids=str)
+    @pytest.mark.parametrize("seeds", [range(k, k + 25) for k in range(1000, 1050, 25)], ids=str)
     def test_many_random_assemblies_agree(self, seeds):
         self.agree(seeds)
 

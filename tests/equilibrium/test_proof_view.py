@@ -52,7 +52,7 @@ def meets(part: ClosedPart, touches: Sequence[Touch], motion: Sequence[Fraction]
     return True
 
 
-@settings(max_examples=8)
+@settings(max_examples=4)
 @given(st.integers(0, 10**6), st.booleans())
 def test_contact_work_bounded_for_any_friction(seed, slow):
     verdict, source = refuted(seed), Random(seed)

@@ -225,7 +225,7 @@ def test_wrong_question_to_contains_is_refused():
         piece.contains((0, 0, 0), [(0, 0)])
 
 
-CHUNK = 15
+CHUNK = 8
 
 
 @pytest.mark.parametrize(
