@@ -183,6 +183,10 @@ class TestPolygons:
         with pytest.raises(GraspError, match="a and b overlap"):
             Assembly.from_polygons({"a": box(0, 0), "b": other}, 1)
 
+    def test_small_boxes_touch(self):
+        boxes = {name: box(x, 0, "1/4", "1/4") for name, x in (("a", 0), ("b", "1/4"))}
+        assert len(Assembly.from_polygons(boxes, 1).contacts) == 2
+
     def test_overlap_with_the_ground_is_named(self):
         with pytest.raises(GraspError, match="a and the ground overlap"):
             Assembly.from_polygons({"a": box(0, "-1/2")}, 1, ground=[FLOOR])
