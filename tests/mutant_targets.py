@@ -313,7 +313,10 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_space_checker.py",
     ): ("equilibrium.model.solution",),
     ("tests/equilibrium/test_rows.py",): ("equilibrium.model.rows",),
-    ("tests/equilibrium/test_assembly_magnitudes.py",): (
+    (
+        "tests/equilibrium/test_assembly_magnitudes.py",
+        "tests/equilibrium/test_assemblies.py::TestEquilibria",
+    ): (
         "equilibrium.decide.assemblies.contact_program",
         "equilibrium.decide.assemblies.magnitudes",
         "proofs_check.routes.bodies",

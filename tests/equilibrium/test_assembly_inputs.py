@@ -186,6 +186,8 @@ class TestPolygons:
     def test_small_boxes_touch(self):
         boxes = {name: box(x, 0, "1/4", "1/4") for name, x in (("a", 0), ("b", "1/4"))}
         assert len(Assembly.from_polygons(boxes, 1).contacts) == 2
+        with pytest.raises(GraspError, match="a and b overlap"):
+            Assembly.from_polygons({**boxes, "b": boxes["a"]}, 1)
 
     def test_overlap_with_the_ground_is_named(self):
         with pytest.raises(GraspError, match="a and the ground overlap"):
