@@ -10,7 +10,6 @@ import argparse
 import re
 import textwrap
 from collections.abc import Collection, Iterator, Mapping
-from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from shutil import get_terminal_size
@@ -210,17 +209,8 @@ def write(
     arguments: argparse.Namespace, drawings: Drawings, subject: Any, options: Mapping[str, Any]
 ) -> int:
     """Write the file, and with ``--json`` say what it is."""
-    _skip_docstrings()
     model = getattr(arguments, "model", None)
     written = drawings.write(subject, arguments.output, arguments.view, model, **options)
     if arguments.json:
         terminal.print_json({"output": arguments.output, **written})
     return terminal.YES
-
-
-def _skip_docstrings() -> None:
-    """Keep matplotlib from writing the docstrings of its classes, a fifth of its import's time."""
-    with suppress(ImportError):
-        from matplotlib import artist as artists
-
-        artists.kwdoc = lambda artist: ""
