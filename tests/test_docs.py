@@ -320,7 +320,11 @@ LIMITS = {
         "arrangement.library.files.others.chirotope:MOST_ELEMENTS",
         "proofs_check.course.printed_table:MOST_PSEUDOLINES",
     ),
-    "in ``import``; a record": ("bytes of a file of many arrangements", "bytes of a record"),
+    "many grasps, or a record": (
+        "bytes of a file of many arrangements",
+        "bytes of many grasps",
+        "bytes of a record",
+    ),
     "after the other": (
         "proofs_check.sweep.sweep:MOST",
         "arrangement.console.options.values:MAX_COUNT",
