@@ -1,7 +1,9 @@
 """Files of many grasps, and ``equilibrium solve`` of them."""
 
 import csv
+import io
 import json
+import zipfile
 
 import numpy as np
 import pytest
@@ -124,3 +126,14 @@ def test_bad_files_refused(words, message, files, capsys):
     (files / "third.csv").write_text('grasp,f_x,f_y,tau\na,0,0,0\n"b, 2",0,0,0\nc,0,0,0\n')
     assert solved(*words) == 2
     assert message in capsys.readouterr().err.splitlines()[-1]
+
+
+@pytest.mark.parametrize("count", [10**13, 10**30])
+def test_array_larger_than_its_file_refused(files, count, capsys):
+    header = io.BytesIO()
+    shape = {"descr": "<f8", "fortran_order": False, "shape": (count, 2, 2)}
+    np.lib.format.write_array_header_1_0(header, shape)
+    with zipfile.ZipFile("large.npz", "w") as archive:
+        archive.writestr("points.npy", header.getvalue())
+    assert solved("large.npz", "--weight", "1") == 2
+    assert "an array claims more than is in the file" in capsys.readouterr().err

@@ -134,6 +134,8 @@ def _read_arrays(path: str, known: Sequence[str], required: Sequence[str]) -> di
             budget.check_size(sum(x.file_size for x in archive.infolist()), _KIND, path)
         with np.load(content, allow_pickle=False) as archive:
             arrays = {name: archive[name] for name in archive.files}
+    except (OverflowError, MemoryError):
+        raise GraspError(f"{path} is damaged: an array claims more than is in the file") from None
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
         raise GraspError(f"{path} is not an NPZ file of arrays: {error}") from None
     if missing := [name for name in required if name not in arrays]:
