@@ -122,7 +122,7 @@ def test_displacements_without_stiffness_have_no_unit(capsys, tmp_path):
     assert not any(c.stiffness_given for c in pinch.with_preload(0).in_space())
 
 
-def test_checker_must_accept_a_proof_before_the_verdict_leaves(monkeypatch):
+def test_checker_must_accept_a_proof_before_the_verdict_leaves(monkeypatch, capsys):
     grasp = read_grasp(THREE)
     with monkeypatch.context() as forging:
         forging.setattr(verdicts, "proof_problem", lambda *_, **__: "forged")
@@ -135,6 +135,7 @@ def test_checker_must_accept_a_proof_before_the_verdict_leaves(monkeypatch):
         with pytest.raises(EquilibriumError, match="internal error"):
             solve(grasp, wrench)
     assert main(["solve", THREE, "--wrench", "0", "2", "0"]) == 70
+    assert capsys.readouterr().out == ""
 
 
 @pytest.mark.parametrize(("contacts", "seed"), [(2, 4), (3, 1), (3, 6)])
