@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement.errors import InputError
-from equilibrium import Contact, Grasp, GraspError, read_grasp, solve
+from equilibrium import Contact, Grasp, GraspError, read_grasp, solve, solve_many
 from equilibrium.decide import solver
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs import random_grasp, random_wrench
@@ -41,6 +41,11 @@ def test_many_loads_have_single_verdicts_and_proofs(grasp, loads, most):
         assert verdict.wrench == tuple(wrench)
         assert verdict.stable == solve(grasp, wrench, max_displacement=most).stable
         assert verdict.verify()
+
+
+def test_function_takes_wrenches_alone():
+    found = solve_many(THREE, [(0, 1, 0), (0, 2, 0)])
+    assert [verdict.stable for verdict in found] == [True, False]
 
 
 def test_processes_answer_in_order_in_the_plane_and_in_space(monkeypatch):
