@@ -110,7 +110,10 @@ ENGINES = "tests/arrangement/test_engines.py"
 INSCRIBED = "tests/arrangement/test_inscribed.py"
 TARGETS = {
     "checker": Target("equilibrium.certificate.checker", (*CHECKER, PLANES, PYRAMIDS)),
-    "leaf rule": Target("equilibrium.certificate.plane", (*CHECKER, PLANES, PYRAMIDS)),
+    "leaf rule": Target(
+        "equilibrium.certificate.plane",
+        (*CHECKER, PLANES, PYRAMIDS, "tests/equilibrium/test_proof_view.py"),
+    ),
     "law": Target(
         "equilibrium.certificate.law",
         (*CHECKER, SPACE[0], "tests/equilibrium/test_displacement.py"),
