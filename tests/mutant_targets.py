@@ -342,6 +342,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     (
         "tests/equilibrium/test_leaves.py",
         "tests/equilibrium/test_verdict.py",
+        "tests/equilibrium/test_contacts.py",
     ): ("equilibrium.plane.contacts",),
     (
         "tests/equilibrium/test_leaves.py",
