@@ -296,3 +296,15 @@ def test_assembly_of_no_body_has_no_virtual_motion():
     found = verify({**document, "wrench": {}, "tree": {"virtual_motion": {}}})
     assert not found
     assert "not above 0" in found.problem
+
+
+@pytest.mark.parametrize(("load", "kind"), [((0, -1, 0), "resisted"), ((2, -1, 0), "not resisted")])
+def test_assembly_may_be_one_body(load, kind):
+    ground = {"body_a": "box", "body_b": None, "point": [0, 0], "normal": [0, 1], "friction": "1/2"}
+    verdict = solve(
+        Assembly.from_dict({"bodies": ["box"], "contacts": [ground]}),
+        {"box": load},
+        max_displacement=10,
+    )
+    assert verdict.verdict == kind
+    assert verdict.verify()
