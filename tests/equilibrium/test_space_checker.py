@@ -225,6 +225,9 @@ def test_bounds_have_no_gap_between_whole_numbers():
     cases = {(1, 1): 2**0.5, (1, -1): 1, (-1, 1): 1, (-1, -1): -1, (0, -1): 0, (0, 0): 0}
     for (b, largest), mu, room in product(cases.items(), (F(1, 2), F(1), F(3)), range(-4, 6)):
         assert _is_below(room, b, mu, sector, ()) == (room >= mu * largest)
+    # Below 0 at the bound, -1 for (4, 3), and less than 1 in the square beyond it, 1/2 for (1, 1).
+    assert _is_below(-1, (-1, 0), F(5, 4), ((4, -3), (4, 3)), ())
+    assert not _is_below(-1, (-1, 0), F(1), ((1, -1), (1, 1)), ())
     for state in ("undecided", "detached"):
         assert broken_multipliers(state, -1, (0, 0), is_below=True)
     question = question_of(table((0, 0), friction=0, preload=0), plus(ALONG))
