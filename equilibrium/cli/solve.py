@@ -180,12 +180,20 @@ def _many(arguments: argparse.Namespace) -> int:
     return show(arguments, document, [repr(checked)[1:-1]] if arguments.output else lines, yes)
 
 
+#: Characters of a CSV file in which its header is looked for.
+_HEAD = 2**16
+
+
 def _has_many(path: str) -> bool:
     """Return whether a path is that of a file of many grasps, by its ending or its columns."""
     if not path.lower().endswith(".csv") or not Path(path).is_file():
         return path.lower().endswith(".npz")
-    with Path(path).open(encoding="utf-8", errors="replace") as lines:
-        header = next((x for x in lines if x.strip() and not x.lstrip().startswith("#")), "")
+    try:
+        with Path(path).open(encoding="utf-8", errors="replace") as stream:
+            lines = stream.read(_HEAD).splitlines()
+    except OSError:
+        return False  # what reads the grasp says why
+    header = next((x for x in lines if x.strip() and not x.lstrip().startswith("#")), "")
     return "grasp" in re.split(r"[\s,;]+", header)
 
 

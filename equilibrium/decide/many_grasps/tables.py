@@ -117,7 +117,7 @@ def _groups(path: str, check: Any) -> _Groups:
             try:
                 float(entry)
             except ValueError:
-                # Fractions, such as 1/3; what is no number is an error.
+                # Fractions, such as 1/3; anything else is an error.
                 try:
                     row[key] = repr(float(rational(entry, key)))
                 except (ValueError, OverflowError) as error:
