@@ -102,9 +102,11 @@ def missing_attribute(owner: object, name: str, synonyms: Mapping[str, str]) -> 
     what = f"{type(owner).__name__!r} object"
     if isinstance(owner, ModuleType):
         what = f"module {owner.__name__!r}"
-    near = get_close_matches(name, [one for one in dir(owner) if one[0] != "_"], 2)
-    use = synonyms.get(name, " or ".join(near))
-    hint = "" if not use or name.startswith("_") else f"; use {use}"
+    hint = ""
+    if not name.startswith("_"):  # `copy` and `pickle` look for many of these
+        near = get_close_matches(name, [one for one in dir(owner) if one[0] != "_"], 2)
+        use = synonyms.get(name, " or ".join(near))
+        hint = f"; use {use}" if use else ""
     return AttributeError(f"{what} has no attribute {name!r}{hint}", name=name)
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from functools import partial
+from functools import cache, partial
 from random import Random
 from typing import Any
 
@@ -96,9 +96,15 @@ def contact_numbers(contact: Contact) -> tuple[Fraction, ...]:
 
 def known_families(chosen: Domain) -> Iterator[Case]:
     """Yield the named instances that belong to a domain."""
-    for name, planes in _named():
+    for name, planes in _families():
         if chosen.contains(planes):
             yield Case(name, planes, planes.to_dict())
+
+
+@cache
+def _families() -> tuple[tuple[str, Arrangement], ...]:
+    """Return the families by name; what one claim lists of their faces serves the next."""
+    return tuple(_named())
 
 
 def _named() -> Iterator[tuple[str, Arrangement]]:
@@ -110,9 +116,9 @@ def _named() -> Iterator[tuple[str, Arrangement]]:
     yield "coordinate(3)", families.coordinate(3)
     yield "type_b(3)", families.type_b(3)
     yield "type_d(3)", families.type_d(3)
-    for planes, number in families.simplicial_entries():
-        if planes <= 13 and families.simplicial(planes, number).field is None:
-            yield f"simplicial({planes}, {number})", families.simplicial(planes, number)
+    for m, number in families.simplicial_entries():
+        if m <= 13 and (planes := families.simplicial(m, number)).field is None:
+            yield f"simplicial({m}, {number})", planes
     yield "threshold(3)", families.threshold(3)
     yield "resonance(3)", families.resonance(3)
     for m in range(2, 8):

@@ -5,7 +5,6 @@ import math
 import random
 from fractions import Fraction
 
-import jsonschema
 import pytest
 
 from equilibrium import (
@@ -23,6 +22,7 @@ from equilibrium.cli import main
 from equilibrium.grasps.inputs.csv_file import read_bodies
 from equilibrium.grasps.schemas import assembly_schema
 from equilibrium.grasps.textbook import stack, wedge
+from tests.schemas import validator
 
 TABLE = """body_a,body_b,x,y,angle,mu,q
 lower,,-2,0,90,1/2,1
@@ -106,7 +106,7 @@ class TestWeight:
         assert assembly.weights == {
             "t": (0, -2, -2), "d": (0, -3, -15), "o": (0, -1, -7), "none": (0, 0, 0)
         }  # fmt: skip
-        jsonschema.Draft202012Validator(assembly_schema()).validate(assembly.to_dict())
+        validator(assembly_schema()).validate(assembly.to_dict())
         assert Assembly.from_dict(assembly.to_dict()).weights == assembly.weights
 
     def test_files_without_wrench_have_the_weights(self, tmp_path, capsys):

@@ -35,6 +35,7 @@ from equilibrium.certificate.checker import MAX_DEPTH, Report, check
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
 from equilibrium.grasps.schemas import certificate_schema
 from proofs_check.routes.oracle import Touch
+from tests.schemas import validator
 
 from . import judge, oracle, trees
 from .degenerate import question
@@ -641,8 +642,8 @@ def test_no_tree_for_a_resisted_question_is_accepted(documents):
 def test_the_published_schema_is_as_strict_as_the_checker(documents):
     schema = certificate_schema()
     jsonschema.Draft202012Validator.check_schema(schema)
-    validator = jsonschema.Draft202012Validator(schema)
-    assert all(validator.is_valid(document) for document in documents[::4])
+    published = validator(schema)
+    assert all(published.is_valid(document) for document in documents[::4])
     found = Counter()
     for seed, document in enumerate(documents[::6]):
         for path, change, mutant in mutants(document, 10, seed):
@@ -655,7 +656,7 @@ def test_the_published_schema_is_as_strict_as_the_checker(documents):
                 readable, seen = False, not unseen
             found[readable] += 1
             if seen:
-                assert validator.is_valid(mutant) == readable, (path, change)
+                assert published.is_valid(mutant) == readable, (path, change)
     assert min(found.values()) > 15
 
 

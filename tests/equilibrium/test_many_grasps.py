@@ -1,5 +1,6 @@
 """Many grasps in float arrays: the same answers as one by one, and none from floats alone."""
 
+import functools
 from random import Random
 
 import numpy as np
@@ -60,7 +61,7 @@ def mixed(seed):
 
 
 def test_grasps_answered_as_one_by_one():
-    agree([mixed(seed) for seed in range(24)])
+    agree([mixed(seed) for seed in range(12)])
 
 
 @pytest.mark.slow
@@ -70,10 +71,10 @@ def test_many_grasps_answered_as_one_by_one():
 
 def test_random_grasps_mostly_screened(monkeypatch):
     monkeypatch.setattr(module, "_exactly", lambda times, task: (task[0], []))
-    grasps = [random_grasp(3 + seed % 6, seed) for seed in range(200)]
-    found, _ = checked(grasps, [[random_wrench(seed)] for seed in range(200)])
-    assert np.count_nonzero(found.screened) >= 196
-    assert 40 < np.count_nonzero(found.resisted) < 190
+    grasps = [random_grasp(3 + seed % 6, seed) for seed in range(100)]
+    found, _ = checked(grasps, [[random_wrench(seed)] for seed in range(100)])
+    assert np.count_nonzero(found.screened) >= 98
+    assert 20 < np.count_nonzero(found.resisted) < 95
 
 
 def test_loads_at_the_limit_decided_exactly():
@@ -87,13 +88,13 @@ def test_loads_at_the_limit_decided_exactly():
     )
 
 
-@pytest.mark.parametrize(("contacts", "seed"), [(3, 9), (3, 17), (4, 27)])
+@pytest.mark.parametrize(("contacts", "seed"), [(3, 9), (4, 27)])
 def test_loads_near_a_limit_never_screened_wrongly(contacts, seed):
     grasps = [random_grasp(contacts, seed)]
     direction = np.array(list(map(float, random_wrench(seed))))
     exact = ResistedSet(checked(grasps, [[direction]])[0].grasp(0))
     (_, end), *_ = exact.along(from_floats(direction)).intervals
-    times = [float(end) * (1 + side * 2.0**-k) for k in range(1, 53, 3) for side in (1, -1)]
+    times = [float(end) * (1 + side * 2.0**-k) for k in range(1, 53, 5) for side in (1, -1)]
     found, loads = checked(grasps, [np.outer(times, direction)])
     assert found.resisted[0].tolist() == exact.check(loads[0]).resisted.tolist()
     assert found.screened[0, :2].all()
@@ -101,11 +102,17 @@ def test_loads_near_a_limit_never_screened_wrongly(contacts, seed):
     assert found.exact[0, -2:].all()
 
 
+@functools.cache
+def answered():
+    """Arrays of random grasps, their loads and answers."""
+    grasps = [random_grasp(4, seed) for seed in range(16)]
+    found, loads = checked(grasps, [[random_wrench(seed)] for seed in range(16)])
+    return arrays(grasps), loads, found
+
+
 @pytest.mark.parametrize("scale", [2.0**-70, 1e-9, 3.0, 1e12])
 def test_units_do_not_matter(scale):
-    points, normals, friction, stiffness, preload = arrays([random_grasp(4, s) for s in range(30)])
-    loads = np.array([[list(map(float, random_wrench(s)))] for s in range(30)])
-    first = check_grasps(points, normals, friction, loads, preload=preload, stiffness=stiffness)
+    (points, normals, friction, stiffness, preload), loads, first = answered()
     other = check_grasps(
         points * scale,
         normals / scale,
@@ -115,7 +122,7 @@ def test_units_do_not_matter(scale):
         stiffness=stiffness / scale,
     )
     assert (first.resisted == other.resisted).all()
-    assert np.count_nonzero(other.screened) >= 28
+    assert np.count_nonzero(other.screened) >= 15
 
 
 @pytest.mark.parametrize("tiny", [5e-324, 1e-250, 1e250])
@@ -198,11 +205,11 @@ def random_in_space(seeds):
 
 
 def test_screened_grasps_in_space_answered_as_one_by_one():
-    found = agree_in_space(*random_in_space(range(24)))
-    assert np.count_nonzero(found.screened) >= 12
-    assert 4 <= np.count_nonzero(found.resisted) <= 12
-    found = agree_in_space(*degenerate_in_space(80, 1))
-    assert np.count_nonzero(found.screened) >= 40
+    found = agree_in_space(*random_in_space(range(12)))
+    assert np.count_nonzero(found.screened) >= 6
+    assert 2 <= np.count_nonzero(found.resisted) <= 6
+    found = agree_in_space(*degenerate_in_space(40, 1))
+    assert np.count_nonzero(found.screened) >= 20
     assert found.resisted.any()
 
 
@@ -241,7 +248,7 @@ def test_limit_of_work_leaves_a_load_undecided(monkeypatch):
 
 
 def test_processes_give_the_same_answers():
-    questions = [mixed(seed) for seed in range(12)]
+    questions = [mixed(seed) for seed in range(4)]
     grasps, loads = [g for g, _ in questions], [[w] for _, w in questions]
     one, two = (checked(grasps, loads, jobs=jobs)[0] for jobs in (1, 2))
     assert (one.resisted == two.resisted).all()

@@ -17,8 +17,9 @@ from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.grasps.instances import paths
 from equilibrium.grasps.schemas import certificate_schema, grasp_schema
+from tests.schemas import validator
 
-VALIDATOR = jsonschema.Draft202012Validator(grasp_schema())
+VALIDATOR = validator(grasp_schema())
 CONTACT = {"point": ["-1", 0], "normal": ["3/5", "-0.8"], "friction": "1/2"}
 SPATIAL = {"point": [0, 0, "-1"], "normal": ["3/5", 0, "0.8"], "friction": "1/2"}
 MISSING = object()
@@ -230,7 +231,7 @@ class TestOutline:
     def test_a_certificate_with_an_outline_is_refused(self):
         document = solve(self.grasp, (0, -1, 0)).certificate.to_dict()
         document["grasp"]["outline"] = self.triangle.to_dict()
-        schema = jsonschema.Draft202012Validator(certificate_schema())
+        schema = validator(certificate_schema())
         with pytest.raises(CertificateError, match="no outline"):
             check(document)
         assert not schema.is_valid(document)

@@ -12,7 +12,6 @@ from operator import attrgetter
 from random import Random
 from types import SimpleNamespace
 
-import jsonschema
 import numpy as np
 import pytest
 from scipy.optimize import linprog
@@ -38,6 +37,7 @@ from equilibrium.space.relaxation import Relaxation
 from equilibrium.space.tree import SpatialSearch
 from equilibrium.wrench_sets import spatial
 from equilibrium.wrench_sets.spatial import _bracket, _closer, spatial_magnitudes
+from tests.schemas import validator
 
 from . import degenerate, rare, sectors
 
@@ -548,7 +548,7 @@ class TestPlanes:
     def test_planar_proof_accepted_with_its_planes(self):
         proof = self.proof()
         assert check(proof)
-        assert jsonschema.Draft202012Validator(certificate_schema()).is_valid(proof)
+        assert validator(certificate_schema()).is_valid(proof)
 
     @pytest.mark.parametrize(
         ("change", "words"),

@@ -226,7 +226,9 @@ def test_every_quantity_is_the_same_in_python_claims_and_tables(name, tmp_path):
 
 
 def test_claims_of_a_file_take_lines_and_their_quantities():
-    @claim("Kobon's bound, and bounded regions are those of level 0.", of="lines", classes=5)
+    statement = "Kobon's bound, and bounded regions are those of level 0."
+
+    @claim(statement, of="lines", classes=5, samples=20)
     def kobon(lines):
         m, levels = len(lines), lines.level_vector
         assert lines.bounded_p_vector.get(3, 0) <= m * (m - 2) // 3
