@@ -29,7 +29,7 @@ from .test_robust_checker import SPATIAL
 #: Of searches in space, so that undecided questions end.
 NODES = 1000
 #: Angles of contacts on a circle, in degrees: no symmetry helps.
-ANGLES = [170, 220, 290, 350]
+ANGLES = [160, 290, 50]
 
 
 def on_round(radius=0.03, friction=0.0, **options):
@@ -47,7 +47,7 @@ class TestKept:
     def test_contacts_on_a_circle_stay_there(self, radius):
         found = on_round(radius)
         circle = kinds(found)["round"]
-        assert (circle.contacts, circle.at) == (tuple(range(4)), (0, 0))
+        assert (circle.contacts, circle.at) == ((0, 1, 2), (0, 0))
         for contact in found.grasp:
             assert contact.point == tuple(-circle.radius * x for x in contact.normal)
         assert max(found.point_errors) <= Fraction(1, 10**6)
@@ -106,7 +106,7 @@ class TestKept:
         assert read_csv(path).exact
 
     def test_other_roundings_stay_within_the_error(self):
-        found = on_round(preload=[1.0] * 4)
+        found = on_round(preload=[1.0] * 3)
         others = [other_rounding(found.grasp, seed) for seed in range(3)]
         assert len({*others, found.grasp}) == 4
         for other in others:
@@ -312,7 +312,7 @@ class TestRobust:
         wrench, source = tuple(Fraction(x) / 2 for x in most), Random(name)
         found = solve(grasp, wrench).robust(degrees=1, friction="5%", stiffness="20%")
         assert found
-        for k in range(10):
+        for k in range(6):
             ends = [lambda: source.choice([-1, 1]), lambda: source.uniform(-1, 1)][k % 2]
             shares = [[ends() for _ in range(2 * grasp.dimension + 2)] for _ in grasp]
             pairs = zip(grasp, shares, strict=True)
@@ -439,8 +439,8 @@ def became(shape, seed):
 @pytest.mark.parametrize(
     ("shape", "seeds", "undecided"),
     [
-        *((shape, range(8), 0) for shape in SHAPES[:4]),
-        *(pytest.param(shape, range(8, 14), 1, marks=pytest.mark.slow) for shape in SHAPES),
+        *((shape, range(4), 0) for shape in SHAPES[:4]),
+        *(pytest.param(shape, range(4, 12), 1, marks=pytest.mark.slow) for shape in SHAPES),
     ],
 )
 def test_converted_grasps_have_the_verdict_of_their_originals(shape, seeds, undecided):

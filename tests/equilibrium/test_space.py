@@ -300,7 +300,7 @@ class TestManyLoads:
     def test_answers_are_those_of_each_load_alone(self, pyramid):
         grasp = random_grasp(4, 5, dimension=3)
         first, second = (random_wrench(k, dimension=3, bound=1) for k in (3, 4))
-        loads = [mixed(Fraction(k, 6), first, second) for k in range(7)]
+        loads = [mixed(Fraction(k, 3), first, second) for k in range(4)]
         found = list(Solver(grasp, pyramid=pyramid).solve_many(loads))
         assert [v.verdict for v in found] == [
             solve(grasp, load, pyramid=pyramid).verdict for load in loads
@@ -490,7 +490,7 @@ def test_what_floats_leave_open_is_decided(kind, seed):
     assert decided(kind, [seed]) == 1
 
 
-@pytest.mark.parametrize("load", [(2, 1), (4, -1)])
+@pytest.mark.parametrize("load", [(2, 1), pytest.param((4, -1), marks=pytest.mark.slow)])
 def test_a_load_on_the_border_is_given_up_early(load, solved):
     """All friction goes along z only of infinite slips; less of the load has an equilibrium."""
     place, size = load
@@ -942,12 +942,12 @@ def agrees_with_all_states(contacts, seeds):
     return resisted
 
 
-MANY = [(2, range(100, 108)), (3, range(2))]
+MANY = [(2, range(100, 112)), (3, range(2))]
 
 
 @pytest.mark.parametrize(
     ("m", "seeds"),
-    [(2, range(8)), *(pytest.param(*row, marks=pytest.mark.slow) for row in MANY)],
+    [(2, range(4)), *(pytest.param(*row, marks=pytest.mark.slow) for row in MANY)],
 )
 def test_verdicts_on_pyramids_are_those_of_all_states(m, seeds):
     # No load of these on two contacts is resisted.
