@@ -1,5 +1,6 @@
 """The methods of `Arrangement`, and what answers names that it does not have."""
 
+import difflib
 import io
 
 import numpy as np
@@ -60,7 +61,9 @@ def test_missing_attributes_name_the_nearest(name, hint):
     assert hint in str(error.value)
 
 
-def test_private_names_get_no_hint():
+def test_private_names_get_no_hint(monkeypatch):
+    """And no search for one, of which every `copy.copy` would pay."""
+    monkeypatch.setattr(difflib, "get_close_matches", lambda *_: pytest.fail("searched"))
     with pytest.raises(AttributeError, match=r"'_ipython_display_'$"):
         BRAID._ipython_display_  # noqa: B018
     assert not hasattr(BRAID, "__array_interface__")

@@ -65,9 +65,9 @@ class TestTextbook:
 
     def test_arch_needs_friction(self):
         assembly, weights = known("arch-of-5")
-        friction = ResistedSet(assembly).margin(weights).friction("1/10000")
-        assert friction.low < 0.30523 < friction.low + Fraction(1, 5000)
-        assert friction.low <= friction.high <= friction.low + Fraction(1, 10**4)
+        friction = ResistedSet(assembly).margin(weights).friction("1/1000")
+        assert friction.low < 0.30523 < friction.low + Fraction(1, 500)
+        assert friction.low <= friction.high <= friction.low + Fraction(1, 1000)
 
     def test_wedge_locks_at_the_sum_of_the_friction_angles(self):
         friction = ResistedSet(wedge()[0]).margin(wedge()[1]).friction()
@@ -95,7 +95,7 @@ class TestPlane:
             grasp = grasp.with_preload(rng.choice([0, 1])) if seed % 3 else grasp
             yield grasp, *([Fraction(rng.randint(-4, 4), 4) for _ in range(3)] for _ in range(2))
 
-    def agree(self, count):
+    def agree(self, count, with_friction):
         for k, (grasp, base, direction) in enumerate(self.questions(count)):
             if not any(direction):
                 continue
@@ -107,18 +107,18 @@ class TestPlane:
             margins = plane.margin(direction), one.margin({"object": direction})
             assert margins[0].intervals == margins[1].intervals
             assert margins[0].preloads.intervals == margins[1].preloads.intervals
-            if k > 2:
+            if k >= with_friction:
                 continue
             alone, body = (margin.friction("1/8") for margin in margins)
             assert alone.high == body.high
             assert alone.low == body.low
 
     def test_one_body_has_the_magnitudes_of_the_planar_grasp(self):
-        self.agree(3)
+        self.agree(3, 1)
 
     @pytest.mark.slow
     def test_one_body_has_the_magnitudes_of_many_planar_grasps(self):
-        self.agree(30)
+        self.agree(30, 3)
 
 
 class TestBruteForce:

@@ -36,6 +36,7 @@ def fits(states: tuple[str, ...], grasp: Grasp, motion: tuple) -> bool:
     return True
 
 
+@settings(max_examples=15)
 @given(grasps(2), wrenches)
 def test_every_solution_has_listed_states(grasp, wrench):
     listed = contact_states(grasp)
@@ -50,6 +51,7 @@ def assert_every_face_has_states(grasp: Grasp) -> None:
         assert any(fits(states, grasp, face.witness) for states in listed)
 
 
+@settings(max_examples=12)
 @given(grasps(3))
 def test_every_face_has_listed_states(grasp):
     assert_every_face_has_states(grasp)
@@ -166,6 +168,7 @@ def test_most_choices_are_decided_in_floating_point(seed):
         assert assert_true(grasp, ZERO, W) > 0.7
 
 
+@settings(max_examples=10)
 @given(grasps(3), wrenches, directions)
 def test_without_floats_the_answers_are_the_same(grasp, wrench, direction):
     pieces = solve(grasp, wrench).equilibria

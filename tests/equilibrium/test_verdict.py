@@ -34,6 +34,7 @@ def test_what_is_reported_is_true_and_proved(grasp, wrench):
     assert verdict.certificate.kind == ("resisted" if verdict.stable else "not resisted")
 
 
+@settings(max_examples=12)
 @given(grasps(4), st.lists(wrenches, min_size=1, max_size=4), st.sampled_from([None, 0, 1]))
 def test_many_loads_have_single_verdicts_and_proofs(grasp, loads, most):
     found = list(Solver(grasp, max_displacement=most).solve_many(loads))
@@ -48,15 +49,12 @@ def test_function_takes_wrenches_alone():
     assert [verdict.stable for verdict in found] == [True, False]
 
 
-def test_processes_answer_in_order_in_the_plane_and_in_space(monkeypatch):
+def test_processes_answer_in_order(monkeypatch):
     monkeypatch.setattr(solver, "_START_STEPS", 0)
-    loads = [(0, Fraction(k, 40), 0) for k in range(120)]
+    loads = [(0, Fraction(k, 40), 0) for k in range(60)]
     found = list(Solver(THREE).solve_many(loads, jobs=2))
-    assert [verdict.stable for verdict in found] == [k <= 40 for k in range(120)]
+    assert [verdict.stable for verdict in found] == [k <= 40 for k in range(60)]
     assert all(verdict.verify() for verdict in found[::17])
-    spatial = [(0, y, 0, 0, 0, 0) for y in ("3/5", 100, 0)]
-    held = Solver(read_grasp("two-opposed-fingers")).solve_many(spatial, jobs=2)
-    assert [verdict.verdict for verdict in held] == ["resisted", "not resisted", "resisted"]
     with pytest.raises(InputError, match="jobs is 0; give 1 to"):
         Solver(THREE).solve_many(loads, jobs=0)
 
@@ -68,14 +66,15 @@ def test_processes_start_only_where_they_save_more(monkeypatch):
     assert Solver(THREE)._processes(100_000, 1000, 2) == 2
 
 
-def test_processes_change_no_answer(monkeypatch):
+def test_processes_change_no_answer_in_space(monkeypatch):
     monkeypatch.setattr(solver, "WRENCHES_PER_TASK", 4)
     monkeypatch.setattr(solver, "_START_STEPS", 0)
-    loads = [random_wrench(k, dimension=3) for k in range(8)]
+    loads = [(0,) * 6, *(random_wrench(k, dimension=3) for k in range(5))]
     asked = Solver(read_grasp("three-fingers-on-a-ball"))
     asked.solve(loads[-1])
     alone, shared = (list(asked.solve_many(loads, jobs=jobs)) for jobs in (1, 2))
     assert [x.verdict for x in alone] == [x.verdict for x in shared]
+    assert len({x.verdict for x in alone}) == 2
     assert [x.certificate.text for x in alone] == [x.certificate.text for x in shared]
 
 

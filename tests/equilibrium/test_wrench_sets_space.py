@@ -75,11 +75,13 @@ def test_no_condition_of_a_polyhedron_is_redundant(generating):
         assert isinstance(answer, programs.Unbounded) or answer.value + row[3] < 0
 
 
+@settings(max_examples=15)
 @given(grasps(), wrenches)
 def test_membership_is_the_verdict_of_the_solver(grasp, wrench):
     assert bool(states_with(ResistedSet(grasp).polyhedra, wrench)) == solve(grasp, wrench).stable
 
 
+@settings(max_examples=15)
 @given(grasps(most=5), directions, wrenches)
 def test_lines_through_the_polyhedra_are_the_intervals(grasp, direction, base):
     found = resisted_magnitudes(grasp, direction, base).intervals
@@ -141,7 +143,7 @@ def test_a_grasp_whose_magnitudes_have_a_gap():
 
 
 def test_gaps_of_the_example_file_are_right():
-    assert not any(any(gaps(grasp)) for grasp in small_grasps(1, seed=0, count=20))
+    assert not any(any(gaps(grasp)) for grasp in small_grasps(1, seed=0, count=8))
     grasp, (direction, intervals) = next(
         (grasp, gap) for grasp in small_grasps(3, seed=29, count=12) for gap in gaps(grasp)
     )
@@ -151,6 +153,7 @@ def test_gaps_of_the_example_file_are_right():
     assert solve(grasp, scaled(direction, ends[-1])).stable
 
 
+@settings(max_examples=15)
 @given(st.one_of(*[grasps(most=2)] * 4, grasps(least=3)), directions, wrenches)
 def test_all_states_by_brute_force(grasp, direction, base):
     found = resisted_magnitudes(grasp, direction, base).intervals
@@ -172,6 +175,7 @@ frames = st.sampled_from(
 )
 
 
+@settings(max_examples=15)
 @given(grasps(most=4), frames, wrenches)
 def test_plane_cuts_every_state_like_all_wrenches(grasp, spans, origin):
     spans = [tuple(map(Fraction, span)) for span in spans]
@@ -269,7 +273,7 @@ def test_a_cone_without_a_finite_point_is_given_up_and_no_other(rows):
         assert all(dot(row, ray) >= 0 for row in rows for ray in found[0])
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", range(6))
 def test_arrays_of_loads_are_answered_as_each_of_them(seed):
     """On small numbers many loads are on boundaries; contacts coincide or never touch."""
     source = np.random.default_rng(seed)

@@ -13,7 +13,7 @@ def question(wrench, *contacts):
     return Question(rows, tuple(map(Fraction, wrench)))
 
 
-def test_algorithm_2_has_the_expected_verdict():
+def test_claim_has_the_expected_verdict():
     """The other claims are in `tests.proofs_check.test_mutated_proofs`."""
     assert evaluate(registry()["algorithm-2-null-space"]).as_expected
 
