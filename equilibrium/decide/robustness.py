@@ -42,6 +42,9 @@ MAX_ROUNDINGS = 4
 STEPS_PER_GRASP = 30_000_000
 #: Grasps that are decided on the way to one with another verdict.
 _MAX_GRASPS_BETWEEN = 12
+#: Where so small a share of the way still turns the verdict, its limit is at the data: no share
+#: is the nearest, and each smaller one is slower to decide.
+_SMALL_SHARE = Fraction(1, 8**4)
 #: Smaller bounds that a proof is tried for, each a quarter of the last.
 _MAX_SMALLER_BOUNDS = 3
 #: Seconds that one grasp is given at least.
@@ -177,13 +180,14 @@ def _nearest(
     """Return a verdict like `turned` of a grasp near, on the straight way between the two grasps.
 
     A share of the way that turns the verdict, and one that does not, are brought together: by
-    factors of 8 as long as all turn it, then by halves. With the verdict come the largest changes
-    of a coordinate, an entry of a normal and the values, and a proof for smaller bounds, if found.
+    factors of 8 as long as all turn it, down to a small share, then by halves. With the verdict
+    come the largest changes of a coordinate, an entry of a normal and the values, and a proof for
+    smaller bounds, if found.
     """
     ends, effort = (found.grasp, turned.grasp), effort_within(deadline)
     low, high = Fraction(0), Fraction(1)
     for _ in range(_MAX_GRASPS_BETWEEN):
-        if effort.passed or 4 * low > 3 * high:
+        if effort.passed or 4 * low > 3 * high or (not low and high <= _SMALL_SHARE):
             break
         share = (low + high) / 2 if low else high / 8
         other = _soon(found, effort, _between(*ends, share), found.wrench)
