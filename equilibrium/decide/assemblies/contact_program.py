@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
-from arrangement.numbers.exact import RationalVector, dot
+from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.intervals import Interval
 from arrangement.numbers.linear.programs import Infeasible, Program
 from equilibrium.model.effort import Effort
@@ -119,6 +119,8 @@ class ContactProgram:
         self._least: list[RationalVector] = [self._row({self._t: Fraction(1)})]
         self._normal: list[_Terms] = []
         self._tangential: list[_Terms] = []
+        self._slips: list[_Terms] = []
+        self._springs: list[_Terms] = []
         pairs = zip(question.rows, states, forces, strict=True)
         for contact, state, (pressing, rubbing) in pairs:
             self._add_contact(contact, state, pressing, rubbing)
@@ -134,10 +136,9 @@ class ContactProgram:
         self, contact: ContactRow, state: str, pressing: int | None, rubbing: int | None
     ) -> None:
         question, one = self.question, Fraction(1)
-        slip = dict(enumerate(contact.tangential_wrenches[0]))
-        along = dict(enumerate(contact.normal_wrench))
-        spring: _Terms = {j: -contact.stiffness * x for j, x in along.items()}
-        spring[-1], spring[self._t] = contact.preload, question.preload_slope
+        slip, along = _sparse(contact.tangential_wrenches[0]), _sparse(contact.normal_wrench)
+        spring = _times(along, -contact.stiffness)
+        _add(spring, {-1: contact.preload, self._t: question.preload_slope})
         normal = spring if pressing is None else {pressing: one}
         tangential: _Terms = {} if rubbing is None else {rubbing: one}
         low, high = question.coefficients(contact)
@@ -166,6 +167,8 @@ class ContactProgram:
                 self._equal.append(self._row(slip))
         self._normal.append(normal)
         self._tangential.append(tangential)
+        self._slips.append(slip)
+        self._springs.append(spring)
 
     def _bounded(self, terms: _Terms, most: _Terms) -> None:
         """Add that the size of an expression is at most another one."""
@@ -211,29 +214,32 @@ class ContactProgram:
 
     def solution(self) -> Solution | None:
         """Return the solution that the last program ended with; None if there is none."""
-        found = self._program.point()
-        if isinstance(found, Infeasible):
+        if (point := self._point()) is None:
             return None
-        point = (*found, Fraction(1))
         pairs = zip(self._normal, self._tangential, strict=True)
         forces = tuple(tuple(_value(terms, point) for terms in pair) for pair in pairs)
-        return Solution(found[: self.question.rows.n], forces)
+        return Solution(point[: self.question.rows.n], forces)
+
+    def _point(self) -> RationalVector | None:
+        """Return the unknowns that the last program ended with, and 1 as the last number."""
+        found = self._program.point()
+        return None if isinstance(found, Infeasible) else (*found, Fraction(1))
 
     def _end(self, t: Fraction) -> End:
         """Return how far each contact is from the law, and in which state it is, at a solution."""
-        solution, question = self.solution(), self.question
-        assert solution is not None
+        point, question = self._point(), self.question
+        assert point is not None
         violations, states = [], []
-        for contact, (pressed, rubbed) in zip(question.rows, solution.forces, strict=True):
-            slip = dot(contact.tangential_wrenches[0], solution.motion)
+        terms = zip(self._normal, self._tangential, self._slips, self._springs, strict=True)
+        for contact, values in zip(question.rows, terms, strict=True):
+            pressed, rubbed, slip, spring = (_value(one, point) for one in values)
             least, most = question.coefficients(contact)
             opposed = -rubbed if slip > 0 else rubbed
             missed = max(Fraction(0), least * pressed - opposed) if slip else Fraction(0)
             if slip and most is not None:
                 missed = max(missed, opposed - most * pressed)
-            preload = contact.preload + t * question.preload_slope
-            spring = preload - contact.stiffness * dot(contact.normal_wrench, solution.motion)
-            rub, lift = min(contact.stiffness * abs(slip), missed), pressed - max(spring, 0)
+            rub = min(contact.stiffness * abs(slip), missed)
+            lift = pressed - max(spring, Fraction(0))
             # Half-planes of any friction have an edge that belongs to no cone.
             edge = abs(rubbed) if most is None and not pressed else 0
             violations.append(rub + _LIFT_WEIGHT * lift + edge)
@@ -292,21 +298,27 @@ class ContactProgram:
         return [(*self.states[:i], part, *self.states[i + 1 :]) for part in parts]
 
 
-def _add(terms: _Terms, others: _Terms, factor: Fraction) -> None:
+def _sparse(row: RationalVector) -> _Terms:
+    """Return the entries of a row that are not 0: a contact of many bodies moves two."""
+    return {j: x for j, x in enumerate(row) if x}
+
+
+def _add(terms: _Terms, others: _Terms, factor: Fraction | int = 1) -> None:
     if factor:
         for j, x in others.items():
             if x:
-                terms[j] = terms[j] + factor * x if j in terms else factor * x
+                more = x if factor == 1 else factor * x
+                terms[j] = terms[j] + more if j in terms else more
 
 
 def _sum(terms: _Terms, others: _Terms, factor: Fraction | int = 1) -> _Terms:
     found = dict(terms)
-    _add(found, others, Fraction(factor))
+    _add(found, others, factor)
     return found
 
 
 def _times(terms: _Terms, factor: Fraction | int) -> _Terms:
-    return {j: factor * x for j, x in terms.items()}
+    return {j: -x if factor == -1 else factor * x for j, x in terms.items()}
 
 
 def _value(terms: _Terms, point: Sequence[Fraction]) -> Fraction:

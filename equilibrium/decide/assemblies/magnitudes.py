@@ -248,7 +248,9 @@ def _magnitudes(question: LinearQuestion) -> tuple[Interval, ...]:
                     own = ContactProgram(question, end.states, tree.effort).ends()
                     found = union([*found, (own[0].t, own[-1].t)])
             if not _covers(found, part):
-                tree.waiting += program.split(max((end.violations for end in ends), key=max))
+                # Where an end is resisted, what it violates says nothing about the other.
+                open_ = [end for end in ends if not _covers(found, (end.t, end.t))] or ends
+                tree.waiting += program.split(max((end.violations for end in open_), key=max))
     return found
 
 
