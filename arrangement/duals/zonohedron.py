@@ -21,7 +21,11 @@ import numpy.typing as npt
 from arrangement.console.number_form import ReprMixin
 from arrangement.console.writing import write_bytes_atomically
 from arrangement.drawing.solids.meshes import KINDS, ClosedSurface, model_bytes, triangles
-from arrangement.enumeration.great_circles import Incidence, sphere_arrangement
+from arrangement.enumeration.great_circles import (
+    Incidence,
+    SphereArrangement,
+    sphere_arrangement,
+)
 from arrangement.errors import ArrangementError, InputError, extra
 from arrangement.numbers.exact import (
     IntegerVector,
@@ -60,29 +64,58 @@ class DualPolyhedron(ReprMixin, VolumeMixin):
     """The zonohedron ``sum_i [-g_i, g_i]`` of an arrangement of rank 3 in R^3.
 
     Frame: the space of the normals. Vertex v belongs to a region of the arrangement, edge e to a
-    facet (one class of coincident planes separates its two regions), face f to a ray.
+    facet (one class of coincident planes separates its two regions), face f to a ray. Each part is
+    computed when it is first read.
 
     Attributes:
         arrangement: the planes.
         generators: the vectors ``g_i = lengths[i] * n_i``; those of coincident planes add up.
-        signs: (V, m) int8, the sign vector of each vertex's region, over the input planes.
-        integer_vertices: the vertices times ``generators.denominator``, integers.
-        edges: (E, 2) vertex indices.
-        edge_classes: (E,) the class of planes (index into ``arrangement.distinct``) of each edge.
-        faces: for each face its vertices in cyclic order, counter-clockwise seen from outside.
-        face_normals: for each face its outward normal, the primitive direction of its ray.
     """
 
     arrangement: Planes
     generators: Generators
-    signs: npt.NDArray[np.int8]
-    integer_vertices: tuple[IntegerVector, ...]
-    edges: npt.NDArray[np.int64]
-    edge_classes: npt.NDArray[np.int64]
-    faces: tuple[tuple[int, ...], ...]
-    face_normals: tuple[IntegerVector, ...]
 
     dimension = 3
+
+    @cached_property
+    def _sphere(self) -> SphereArrangement:
+        return sphere_arrangement(self.arrangement)
+
+    @cached_property
+    def signs(self) -> npt.NDArray[np.int8]:
+        """(V, m) int8, the sign vector of each vertex's region, over the input planes."""
+        packed = self._sphere.packed_region_signs
+        bits = np.unpackbits(packed, axis=1, count=len(self.arrangement))
+        return bits.astype(np.int8) * 2 - 1
+
+    @cached_property
+    def integer_vertices(self) -> tuple[IntegerVector, ...]:
+        """The vertices times ``generators.denominator``, integers."""
+        vectors = self.generators.vectors
+        # In machine integers if no sum can leave them.
+        kind: Any = np.int64 if largest(vectors) * len(vectors) < 2**62 else object
+        sums = self.signs.astype(kind) @ np.array(vectors, dtype=kind)
+        return tuple(map(tuple, sums.tolist()))
+
+    @cached_property
+    def edges(self) -> npt.NDArray[np.int64]:
+        """(E, 2) vertex indices."""
+        return self._sphere.incidence.region.astype(np.int64).reshape(-1, 2)
+
+    @cached_property
+    def edge_classes(self) -> npt.NDArray[np.int64]:
+        """(E,) the class of planes (index into ``arrangement.distinct``) of each edge."""
+        return self._sphere.incidence.arc_circle.astype(np.int64)
+
+    @cached_property
+    def faces(self) -> tuple[tuple[int, ...], ...]:
+        """For each face its vertices in cyclic order, counter-clockwise seen from outside."""
+        return around_rays(self._sphere.incidence)
+
+    @cached_property
+    def face_normals(self) -> tuple[IntegerVector, ...]:
+        """For each face its outward normal, the primitive direction of its ray."""
+        return tuple(map(self._sphere.ray, range(self._sphere.vertex_count)))
 
     def __repr__(self) -> str:
         v, e, f = self.f_vector
@@ -113,7 +146,7 @@ class DualPolyhedron(ReprMixin, VolumeMixin):
         import networkx as nx
 
         graph = nx.Graph()
-        graph.add_nodes_from(range(len(self.integer_vertices)))
+        graph.add_nodes_from(range(self._sphere.region_count))
         graph.add_edges_from(
             (u, v, {"plane_class": c})
             for (u, v), c in zip(self.edges.tolist(), self.edge_classes.tolist(), strict=True)
@@ -223,7 +256,7 @@ def dual_polyhedron(arrangement: Planes, lengths: Iterable[Any] | None = None) -
     Raises:
         InputError: an affine arrangement, another dimension, rank 2 (a polygon) or 1 (a segment).
 
-    Complexity: that of the incidence, plus O(V m) additions.
+    Complexity: of the vertices that of the incidence, plus O(V m) additions, at the first use.
     Source: [HaasHeger2018], section IV.A, for the dual; [Ziegler1995], section 7.3.
 
     >>> from arrangement import Arrangement
@@ -237,23 +270,7 @@ def dual_polyhedron(arrangement: Planes, lengths: Iterable[Any] | None = None) -
             f"the planes lie in R^{arrangement.dimension} and the dual polyhedron needs R^3; "
             "take arrangement.counts.essentialization(arrangement) first"
         )
-    sphere = sphere_arrangement(arrangement)
-    topology = sphere.incidence
-    bits = np.unpackbits(sphere.packed_region_signs, axis=1, count=len(arrangement))
-    signs = bits.astype(np.int8) * 2 - 1
-    # In machine integers if no sum can leave them.
-    kind: Any = np.int64 if largest(spans.vectors) * len(spans.vectors) < 2**62 else object
-    sums = signs.astype(kind) @ np.array(spans.vectors, dtype=kind)
-    return DualPolyhedron(
-        arrangement,
-        spans,
-        signs,
-        tuple(map(tuple, sums.tolist())),
-        topology.region.astype(np.int64).reshape(-1, 2),
-        topology.arc_circle.astype(np.int64),
-        around_rays(topology),
-        tuple(map(sphere.ray, range(sphere.vertex_count))),
-    )
+    return DualPolyhedron(arrangement, spans)
 
 
 def around_rays(topology: Incidence) -> tuple[tuple[int, ...], ...]:

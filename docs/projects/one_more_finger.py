@@ -16,7 +16,7 @@ WRENCH = (0, 1, 0)
     when=lambda grasp: len(grasp) > 1 and solve(Grasp(grasp.contacts[:-1]), WRENCH).stable,
     hypotheses=["it resists the pull without its last contact"],
     planes=(2, 4),
-    samples=200,
+    samples=80,
     expected="refuted",
 )
 def one_more_finger(grasp: Grasp) -> bool | str:

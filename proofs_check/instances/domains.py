@@ -116,9 +116,9 @@ def _named() -> Iterator[tuple[str, Arrangement]]:
     yield "coordinate(3)", families.coordinate(3)
     yield "type_b(3)", families.type_b(3)
     yield "type_d(3)", families.type_d(3)
-    for m, number in families.simplicial_entries():
-        if m <= 13 and (planes := families.simplicial(m, number)).field is None:
-            yield f"simplicial({m}, {number})", planes
+    for m, number in families.simplicial_entries(rational=True):
+        if m <= 13:
+            yield f"simplicial({m}, {number})", families.simplicial(m, number)
     yield "threshold(3)", families.threshold(3)
     yield "resonance(3)", families.resonance(3)
     for m in range(2, 8):

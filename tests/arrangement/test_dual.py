@@ -1,7 +1,7 @@
 """The dual polyhedron: known polyhedra, properties, broken polyhedra, meshes and model files."""
 
 from collections import Counter
-from dataclasses import replace
+from copy import copy
 from fractions import Fraction
 from typing import Any
 
@@ -13,6 +13,7 @@ from hypothesis import assume, given, settings, strategies as st
 from scipy.spatial import ConvexHull
 
 from arrangement import Arrangement, ArrangementError, InputError, counts, families
+from arrangement.duals import zonohedron
 from arrangement.duals.zonohedron import (
     DualPolyhedron,
     dual_polyhedron,
@@ -88,12 +89,28 @@ def test_lengths_change_the_shape_and_not_the_combinatorics(planes, data):
             assert vertex[k] == sum(s * length * n[k] for s, length, n in terms)
 
 
+def test_dual_enumerates_nothing_for_its_planes(monkeypatch):
+    calls = []
+    monkeypatch.setattr(zonohedron, "sphere_arrangement", calls.append)
+    dual = dual_polyhedron(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]]))
+    assert dual.arrangement.is_simple
+    assert dual.volume == 8
+    assert not calls
+
+
 def test_long_near_degenerate_normals_stay_exact():
     huge = 10**30
     planes = Arrangement([[huge, 1, 0], [huge, 2, 1], [0, 1, 7], [3, 3, huge], [1, 2, 3]])
     dual = dual_polyhedron(planes)
     dual.validate()
     assert (1, *reversed(dual.f_vector)) == counts.f_vector(planes)
+
+
+def changed(dual: DualPolyhedron, **parts: object) -> DualPolyhedron:
+    """Return a polyhedron with other parts in place of those that are computed."""
+    other = copy(dual)
+    vars(other).update(parts)
+    return other
 
 
 def broken(dual: DualPolyhedron) -> dict[str, DualPolyhedron]:
@@ -107,26 +124,26 @@ def broken(dual: DualPolyhedron) -> dict[str, DualPolyhedron]:
     classes[0] = (classes[0] + 1) % len(dual.arrangement.distinct)
     normals = dual.face_normals
     return {
-        "face missing": replace(dual, faces=tuple(others)),
-        "face reversed": replace(dual, faces=(first[::-1], *others)),
-        "all faces reversed": replace(dual, faces=tuple(cycle[::-1] for cycle in dual.faces)),
-        "corners exchanged": replace(dual, faces=(turned, *others)),
-        "face twice": replace(dual, faces=(*dual.faces, first)),
-        "vertex moved": replace(dual, integer_vertices=((x + 1, y, z), *rest)),
-        "all vertices shifted": replace(
+        "face missing": changed(dual, faces=tuple(others)),
+        "face reversed": changed(dual, faces=(first[::-1], *others)),
+        "all faces reversed": changed(dual, faces=tuple(cycle[::-1] for cycle in dual.faces)),
+        "corners exchanged": changed(dual, faces=(turned, *others)),
+        "face twice": changed(dual, faces=(*dual.faces, first)),
+        "vertex moved": changed(dual, integer_vertices=((x + 1, y, z), *rest)),
+        "all vertices shifted": changed(
             dual, integer_vertices=tuple((a + 1, b, c) for a, b, c in dual.integer_vertices)
         ),
-        "vertices exchanged": replace(dual, integer_vertices=(rest[0], (x, y, z), *rest[1:])),
-        "sign changed": replace(dual, signs=signs),
-        "edge class changed": replace(dual, edge_classes=classes),
-        "edge missing": replace(dual, edges=dual.edges[1:], edge_classes=dual.edge_classes[1:]),
-        "edge twice": replace(
+        "vertices exchanged": changed(dual, integer_vertices=(rest[0], (x, y, z), *rest[1:])),
+        "sign changed": changed(dual, signs=signs),
+        "edge class changed": changed(dual, edge_classes=classes),
+        "edge missing": changed(dual, edges=dual.edges[1:], edge_classes=dual.edge_classes[1:]),
+        "edge twice": changed(
             dual,
             edges=np.vstack([dual.edges, dual.edges[:1]]),
             edge_classes=np.append(dual.edge_classes, dual.edge_classes[0]),
         ),
-        "normals exchanged": replace(dual, face_normals=(normals[1], normals[0], *normals[2:])),
-        "normal inward": replace(dual, face_normals=(tuple(-c for c in normals[0]), *normals[1:])),
+        "normals exchanged": changed(dual, face_normals=(normals[1], normals[0], *normals[2:])),
+        "normal inward": changed(dual, face_normals=(tuple(-c for c in normals[0]), *normals[1:])),
     }
 
 

@@ -35,6 +35,9 @@ from arrangement.library.arguments import at_least, flag
 from arrangement.numbers.entries import real_vector
 from arrangement.numbers.exact import quotient, shown
 
+#: 2 cos(2 pi / n) where it is rational.
+_RATIONAL_COSINES = {3: -1, 4: 0, 6: 1}
+
 
 @cache
 def _document() -> dict[tuple[int, int], dict[str, Any]]:
@@ -88,7 +91,7 @@ def simplicial_entries(*, rational: bool = False) -> tuple[tuple[int, int], ...]
 def _is_rational(planes: int, number: int) -> bool:
     """Return whether an entry needs no field; `regular` needs that of cos(2 pi / n)."""
     entry = _entry(planes, number)
-    return "field" not in entry if "normals" in entry else planes // 2 in (3, 4, 6)
+    return "field" not in entry if "normals" in entry else planes // 2 in _RATIONAL_COSINES
 
 
 def _entry(planes: int, number: int) -> dict[str, Any]:
@@ -163,9 +166,11 @@ def _multiples(n: int) -> tuple[list[Any], list[Any]]:
         raise InputError(
             f"the cosine of 2 pi / {shown(n)} has a degree above {MAX_DEGREE}; take fewer planes"
         )
-    import sympy
+    t: Any = _RATIONAL_COSINES.get(n)
+    if t is None:
+        import sympy  # slow to load
 
-    t = real_vector([2 * sympy.cos(2 * sympy.pi / n)], "the cosine")[0]
+        t = real_vector([2 * sympy.cos(2 * sympy.pi / n)], "the cosine")[0]
     cosines, sines = [2, t], [0, 1]
     for row in (cosines, sines):
         while len(row) < n:
