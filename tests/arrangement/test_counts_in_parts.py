@@ -49,6 +49,18 @@ def test_parts_give_the_numbers_of_the_whole(planes, tmp_path):
     assert in_parts(planes, tmp_path) == counts.first_whitney_numbers(planes)
 
 
+def test_files_without_flats_for_a_part_are_not_opened_for_it(tmp_path, monkeypatch):
+    opened = []
+
+    def archive(place: Path) -> zipfile.ZipFile:
+        opened.append(place)
+        return zipfile.ZipFile(place)
+
+    monkeypatch.setattr(counts_in_parts, "ZipFile", archive)
+    assert in_parts(RESONANCE, tmp_path, parts=32) == NUMBERS
+    assert len(opened) < 4 * len(set(opened))
+
+
 def test_folder_made_anew_counts_its_new_planes(tmp_path):
     folder = tmp_path / "parts"
     for planes in (families.braid(4), families.type_b(3), families.generic(6, 4)):

@@ -319,16 +319,24 @@ def _read(root: str, rank: int, part: int, above: int | None = None) -> dict[str
         return arrays
 
     try:
-        most = _MAX_EXPANSION * place.stat().st_size
+        about = place.stat()
+        most = _MAX_EXPANSION * about.st_size
+        if above is not None and above not in _filled(root, rank, part, about.st_mtime_ns):
+            return {}
         with ZipFile(place) as file:
             names = _SUMS if above is None else tuple(f"{name}-{above}" for name in _FLATS)
-            if f"{names[0]}.npy" in file.namelist():
-                return checked(file, *names)
-            if above in checked(file, *_SUMS)["counts"][0]:
-                raise KeyError(names[0])
-            return {}
+            return checked(file, *names)
     except (AttributeError, KeyError, TypeError):
         why = "it is not part of a count"
     except _UNREADABLE as error:
         why = reason(error)
     raise InputError(f"{place} cannot be read ({why}); delete it and run the command again")
+
+
+@lru_cache(maxsize=1024)
+def _filled(root: str, rank: int, part: int, _: int) -> frozenset[int]:
+    """Return the parts of the rank after that flats of a file come up to; last, when it changed.
+
+    Where there are few flats, most files have none for most parts: a process opens each once.
+    """
+    return frozenset(_read(root, rank, part)["counts"][0].tolist())
