@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator
 from functools import lru_cache, partial
+from itertools import combinations
 
 import networkx as nx
 
@@ -77,18 +78,16 @@ def _planar_by_sphere(planes: Arrangement) -> tuple[bool, bool]:
 
 def _hamming(graph: DualGraph) -> tuple[int, int, bool]:
     """Facets; pairs of regions that differ in one sign; whether distances are Hamming distances."""
-    ordered = sorted(graph.vertices)
-    pairs = sum(_differing(a, b) == 1 for i, a in enumerate(ordered) for b in ordered[:i])
+    below = {
+        signs: sum(1 << k for k, sign in enumerate(signs) if sign < 0) for signs in graph.vertices
+    }
+    pairs = sum((a ^ b).bit_count() == 1 for a, b in combinations(below.values(), 2))
     isometric = all(
-        length == _differing(start, end)
-        for start in ordered
+        length == (below[start] ^ below[end]).bit_count()
+        for start in below
         for end, length in distances(graph, start).items()
     )
     return len(graph.edges), pairs, isometric
-
-
-def _differing(a: tuple[int, ...], b: tuple[int, ...]) -> int:
-    return sum(x != y for x, y in zip(a, b, strict=True))
 
 
 def _published_cycles(planes: Arrangement) -> tuple[tuple[int, ...], bool]:
