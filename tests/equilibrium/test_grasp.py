@@ -313,6 +313,7 @@ def test_stopping_at_the_first_solution_misses_the_second():
     assert len(solve(*question, as_printed=["single-solution"]).equilibria) == 1
 
 
+@settings(max_examples=12)
 @given(grasps(), wrenches)
 def test_as_printed_options_are_monotone(grasp, wrench):
     stable = solve(grasp, wrench).stable

@@ -102,7 +102,7 @@ def assert_agreement(asked: list[Question], ask: Ask) -> None:
 
 
 def test_verdicts_and_proofs_agree_on_both_sides(ask):
-    assert_agreement([*questions(30, seed=21), *rare(15, seed=22)], ask)
+    assert_agreement([*questions(16, seed=21), *rare(9, seed=22)], ask)
 
 
 @pytest.mark.slow
@@ -118,12 +118,13 @@ def region_proofs() -> list[dict[str, Any]]:
         document = verdict.certificate.to_dict()
         if not verdict.stable and '"edge"' in json.dumps(document):
             found.append(document)
-    assert len(found) >= 8
-    return found[:8]
+        if len(found) == 8:
+            return found
+    pytest.fail("too few proofs have edges")
 
 
 def test_changed_proofs_are_refused_by_both_checkers_alike(ask):
-    sources = [solve(*question).certificate.to_dict() for question in questions(15, seed=24)]
+    sources = [solve(*question).certificate.to_dict() for question in questions(9, seed=24)]
     documents = [
         changed
         for k, document in enumerate([*sources, *region_proofs()])
@@ -178,7 +179,7 @@ def test_what_is_no_certificate_is_explained(change, why, ask):
 
 @pytest.mark.parametrize("method", ["cones", "wrench-space", "printed"])
 def test_compared_methods_say_what_they_say_in_python(method, ask):
-    asked = questions(30, seed=25)
+    asked = questions(16, seed=25)
     answers, _ = ask(asked, [], method)
     # The page merges coincident planes.
     options = [name for name in OPTIONS if name != "coincident-planes"]

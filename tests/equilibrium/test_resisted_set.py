@@ -65,6 +65,7 @@ def test_membership_is_that_of_verdicts_and_polyhedra(grasp):
     assert [bool(states_with(resisted.polyhedra, w)) for w in exact] == expected
 
 
+@pytest.mark.parametrize("grasp", [PAPER[0], PAPER[3]], indirect=True)
 def test_other_queries_are_those_of_the_functions(grasp):
     resisted, wrench, torque = ResistedSet(grasp), (0, "3/2", 0), (0, 0, 1)
     assert resisted.along(UP) == resisted_magnitudes(grasp, UP)
@@ -153,7 +154,7 @@ def test_membership_raises_where_space_is_undecided():
 
 def test_membership_raises_where_rounding_decides():
     """A frictionless disc turns under any torque, unless its data are rounded one by one."""
-    out = [(math.cos(angle), math.sin(angle)) for angle in map(math.radians, [170, 220, 290, 350])]
+    out = [(math.cos(angle), math.sin(angle)) for angle in map(math.radians, [160, 290, 50])]
     points, normals = [[0.03 * x, 0.03 * y] for x, y in out], [[-x, -y] for x, y in out]
     resisted = ResistedSet(from_float_data(points, normals, 0.0, as_given=True).grasp)
     turning = (0, 0, 1)
@@ -288,8 +289,8 @@ def test_preloads_of_all_contacts_are_those_of_the_margin():
 
 
 def test_candidates_on_a_disc(tmp_path, capsys):
-    """24 contacts around a disc that stands on one: those above it can hold a push up."""
-    angles = [Fraction(x) for x in range(0, 360, 15)]
+    """12 contacts around a disc that stands on one: those above it can hold a push up."""
+    angles = [Fraction(x) for x in range(0, 360, 30)]
     disc = on_circle([float(a) for a in angles], "1/2", radius=1, preload=1).grasp
     below = read_grasp("paper-three-contacts-preload-1")
     sets = ResistedSet(below).with_contact(disc)

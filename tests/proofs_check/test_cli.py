@@ -45,7 +45,7 @@ def test_processes_change_nothing_of_what_is_said(tmp_path, capsys):
     said, found = [], []
     for jobs in ("1", "2"):
         path = tmp_path / f"{jobs}.json"
-        names = ("euler", *QUICKEST)
+        names = (QUICK[1], *QUICKEST)
         assert main(["run", *names, "--jobs", jobs, "--output", str(path)]) == 0
         said.append(capsys.readouterr().out)
         record = json.loads(path.read_text(encoding="utf-8"))
@@ -74,5 +74,5 @@ def test_exit_code_one_when_a_verdict_is_not_the_expected_one(monkeypatch, capsy
 
 def test_text_keeps_to_the_width(monkeypatch, capsys):
     monkeypatch.setenv("COLUMNS", "72")
-    assert main(["run", "step-1-square-bound", "euler"]) == 0
+    assert main(["run", "step-1-square-bound", QUICKEST[0]]) == 0
     assert max(map(len, capsys.readouterr().out.splitlines())) <= 72

@@ -258,7 +258,7 @@ def test_a_run_repeats_its_page_but_for_times(tmp_path, monkeypatch):
     for epoch in ("0", "86400"):
         monkeypatch.setenv("SOURCE_DATE_EPOCH", epoch)
         path = tmp_path / "r.html"
-        assert main(["run", *IDS, "--output", str(path)]) == 0
+        assert main(["run", IDS[1], "--output", str(path)]) == 0
         text = path.read_text(encoding="utf-8")
         made.append(re.sub(r'<span class="time">\d+ ms</span>', "", text))
     assert "1970-01-01T00:00:00Z" in made[0]
