@@ -271,14 +271,14 @@ def _whitney_numbers(arrangement: Arrangement, arguments: argparse.Namespace) ->
         return tuple(map(int, numbers[: arrangement.rank + 1]))
     if arguments.store is None and arguments.jobs == 1:
         return first_whitney_numbers(arrangement, time_limit=arguments.time_limit)
-    from .counts.orbits.in_parts import PARTS, first_whitney_numbers_in_parts
+    from .counts.orbits.in_parts import first_whitney_numbers_in_parts
 
     kept = nullcontext(arguments.store) if arguments.store else TemporaryDirectory()
     with kept as folder:
         return first_whitney_numbers_in_parts(
             arrangement,
             folder,
-            parts=PARTS if arguments.store else 4 * arguments.jobs,
+            parts=None if arguments.store else 4 * arguments.jobs,
             jobs=arguments.jobs,
             shard=arguments.shard,
             dask=arguments.dask,

@@ -164,6 +164,8 @@ class _Knife:
         values = [side * self.values[i] for i in face]
         if min(values) >= 0:
             return face
+        if max(values) <= 0:
+            return ()
         return tuple(map(self._number, clipped([self.points[i] for i in face], values)))
 
     def _number(self, point: IntegerVector) -> int:

@@ -46,7 +46,10 @@ from .automorphisms import Automorphisms
 from .symmetric import MANY, Classes, Flats, classes
 
 #: Parts of a rank in the upper half. More take less memory each; fewer see more repeats at once.
-PARTS = 64
+_PARTS = 64
+#: Each part looks into every file of the rank before, which takes longer than counting few flats.
+_PARTS_OF_FEW = 8
+_MANY_BASES = 50_000
 #: A division into more would look for more files than flats.
 _MAX_PARTS = 100_000
 #: A rank with fewer flats is done in this process.
@@ -70,7 +73,7 @@ def first_whitney_numbers_in_parts(
     arrangement: Planes,
     folder: str | Path,
     *,
-    parts: int = PARTS,
+    parts: int | None = None,
     jobs: int = 1,
     shard: tuple[int, int] = (1, 1),
     dask: str | None = None,
@@ -80,7 +83,8 @@ def first_whitney_numbers_in_parts(
 
     Args:
         folder: made when there is none; one with parts of the same arrangement is gone on with.
-        parts: of each rank in the upper half, in a new folder.
+        parts: of each rank in the upper half, in a new folder; by default 64, and 8 where few
+            hyperplanes of low rank have few flats.
         jobs: processes on this machine.
         shard: (i, n): of each rank only every n-th part, beginning with the i-th.
         dask: address of a scheduler; its workers must see the folder under the same path.
@@ -94,11 +98,15 @@ def first_whitney_numbers_in_parts(
     """
     deadline = Deadline(time_limit)
     root = str(Path(folder).absolute())
+    config = configuration(arrangement)
+    if parts is None:
+        bases = math.comb(len(config.vectors), max(config.rank - 1, 0))
+        parts = _PARTS if bases > _MANY_BASES else max(_PARTS_OF_FEW, shard[1])
     if parts > _MAX_PARTS:
         raise InputError(f"parts is {shown(parts)}; expected at most {_MAX_PARTS:,}")
     if not workers.due(parts, shard, jobs):
         raise InputError(f"parts is {shown(parts)} and shard {shard}; give a part to each shard")
-    _prepare(Path(root), configuration(arrangement), parts)
+    _prepare(Path(root), config, parts)
     made = _made(root)
 
     def residues() -> Iterator[NDArray[np.int64]]:
