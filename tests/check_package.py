@@ -59,6 +59,7 @@ RUBBISH = re.compile(
 )
 #: Programs of other packages, each in an environment of its own.
 UV_RUN = (sys.executable, "-m", "uv", "tool", "run")
+UV_PIP = (sys.executable, "-m", "uv", "pip")
 #: CPU seconds for --help: of the first run that is within it, or of the fastest of so many.
 HELP_LIMIT, HELP_RUNS = 1.0, 3
 
@@ -187,11 +188,10 @@ class Installed:
 
     def install(self, extras: str = "") -> None:
         """Install the wheel, with extras such as ``[all]``; print how long it takes."""
-        options = ("--quiet", "--disable-pip-version-check", "--no-compile")
-        options += ("--constraint", "constraints.txt")
-        pip = (sys.executable, "-m", "pip", "--python", str(self.bin / "python"))
+        where = ("--quiet", "--python", str(self.bin / "python"))
+        asked = ("--constraint", "constraints.txt", f"{self.wheel}{extras}")
         start = time.monotonic()
-        for command in ((*pip, "install", *options, f"{self.wheel}{extras}"), (*pip, "check")):
+        for command in ((*UV_PIP, "install", *where, *asked), (*UV_PIP, "check", *where)):
             done = run(command, ROOT)
             if done.returncode:
                 raise SystemExit(f"error: {' '.join(command)}\n{done.stdout}{done.stderr}")
