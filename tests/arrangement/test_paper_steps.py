@@ -2,11 +2,14 @@
 
 from collections import Counter
 
+import networkx as nx
 import pytest
-from hypothesis import given
+import sympy
+from hypothesis import given, settings, strategies as st
+from sympy.polys.matrices import DomainMatrix
 
 from arrangement import Arrangement, InputError
-from arrangement.enumeration.paper_steps import published_enumeration
+from arrangement.enumeration.paper_steps import _cycles, published_enumeration
 
 from .strategies import arrangements
 
@@ -109,3 +112,19 @@ def test_of_distinct_planes_all_faces_but_the_origin_are_listed(planes):
     first = Arrangement([normals[members[0]] for members in planes.distinct], dimension=3)
     listed = {signs for signs in published_enumeration(first).states if any(signs)}
     assert listed == {signs for signs in true_states(first) if any(signs)}
+
+
+@given(st.sets(st.tuples(st.integers(0, 8), st.integers(0, 8)), max_size=24))
+@settings(max_examples=60)
+def test_cycles_of_any_graph_are_a_minimum_basis_as_by_networkx(pairs):
+    graph = nx.Graph([(a, b) for a, b in pairs if a != b])
+    *basis, last = _cycles(graph) or ((),)
+    assert sorted(map(len, basis)) == sorted(map(len, nx.minimum_cycle_basis(graph)))
+    edges, total = sorted(map(tuple, map(sorted, graph.edges))), set()
+    bits = [[sympy.GF(2)(int(edge in cycle)) for edge in edges] for cycle in basis]
+    if basis:
+        assert DomainMatrix(bits, (len(basis), len(edges)), sympy.GF(2)).rank() == len(basis)
+    for cycle in basis:
+        assert all(degree == 2 for _, degree in nx.Graph(cycle).degree)
+        total ^= set(cycle)
+    assert total == set(last)

@@ -388,7 +388,7 @@ def published_step_2(planes: int) -> Work:
 
 
 def published_step_3(planes: int) -> Work:
-    """Step 3 alone, networkx's minimum cycle basis and its sum; the number of faces."""
+    """Step 3 alone, a minimum cycle basis and its sum; the number of faces."""
     from arrangement.enumeration.paper_steps import _cycles, _graph, _regions
 
     graph = _graph(_regions([tuple(row) for row in random_normals(planes)]))
