@@ -18,6 +18,7 @@ import re
 import runpy
 import shlex
 import shutil
+import socket
 import subprocess
 import sys
 import textwrap
@@ -84,6 +85,16 @@ def blocks(text: str) -> Iterator[Block]:
         yield Block(found[2], found[3], number + 1, options, body)
 
 
+def with_free_port(text: str) -> str:
+    """Return a page with a free port where it names one, so that two suites can run at once."""
+    named = re.search(r"--port (\d+)", text)
+    if not named:
+        return text
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return text.replace(named[1], str(probe.getsockname()[1]))
+
+
 def loose_literals(text: str) -> list[int]:
     """Return the lines that end with ``::``: literal blocks of no known language."""
     lines = enumerate(text.splitlines(), 1)
@@ -103,11 +114,12 @@ class Page:
 
     def run(self) -> int:
         """Run sessions and blocks in the order of the page; return how many there were."""
+        text = with_free_port(self.text)
         parts: list[tuple[int, Any]] = [
             (example.lineno, example)
-            for example in doctest.DocTestParser().get_examples(self.text, str(self.source))
+            for example in doctest.DocTestParser().get_examples(text, str(self.source))
         ]
-        parts += [(b.line, b) for b in blocks(self.text) if b.argument == "console" or b.caption]
+        parts += [(b.line, b) for b in blocks(text) if b.argument == "console" or b.caption]
         try:
             for _, part in sorted(parts, key=lambda entry: entry[0]):
                 self._step(part)

@@ -22,7 +22,7 @@ from equilibrium.cli import program as equilibrium_cli
 from equilibrium.methods.registry import DECIDING
 from equilibrium.pictures.lab.page import slip_exercises
 from proofs_check.cli import program as claims_cli
-from tests.docpages import ROOT, Page, blocks, commands, loose_literals
+from tests.docpages import ROOT, Page, blocks, commands, loose_literals, with_free_port
 from tests.test_clock import set_clock
 
 DOCS = ROOT / "docs"
@@ -206,6 +206,15 @@ Some text, and then
 """
     assert run(text) == []
     assert (desk / "one.json").read_text(encoding="utf-8").startswith('{"schema')
+
+
+def test_port_of_a_page_is_a_free_one():
+    text = "$ dask scheduler --port 18786 &\n$ dask worker tcp://127.0.0.1:18786 &\n"
+    free = with_free_port(text)
+    (port, other) = re.findall(r"\d{4,}", free)
+    assert port == other != "18786"
+    assert free == text.replace("18786", port)
+    assert with_free_port("no port") == "no port"
 
 
 @pytest.mark.parametrize("command", ["rm -r .", "pip install other", "make no-such-target"])
