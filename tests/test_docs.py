@@ -4,9 +4,10 @@ import importlib
 import os
 import re
 import runpy
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
@@ -53,11 +54,23 @@ def run(text: str) -> list[str]:
     return page.problems
 
 
-@pytest.mark.parametrize("speed", [100.0, pytest.param(0.01, marks=pytest.mark.slow)])
-@pytest.mark.parametrize("page", [*PAGES, ROOT / "README.md"], ids=name)
+#: Pages with programs that wait for each other, which the clock of the machine is left to.
+WAITING = {"cluster"}
+
+
+def runs() -> Iterator[Any]:
+    """Yield each page with the speeds of the clock on which it is run: fast, and slow."""
+    for page in (*PAGES, ROOT / "README.md"):
+        if page.stem in WAITING:
+            yield pytest.param(page, 1.0, id=name(page))
+            continue
+        yield pytest.param(page, 100.0, id=f"{name(page)}-fast")
+        yield pytest.param(page, 0.01, id=f"{name(page)}-slow", marks=pytest.mark.slow)
+
+
+@pytest.mark.parametrize(("page", "speed"), list(runs()))
 def test_a_page_read_from_top_to_bottom_does_what_it_shows(page, speed, desk, monkeypatch):
-    """On a fast and on a slow clock; but for programs that wait for each other."""
-    if page.stem != "cluster":
+    if page.stem not in WAITING:
         set_clock(monkeypatch, speed)
     running = Page(page, page.read_text(encoding="utf-8"))
     running.run()
