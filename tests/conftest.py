@@ -3,13 +3,15 @@
 import functools
 import math
 import os
-from collections.abc import Iterator
+import pickle
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, settings
 
-from arrangement.console import progress
+from arrangement.console import progress, workers
 from tests import latex as tex
 from tests.browser import MISSING, Browser, left_out, programs, running
 from tests.javascript.check import node
@@ -93,6 +95,27 @@ def browser() -> Iterator[Browser]:
         pytest.fail(MISSING, pytrace=False)
     with running() as found:
         yield found
+
+
+@pytest.fixture
+def scrambled(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Do here what other processes are to do, in another order; what they exchange is pickled.
+
+    That processes start, die and end is tested with a few real ones.
+    """
+
+    def on_processes(
+        function: Callable[[Any, Any], Any], plan: Any, numbers: Sequence[Any], jobs: int
+    ) -> Iterator[Any]:
+        function, plan = _pickled((function, plan))
+        for number in reversed(numbers):
+            yield _pickled(function(plan, _pickled(number)))
+
+    monkeypatch.setattr(workers, "on_processes", on_processes)
+
+
+def _pickled(value: Any) -> Any:
+    return pickle.loads(pickle.dumps(value))
 
 
 @pytest.fixture(scope="session")

@@ -123,7 +123,7 @@ def agrees_with_the_surface(grasp, base=(0, 0, 0), length=1):
         assert found is None or found > HALF**2
 
 
-@settings(max_examples=6)
+@settings(max_examples=5)
 @given(grasps, loads, lengths)
 def test_no_ray_ends_earlier_and_one_ends_there(grasp, base, length):
     agrees_with_rays_and_verdicts(grasp, base, length)
@@ -135,9 +135,8 @@ def test_it_is_the_least_distance_to_the_surface_of_the_set(grasp, base, length)
     agrees_with_the_surface(grasp, base, length)
 
 
-@pytest.mark.parametrize(("contacts", "seed"), [(3, 2), (4, 3)])
-def test_random_grasps_agree_with_the_surface(contacts, seed):
-    agrees_with_the_surface(random_grasp(contacts, seed, preload=True))
+def test_random_grasp_agrees_with_the_surface():
+    agrees_with_the_surface(random_grasp(4, 3, preload=True))
 
 
 @pytest.mark.parametrize("base", list(product((-9, 1, 7), (-8, 2, 9), (-9, 0, 8))))

@@ -277,17 +277,15 @@ class TestParts:
         loads = assembly.read_wrenches(wrenches)
         x, y, torque = loads["block"]
         moved = {**loads, "block": (x, y + 1, torque), "top": (0, -1, 0)}
-        assert solve(more, moved).verdict == solve(assembly, loads).verdict == "resisted"
-        for k, other in enumerate(case["questions"]):
-            if not other["resisted"]:
-                assembly, wrenches = asked(case, other)
-                more = Assembly([*assembly.names, "top"], [*assembly.contacts, *top])
-                loads = assembly.read_wrenches(wrenches)
-                x, y, torque = loads["block"]
-                moved = {**loads, "block": (x, y + 1, torque), "top": (0, -1, 0)}
-                verdict = solve(more, moved)
-                assert verdict.verdict == "not resisted", k
-                assert verdict.verify()
+        assert solve(more, moved).verdict == answered(case, question).verdict == "resisted"
+        assembly, wrenches = asked(case, case["questions"][1])
+        more = Assembly([*assembly.names, "top"], [*assembly.contacts, *top])
+        loads = assembly.read_wrenches(wrenches)
+        x, y, torque = loads["block"]
+        moved = {**loads, "block": (x, y + 1, torque), "top": (0, -1, 0)}
+        verdict = solve(more, moved)
+        assert verdict.verdict == "not resisted"
+        assert verdict.verify()
 
 
 class TestCommonMotion:

@@ -138,7 +138,7 @@ def test_checker_must_accept_a_proof_before_the_verdict_leaves(monkeypatch, caps
     assert capsys.readouterr().out == ""
 
 
-@pytest.mark.parametrize(("contacts", "seed"), [(2, 4), (3, 1), (3, 6)])
+@pytest.mark.parametrize(("contacts", "seed"), [(2, 4), (3, 6)])
 def test_a_bounded_verdict_is_that_of_all_equilibria(contacts, seed):
     grasp, wrench = random_grasp(contacts, seed), random_wrench(seed)
     found = solve(grasp, wrench).equilibria

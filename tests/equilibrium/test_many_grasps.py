@@ -247,6 +247,7 @@ def test_limit_of_work_leaves_a_load_undecided(monkeypatch):
     assert not found.exact.any()
 
 
+@pytest.mark.usefixtures("scrambled")
 def test_processes_give_the_same_answers():
     questions = [mixed(seed) for seed in range(4)]
     grasps, loads = [g for g, _ in questions], [[w] for _, w in questions]

@@ -48,12 +48,9 @@ def solved(*words):
     return main(["solve", *map(str, words)])
 
 
-@pytest.mark.parametrize("source", ["grasps.csv", "grasps.npz"])
-def test_tables_answered_on_stdout(source, capsys):
-    assert solved(source, "--wrenches", "loads.csv") == 1
-    rows = list(csv.reader(capsys.readouterr().out.splitlines()))
-    assert [row[1:] for row in rows] == [row[1:] for row in ANSWERS]
-    assert [row[0] for row in rows[1::2]] == (["a", "b, 2"] if source[-1] == "v" else ["1", "2"])
+def test_table_answered_on_stdout(capsys):
+    assert solved("grasps.csv", "--wrenches", "loads.csv") == 1
+    assert list(csv.reader(capsys.readouterr().out.splitlines())) == ANSWERS
 
 
 def test_answers_written_as_csv_and_npz(files, capsys):

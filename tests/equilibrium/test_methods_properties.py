@@ -40,7 +40,7 @@ def in_cones(grasp, forces):
 
 class TestHull:
     @given(points)
-    @settings(max_examples=30)
+    @settings(max_examples=20)
     def test_every_facet_supports_and_every_vertex_is_extreme(self, cloud):
         hull = _hull(cloud)
         assert set(hull.points) <= set(cloud)
@@ -119,6 +119,7 @@ class TestFormClosure:
 
 
 class TestOrderOfTheMethods:
+    @settings(max_examples=15)
     @given(grasps(most=3), wrenches)
     def test_each_weaker_method_accepts_too(self, grasp, wrench):
         ours = solve(grasp, wrench).stable

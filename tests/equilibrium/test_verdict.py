@@ -49,6 +49,7 @@ def test_function_takes_wrenches_alone():
     assert [verdict.stable for verdict in found] == [True, False]
 
 
+@pytest.mark.usefixtures("scrambled")
 def test_processes_answer_in_order(monkeypatch):
     monkeypatch.setattr(solver, "_START_STEPS", 0)
     loads = [(0, Fraction(k, 40), 0) for k in range(60)]

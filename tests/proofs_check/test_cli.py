@@ -3,6 +3,8 @@
 import json
 from dataclasses import replace
 
+import pytest
+
 import proofs_check.claims
 from proofs_check import ClaimVerdict, Registry, registry
 from proofs_check.cli.program import main
@@ -40,6 +42,7 @@ def test_run_json_has_both_values_side_by_side(capsys):
     assert record["results"][0]["counterexample"]["instance"]["planes"] == [["1", "0", "0"]]
 
 
+@pytest.mark.usefixtures("scrambled")
 def test_processes_change_nothing_of_what_is_said(tmp_path, capsys):
     """Nor its order, though a claim that takes long comes first."""
     said, found = [], []

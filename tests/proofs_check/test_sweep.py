@@ -40,6 +40,7 @@ def report(path: Path) -> str:
         return json.dumps(sweepreport.record(opened))
 
 
+@pytest.mark.usefixtures("scrambled")
 def test_two_processes_find_what_one_finds(tmp_path):
     one, two = tmp_path / "one.sqlite", tmp_path / "two.sqlite"
     sweep(small_plan(30), str(one))
