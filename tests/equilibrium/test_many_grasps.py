@@ -88,10 +88,9 @@ def test_loads_at_the_limit_decided_exactly():
     )
 
 
-@pytest.mark.parametrize(("contacts", "seed"), [(3, 9), (4, 27)])
-def test_loads_near_a_limit_never_screened_wrongly(contacts, seed):
-    grasps = [random_grasp(contacts, seed)]
-    direction = np.array(list(map(float, random_wrench(seed))))
+def test_loads_near_a_limit_never_screened_wrongly():
+    grasps = [random_grasp(4, 27)]
+    direction = np.array(list(map(float, random_wrench(27))))
     exact = ResistedSet(checked(grasps, [[direction]])[0].grasp(0))
     (_, end), *_ = exact.along(from_floats(direction)).intervals
     times = [float(end) * (1 + side * 2.0**-k) for k in range(1, 53, 5) for side in (1, -1)]

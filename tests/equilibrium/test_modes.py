@@ -67,7 +67,10 @@ def box_on_a_box(walls: int) -> ContactModes:
 
 @pytest.mark.parametrize(
     ("walls", "name", "modes"),
-    [(1, "box-on-a-box-1-wall", (10, 9996)), (2, "box-on-a-box-2-walls", (184, 11996))],
+    [
+        (1, "box-on-a-box-1-wall", (10, 9996)),
+        pytest.param(2, "box-on-a-box-2-walls", (184, 11996), marks=pytest.mark.slow),
+    ],
 )
 def test_a_box_on_a_box(walls, name, modes, capsys):
     boxes = ContactModes.from_dict(read_document(name, ("normals",)))

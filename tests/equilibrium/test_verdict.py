@@ -34,7 +34,7 @@ def test_what_is_reported_is_true_and_proved(grasp, wrench):
     assert verdict.certificate.kind == ("resisted" if verdict.stable else "not resisted")
 
 
-@settings(max_examples=12)
+@settings(max_examples=10)
 @given(grasps(4), st.lists(wrenches, min_size=1, max_size=4), st.sampled_from([None, 0, 1]))
 def test_many_loads_have_single_verdicts_and_proofs(grasp, loads, most):
     found = list(Solver(grasp, max_displacement=most).solve_many(loads))
@@ -264,7 +264,7 @@ def test_cancelling_forces_refuted_by_other_balances():
 
 
 def test_questions_are_of_all_kinds():
-    asked = [question(seed) for seed in range(40)]
-    assert Counter(len(q.grasp) for q in asked) == {2: 10, 3: 10, 4: 10, 5: 10}
+    asked = [question(seed) for seed in range(24)]
+    assert Counter(len(q.grasp) for q in asked) == {2: 6, 3: 6, 4: 6, 5: 6}
     assert {q.kind for q in asked} == set(GRASPS)
     assert {q.load for q in asked} == {"free", "zero", *BORDERS}
