@@ -217,6 +217,12 @@ class TestRobust:
             .certificate.verify()
         )
 
+    def test_nearest_change_is_small_where_the_limit_is_at_the_data(self):
+        """Every share of the way turns the verdict; the search stops at a small one."""
+        found = solve(*EVERY_DAY["pinch"]).robust(friction="1/100")
+        assert found.answer == "does not hold"
+        assert found.change["friction"] == Fraction(1, 200 * 8**4)
+
     @pytest.mark.parametrize(
         ("grasp", "wrench"),
         [(floor(), (5, -10, 0)), (floor(space=True), (3, 4, -10, 0, 0, 0))],
