@@ -211,7 +211,8 @@ def spanning_wrench(text: str) -> tuple[Fraction, ...]:
 
 def _let_grow(parser: Any, *options: argparse.Action) -> None:
     """Let options take more numbers, for grasps in space; groups know their parser."""
-    getattr(parser, "_container", parser).variadic.extend(options)
+    whole = getattr(parser, "_container", parser)
+    whole.variadic.update((option, option.nargs) for option in options)
 
 
 def add_number(

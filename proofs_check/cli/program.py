@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import re
 from collections.abc import Callable, Sequence
+from functools import cache
 from importlib import import_module
 
 from arrangement.console import terminal
@@ -43,7 +44,13 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     Exit codes: 0 every verdict is the expected one, 1 some verdict differs, 2 bad input.
     """
-    return terminal.run(_parser(), argv)
+    return terminal.run(_program(), argv)
+
+
+@cache
+def _program() -> Parser:
+    """Return the parser that all calls of `main` share."""
+    return _parser()
 
 
 def _parser() -> Parser:
