@@ -58,7 +58,7 @@ def bounded_questions(count: int):
         yield asked, source.choice(bounds)
 
 
-@pytest.mark.parametrize("count", [12, pytest.param(100, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [10, pytest.param(100, marks=pytest.mark.slow)])
 def test_bounded_verdicts_agree_with_brute_force(count):
     answers = []
     for asked, bound in bounded_questions(count):

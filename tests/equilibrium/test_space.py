@@ -942,7 +942,7 @@ def agrees_with_all_states(contacts, seeds):
     return resisted
 
 
-MANY = [(2, range(100, 112)), (3, range(2))]
+MANY = [(2, range(100, 108)), (3, range(2))]
 
 
 @pytest.mark.parametrize(

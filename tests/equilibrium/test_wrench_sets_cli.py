@@ -126,7 +126,7 @@ WITH_UNITS = {
     "resisted --wrench 0 -1 0",
     "resisted --slice fx fy",
     "resisted",
-    "resisted --wrench 0 1 0 --margin --tolerance 1/16",
+    "resisted --wrench 0 1 0 --margin --tolerance 1/4",
     "resisted --search --rays 4",
     "solve --wrench 0 1 0 --methods",
     "info",
@@ -137,7 +137,7 @@ WITH_UNITS = {
 
 #: How forces and torques are marked.
 MARKED = {
-    "resisted --wrench 0 1 0 --margin --tolerance 1/16": [r"uniform preload in \[1, oo\) kgf"],
+    "resisted --wrench 0 1 0 --margin --tolerance 1/4": [r"uniform preload in \[1, oo\) kgf"],
     "info --force-closure": ["resisted forces at torque 0 kgf furlong:", r"volume +\S+ kgf\^3"],
 }
 
