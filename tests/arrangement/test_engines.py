@@ -57,7 +57,7 @@ def same_faces(found: FaceSequence, expected: FaceSequence, planes: Planes) -> N
             for n in (4, 5)
             for affine in (False, True)
         ),
-        pytest.param(3, False, 300, marks=pytest.mark.slow),
+        pytest.param(3, False, 150, marks=pytest.mark.slow),
     ],
 )
 def test_all_engines_list_the_same_faces(dimension, affine, trials):

@@ -190,19 +190,18 @@ def check_forgeries(seed: str, number: int, folder: Path) -> None:
 
 
 SLOW = pytest.mark.slow
-PARTS = [pytest.param(f"slow {part}", 1000, marks=SLOW) for part in range(2)]
 
 
 @built
-@pytest.mark.parametrize(("seed", "number"), [("quick", 25), *PARTS])
+@pytest.mark.parametrize(
+    ("seed", "number"), [("quick", 25), pytest.param("slow", 1000, marks=SLOW)]
+)
 def test_it_counts_what_engines_and_closed_forms_count(seed, number, tmp_path):
     check_agreement(seed, number, tmp_path)
 
 
 @built
-@pytest.mark.parametrize(
-    ("seed", "number"), [("quick", 35), pytest.param("slow", 1000, marks=SLOW)]
-)
+@pytest.mark.parametrize(("seed", "number"), [("quick", 35), pytest.param("slow", 500, marks=SLOW)])
 def test_forged_certificates_are_refused(seed, number, tmp_path):
     check_forgeries(seed, number, tmp_path)
 
@@ -261,12 +260,12 @@ def test_types_are_counted_in_one_run(capsys, monkeypatch):
 @pytest.mark.slow
 @pytest.mark.parametrize("planes", [7, 8, 9])
 def test_types_are_counted_alike(planes):
-    """All of up to eight planes, a tenth of those of nine, one of which is irrational."""
+    """All of up to eight planes, a part of those of nine, one of which is irrational."""
     types = len(census.census(planes))
-    chosen = range(planes, types, 10) if planes == 9 else None
+    chosen = range(planes, types, 25) if planes == 9 else None
     found, alike = tables.counted_alike(planes, chosen)
     assert found == alike
-    assert found >= types // 10
+    assert found >= types // 25
 
 
 @built
@@ -275,7 +274,7 @@ def test_families_have_the_numbers_in_print():
     """Of rational planes, as far as the budget allows; the rest is said to be out of reach."""
     counted, beyond = 0, 0
     for entry in published_counts():
-        planes = entry.planes() if entry.regions < 10**7 else None
+        planes = entry.planes() if entry.regions < 10**6 else None
         if planes is None or planes.field is not None:
             beyond += 1
             continue

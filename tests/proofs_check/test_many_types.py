@@ -78,8 +78,8 @@ def test_a_type_that_both_routes_find_otherwise_breaks_the_sweep(monkeypatch):
 @pytest.mark.slow
 def test_sample_of_nine_planes_with_weights_decided():
     """Of types that have weights some cutset may still be too light; each answer is verified."""
-    chosen = np.random.default_rng(9).permutation(PUBLISHED[9])[:200]
+    chosen = np.random.default_rng(9).permutation(PUBLISHED[9])[:100]
     weighty = chosen[many_types.have_weights(catalogue.chirotopes(9, chosen), 9)]
-    assert len(weighty) > 80
-    for k in weighty[:80].tolist():
+    assert len(weighty) > 40
+    for k in weighty[:40].tolist():
         inscribability(census(9)[k]).certificate.verify()
