@@ -105,6 +105,13 @@ def types_and_samples(
 def smallest_arrangements(
     planes: range, size: int = 2, *, distinct: bool = False, rank: int | None = None
 ) -> Iterator[Case]:
+    """Yield what `smallest_planes` does, as cases."""
+    return map(arrangement_case, smallest_planes(planes, size, distinct=distinct, rank=rank))
+
+
+def smallest_planes(
+    planes: range, size: int = 2, *, distinct: bool = False, rank: int | None = None
+) -> Iterator[Arrangement]:
     """Yield central arrangements in R^3: few planes first, then small entries first.
 
     Up to reorientation every arrangement with coprime entries up to `size` comes once.
@@ -119,7 +126,7 @@ def smallest_arrangements(
                 if distinct and len(found.distinct) < m:
                     continue
                 if rank is None or found.rank == rank:
-                    yield arrangement_case(found)
+                    yield found
 
 
 def _unoriented(bound: int) -> list[Vector]:

@@ -21,7 +21,7 @@ from arrangement.library.census import census
 from arrangement.numbers.exact import IntegerVector, primitive
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
-from proofs_check.instances.arrangements import smallest_arrangements
+from proofs_check.instances.arrangements import smallest_planes
 from proofs_check.instances.domains import contact_numbers, count, size
 from proofs_check.instances.pseudolines import Pseudolines
 from proofs_check.statements.statement import Case
@@ -84,7 +84,7 @@ def smaller_instances(planes: int) -> Iterator[Arrangement]:
     """
     for m in range(1, planes):
         if m <= _ALL_SMALL:
-            yield from (case.subject for case in smallest_arrangements(range(m, m + 1), 1))
+            yield from smallest_planes(range(m, m + 1), 1)
         if 3 <= m <= 7:
             yield from census(m)
 
