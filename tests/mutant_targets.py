@@ -275,8 +275,11 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_proof_view.py",
         "tests/equilibrium/test_displacement.py",
     ): ("equilibrium.certificate.leaves",),
+    (
+        "tests/equilibrium/test_corners.py",
+        "tests/equilibrium/test_robustness.py",
+    ): ("equilibrium.decide.corners",),
     ("tests/equilibrium/test_robustness.py",): (
-        "equilibrium.decide.corners",
         "equilibrium.decide.proofs_for_all",
         "equilibrium.decide.robustness",
     ),
@@ -329,8 +332,11 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "equilibrium.decide.assemblies.rigid",
         "equilibrium.decide.assemblies.solver",
         "equilibrium.decide.assemblies.verdict",
-        "equilibrium.model.assembly",
     ),
+    (
+        "tests/equilibrium/test_assembly_inputs.py",
+        "tests/equilibrium/test_assemblies.py",
+    ): ("equilibrium.model.assembly",),
     (
         "tests/equilibrium/test_space.py::TestModel",
         "tests/equilibrium/test_grasp.py",

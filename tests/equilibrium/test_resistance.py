@@ -17,6 +17,7 @@ from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate
 from equilibrium.decide.solver import STEPS, Solver
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
+from equilibrium.model.effort import Effort
 from equilibrium.plane.contacts import IntegerContacts
 from equilibrium.plane.search.continuation import find_equilibrium
 from equilibrium.plane.search.motion_regions import HALF_SPACE, MotionRegions
@@ -182,6 +183,19 @@ def test_time_limit_ends_search(monkeypatch):
     with pytest.raises(TimeLimitError, match=r"^undecided: time limit of 0.1 s; give more time"):
         Solver(grasp).solve(wrench, time_limit=0.1)
     assert not solve(grasp, wrench).stable
+
+
+def test_an_effort_is_over_when_more_than_its_steps_are_taken():
+    effort = Effort(1000)
+    effort.check(400)
+    effort.check(600)
+    assert not effort.passed
+    assert str(effort) == "no time limit"
+    with pytest.raises(TimeoutError, match="limit of 1,000 steps"):
+        effort.check()
+    assert effort.passed
+    with budget.limit(3):
+        assert Effort.usual(5).steps == 15
 
 
 def test_limit_of_work_ends_search(monkeypatch):

@@ -262,6 +262,10 @@ class TestRobust:
             assert found.turned.verify()
             for old, new in zip(two_pads(), found.turned.grasp, strict=True):
                 assert abs(new.friction - old.friction) <= old.friction / 10
+            # Which changes turn it is known, and the one found is at most a third larger.
+            name, per_weight = ("friction", 80) if "friction" in bounds else ("preload", 2)
+            due = abs(Fraction(weight, per_weight) - getattr(next(iter(two_pads())), name))
+            assert due <= found.change[name] <= Fraction(4, 3) * due
 
     @pytest.mark.parametrize(
         ("wrench", "bounds"),
