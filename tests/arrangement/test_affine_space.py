@@ -85,6 +85,17 @@ def test_faces_equal_those_of_the_general_engine(planes):
     assert_same_as_the_general_engine(planes)
 
 
+@pytest.mark.parametrize("sign", [1, -1])
+def test_central_planes_of_rank_four_have_the_same_faces(sign):
+    """The first plane is taken to infinity, with one that coincides with it."""
+    normals = [[sign, 0, 0, 1], [-sign, 1, 0, 0], [2 * sign, 0, 0, 2], [0, 0, 1, 0], [0, 0, 0, 1]]
+    planes = Arrangement(normals)
+    made, expected = enumerate_faces(planes), enumerate_faces(planes, "any-dimension")
+    assert made.engine == "affine-space"
+    assert sorted(rows(made.signs)) == sorted(rows(expected.signs))
+    assert (np.sign(made.points[:, :4] @ np.array(normals).T) == made.signs).all()
+
+
 @given(degenerate())
 def test_faces_are_right_where_planes_nearly_coincide(planes):
     assert_same_as_the_general_engine(planes)

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from arrangement import Arrangement, ArrangementError, InputError
+from arrangement.counts import f_vector
 from arrangement.enumeration.great_circles import SphereArrangement, sphere_arrangement
 
 Normals = list[tuple[int, ...]]
@@ -38,13 +39,33 @@ def test_boundaries_of_all_regions_have_each_half_edge_once():
         assert {*incidence.region[cycle]} == {region}
 
 
-def test_one_plane_has_one_closed_arc_without_vertices():
-    made = sphere([(1, 1, 0), (-2, -2, 0)])
+@pytest.mark.parametrize("normal", [*COORDINATES, (1, 1, 0), (0, 1, 1), (1, 0, 2)])
+def test_one_plane_has_one_closed_arc_without_vertices(normal):
+    made = sphere([normal, tuple(-2 * x for x in normal)])
     assert made.incidence.origin.tolist() == [-1, -1]
     assert made.incidence.boundary(0).tolist() == [0]
     assert [made.region_signs(r) for r in range(2)] == [(1, -1), (-1, 1)]
     assert made.arrangement.signs_at(made.arc_witness(0)) == (0, 0)
     assert made.arc_witness(0) != (0, 0, 0)
+
+
+@pytest.mark.parametrize("normals", [B3, COINCIDENT, PENCIL, PENCIL[:2], [(0, 0, -2)]])
+def test_points_of_faces_have_their_signs_in_every_rank(normals):
+    planes = Arrangement(normals)
+    faces = planes.faces(engine="great-circles")
+    assert faces.f_vector == f_vector(planes)
+    assert len({*map(bytes, faces.signs)}) == len(faces)
+    assert (np.sign(faces.points[:, :3] @ np.array(normals).T) == faces.signs).all()
+
+
+@pytest.mark.parametrize("normals", [GENERIC[:4], PENCIL])
+def test_witnesses_of_one_arc_or_region_are_inside_it(normals):
+    made = sphere(normals)
+    planes = made.arrangement
+    arcs = [planes.signs_at(made.arc_witness(arc)) for arc in range(made.incidence.arc_count)]
+    regions = [made.region_signs(region) for region in range(made.incidence.region_count)]
+    assert sorted(arcs) == sorted(face.signs for face in planes.faces(2))
+    assert sorted(regions) == sorted(face.signs for face in planes.faces(3))
 
 
 def test_other_dimensions_and_affine_planes_are_refused():
