@@ -48,6 +48,15 @@ def test_the_closure_of_a_face_has_the_faces_that_the_signs_say(planes):
         assert planes.face_at(face.witness) == face
 
 
+def test_closed_face_alone_contains_its_boundary():
+    inside, *boundary, beyond = [(1, 1), (0, 1), (2, 2), (0, 4), (-1, 1)]
+    region = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 4]).region_at(inside)
+    assert region.contains(inside)
+    assert [region.contains(point) for point in (*boundary, beyond)] == [False] * 4
+    assert all(region.contains(point, closed=True) for point in (inside, *boundary))
+    assert not region.contains(beyond, closed=True)
+
+
 @given(arrangements(dimensions=(1, 3), planes=(0, 6)))
 def test_bounded_regions_are_as_many_as_zaslavsky_says(planes):
     bounded = planes.bounded_regions()
