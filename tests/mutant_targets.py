@@ -289,8 +289,12 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ): (
         "equilibrium.decide.solver",
         "equilibrium.decide.answer",
-        "equilibrium.decide.verdict",
     ),
+    (
+        "tests/equilibrium/test_verdict.py",
+        "tests/equilibrium/test_displacement.py",
+        "tests/equilibrium/test_cli.py",
+    ): ("equilibrium.decide.verdict",),
     (
         "tests/equilibrium/test_methods.py",
         "tests/equilibrium/test_methods_properties.py",

@@ -19,7 +19,8 @@ from equilibrium import (
     solve,
 )
 from equilibrium.cli import main
-from equilibrium.decide.assemblies import magnitudes
+from equilibrium.decide.assemblies import contact_program, magnitudes
+from equilibrium.decide.assemblies.contact_program import ContactProgram, LinearQuestion
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.grasps.textbook import TEXTBOOK, stack, wedge
 from equilibrium.model.errors import UndecidedError
@@ -85,6 +86,34 @@ class TestTextbook:
         assert {**weights, "block 2": [1, -1, "-3/2"]} not in everything
         assert everything.solve(weights).verdict == "resisted"
         assert everything.grasp is assembly
+
+
+class TestContactProgram:
+    def program(self, contacts, states, load, **options):
+        rows = Assembly(["a"], [BodyContact("a", None, contact) for contact in contacts]).rows
+        pushed = (Fraction(1), Fraction(0), Fraction(0))
+        question = LinearQuestion(rows, tuple(map(Fraction, load)), pushed, **options)
+        return ContactProgram(question, states)
+
+    def test_ends_say_how_far_contacts_are_from_the_law(self):
+        floor = Contact([0, 0], [0, 1], "1/2")
+        wall = Contact([-1, 0], [1, 0], 0, 2, 3)
+        program = self.program([floor, wall], ("attached", "attached"), (0, -1, 0))
+        none = Fraction(0)
+        # First it slips away from the wall by 3/2, and friction misses what is there at the last.
+        assert program.ends() == [
+            (0, [Fraction(1, 2), none], ("slip-", "detached")),
+            (Fraction(1, 2), [none, none], ("slip-", "detached")),
+        ]
+        assert [end.is_lawful for end in program.ends()] == [False, True]
+        held = self.program([floor], ("undecided",), (0, -2, 0), max_displacement=none)
+        assert held.start() == (0, [6], ("detached",))
+
+    def test_multiples_of_expressions_are_added(self):
+        terms = {0: Fraction(1)}
+        for factor, found in ((0, {0: 1}), (1, {0: 3, 1: 3}), (2, {0: 7, 1: 9})):
+            contact_program._add(terms, {0: Fraction(2), 1: Fraction(3), 2: Fraction(0)}, factor)
+            assert terms == found
 
 
 class TestPlane:

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from equilibrium.cli.program import main
+from equilibrium.decide.many_grasps.tables import read_grasps
 
 GRASPS = """# two jaws, and a third finger
 grasp,x,y,nx,ny,mu,q
@@ -82,6 +83,15 @@ def test_loads_of_each_grasp(files, capsys):
     assert solved("grasps.npz", "--wrenches", "own.npz") == 0
     np.savez("whole.npz", **ARRAYS, wrenches=np.array([[[0, -0.9, 0]], [[0, -1.1, 0]]]))
     assert solved("whole.npz") == 0
+
+
+def test_first_grasp_may_have_one_contact(files):
+    path = files / "few.csv"
+    path.write_text("grasp,x,y,nx,ny,mu\na,-1,0,1,0,1/2\nb,1,0,-1,0,0\nb,0,1,0,-1,1\n")
+    names, arrays = read_grasps(str(path))
+    assert names == ["a", "b"]
+    assert arrays["points"][1].tolist() == [[1, 0], [0, 1]]
+    assert np.isnan(arrays["friction"]).tolist() == [[False, True], [False, False]]
 
 
 def test_grasps_in_space_read(files, capsys):

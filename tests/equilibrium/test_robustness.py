@@ -376,7 +376,9 @@ class TestRobust:
     @pytest.mark.parametrize("scale", [Fraction(1, 10**9), 10**9])
     def test_answers_do_not_change_with_units(self, scale):
         grasp = Grasp(
-            Contact([scale * x for x in c.point], c.normal, c.friction, c.stiffness, c.preload)
+            Contact(
+                [scale * x for x in c.point], c.normal, c.friction, c.stiffness / scale, c.preload
+            )
             for c in two_pads()
         )
         assert solve(grasp, (0, -20, 0)).robust(degrees="1/2", friction="10%")

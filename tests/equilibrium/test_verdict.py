@@ -49,6 +49,17 @@ def test_function_takes_wrenches_alone():
     assert [verdict.stable for verdict in found] == [True, False]
 
 
+def test_all_equilibria_of_few_contacts_in_the_plane_are_listed():
+    held, refused = (solve(THREE, (0, y, 0)) for y in (1, 2))
+    contact = next(iter(THREE))
+    for count, few in ((20, True), (21, False)):
+        many = replace(held, grasp=Grasp([contact] * count))
+        assert [many.lists_all(every) for every in (None, True, False)] == [few, True, False]
+    assert not replace(held, grasp=Grasp([Contact([0, 0, 0], [0, 0, 1], 0)])).lists_all()
+    assert refused.lists_all(False)
+    assert not replace(refused, verdict="undecided").lists_all()
+
+
 @pytest.mark.usefixtures("scrambled")
 def test_processes_answer_in_order(monkeypatch):
     monkeypatch.setattr(solver, "_START_STEPS", 0)
