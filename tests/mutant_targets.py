@@ -235,10 +235,13 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ("tests/arrangement/test_packing.py",): ("arrangement.numbers.packing",),
     ("tests/arrangement/test_intervals.py",): ("arrangement.numbers.linear.intervals",),
     ("tests/arrangement/test_cones.py",): ("arrangement.numbers.linear.cones",),
-    ("tests/arrangement/test_symbolic.py",): (
-        "arrangement.numbers.symbolic",
-        "arrangement.planes.equation_text",
-    ),
+    ("tests/arrangement/test_symbolic.py",): ("arrangement.numbers.symbolic",),
+    (
+        "tests/arrangement/test_formats.py::test_lines_of_equations_are_recognized",
+        "tests/arrangement/test_formats.py::test_equations_are_read_and_come_back",
+        "tests/arrangement/test_formats.py::test_what_is_no_linear_equation_is_refused",
+        "tests/arrangement/test_symbolic.py",
+    ): ("arrangement.planes.equation_text",),
     ("tests/equilibrium/test_wrench_sets_space.py",): (
         "arrangement.numbers.linear.separation",
         "equilibrium.wrench_sets.space",

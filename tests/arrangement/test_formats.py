@@ -14,6 +14,7 @@ from arrangement import Arrangement, InputError, census, counts, read_arrangemen
 from arrangement.cli import main
 from arrangement.library.census import identify
 from arrangement.library.files.table import FORMATS, Entries, converted
+from arrangement.planes.equation_text import is_equation
 
 CENTRAL = Arrangement([[1, 0, 0], [0, 1, 0], [2, -3, 5], [-4, 6, -10], ["1/2", "1/3", -1]])
 AFFINE = Arrangement([[1, 0], [0, -1], [1, 1], [2, "-1/2"]], [0, "3/2", -4, 7])
@@ -414,10 +415,17 @@ def test_equations_are_read_and_come_back(text, rows, tmp_path):
 
 @pytest.mark.parametrize(
     "text", ["x*y = 1", "x = = 2", "2 = 3", "x^2 = 1", "2x+ = 1", "sin(x) = 0", "= x", "2*3*x = 1",
-             "x = x", "x + -y = 1", "1/0 x = 1", "x y = 5", "__import__('os') = x", "word"],
+             "x = x", "x + -y = 1", "1/0 x = 1", "2* = x", "x y = 5", "__import__('os') = x",
+             "word"],
 )  # fmt: skip
 def test_what_is_no_linear_equation_is_refused(text, tmp_path):
     path = tmp_path / "a.eqn"
     path.write_text(f"x + y = 1\n{text}\n")
     with pytest.raises(InputError):
         read_arrangement(path)
+
+
+def test_lines_of_equations_are_recognized():
+    equations = ["x = 1", "word = 2 x1", "x1 - 1/2 y"]
+    others = ["2 = 3", "x = = 2", "sin(x) = 0", "1 2", "1", "2e5", "x y", "word", "x + word"]
+    assert [line for line in [*equations, *others] if is_equation(line)] == equations

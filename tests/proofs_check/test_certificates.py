@@ -9,7 +9,8 @@ import pytest
 from equilibrium import solve
 from proofs_check.claims import space as certificates
 from proofs_check.instances.grasps import grasp_of
-from proofs_check.routes.leaves import leaf_count
+from proofs_check.routes.leaves import _least, leaf_count
+from proofs_check.routes.oracle import Touch
 
 QUESTION = certificates._jaws(6, (Fraction(1), Fraction(-5, 2), Fraction(1)))
 
@@ -47,6 +48,23 @@ def test_a_resisted_load_has_no_proof():
     held = certificates._jaws(6, (Fraction(0), Fraction(1), Fraction(0)))
     with pytest.raises(ValueError, match="does not close"):
         leaf_count(held, tree())
+
+
+@pytest.mark.parametrize(
+    ("preload", "along", "works"),
+    [
+        ("1/2", "1", ("0", "0")),  # convex in between, where the contact opens at one end
+        ("3/2", "1", ("3/2", "1/2")),
+        ("1", "1", ("1", "0")),
+        ("1/2", "-1/2", ("-1/4", "0")),
+    ],
+)
+def test_work_of_a_contact_is_bounded_between_generators(preload, along, works):
+    zero, one = Fraction(0), Fraction(1)
+    touch = Touch((one, zero, zero), (zero, one, zero), one, Fraction(preload), zero)
+    region = [(one, x, zero, zero) for x in (zero, one)]
+    found = _least(touch, (Fraction(along), zero, zero), region)
+    assert tuple(map(str, found)) == works
 
 
 @pytest.mark.parametrize(
