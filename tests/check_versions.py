@@ -1,6 +1,7 @@
 """Run the tests with the lowest and with the newest versions that pyproject.toml declares.
 
-For each Python that is found, each of the two goes into an empty environment in a temporary folder.
+For each Python that is found, each of the two goes into an empty environment in a temporary folder;
+two run at once.
 
     python tests/check_versions.py                    with the Pythons 3.11 and 3.13 that are found
     python tests/check_versions.py --python P         with these only (may be repeated)
@@ -18,6 +19,8 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from itertools import product
 from pathlib import Path
 
 # Run as a script, this file finds its own folder only.
@@ -60,6 +63,16 @@ def environment(python: str, versions: str, folder: Path) -> Path | Done:
     return here
 
 
+def tested(python: str, versions: str, tests: Sequence[str]) -> Done:
+    """Run the tests in a new environment; return how they end, or what failed before."""
+    with tempfile.TemporaryDirectory() as name:
+        made = environment(python, versions, Path(name))
+        if isinstance(made, subprocess.CompletedProcess):
+            return made
+        options = ("-q", "-p", "no:cacheprovider", *WARNINGS[versions])
+        return run((made, "-m", "pytest", *options, *tests), ROOT)
+
+
 def main(arguments: Sequence[str]) -> int:
     """Run the tests in each environment; print how they end."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -69,16 +82,10 @@ def main(arguments: Sequence[str]) -> int:
     options = parser.parse_args(arguments)
     pythons = found_pythons(options.python or PYTHONS)
     failed = not pythons or len(pythons) < len(options.python or ())
-    for python in pythons:
-        for versions in options.versions or VERSIONS:
-            with tempfile.TemporaryDirectory() as name:
-                made = environment(python, versions, Path(name))
-                tests = ("-q", "-p", "no:cacheprovider", *WARNINGS[versions], *options.tests)
-                done = (
-                    made
-                    if isinstance(made, subprocess.CompletedProcess)
-                    else run((made, "-m", "pytest", *tests), ROOT)
-                )
+    asked = list(product(pythons, options.versions or VERSIONS))
+    with ThreadPoolExecutor(max_workers=2) as pool:
+        ended = pool.map(lambda one: tested(*one, options.tests), asked)
+        for (python, versions), done in zip(asked, ended, strict=True):
             said = done.stdout + done.stderr
             last = re.findall(r"^.*\b(?:passed|failed|errors?)\b.* in .*$", said, re.MULTILINE)
             print(f"{python}, {versions} versions: {last[-1] if last else 'no tests'}", flush=True)
