@@ -12,6 +12,7 @@ from functools import cached_property
 from itertools import chain, combinations
 from typing import TYPE_CHECKING, Any, Self
 
+from arrangement.console.number_form import counted
 from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.entries import entry, in_one_field, real_vector
@@ -202,10 +203,9 @@ class Planes:
 
     def __repr__(self) -> str:
         kind = "central" if self.is_central else "affine"
-        return (
-            f"<{type(self).__name__}: {len(self)} planes ({len(self.distinct)} distinct) in "
-            f"R^{self.dimension}, rank {self.rank}, {kind}>"
-        )
+        planes = f"{counted(len(self), 'plane')} ({len(self.distinct)} distinct)"
+        where = f"R^{self.dimension}, rank {self.rank}, {kind}"
+        return f"<{type(self).__name__}: {planes} in {where}>"
 
     @cached_property
     def field(self) -> NumberField | None:

@@ -75,6 +75,10 @@ def test_a_common_point_may_be_anywhere():
     assert Arrangement([], dimension=2).has_common_point
 
 
+def test_one_plane_is_not_called_planes():
+    assert repr(Arrangement([[1, 2]])).startswith("<Arrangement: 1 plane (1 distinct) in R^2")
+
+
 def test_equality_as_sets():
     planes = Arrangement([[1, 2], [0, 1]], [1, 0])
     same = Arrangement([[0, -3], [2, 4], [1, 2]], [0, 2, 1])
