@@ -254,11 +254,21 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ),
     ("tests/equilibrium/test_wrench_sets_plane.py",): (
         "equilibrium.wrench_sets.friction",
-        "equilibrium.wrench_sets.margin",
         "equilibrium.wrench_sets.outline",
         "equilibrium.wrench_sets.plane",
         "equilibrium.wrench_sets.search_map",
     ),
+    (
+        *(
+            f"tests/equilibrium/test_resisted_set.py::test_preloads_of_{name}"
+            for name in (
+                "all_contacts_are_those_of_the_margin",
+                "chosen_contacts_resist_every_load",
+            )
+        ),
+        "tests/equilibrium/test_assembly_magnitudes.py::TestTextbook",
+        "tests/equilibrium/test_wrench_sets_plane.py",
+    ): ("equilibrium.wrench_sets.margin",),
     (
         "tests/equilibrium/test_wrench_sets_plane.py",
         "tests/equilibrium/test_wrench_sets_space.py",

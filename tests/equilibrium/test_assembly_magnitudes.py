@@ -63,6 +63,7 @@ class TestTextbook:
         assert not margin
         assert margin.intervals == ((0, 0),)
         assert margin.preloads.intervals == ((1, None),)
+        assert margin.preloads.contacts == tuple(range(1, len(assembly) + 1))
 
     def test_arch_needs_friction(self):
         assembly, weights = known("arch-of-5")

@@ -155,6 +155,14 @@ def test_linear_compliance_tells_motion_and_what_leaves_its_cone():
     assert (verdict.accepts, verdict.motion) == (False, None)
 
 
+def test_linear_compliance_without_friction_refuses_pull():
+    jaws = Grasp([Contact((-1, 0), (1, 0), 0), Contact((1, 0), (-1, 0), 0)])
+    verdict = linear_compliance(jaws, ("1/2", 0, 0))
+    assert (verdict.accepts, verdict.outside) == (False, (0,))
+    assert verdict.forces == ((-Fraction(1, 4), 0), (Fraction(1, 4), 0))
+    assert linear_compliance(jaws, (0, 0, 0)).accepts
+
+
 def test_frictionless_slip_tries_all_states():
     assert frictionless_slip(THREE, (0, -2, 0)).forces == ((0, 0), (2, 0), (0, 0))
     for factor in ("1/100", 1, 100):

@@ -262,6 +262,13 @@ def test_least_friction_of_the_paper_grasps(name, wrench, least):
     assert found.width <= Fraction(1, 1000)
 
 
+def test_tolerance_of_friction_has_a_least_value():
+    grasp = read_grasp(THREE)
+    assert least_friction(grasp, (0, -1, 0), Fraction(1, 2**100)).high == 0
+    with pytest.raises(GraspError, match=r"at least 2\^-100"):
+        least_friction(grasp, (0, -1, 0), Fraction(1, 2**100 + 1))
+
+
 def test_least_friction_with_many_open_ranges_is_refused(monkeypatch):
     contacts = [((-1, -1), (12, 5)), ((1, "1/2"), (12, -5)), (("-5/2", 1), (-5, 12))]
     grasp = Grasp(

@@ -18,6 +18,7 @@ from proofs_check.statements.evidence import verdict_from
 from proofs_check.sweep import report as sweepreport, store
 from proofs_check.sweep.sweep import (
     Plan,
+    Total,
     about,
     instance,
     merge,
@@ -63,6 +64,26 @@ def test_a_sweep_over_types_takes_each_of_them_once(tmp_path, capsys):
     assert main(record) == 0
     out = capsys.readouterr().out
     assert "7 all isomorphism classes of 3 to 5 distinct planes of rank 3: 7 that hold" in out
+
+
+@pytest.mark.parametrize(
+    ("expected", "counts", "remarked"),
+    [
+        ("holds", [5, 0, 0, 0, 0], False),
+        ("refuted", [5, 0, 0, 0, 0], True),
+        ("refuted", [3, 0, 2, 0, 0], True),
+        ("refuted", [3, 2, 0, 0, 0], False),
+        ("holds", [3, 2, 0, 0, 0], False),
+        ("refuted", [0, 0, 0, 0, 5], False),
+    ],
+)
+def test_expected_verdict_named_where_samples_may_miss_it(expected, counts, remarked):
+    claim = {"record": {"expected": expected}, "domain": "arrangements", "unit": "planes"}
+    sums = Total(chunks=1, counts={3: counts})
+    found = verdict_from(sums.outcomes)
+    text = sweepreport._evidence(Plan(CLAIM, "", 3, 3, 5, 0), claim, sums, found)
+    assert text.startswith("5 samples: random arrangements with 3 planes, seed 0: ")
+    assert ("on other instances" in text) == remarked
 
 
 def test_shards_merged_are_the_whole(tmp_path):

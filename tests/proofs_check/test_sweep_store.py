@@ -15,6 +15,7 @@ from hypothesis import example, given, settings, strategies as st
 from proofs_check.cli.program import main
 from proofs_check.errors import DamagedStoreError
 from proofs_check.sweep import store
+from proofs_check.sweep.plan import Plan
 from proofs_check.sweep.sweep import merge, sweep
 
 from .test_sweep import CLAIM, report, small_plan
@@ -31,6 +32,17 @@ VALUES: list[Any] = [
     *(None, 0, 1, 7, 99, -1, 2.5, 2**62, 1e300, b"", b"\xff\xfe", b"{}", "", "x", "[]", "{}", "3"),
     *("null", '{"counts":{}}', '{"counts":[],"smallest":[]}', "1" * 5000, "[" * 5000),
 ]
+
+
+@pytest.mark.parametrize(
+    "change",
+    [{"claim": 1}, {"samples": 0}, {"samples": 1.0}, {"chunk": 0}, {"low": "3"}, {"seed": None}],
+)
+def test_record_without_a_plan_is_refused(change):
+    least = Plan(claim=CLAIM, digest="", low=0, high=4, samples=1, seed=0, chunk=1)
+    assert Plan.from_record(least.record()) == least
+    with pytest.raises(ValueError, match="its plan"):
+        Plan.from_record(least.record() | change)
 
 
 @pytest.fixture(scope="module")
