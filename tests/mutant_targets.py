@@ -359,6 +359,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_grasp.py",
     ): ("equilibrium.model.unit_normal",),
     (
+        "tests/equilibrium/test_contact_states.py",
         "tests/equilibrium/test_methods.py",
         "tests/equilibrium/test_wrench_sets_plane.py::test_friction_without_normal_force_is_none",
     ): ("equilibrium.plane.contact_rows",),

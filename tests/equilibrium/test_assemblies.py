@@ -7,6 +7,7 @@ import itertools
 import json
 import math
 import random
+from dataclasses import replace
 from fractions import Fraction
 from importlib.resources import files
 
@@ -602,6 +603,18 @@ class TestEquilibria:
         assert one.unique
         assert one.states == ("slip+", "attached", "detached", "slip-")
         assert one.forces == solve(*ladder()).forces
+
+    def test_equilibria_that_are_not_known_say_why(self):
+        verdict = solve(STACK, {"lower": (0, -1, 0), "upper": (0, -1, 0)})
+        assert verdict.verdict == "resisted"
+        verdict.__dict__["_all_equilibria"] = "too many choices"
+        assert verdict.lines(True) == [
+            *verdict.lines(), "all equilibria: undecided, too many choices"
+        ]  # fmt: skip
+        assert "too many choices" in str(verdict.to_dict(True)["equilibria"])
+        assert "equilibria" not in verdict.to_dict()
+        refused = replace(verdict, solution=None, verdict="not resisted")
+        assert "equilibria" not in refused.to_dict(True)
 
 
 class TestRigid:

@@ -8,7 +8,7 @@ import pytest
 
 from equilibrium.plane.contacts import IntegerContacts
 from equilibrium.plane.search.motion_regions import ORTHANTS
-from equilibrium.plane.search.virtual_motions import closed
+from equilibrium.plane.search.virtual_motions import _exact_multiplier, closed
 
 from . import judge
 from .degenerate import Question, question
@@ -35,6 +35,24 @@ def answers(asked: Question, regions: list[Region], motions: list[list[int]]) ->
         leaf: Any = [str(x) for x in motion]
         assert answer == judge.leaf_holds(asked.grasp, wrench, leaf, rows, {})
     return found
+
+
+@pytest.mark.parametrize(
+    ("work", "beyond", "weight", "found"),
+    [
+        ([-2, 9], [-1, 3], [1, 1], "5/2"),
+        ([-2, 4], [-1, 0], [1, 1], "5"),
+        ([2, 9], [-1, 3], [1, 1], "3/2"),
+        ([-2, 0], [-1, 0], [1, 0], "5"),
+        ([-2, 0], [-1, 0], [1, 1], None),
+        ([-3, 3], [-1, 3], [1, 1], None),
+        ([-3, 9], [-1, 3], [1, 1], None),
+        ([2, 9], [1, 3], [1, 1], None),
+        ([-2, 4], [-(10**12), 10**12], [1, 1], "3/1000000000000"),
+    ],
+)
+def test_multiplier_of_a_bound_leaves_all_works_above_0(work, beyond, weight, found):
+    assert _exact_multiplier(work, beyond, weight) == (found and Fraction(found))
 
 
 @pytest.mark.parametrize("size", [1, 3, 10**12])

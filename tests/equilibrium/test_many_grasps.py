@@ -9,7 +9,8 @@ import pytest
 from arrangement.errors import InputError, OutOfReachError
 from arrangement.numbers.exact import from_floats
 from equilibrium import Grasp, ResistedSet, check_grasps, solve
-from equilibrium.decide.many_grasps import check as module
+from equilibrium.decide.many_grasps import check as module, equilibria
+from equilibrium.decide.many_grasps.questions import questions
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.model.errors import GraspError
 
@@ -107,6 +108,15 @@ def answered():
     grasps = [random_grasp(4, seed) for seed in range(16)]
     found, loads = checked(grasps, [[random_wrench(seed)] for seed in range(16)])
     return arrays(grasps), loads, found
+
+
+def test_no_equilibrium_is_proved_where_rounding_is_larger(monkeypatch):
+    points = np.array([[[-1.0, 0], [1, 0], [0, -1]]] * 6)
+    values = tuple(np.full((6, 3), x) for x in (0.5, 1.0, 1.0))
+    asked, _ = questions(points, -points, values, np.array([[0, 0.3 * k, 0] for k in range(6)]))
+    assert equilibria.have_equilibria(asked).any()
+    monkeypatch.setattr(equilibria, "ROUNDING", 0.01)
+    assert not equilibria.have_equilibria(asked).any()
 
 
 @pytest.mark.parametrize("scale", [2.0**-70, 1e-9, 3.0, 1e12])

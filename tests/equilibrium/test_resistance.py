@@ -6,8 +6,10 @@ from collections.abc import Iterator
 from fractions import Fraction
 from itertools import count, product
 from random import Random
+from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 
 from arrangement.errors import OutOfReachError
@@ -19,10 +21,12 @@ from equilibrium.decide.solver import STEPS, Solver
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.model.effort import Effort
 from equilibrium.plane.contacts import IntegerContacts
+from equilibrium.plane.search import units
 from equilibrium.plane.search.continuation import find_equilibrium
 from equilibrium.plane.search.motion_regions import HALF_SPACE, MotionRegions
+from equilibrium.plane.search.part_program import PartProgram
 from equilibrium.plane.search.state_equilibrium import Guess, Solution, exact_equilibrium
-from equilibrium.plane.search.state_splits import StateSplits
+from equilibrium.plane.search.state_splits import StateSplits, TooManyParts
 from equilibrium.plane.search.units import SearchUnits
 from equilibrium.wrench_sets.line import resisted_magnitudes
 
@@ -243,10 +247,35 @@ def test_a_contact_that_pushes_all_over_a_region_needs_no_state():
     contacts = IntegerContacts(Grasp([Contact((0, 0), (0, 1), 0, 1, 1)]))
     wrench = (Fraction(0), Fraction(-1, 2), Fraction(0))
     region = [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, -1, 0), (0, 0, 0, 1)]
-    assert isinstance(StateSplits(contacts, wrench, region, 10).decide(), list)
+    assert isinstance(StateSplits(contacts, wrench, region, 1).decide(), list)
+    with pytest.raises(TooManyParts):
+        StateSplits(contacts, wrench, region, 0).decide()
     found = StateSplits(contacts, wrench, HALF_SPACE, 10).decide()
     assert isinstance(found, Solution)
     assert found.motion == (0, Fraction(1, 2), 0)
+
+
+def test_violations_are_those_of_contacts_that_are_not_settled():
+    """Friction of 1/2: sliding one way, the other, resting, pulling, pressing less, and settled."""
+    rows = np.array(
+        [[4, 1, 4, -2], [4, -1, 4, 2], [4, 0, 4, 1], [-3, 0, 1, 0], [4, 1, 3, 0], [4, 1, 0, 5]]
+    )
+    part = SimpleNamespace(_unsettled=np.array([True] * 5 + [False]))
+    found = PartProgram.violations(part, *rows.T, np.full(6, 0.5))
+    assert found.tolist() == [0, 0, 0, 4, 4 + 1.5, 0]
+    found = PartProgram.violations(part, *(rows * [1, -1, 1, 1]).T, np.full(6, 0.5))
+    assert found.tolist() == [4, 4, 0, 4, 4 + 1.5, 0]
+
+
+def test_numbers_of_leaves_are_integers_or_fractions():
+    assert (units._number("-1/2"), units._number("-3")) == (Fraction(-1, 2), -3)
+
+
+def test_many_contacts_with_huge_numbers_are_refused():
+    grasp = random_grasp(90, 0).with_preload(10**300)
+    regions = MotionRegions(IntegerContacts(grasp), (Fraction(10**300), Fraction(0), Fraction(0)))
+    with pytest.raises(OutOfReachError, match="exact programs for 90 contacts"):
+        regions.search()
 
 
 def huge_and_tiny(seed: int) -> tuple[Grasp, Wrench]:
