@@ -111,12 +111,20 @@ def answered():
 
 
 def test_no_equilibrium_is_proved_where_rounding_is_larger(monkeypatch):
-    points = np.array([[[-1.0, 0], [1, 0], [0, -1]]] * 6)
-    values = tuple(np.full((6, 3), x) for x in (0.5, 1.0, 1.0))
-    asked, _ = questions(points, -points, values, np.array([[0, 0.3 * k, 0] for k in range(6)]))
-    assert equilibria.have_equilibria(asked).any()
+    fingers = np.array([[[-1.0, 0], [1, 0], [0, -1], [0, 1]]] * 6)
+    loads = np.array([[0, 0.1 * k, 0] for k in range(6)])
+
+    def proved(count):
+        points, values = fingers[:, :count], [np.full((6, count), x) for x in (0.5, 1.0, 1.0)]
+        asked, _ = questions(points, -points, tuple(values), loads * (5 - count))
+        at_rest = equilibria._at_rest(asked, np.zeros((6, count, 1)))
+        return equilibria.have_equilibria(asked).any(), at_rest.any()
+
+    assert (proved(3), proved(4)) == ((True, False), (True, True))
     monkeypatch.setattr(equilibria, "ROUNDING", 0.01)
-    assert not equilibria.have_equilibria(asked).any()
+    assert not any(proved(3))
+    monkeypatch.setattr(equilibria, "ROUNDING", 0.1)
+    assert not any(proved(4))
 
 
 @pytest.mark.parametrize("scale", [2.0**-70, 1e-9, 3.0, 1e12])
@@ -167,6 +175,7 @@ def test_empty_arrays_taken():
         size = 3 * (shape[2] - 1)
         found = check_grasps(np.zeros(shape), np.zeros(shape), 1, np.ones((2, size)))
         assert found.resisted.tolist() == [[False, False]] * shape[0]
+    assert check_grasps(**{**ONE, "wrenches": np.ones((0, 3))}).resisted.shape == (1, 0)
 
 
 #: Along axes, of rational and of irrational length.

@@ -258,7 +258,7 @@ def test_a_contact_that_pushes_all_over_a_region_needs_no_state():
 def test_violations_are_those_of_contacts_that_are_not_settled():
     """Friction of 1/2: sliding one way, the other, resting, pulling, pressing less, and settled."""
     rows = np.array(
-        [[4, 1, 4, -2], [4, -1, 4, 2], [4, 0, 4, 1], [-3, 0, 1, 0], [4, 1, 3, 0], [4, 1, 0, 5]]
+        [[4, 0.5, 4, -2], [4, -0.5, 4, 2], [4, 0, 4, 1], [-3, 0, 1, 0], [4, 1, 3, 0], [4, 1, 0, 5]]
     )
     part = SimpleNamespace(_unsettled=np.array([True] * 5 + [False]))
     found = PartProgram.violations(part, *rows.T, np.full(6, 0.5))
