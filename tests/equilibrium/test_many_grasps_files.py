@@ -92,6 +92,9 @@ def test_first_grasp_may_have_one_contact(files):
     assert names == ["a", "b"]
     assert arrays["points"][1].tolist() == [[1, 0], [0, 1]]
     assert np.isnan(arrays["friction"]).tolist() == [[False, True], [False, False]]
+    path.write_text("grasp,x,y,nx,ny,mu\n")
+    names, arrays = read_grasps(str(path))
+    assert (names, arrays["points"].shape) == ([], (0, 0, 2))
 
 
 def test_grasps_in_space_read(files, capsys):

@@ -157,7 +157,7 @@ def test_linear_compliance_tells_motion_and_what_leaves_its_cone():
 
 def test_linear_compliance_without_friction_refuses_pull():
     jaws = Grasp([Contact((-1, 0), (1, 0), 0), Contact((1, 0), (-1, 0), 0)])
-    verdict = linear_compliance(jaws, ("1/2", 0, 0))
+    verdict = linear_compliance(jaws, (Fraction(1, 2), 0, 0))
     assert (verdict.accepts, verdict.outside) == (False, (0,))
     assert verdict.forces == ((-Fraction(1, 4), 0), (Fraction(1, 4), 0))
     assert linear_compliance(jaws, (0, 0, 0)).accepts
