@@ -345,6 +345,7 @@ def run_target(name: str, seed: int, first: int = 1, argued: bool = False, sampl
         return bool(here.recv())
 
     if killed(-1):
+        here.send(None)  # Else the worker would wait, and this process for it.
         raise SystemExit(f"the tests of {name} fail without a mutant, or take too long")
     for number, mutant in enumerate(listed[first - 1 :], first - 1):
         known = (mutant.text, mutant.change) in argued_here
