@@ -21,7 +21,9 @@ from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.model.displacement import (
     STIFFNESS_ASSUMED,
     displacement,
+    has_unit,
     small_displacement,
+    spread,
     warning,
 )
 from equilibrium.model.errors import EquilibriumError
@@ -42,6 +44,18 @@ TURNED = (0, Fraction(1, 2), Fraction(1, 2))
 #: A wedge of 4 cm, too steep to hold itself, between two fingers.
 WEDGE = "x,y,nx,ny,mu,preload\n0,0.02,0.6,-0.8,0.5,100\n0,-0.02,0.6,0.8,0.5,100\n"
 OUT = (-1, 0, 0)
+
+
+def test_one_stiffness_or_preload_gives_displacements_a_unit():
+    bare, given = Contact([0, 0], [0, 1], 0), Contact([1, 0], [0, 1], 0, 1)
+    loaded = Contact([2, 0], [0, 1], 0, preload=1)
+    assert has_unit(Grasp([bare, given]))
+    assert has_unit(Grasp([bare, loaded]))
+    assert not has_unit(Grasp([bare, bare]))
+    assert small_displacement(Grasp([bare, given])) == Fraction(1, 10)
+    assert small_displacement(Grasp([given, given])) is None
+    assert small_displacement(Grasp([bare, replace(bare, point=(1, 0))])) is None
+    assert spread([]) == 0
 
 
 def bounded_questions(count: int):

@@ -110,6 +110,17 @@ def answered():
     return arrays(grasps), loads, found
 
 
+def test_contacts_that_never_press_have_zeros_alone():
+    points, one = np.array([[[-1.0, 0], [1, 0], [np.nan, 0]]]), np.ones((1, 3))
+    stiffness, preload = np.array([[0.0, 1, 1]]), np.array([[0.0, 0, 1]])
+    asked, usable = questions(points, -points, (one, stiffness, preload), np.ones((1, 3)))
+    assert usable.all()
+    assert asked.friction.tolist() == [[0, 1, 0]]
+    assert asked.normal.any(axis=2).tolist() == [[False, True, False]]
+    asked, _ = questions(points, -points, (one, 0 * stiffness, one), np.ones((1, 3)))
+    assert asked.friction.tolist() == [[1, 1, 0]]
+
+
 def test_no_equilibrium_is_proved_where_rounding_is_larger(monkeypatch):
     fingers = np.array([[[-1.0, 0], [1, 0], [0, -1], [0, 1]]] * 6)
     loads = np.array([[0, 0.1 * k, 0] for k in range(6)])

@@ -16,6 +16,7 @@ from equilibrium import Contact, Grasp, GraspError, read_grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.cli.program import main
+from equilibrium.decide import robustness
 from equilibrium.decide.corners import moved
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs import from_float_data, read_csv
@@ -374,6 +375,28 @@ class TestRobust:
         error = DataError(*[Fraction(1, 10**6)] * 3)
         found = solve(replace(grasp, data_error=error), load).within_error()
         assert (found.verdict, found.asked, found.proved) == ("resisted", 4, False)
+
+    def test_error_of_data_is_a_bound_for_which_a_verdict_is_proved(self):
+        pads, load = two_pads(), (0, -20, 0)
+        error = DataError(*[Fraction(1, 10**6)] * 3)
+        found = solve(replace(pads, data_error=error), load).within_error()
+        assert list(found.lines()) == [
+            "resisted for all grasps within the rounding error: proved"
+        ]  # fmt: skip
+        bounds = check(found.certificate.to_dict(), question=(pads, load)).bounds
+        assert bounds == robustness._error_bounds(replace(pads, data_error=error))[0]
+        assert (bounds.length, bounds.friction) == (error.length, 2 * error.value)
+        assert bounds.preload == error.value / 20
+        assert bounds.angle == error.angle
+        mixed = Grasp(Contact([x, 0], [0, 1], Fraction(1, x)) for x in (2, 4))
+        bounds, every = robustness._error_bounds(replace(mixed, data_error=error))
+        assert (bounds.friction, bounds.preload, every) == (4 * error.value, error.value, True)
+        # Friction of 1/2 with an error of 1/2 may be 0, which no bounds have.
+        for wide in ({"value": Fraction(1, 2)}, {"angle": Fraction(1)}):
+            data = replace(pads, data_error=replace(error, **wide))
+            bounds, every = robustness._error_bounds(data)
+            assert not every
+            assert (bounds.degrees == 45) == ("angle" in wide)
 
     @pytest.mark.parametrize("scale", [Fraction(1, 10**9), 10**9])
     def test_answers_do_not_change_with_units(self, scale):
