@@ -47,7 +47,20 @@ SPACE_SEARCH = (
         f"tests/equilibrium/test_space.py::Test{name}"
         for name in ("KnownLeaves", "Borders", "Planes")
     ),
-    "tests/equilibrium/test_space.py::test_frictionless_load_resisted_by_normals_alone",
+    *(
+        f"tests/equilibrium/test_space.py::test_{name}"
+        for name in (
+            "bound_of_friction_is_the_largest_product_in_a_sector",
+            "changed_multiples_of_columns_cancel",
+            "conditions_of_pyramids_hold_on_their_sides_and_corners_alone",
+            "exact_program_of_bounded_displacements_has_a_proof",
+            "leaves_count_loads_and_preloads_in_the_same_unit",
+            "reach_of_a_load_twice_too_large_is_its_half",
+            "frictionless_load_resisted_by_normals_alone",
+            "what_floats_leave_open_is_decided",
+            "a_load_on_the_border_is_given_up_early",
+        )
+    ),
     PYRAMIDS,
 )
 CIRCLES = ("tests/arrangement/test_great_circles_exactness.py", FIELD)
@@ -270,6 +283,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_wrench_sets_plane.py",
     ): ("equilibrium.wrench_sets.margin",),
     (
+        "tests/arrangement/test_surface.py::test_facets_run_counter_clockwise_seen_from_outside",
         "tests/equilibrium/test_wrench_sets_plane.py",
         "tests/equilibrium/test_wrench_sets_space.py",
     ): ("arrangement.numbers.linear.polyhedron",),
@@ -320,8 +334,12 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "equilibrium.methods.method",
         "equilibrium.methods.printed_model",
         "equilibrium.methods.springs",
-        "equilibrium.methods.weak_strong",
     ),
+    (
+        "tests/equilibrium/test_methods.py",
+        "tests/equilibrium/test_methods_properties.py",
+        "tests/equilibrium/test_assemblies.py::TestRigid",
+    ): ("equilibrium.methods.weak_strong",),
     (
         "tests/equilibrium/test_grasp.py",
         "tests/equilibrium/test_schema.py",
@@ -437,8 +455,12 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "proofs_check.sweep.plan",
         "proofs_check.sweep.report",
         "proofs_check.sweep.store",
-        "proofs_check.sweep.sweep",
     ),
+    (
+        "tests/proofs_check/test_many_types.py",
+        "tests/proofs_check/test_sweep_store.py",
+        "tests/proofs_check/test_sweep.py",
+    ): ("proofs_check.sweep.sweep",),
 }
 TARGETS |= {
     module.partition(".")[2]: Target(module, tests, SAMPLE)

@@ -155,6 +155,12 @@ def test_linear_compliance_tells_motion_and_what_leaves_its_cone():
     assert (verdict.accepts, verdict.motion) == (False, None)
 
 
+@pytest.mark.parametrize("name", ["weak", "frictionless", "linear-compliance"])
+def test_region_of_a_method_is_one_of_forces_alone(name):
+    spans = ((1, 0, 0), (0, 1, 0))
+    assert METHODS[name].region(THREE) == METHODS[name].region(THREE, spans, (0, 0, 0))
+
+
 def test_linear_compliance_without_friction_refuses_pull():
     jaws = Grasp([Contact((-1, 0), (1, 0), 0), Contact((1, 0), (-1, 0), 0)])
     verdict = linear_compliance(jaws, (Fraction(1, 2), 0, 0))

@@ -18,6 +18,7 @@ from scipy.optimize import linprog
 
 from arrangement.errors import InputError
 from arrangement.numbers import budget, deadline
+from arrangement.numbers.exact import dot
 from arrangement.numbers.linear.programs import Infeasible, feasible_point
 from equilibrium import Grasp, Solution, Verdict, read_grasp, solve, unit_normal
 from equilibrium.certificate.checker import check
@@ -32,6 +33,9 @@ from equilibrium.model.effort import Effort
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.rows import ContactRows
 from equilibrium.plane.contacts import FloatContacts
+from equilibrium.space.cones import Pyramids, RoundCones
+from equilibrium.space.exact_parts import ExactParts
+from equilibrium.space.leaves import Leaves, _cancelled
 from equilibrium.space.plane import decide_in_plane
 from equilibrium.space.relaxation import Relaxation
 from equilibrium.space.tree import SpatialSearch
@@ -128,6 +132,102 @@ class TestKnownLeaves:
         grasp = Grasp(replace(c, preload=q) for c, q in zip(fingers, preloads, strict=True))
         verdict = solve(grasp, random_wrench(1, dimension=3), nodes=10)
         assert verdict.verdict == "undecided" or verdict.verify()
+
+
+@pytest.mark.parametrize(
+    ("columns", "values"),
+    [
+        ([(1, 0), (0, 1), (1, 1)], [5, 7, 3]),
+        ([(-2, 0), (0, 3), (1, 1), (4, -5)], [5, 7, 3, -2]),
+        ([(1, 1), (2, 2), (0, 1)], [1, 5, 0]),
+    ],
+)
+def test_changed_multiples_of_columns_cancel(columns, values):
+    found, scale = _cancelled(columns, values, 2)
+    assert scale > 0
+    assert all(dot(row, found) == 0 for row in zip(*columns, strict=True))
+    assert any(found)
+
+
+def test_leaves_count_loads_and_preloads_in_the_same_unit():
+    contacts = [
+        Contact([k, 0, 0], [0, 0, 1], 1, preload=p) for k, p in enumerate(("1/2", "5/3", 0))
+    ]
+    load = tuple(map(Fraction, (0, "1/7", 0, 0, 2, 0)))
+    leaves = Leaves(FloatContacts(ContactRows.of_grasp(Grasp(contacts))), load, RoundCones())
+    assert [Fraction(each.preload, leaves.unit) for each in leaves.each] == [
+        contact.preload for contact in contacts
+    ]
+    assert tuple(Fraction(x, leaves.unit) for x in leaves.load) == load
+
+
+@pytest.mark.parametrize(
+    ("nodes", "near", "share", "splits", "stuck"),
+    [
+        (3, 0.001, 0, 1, False),
+        (4, 0.001, 0.5, 2, False),
+        (60, 0.001, 0.5, 2, True),
+        (60, 0.6, 0.5, 2, False),  # near enough
+    ],
+)
+def test_reach_of_a_load_twice_too_large_is_its_half(nodes, near, share, splits, stuck):
+    load = tuple(2 * x for x in across("3/5", "4/5"))
+    found = Solver(FINGERS).reach(load, (Fraction(0),) * 6, nodes, near)
+    assert abs(found.share - share) < 1e-6
+    assert (len(found.tree.splits), found.stuck) == (splits, stuck)
+
+
+def test_exact_program_of_bounded_displacements_has_a_proof():
+    """The preloads of two contacts alone cannot be undone within the bound."""
+    contacts = [
+        Contact([0, 0, 0], [0, 0, 1], "1/2", preload=1),
+        Contact([1, 0, 0], [0, 0, 1], 1, stiffness=2, preload="1/3"),
+    ]
+    grasp, load, bound = Grasp(contacts), (Fraction(0),) * 6, Fraction(1, 100)
+    floats = FloatContacts(ContactRows.of_grasp(grasp))
+    leaf = ExactParts(floats, load, Effort(), bound).part(["undecided"] * 2, np.zeros((2, 2)))
+    assert leaf["multipliers"].keys() == leaf["displacements"].keys()
+    assert check(refuted_certificate(grasp, load, leaf, None, bound).to_dict())
+
+
+@pytest.mark.parametrize(
+    ("room", "b", "state", "below"),
+    [
+        (5, (6, 8), "undecided", True),  # friction 1/2 times 10
+        (4, (6, 8), "undecided", False),
+        (-5, (6, 8), "undecided", False),
+        (0, (0, 0), "undecided", True),
+        (-1, (0, 0), "undecided", False),
+        (5, (6, 8), ((1, 0), (0, 1)), True),
+        (4, (6, 8), ((1, 0), (0, 1)), False),
+        (4, (-6, 8), ((1, 0), (0, 1)), True),  # the largest is at an end, and not 10
+        (3, (-6, 8), ((1, 0), (0, 1)), False),
+        (-3, (-6, -8), ((1, 0), (0, 1)), True),
+        (-4, (-6, -8), ((1, 0), (0, 1)), False),
+    ],
+)
+def test_bound_of_friction_is_the_largest_product_in_a_sector(room, b, state, below):
+    assert RoundCones().below(room, Fraction(1, 2), b, state) == below
+
+
+def test_conditions_of_pyramids_hold_on_their_sides_and_corners_alone():
+    cones, mu = Pyramids(pyramid_edges(6)), 0.5
+    for slip in cones.all:
+        along = np.sum(slip.ends, axis=0, dtype=float)
+        for edge in slip.edges:
+            friction = -mu * np.array(edge, dtype=float)
+            for way, force, obeyed in (
+                (1, friction, True),
+                (-1, friction, False),
+                (1, -friction, False),
+                (1, 2 * friction, False),
+            ):
+                held = []
+                for kind, moved, pressed in cones.conditions(mu, slip):
+                    assert len(moved) == len(pressed)
+                    values = moved @ (way * along) + pressed @ (1.0, *force)
+                    held += (abs(values) < 1e-9 if kind == "zero" else values < 1e-9).tolist()
+                assert all(held) == obeyed
 
 
 class TestKnownLoads:
@@ -544,6 +644,12 @@ class TestPlanes:
         grasp, wrench = in_a_plane()
         tree = decide_in_plane(grasp, wrench, Effort())
         return refuted_certificate(grasp, wrench, tree).to_dict()
+
+    def test_one_contact_holds_a_push_along_its_normal(self):
+        table = Grasp([Contact([0, 0, 0], [0, 0, 1], 1)])
+        for push, held in ((-1, True), (1, False)):
+            found = decide_in_plane(table, (0, 0, Fraction(push), 0, 0, 0), Effort())
+            assert isinstance(found, Solution) == held
 
     def test_planar_proof_accepted_with_its_planes(self):
         proof = self.proof()

@@ -45,6 +45,13 @@ def test_record_without_a_plan_is_refused(change):
         Plan.from_record(least.record() | change)
 
 
+def test_chunk_of_a_plan_has_its_number_and_all_its_samples():
+    plan = Plan(claim=CLAIM, digest="", low=3, high=4, samples=5, seed=0, chunk=3)
+    asked = [(0, 3), (0, 2), (1, 2), (1, 3), (2, 0), (-1, 3)]
+    chunks = [store.Chunk(n, {"counts": {"3": [k, 0], "4": [0, 0]}}, {}, 0) for n, k in asked]
+    assert [chunk.of(plan) for chunk in chunks] == [True, False, True, False, False, False]
+
+
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A complete store, all of it in one file."""
