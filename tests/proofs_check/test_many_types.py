@@ -7,7 +7,7 @@ from arrangement.duals.inscribed.report import inscribability
 from arrangement.library.census import PUBLISHED, catalogue, census
 from proofs_check.routes import many_types
 from proofs_check.routes.dual_graph import from_covectors, minimum_cycle_lengths
-from proofs_check.sweep.sweep import EACH, plan_sweep, run_chunk
+from proofs_check.sweep.sweep import EACH, _at_once, plan_sweep, run_chunk, target
 
 
 @pytest.mark.parametrize("planes", [3, 4, 5, 6])
@@ -63,6 +63,18 @@ def test_a_sweep_over_nine_planes_decides_many_types_at_once(claim):
     later = run_chunk(plan, number + 1).result["counts"]
     assert later == {"9": [40, 0, 0, 0, 0]}
     assert not any(index % EACH == 0 for index in plan.indices(number + 1))
+
+
+def test_classes_of_nine_planes_alone_are_decided_at_once():
+    claim = "great-circle-regions"
+    every = plan_sweep(claim, (9, 9), None)
+    assert _at_once(every, target(claim), range(2)).keys() == {0, 1}
+    for name, plan in (
+        (claim, plan_sweep(claim, (9, 9), 10)),
+        (claim, plan_sweep(claim, (8, 8), None)),
+        ("euler", plan_sweep("euler", (9, 9), None)),
+    ):
+        assert _at_once(plan, target(name), range(2)) == {}
 
 
 def test_a_type_that_both_routes_find_otherwise_breaks_the_sweep(monkeypatch):
