@@ -178,7 +178,11 @@ TARGETS = {
     "leaves": Target("equilibrium.plane.search.virtual_motions", SEARCH, 12),
     "guess": Target("equilibrium.plane.search.state_equilibrium", SEARCH, 12),
     "splits": Target("equilibrium.plane.search.state_splits", SEARCH, 12),
-    "program": Target("equilibrium.plane.search.part_program", SEARCH, 12),
+    "program": Target(
+        "equilibrium.plane.search.part_program",
+        (*SEARCH, "tests/equilibrium/test_displacement.py"),
+        12,
+    ),
     "part": Target("equilibrium.plane.search.part_guess", SEARCH, 12),
     "oracle": Target("proofs_check.routes.oracle", ("tests/proofs_check/test_oracle.py",), 12),
 }

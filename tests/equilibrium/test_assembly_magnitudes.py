@@ -109,6 +109,10 @@ class TestContactProgram:
         assert [end.is_lawful for end in program.ends()] == [False, True]
         held = self.program([floor], ("undecided",), (0, -2, 0), max_displacement=none)
         assert held.start() == (0, [6], ("detached",))
+        # With any friction a contact that presses may rub, and one that does not may not.
+        for load, violation in (((-2, -1, 0), 0), ((-2, 0, 0), 2)):
+            rubbing = self.program([floor], ("attached",), load, frictions=(none, None))
+            assert rubbing.start().violations == [violation]
 
     def test_multiples_of_expressions_are_added(self):
         terms = {0: Fraction(1)}

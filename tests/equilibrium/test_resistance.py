@@ -267,6 +267,16 @@ def test_violations_are_those_of_contacts_that_are_not_settled():
     assert found.tolist() == [4, 4, 0, 4, 4 + 1.5, 0]
 
 
+def test_leaves_name_the_multipliers_that_do_not_follow():
+    part = SimpleNamespace(alpha={0: 3, 1: 4, 2: 5, 3: 6}, h={1: 7}, pins={})
+    part.states = {0: "detached", 1: "detached", 2: "attached", 3: "detached"}
+    leaf = PartProgram.written(part, [1, -2, 3, 5, 0, 0, 0, 9])
+    named = {"0": ["5"], "1": ["0", "9"], "2": ["0"]}
+    assert leaf == {"virtual_motion": ["1", "-2", "3"], "multipliers": named}
+    part.states[2] = "detached"
+    assert PartProgram.written(part, [1, -2, 3, *[0] * 5]) == ["1", "-2", "3"]
+
+
 def test_numbers_of_leaves_are_integers_or_fractions():
     assert (units._number("-1/2"), units._number("-3")) == (Fraction(-1, 2), -3)
 
