@@ -84,6 +84,7 @@ def test_expected_verdict_named_where_samples_may_miss_it(expected, counts, rema
     text = sweepreport._evidence(Plan(CLAIM, "", 3, 3, 5, 0), claim, sums, found)
     assert text.startswith("5 samples: random arrangements with 3 planes, seed 0: ")
     assert ("on other instances" in text) == remarked
+    assert sweepreport._table("planes", sums)["rows"] == [[3, *counts]]
 
 
 def test_shards_merged_are_the_whole(tmp_path):
