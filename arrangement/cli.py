@@ -6,7 +6,6 @@ import argparse
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
-from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -32,7 +31,7 @@ _FILE = (
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command; return its exit code."""
-    return terminal.run(_program(), argv)
+    return terminal.run(_parser(), argv)
 
 
 #: Names of earlier releases, and guesses, with what to write now.
@@ -49,12 +48,6 @@ _RENAMED = {
     "--proved": "--verified",
     "--types": "--classes",
 }
-
-
-@cache
-def _program() -> Parser:
-    """Return the parser that all calls of `main` share."""
-    return _parser()
 
 
 def _parser() -> Parser:

@@ -211,8 +211,7 @@ def spanning_wrench(text: str) -> tuple[Fraction, ...]:
 
 def _let_grow(parser: Any, *options: argparse.Action) -> None:
     """Let options take more numbers, for grasps in space; groups know their parser."""
-    whole = getattr(parser, "_container", parser)
-    whole.variadic.update((option, option.nargs) for option in options)
+    getattr(parser, "_container", parser).variadic.extend(options)
 
 
 def add_number(

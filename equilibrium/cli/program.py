@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
-from functools import cache
 
 from arrangement.console import terminal
 from arrangement.console.options.parser import Parser
@@ -52,13 +51,7 @@ _RENAMED = {
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command; return its exit code."""
-    return terminal.run(_program(), argv)
-
-
-@cache
-def _program() -> Parser:
-    """Return the parser that all calls of `main` share."""
-    return _parser()
+    return terminal.run(_parser(), argv)
 
 
 def _parser() -> Parser:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import re
 from collections.abc import Callable, Sequence
-from functools import cache
 from importlib import import_module
 
 from arrangement.console import terminal
@@ -44,13 +43,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     Exit codes: 0 every verdict is the expected one, 1 some verdict differs, 2 bad input.
     """
-    return terminal.run(_program(), argv)
-
-
-@cache
-def _program() -> Parser:
-    """Return the parser that all calls of `main` share."""
-    return _parser()
+    return terminal.run(_parser(), argv)
 
 
 def _parser() -> Parser:

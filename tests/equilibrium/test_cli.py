@@ -233,13 +233,3 @@ def test_methods_are_chosen_by_name(capsys):
     assert code == 1
     names = [entry["method"] for entry in json.loads(out)["methods"]]
     assert names == ["complete", "cones", "weak"]
-
-
-def test_a_command_leaves_no_trace_in_the_next(capsys):
-    """All share one parser: a wrench in space takes six numbers, the next one three again."""
-    space = ("--wrench", "0", "0", "-1", "0", "0", "0")
-    assert call(capsys, "solve", "two-opposed-fingers", *space)[0] == 0
-    assert call(capsys, "solve", THREE, "--wrench", "0", "-1", "0")[0] == 0
-    with pytest.raises(SystemExit):
-        main(["solve", THREE, "--wrench", "0", "-1"])
-    assert "--wrench: expected 3 arguments" in capsys.readouterr().err

@@ -39,7 +39,7 @@ class Parser(argparse.ArgumentParser):
 
     Attributes:
         lazy_options: adds the options that take time to find out.
-        variadic: options that take more numbers where more follow, with how many at least.
+        variadic: options that take at least so many numbers as their ``nargs``.
         arguments: the words that are parsed.
         renamed: commands and options of earlier releases and of other programs, with what to write
             now.
@@ -53,7 +53,7 @@ class Parser(argparse.ArgumentParser):
         super().__init__(**options)
         self._negative_number_matcher = _NEGATIVE_NUMBER
         self.lazy_options: Callable[[], None] | None = None
-        self.variadic: dict[argparse.Action, Any] = {}
+        self.variadic: list[argparse.Action] = []
         self.arguments: Sequence[str] = ()
         self.renamed: Mapping[str, str] = {}
         self.headings: dict[str, list[tuple[str, str]]] = {}
@@ -78,11 +78,7 @@ class Parser(argparse.ArgumentParser):
         self.arguments = words = sys.argv[1:] if args is None else args
         self._seen = []
         self.add_lazy_options()
-        try:
-            found, rest = super().parse_known_args(list(self._split_numbers(words)), namespace)
-        finally:
-            for option, least in self.variadic.items():
-                option.nargs = least
+        found, rest = super().parse_known_args(list(self._split_numbers(words)), namespace)
         for word in rest:
             self.error(self._unknown(word))
         self._refuse_empty(found)
@@ -103,7 +99,7 @@ class Parser(argparse.ArgumentParser):
             if option is not None:
                 if option in self.variadic:
                     given = [value, *words[i + 1 :]] if equals else words[i + 1 :]
-                    option.nargs = max(self.variadic[option], _numbers(given))
+                    option.nargs = max(option.nargs, _numbers(given))  # type: ignore[type-var]
                 due = _numbers_after(option)
             if option is not None and due and equals:
                 yield name

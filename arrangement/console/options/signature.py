@@ -106,7 +106,7 @@ class Option:
         if syntax.variadic:
             # A group knows its parser.
             whole: Parser = getattr(parser, "_container", parser)
-            whole.variadic[added] = added.nargs
+            whole.variadic.append(added)
         return added
 
 
