@@ -183,7 +183,7 @@ def test_each_class_of_affine_lines_is_listed_once(m):
     assert plain == {identify(moved(lines)).label for lines in affine_lines.lines(m, simple=True)}
     source = Random(m)
     drawn = set()
-    for _ in range((0, 10, 30, 60, 25, 10)[m]):
+    for _ in range((0, 10, 30, 100, 25, 10)[m]):
         rows = [[source.randint(-2, 2) for _ in range(3)] for _ in range(m)]
         if all(any(row[:2]) for row in rows):
             lines = Arrangement([row[:2] for row in rows], [row[2] for row in rows])
