@@ -2,6 +2,7 @@
 
 import io
 import json
+import os
 import shutil
 import zipfile
 from functools import partial
@@ -59,6 +60,20 @@ def test_files_without_flats_for_a_part_are_not_opened_for_it(tmp_path, monkeypa
     monkeypatch.setattr(counts_in_parts, "ZipFile", archive)
     assert in_parts(RESONANCE, tmp_path, parts=32) == NUMBERS
     assert len(opened) < 4 * len(set(opened))
+
+
+def test_folder_made_again_counts_its_new_planes_where_times_are_coarse(tmp_path, monkeypatch):
+    """Some file systems keep seconds alone, so that a new file has the time of the old one."""
+    real = Path.stat
+
+    def coarse(path: Path, **options: Any) -> Any:
+        found = real(path, **options)
+        return os.stat_result((*tuple(found)[:7], 0, 0, 0))
+
+    monkeypatch.setattr(Path, "stat", coarse)
+    for planes in (RESONANCE, families.threshold_functions(4), families.generic(9, 5)):
+        assert in_parts(planes, tmp_path / "same") == counts.first_whitney_numbers(planes)
+        shutil.rmtree(tmp_path / "same")
 
 
 def test_folder_made_anew_counts_its_new_planes(tmp_path):

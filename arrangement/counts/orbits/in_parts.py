@@ -327,9 +327,8 @@ def _read(root: str, rank: int, part: int, above: int | None = None) -> dict[str
         return arrays
 
     try:
-        about = place.stat()
-        most = _MAX_EXPANSION * about.st_size
-        if above is not None and above not in _filled(root, rank, part, about.st_mtime_ns):
+        most = _MAX_EXPANSION * place.stat().st_size
+        if above is not None and above not in _filled(root, plan, rank, part):
             return {}
         with ZipFile(place) as file:
             names = _SUMS if above is None else tuple(f"{name}-{above}" for name in _FLATS)
@@ -342,8 +341,8 @@ def _read(root: str, rank: int, part: int, above: int | None = None) -> dict[str
 
 
 @lru_cache(maxsize=1024)
-def _filled(root: str, rank: int, part: int, _: int) -> frozenset[int]:
-    """Return the parts of the rank after that flats of a file come up to; last, when it changed.
+def _filled(root: str, _: bytes, rank: int, part: int) -> frozenset[int]:
+    """Return the parts of the rank after that flats of a file come up to: the plan decides them.
 
     Where there are few flats, most files have none for most parts: a process opens each once.
     """
