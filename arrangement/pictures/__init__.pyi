@@ -4,7 +4,7 @@ from .diagrams.lines import draw_lines as draw_lines
 from .duals.dual import draw_dual as draw_dual
 from .duals.graph import draw_graph as draw_graph
 from .duals.poset import draw_poset as draw_poset
-from .page.page import arrangement_page as arrangement_page
+from .lab.arrangement_page import arrangement_page as arrangement_page
 from .space.cells import cells_page as cells_page, draw_cells as draw_cells
 from .space.planes import draw_planes as draw_planes, draw_section as draw_section
 from .space.planes_sheet import DrawnFacet as DrawnFacet

@@ -9,8 +9,10 @@ from typing import Any
 import pytest
 
 from arrangement import Arrangement, families, read_arrangement
+from arrangement.console.number_form import sign_text
 from arrangement.pictures import arrangement_page, cells_page
 from arrangement.pictures.parts.names import equation
+from tests.arrangement.test_lab import arrangements
 from tests.browser import Browser
 
 #: Regions, arcs and crossings, from the literature: coordinate planes (cube), A3 (permutohedron),
@@ -40,7 +42,7 @@ def opened(browser: Browser, tmp_path: Path) -> Opened:
 
 
 def counts(browser: Browser) -> tuple[int, ...]:
-    text = browser.text("sphere-counts")
+    text = browser.text("ball-counts")
     return tuple(map(int, re.findall(r"\d+", text)))
 
 
@@ -57,22 +59,78 @@ def facts(browser: Browser) -> dict[str, str]:
 
 
 def vector(text: str) -> tuple[Fraction, ...]:
-    return tuple(map(Fraction, text.strip("()").split(", ")))
+    return tuple(map(Fraction, text.replace("\u2212", "-").strip("()").split(", ")))
 
 
 def signs(text: str) -> tuple[int, ...]:
-    return tuple({"+": 1, "-": -1, "0": 0}[sign] for sign in text)
+    return tuple({"+": 1, "\u2212": -1, "0": 0}[sign] for sign in text)
+
+
+def listed(browser: Browser) -> set[str]:
+    """Return the sign vectors of all regions; a plane that was taken away has a dot."""
+    return set(browser.texts("#regions option")[1:])
+
+
+def expected(planes: Arrangement) -> set[str]:
+    return {sign_text(face.signs, "\u2212") or "(no plane)" for face in planes.regions()}
 
 
 @pytest.mark.parametrize("name", KNOWN)
 def test_the_page_shows_every_cell_and_stays_silent(name, browser, opened):
     opened(name)
     assert counts(browser) == dual_counts(browser) == KNOWN[name]
-    assert browser.count("#sphere .region") == KNOWN[name][0]
+    assert listed(browser) == expected(read_arrangement(name))
     assert browser.count("#dual .vertex") == KNOWN[name][0]
     assert browser.count("#dual .edge") == KNOWN[name][1]
-    assert browser.count("#sphere .region:not([d=''])") >= KNOWN[name][0] / 2
+    assert KNOWN[name][0] / 2 <= browser.count("#ball .region") <= KNOWN[name][0]
     assert browser.messages() == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", range(12))
+def test_page_counts_what_the_enumerators_count(number, browser, opened):
+    planes = arrangements(12, seed=7)[number]
+    if planes.dimension == 2:
+        planes = Arrangement(planes.normals, dimension=2)
+    assert_counted(planes, browser, opened)
+
+
+@pytest.mark.parametrize("size", [10, 16, 14])
+def test_page_counts_in_real_number_fields(size, browser, opened):
+    """In Q(sqrt 5), in Q(sqrt 2), and in a field of degree 3."""
+    assert_counted(families.regular(size), browser, opened)
+
+
+def assert_counted(planes: Arrangement, browser: Browser, opened: Opened) -> None:
+    opened(planes)
+    assert listed(browser) == expected(planes)
+    if planes.rank == 3:
+        crossings, arcs, regions = planes.f_vector[1:]
+        assert counts(browser) == dual_counts(browser) == (regions, arcs, crossings)
+    assert browser.messages() == []
+
+
+def test_exact_points_of_a_field_have_the_signs_shown(browser, opened):
+    planes = families.coxeter("H3")
+    opened(planes)
+    assert counts(browser) == (120, 180, 62)
+    for region in (0, 57, 119):
+        browser.put("regions", region)
+        told = facts(browser)
+        texts = told["a point inside"].replace("\u2212", "-").strip("()").split(", ")
+        assert planes.signs_at([field_number(planes, text) for text in texts]) == signs(
+            told["signs"]
+        )
+
+
+def field_number(planes: Arrangement, text: str) -> Any:
+    """Return the number of a text such as ``-1 + 3a``."""
+    assert planes.field is not None
+    terms = re.findall(r"(-?)(\d*)(a?)", text.replace(" ", "").replace("+", ","))
+    values = [
+        (a, (-1 if minus else 1) * int(digits or 1)) for minus, digits, a in terms if digits or a
+    ]
+    return planes.field.number([sum(x for a, x in values if a == name) for name in ("", "a")])
 
 
 def test_the_whole_disk_is_covered_by_regions(browser, opened):
@@ -80,7 +138,7 @@ def test_the_whole_disk_is_covered_by_regions(browser, opened):
     opened("braid-a3", camera=(4, 5, 3))
     wrong = browser.run(
         """
-        const view = document.getElementById("sphere");
+        const view = document.getElementById("ball");
         const box = view.querySelector(".ball").getBoundingClientRect();
         const [cx, cy, r] = [box.left + box.width / 2, box.top + box.height / 2, box.width / 2];
         let missed = 0;
@@ -101,7 +159,7 @@ def test_the_whole_disk_is_covered_by_regions(browser, opened):
 def test_pointing_at_a_region_tells_its_signs_and_an_inner_point(browser, opened):
     planes = read_arrangement("coordinate-planes")
     opened(planes, camera=(1, 1, 1))
-    browser.pointer("mouseMoved", *browser.middle("#sphere .ball"))
+    browser.pointer("mouseMoved", *browser.middle("#ball .ball"))
     told = facts(browser)
     assert told["signs"] == "+++"
     assert planes.signs_at(vector(told["a point inside"])) == (1, 1, 1)
@@ -116,9 +174,11 @@ def test_a_click_on_a_vertex_keeps_its_region(browser, opened):
     place = browser.middle("#dual .vertex:not(.back)")
     browser.click_at(*place)
     browser.pointer("mouseMoved", 3, 3)
-    vertex = browser.run("return document.querySelector('#dual .vertex.lit').dataset.id")
-    region = browser.run("return document.querySelector('#sphere .region.lit').dataset.id")
-    assert vertex == region
+    marks = [
+        browser.run(f"return document.querySelector('#{view} .lit').dataset.mark")
+        for view in ("ball", "dual")
+    ]
+    assert marks[0] == marks[1]
     assert len(facts(browser)["signs"]) == 6
     browser.click_at(*place)
     browser.pointer("mouseMoved", 3, 3)
@@ -141,23 +201,26 @@ def test_a_plane_taken_away_leaves_the_arrangement_of_the_others(name, browser, 
         regions, arcs, crossings = counts(browser)
         assert regions == len(rest.regions())
         assert dual_counts(browser) == (regions, arcs, crossings)
-        assert browser.count("#sphere .region") == regions
+        assert listed(browser) == {
+            "".join([*"·" * (len(planes) - len(left)), *text]) if left else "·" * len(planes)
+            for text in expected(rest)
+        }
         if rest.rank == 3:
             assert (crossings, arcs, regions) == rest.f_vector[1:]
             assert crossings - arcs + regions == 2
     browser.run("document.getElementById('all').click()")
-    assert counts(browser)[0] == len(planes.regions())
+    assert listed(browser) == expected(planes)
     assert browser.messages() == []
 
 
 def shapes(browser: Browser) -> list[str]:
     return [
         browser.run(f"return document.getElementById('{view}').innerHTML")
-        for view in ("sphere", "dual")
+        for view in ("ball", "dual")
     ]
 
 
-@pytest.mark.parametrize("view", ["sphere", "dual"])
+@pytest.mark.parametrize("view", ["ball", "dual"])
 def test_dragging_one_view_turns_both(view, browser, opened):
     opened("braid-a3")
     before = shapes(browser)
@@ -173,7 +236,7 @@ def test_dragging_one_view_turns_both(view, browser, opened):
 def test_a_finger_turns_and_a_tap_chooses(browser, opened):
     opened("coordinate-planes", camera=(1, 1, 1))
     before = shapes(browser)
-    x, y = browser.middle("#sphere .ball")
+    x, y = browser.middle("#ball .ball")
     browser.fingers([(x, y)], [(x + 30, y)], [(x + 60, y + 20)])
     assert shapes(browser)[0] != before[0]
     assert facts(browser) == {}
@@ -185,7 +248,7 @@ def test_a_finger_turns_and_a_tap_chooses(browser, opened):
 def test_arrow_keys_turn_and_home_turns_back(browser, opened):
     opened("braid-a3")
     before = shapes(browser)
-    browser.run("document.getElementById('sphere').focus()")
+    browser.run("document.getElementById('ball').focus()")
     browser.key("ArrowLeft")
     browser.key("ArrowUp")
     turned = shapes(browser)
@@ -204,7 +267,7 @@ def test_a_region_brought_to_the_front_is_under_the_middle(browser, opened):
     for region in (0, 20, 73):
         browser.put("regions", region)
         told = facts(browser)["signs"]
-        browser.pointer("mouseMoved", *browser.middle("#sphere .ball"))
+        browser.pointer("mouseMoved", *browser.middle("#ball .ball"))
         assert facts(browser)["signs"] == told
         browser.pointer("mouseMoved", 3, 3)
 
@@ -234,7 +297,7 @@ def test_symmetric_coordinates_change_places_and_nothing_else(browser, opened):
     assert counts(browser) == known
     for x, y in ((0.3, 0.2), (-0.4, 0.5), (0.1, -0.6), (-0.7, -0.2)):
         box = browser.run(
-            "const b = document.querySelector('#sphere .ball').getBoundingClientRect();"
+            "const b = document.querySelector('#ball .ball').getBoundingClientRect();"
             "return [b.left + b.width / 2, b.top + b.height / 2, b.width / 2]"
         )
         browser.pointer("mouseMoved", box[0] + x * box[2], box[1] - y * box[2])
@@ -254,5 +317,12 @@ def test_irrational_equations_are_readable_and_say_what_a_is():
     assert equation((a, -a, 2 * a), 1 + a) == "a x - a y + 2a z = 1 + a"
     for page in (arrangement_page(planes), cells_page(planes)):
         assert "numbers in Q(a) with a^2 - 5 = 0, a = 2.23607..." in page
-        assert "2x + (1 + a) y - (-1 + a) z = 0" in page
+    assert "2x + (1 + a) y - (-1 + a) z = 0" in cells_page(planes)
     assert "numbers in" not in arrangement_page(read_arrangement("braid-a3"))
+
+
+def test_page_writes_irrational_equations_alike(browser, opened):
+    planes = families.coxeter("H3")
+    opened(planes)
+    shown = [text.replace("\u2212", "-") for text in browser.texts("#planes .exact")]
+    assert shown == [equation(plane[:3]) for plane in planes.integer_planes]

@@ -18,9 +18,8 @@ from typing import Any
 
 from arrangement.drawing.pages import solid_page as solids
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, Template, place
-from arrangement.pictures.lab import lines
+from arrangement.pictures.lab import arrangement_page as arrangement, lines
 from arrangement.pictures.lab.page import SHARED
-from arrangement.pictures.page import page as arrangement
 from equilibrium.pictures.grasp.proof_page import SCRIPTS as PROOF
 from equilibrium.pictures.lab import page as slip
 

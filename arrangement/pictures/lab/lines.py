@@ -22,7 +22,7 @@ from arrangement.library.files.table import read_arrangement
 from arrangement.numbers import budget
 from arrangement.numbers.exact import rational, shown, to_text
 
-from .page import LINEAR, RATIONAL, lab, read_exercises
+from .page import RATIONAL, VECTORS, lab, read_exercises
 from .widget import lab_widget
 
 
@@ -158,13 +158,13 @@ _EXAMPLES = (
 _OWN = "arrangement.pictures.lab"
 #: What counts: it knows nothing of pages.
 _COUNTS = ("circles", "counts", "types", "document")
-_DRAWS = ("words", "charts", "state", "plane_view", "ball_view", "numbers")
-_MOVES = ("moves", "drags", "planes", "goals", "page")
+_SHOWS = ("cells", "words", "ball_view")
+_LAB = ("charts", "state", "plane_view", "numbers", "moves", "drags", "planes", "goals", "page")
 SCRIPTS: tuple[Template, ...] = (
     RATIONAL,
-    LINEAR,
+    VECTORS,
     *(("arrangement.drawing.pages", f"{name}.js") for name in ("dual", "ball")),
-    *((_OWN, f"{name}.js") for name in (*_COUNTS, *_DRAWS, *_MOVES)),
+    *((_OWN, f"{name}.js") for name in (*_COUNTS, *_SHOWS, *_LAB)),
 )
 
 
@@ -200,7 +200,7 @@ def lab_page(
         "exercises": line_exercises(exercises),
         "own": exercises is not None,
     }
-    styles: list[Template] = [(_OWN, "page.css")]
+    styles: list[Template] = [(_OWN, "cells.css"), (_OWN, "page.css")]
     return lab(data["title"], (_OWN, "page.html"), styles, SCRIPTS, data)
 
 

@@ -15,8 +15,9 @@ from arrangement.library.files.json_files import check_keys, check_list, read_do
 from arrangement.numbers.exact import shown
 
 _OWN = "arrangement.pictures.lab"
-#: Exact rationals, and exact linear algebra: they need no page.
+#: Exact rationals, vectors and linear algebra: they need no page.
 RATIONAL: Template = (_OWN, "rational.js")
+VECTORS: Template = (_OWN, "vectors.js")
 LINEAR: Template = (_OWN, "linear.js")
 #: Fields of exact numbers.
 FIELDS: Template = (_OWN, "fields.js")
@@ -46,7 +47,8 @@ def lab(
         data: what the script finds, as for `one_page`: ``title``, ``summary``, ``examples`` and
             ``exercises`` are lists and texts of the panels that all labs have; ``own`` says whether
             the exercises came with a file.
-        decides: what needs no page, if a worker runs it as well; with `RATIONAL` and `LINEAR`.
+        decides: what needs no page, if a worker runs it as well; with `RATIONAL`,
+            `VECTORS` and `LINEAR`.
     """
     common: list[Template] = [BASE_STYLE, (_OWN, "lab.css")]
     every = [BASE_SCRIPT, *SHARED, *scripts]

@@ -54,7 +54,7 @@ MODELS: Mapping[str, ViewEntry] = {
     "cells": ViewEntry("space.cells:cells_model", Ranks(3)),
 }
 PAGES: Mapping[str, ViewEntry] = {
-    "arrangement": ViewEntry("page.page:arrangement_page", Ranks(3, central=True)),
+    "arrangement": ViewEntry("lab.arrangement_page:arrangement_page", Ranks(3, central=True)),
     "cells": ViewEntry("space.cells:cells_page", Ranks(3)),
 }
 

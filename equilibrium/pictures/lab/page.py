@@ -17,7 +17,7 @@ from arrangement.drawing.pages.html_page import Template, own
 from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
-from arrangement.pictures.lab.page import LINEAR, RATIONAL, lab, read_exercises
+from arrangement.pictures.lab.page import LINEAR, RATIONAL, VECTORS, lab, read_exercises
 from arrangement.pictures.lab.widget import lab_widget
 from equilibrium.decide.solver import solve
 from equilibrium.grasps.files import read_grasp
@@ -79,6 +79,7 @@ _DECIDES = (
 #: What decides: it needs no page.
 DECIDES: tuple[Template, ...] = (
     RATIONAL,
+    VECTORS,
     LINEAR,
     *((_OWN, f"{name}.js") for name in ("resisted", *_DECIDES)),
 )

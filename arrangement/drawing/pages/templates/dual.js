@@ -21,16 +21,16 @@ function zonotopePlaces(regions, sides) {
   return new Map(regions.map(({ id }, i) => [id, places[i].map((x) => x / reach)]));
 }
 
-// The places of the regions of circles, and the faces, each with the crossing p and its regions
+// The places of the regions of circles, and the faces, each with the corner, of crossing p, where its regions lie
 // counterclockwise about the direction `rayOf(corner, p)`; null leaves a face out.
 function zonotopeOf({ crossings }, sides, regions, rayOf) {
   const places = zonotopePlaces(regions, sides);
   const number = crossings.length;
-  const faces = Array.from({ length: 2 * number }, (_, corner) => {
-    const p = corner % number;
-    const ray = rayOf(corner, p);
-    const ids = ray ? regions.filter(({ corners }) => corners?.includes(corner)).map(({ id }) => id) : [];
-    return { p, ids: ray ? around(ids.map((id) => [id, places.get(id)]), ray) : [] };
+  /** @type {number[][]} */ const regionsAt = Array.from({ length: 2 * number }, () => []);
+  for (const { id, corners } of regions) for (const corner of corners) regionsAt[corner].push(id);
+  const faces = regionsAt.map((ids, corner) => {
+    const ray = rayOf(corner, corner % number);
+    return { corner, ids: ray ? around(ids.map((id) => [id, places.get(id)]), ray) : [] };
   }).filter(({ ids }) => ids.length > 2);
   return { places, faces };
 }

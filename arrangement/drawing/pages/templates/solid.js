@@ -1,6 +1,7 @@
 // Convex pieces in space, painted back to front by a tree of planes: exact for every direction.
 const view = at("solid");
 const state = { axes: data.axes, apart: data.apart ?? 1, zoom: 1, under: null, kept: null, spinning: false };
+const chosen = () => state.under ?? state.kept;
 const LIGHT = unit([-0.35, 0.65, 0.68]);
 
 // Nodes from the farthest to the nearest.
@@ -35,8 +36,8 @@ function paint(face, id, shift) {
   if (points.length > 2) {
     const normal = towards < 0 ? face.normal.map((x) => -x) : face.normal;
     const fill = lit(face.fill, normal);
-    const style = { class: id !== null && id === (state.under ?? state.kept)?.id ? "face chosen" : "face", d: `M${points.join("L")}Z`, fill, stroke: face.fill.length > 7 ? "none" : fill };
-    draw("path", id === null ? style : { ...style, "data-kind": "piece", "data-id": id }, view);
+    const style = { class: id !== null && chosen() === `piece-${id}` ? "face chosen" : "face", d: `M${points.join("L")}Z`, fill, stroke: face.fill.length > 7 ? "none" : fill };
+    draw("path", id === null ? style : { ...style, "data-mark": `piece-${id}` }, view);
   } else if (points.length === 1) {
     draw("circle", { cx: points[0][0], cy: points[0][1], r: 1.2 }, view);
   }
@@ -61,10 +62,10 @@ function repaint() {
     const [x, y] = placed(point, rest);
     draw("text", { x, y }, view, text);
   }
-  const chosen = data.pieces[(state.under ?? state.kept)?.id];
-  at("chosen-title").textContent = chosen ? chosen.name : "Nothing chosen";
-  facts(at("chosen"), chosen ? chosen.facts.map(([name, value]) => [name, value, true]) : []);
-  at("start").hidden = Boolean(chosen);
+  const piece = data.pieces.find((_, id) => chosen() === `piece-${id}`);
+  at("chosen-title").textContent = piece ? piece.name : "Nothing chosen";
+  facts(at("chosen"), piece ? piece.facts.map(([name, value]) => [name, value, true]) : []);
+  at("start").hidden = Boolean(piece);
 }
 const refresh = oncePerFrame(repaint);
 

@@ -1,6 +1,6 @@
 // Pictures that turn: by drag, by keys, by themselves. What is under the pointer lights up, a click keeps it.
-// A page defines state, with axes, under, kept and spinning, refresh() and goHome().
-const same = (one, other) => one?.kind === other?.kind && one?.id === other?.id;
+// A page defines state, with axes, under, kept and spinning, refresh() and goHome(). Things are known by their marks, such
+// as "region-3", which are the attributes data-mark of elements.
 
 function rotate(right, up) {
   state.axes = turnedAxes(state.axes, right, up);
@@ -8,15 +8,16 @@ function rotate(right, up) {
 }
 
 function keep(chosen) {
-  state.kept = chosen && !same(chosen, state.kept) ? chosen : null;
+  state.kept = chosen === state.kept ? null : chosen;
   refresh();
 }
 
 // The next or the previous one of all things of a kind.
 function step(kind, number, by) {
   if (!number) return;
-  const start = state.kept?.kind === kind ? state.kept.id : by > 0 ? -1 : 0;
-  Object.assign(state, { under: null, kept: { kind, id: (start + by + number) % number } });
+  const [known, id] = (state.kept ?? "").split("-");
+  const start = known === kind ? Number(id) : by > 0 ? -1 : 0;
+  Object.assign(state, { under: null, kept: `${kind}-${(start + by + number) % number}` });
   refresh();
 }
 
@@ -28,11 +29,10 @@ function spin() {
 
 function underPointer(view, event) {
   const element = /** @type {HTMLElement} */ (document.elementFromPoint(event.clientX, event.clientY));
-  const { kind, id } = element?.dataset ?? {};
-  return kind && view.contains(element) ? { kind, id: Number(id) } : null;
+  return element && view.contains(element) ? element.dataset.mark ?? null : null;
 }
 
-/** @type {(view: SVGSVGElement, keys: Record<string, () => void>, found?: (view: Element, event: PointerEvent) => any) => void} */
+/** @type {(view: SVGSVGElement, keys: Record<string, () => void>, found?: (view: Element, event: PointerEvent) => string | null) => void} */
 function listenToTurns(view, keys, found = underPointer) {
   onDrag(view, {
     drag({ dx, dy }) {
@@ -42,7 +42,7 @@ function listenToTurns(view, keys, found = underPointer) {
     },
     click: (event) => keep(found(view, event)),
   });
-  const point = (under) => { if (!same(under, state.under)) { state.under = under; refresh(); } };
+  const point = (under) => { if (under !== state.under) { state.under = under; refresh(); } };
   view.addEventListener("pointermove", (event) => { if (!view.classList.contains("held")) point(found(view, event)); });
   view.addEventListener("pointerleave", () => point(null));
   onKeys(view, { ...arrowKeys((x, y) => rotate(0.1 * x, -0.1 * y)), Home: goHome, Escape: () => keep(null), ...keys });

@@ -1,20 +1,4 @@
 // Exact linear systems in integers: a dictionary of rows over free columns, and cones by generators.
-// Rationals as integers over one positive scale: row = integers / scale.
-/** @type {(row: Row) => { scale: bigint, row: bigint[] }} */
-function integers(row) {
-  let scale = 1n;
-  for (const x of row) scale *= x.d / gcdOf(scale, x.d);
-  return { scale, row: row.map((x) => x.n * (scale / x.d)) };
-}
-
-// An integer vector without its common divisor.
-/** @type {(vector: bigint[]) => bigint[]} */
-function primitive(vector) {
-  const common = vector.reduce(gcdOf, 0n);
-  return common > 1n ? vector.map((x) => x / common) : vector;
-}
-
-/** @type {(a: bigint[], b: bigint[]) => bigint} */ const dotOf = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0n);
 
 // The system { equal rows = 0, atLeast rows >= 0 } in n free unknowns; a row has its constant last.
 // Each row is a variable: basic ones are written over the columns, x_i = (sum t_ij x_j + t_in) / det,
@@ -142,9 +126,9 @@ const wholeCone = (n) => ({ lines: Array.from({ length: n }, (_, i) => Array.fro
 // What of a cone has row . x >= 0, or row . x = 0 (double description).
 /** @type {(cone: Cone, row: bigint[], keep?: boolean) => Cone} */
 function cutCone({ lines, rays, bit }, row, keep = true) {
-  const value = (x) => dotOf(row, x);
+  /** @type {(x: bigint[]) => bigint} */ const value = (x) => dotOf(row, x);
   const next = bit << 1n;
-  const k = lines.findIndex(value);
+  const k = lines.findIndex((x) => Boolean(value(x)));
   if (k >= 0) {
     const line = value(lines[k]) > 0n ? lines[k] : lines[k].map((x) => -x);
     const step = value(line);
@@ -172,16 +156,4 @@ function generators(n, atLeast, equal = []) {
   const level = equal.reduce((cone, row) => cutCone(cone, row, false), wholeCone(n));
   const { lines, rays } = atLeast.reduce((cone, row) => cutCone(cone, row), level);
   return { lines, rays: rays.map(({ v }) => v) };
-}
-
-// A direction that floats hold, however long the integers are; the same for the same array.
-/** @type {WeakMap<bigint[], number[]>} */ const floated = new WeakMap();
-/** @type {(v: bigint[]) => number[]} */
-function floats(v) {
-  const known = floated.get(v);
-  if (known) return known;
-  const most = v.reduce((m, x) => (x < 0n ? (-x > m ? -x : m) : x > m ? x : m), 1n);
-  const found = v.map((x) => near(ratio(x, most)));
-  floated.set(v, found);
-  return found;
 }

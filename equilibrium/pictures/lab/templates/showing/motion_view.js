@@ -33,15 +33,14 @@ const fromDisc = ([x, y], way) => [(x - DISC[way][0]) / DISC_RADIUS, (DISC[way][
 function regionsOf(rows, way) {
   const all = gathered(rows, [0n, 0n, 1n]);
   const { circles, infinity } = all;
-  const number = circles.crossings.length;
-  const corner = (p) => directionOf(floats(p < number ? circles.crossings[p].ray : opposite(circles.crossings[p - number].ray)), way);
+  const corner = (p) => pointOf(circles, p, (ray) => directionOf(floats(ray), way));
   const normals = circles.normals.map((row) => normalOf(floats(row), way));
   const curves = circles.arcs.map(({ circle, from, to }) => curveOf(normals[circle], corner(from), corner(to)));
   return facesOf(all).regions.map(({ key, darts }) => ({
     signs: planeSigns(all, [...key].map((s) => (s === "+" ? 1 : -1))),
     walls: darts.map((dart) => circles.arcs[dart >> 1].circle).filter((i) => i !== infinity)
       .map((i) => normals[i].map((x) => (key[i] === "+" ? x : -x))),
-    outline: (darts.length ? boundaryOf(darts, curves) : curveOf([0, 0, 1])).map((v) => onDisc(v, way)),
+    outline: boundaryOf(darts, curves).map((v) => onDisc(v, way)),
   }));
 }
 

@@ -43,13 +43,12 @@ function paintDual(box, { count: number, planes }) {
   const contacts = planes.slice(0, number).map((plane) => state.grasp[plane.contacts[0]]);
   const normals = contacts.map((contact) => integers(wrenchesOf(contact).T).row);
   const circles = circlesOf(normals);
-  const rayOf = (corner, p) => unit(floats(corner === p ? circles.crossings[p].ray : opposite(circles.crossings[p].ray)));
+  const rayOf = (corner) => pointOf(circles, corner, (ray) => unit(floats(ray)));
   const { places, faces } = zonotopeOf(circles, normals.map((n) => unit(floats(n))), circles.regions, rayOf);
   const view = draw("svg", { id: "dual", class: "view", viewBox: "-110 -110 220 220", role: "img", "aria-label": "The dual polyhedron of these planes." }, box);
-  const edges = circles.arcs.length ? circles.arcs : [{ circle: 0, left: 0, right: 1 }];
   paintDualOf(view, (id) => turned(DUAL_AXES, places.get(id)), {
     faces: faces.map(({ ids }) => ({ ids })),
-    edges: edges.map(({ circle, left, right }) => ({ left, right, tint: circle === number - 1 ? "var(--accent)" : "var(--ink)" })),
+    edges: circles.arcs.map(({ circle, left, right }) => ({ left, right, tint: circle === number - 1 ? "var(--accent)" : "var(--ink)" })),
     vertices: circles.regions.map(({ id, key }) => ({ id, fill: colourOf([...key].map((s) => (s === "+" ? "slip+" : "slip-"))) })),
   }, false, 6);
 }
@@ -102,5 +101,5 @@ function slipPlanes(grasp) {
 // Counts of the arrangement of central planes: regions, their common facets, rays.
 function countsOf(planes) {
   const { regions, arcs, crossings } = circlesOf(rowsOf(planes));
-  return { regions: regions.length, facets: arcs.length || planes.length, rays: 2 * crossings.length };
+  return { regions: regions.length, facets: arcs.length, rays: 2 * crossings.length };
 }

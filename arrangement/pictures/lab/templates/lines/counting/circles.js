@@ -1,54 +1,66 @@
 // Planes through the origin of R^3 as great circles: crossings, arcs and regions, all by the signs
-// of integer determinants.
+// of exact determinants.
 
-/** @typedef {{ ray: bigint[], signs: number[], on: number[] }} Crossing */
+/** @typedef {{ ray: Entry[], signs: number[], on: number[] }} Crossing */
 /** @typedef {{ circle: number, from: number, to: number, left: number, right: number }} Arc */
 /** @typedef {{ key: string, id: number, opposite: number, darts: number[], corners: number[] }} Region */
 /**
  * Crossings stand for two opposite points each; `curves` and `dual` are kept by the views.
- * @typedef {{ normals: bigint[][], crossings: Crossing[], arcs: Arc[], regions: Region[], rank: number,
+ * @typedef {{ normals: Entry[][], crossings: Crossing[], arcs: Arc[], regions: Region[], rank: number,
  *   curves?: { shape: object, list: number[][][] }, dual?: any }} Circles
  */
 
-/** @type {(a: bigint[], b: bigint[]) => bigint[]} */
-const crossOf = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-/** @type {(x: bigint) => number} */ const signOf = (x) => (x > 0n ? 1 : x < 0n ? -1 : 0);
-/** @type {(v: bigint[]) => bigint[]} */ const opposite = (v) => v.map((x) => -x);
+/** @type {(x: Entry, y: Entry, z: Entry, w: Entry) => Entry} */
+const minor = (x, y, z, w) => (typeof x === "object" ? x.times(w).plus(y.times(z).minus()) : x * w - y * z);
+/** @type {(a: Entry[], b: Entry[]) => Entry[]} */
+const crossOf = (a, b) => [minor(a[1], a[2], b[1], b[2]), minor(a[2], a[0], b[2], b[0]), minor(a[0], a[1], b[0], b[1])];
+/** @type {(x: Entry) => number} */ const signOf = (x) => (typeof x === "object" ? x.sign() : x > 0n ? 1 : x < 0n ? -1 : 0);
+/** @type {(v: Entry[]) => Entry[]} */ const opposite = (v) => v.map((x) => (typeof x === "object" ? x.minus() : -x));
+/** @type {(a: Entry[], b: Entry[]) => boolean} */ const areParallel = (a, b) => !crossOf(a, b).some(signOf);
 
-// The primitive multiple whose first entry other than 0 is positive: equal for planes that coincide.
-/** @type {(v: bigint[]) => bigint[]} */
+// The primitive multiple whose first entry other than 0 is positive: of integers, equal for planes that coincide.
+/** @type {(v: Entry[]) => Entry[]} */
 function unoriented(v) {
   const p = primitive(v);
-  return p.find((x) => x) > 0n ? p : opposite(p);
+  return p.map(signOf).find((sign) => sign) > 0 ? p : opposite(p);
 }
 
 // Points of the sphere on two circles or more: a ray for each pair of opposite ones, with all
 // circles through it, and its side of every circle.
-/** @type {(normals: bigint[][]) => Crossing[]} */
+/** @type {(normals: Entry[][]) => Crossing[]} */
 function crossingsOf(normals) {
-  const found = new Map();
+  const found = [];
+  const known = normals.map(() => new Set());
   normals.forEach((n, i) => {
     for (let j = 0; j < i; j += 1) {
+      if (known[i].has(j)) continue;
       const ray = unoriented(crossOf(normals[j], n));
-      const key = ray.join();
-      if (!found.has(key)) found.set(key, ray);
+      const signs = normals.map((m) => signOf(dotOf(m, ray)));
+      const on = [...signs.keys()].filter((k) => !signs[k]);
+      for (const k of on) for (const other of on) known[k].add(other);
+      found.push({ ray, signs, on });
     }
   });
-  return [...found.values()].map((ray) => {
-    const signs = normals.map((n) => signOf(dotOf(n, ray)));
-    return { ray, signs, on: [...signs.keys()].filter((i) => !signs[i]) };
-  });
+  return found;
+}
+
+// Of a point of the sphere, for an odd map of rays; null for the ends of a circle without crossings.
+/** @type {(circles: { crossings: Crossing[] }, p: number, map: (ray: Entry[]) => any[]) => any[] | null} */
+function pointOf({ crossings }, p, map) {
+  if (p < 0) return null;
+  const found = map(crossings[p % crossings.length].ray);
+  return p < crossings.length ? found : opposite(found);
 }
 
 // The crossings on circle i, counter-clockwise about its normal: points of the first half circle,
 // then their opposites. Point p is ray p, point p + number the ray opposite.
-/** @type {(normal: bigint[], crossings: Crossing[], i: number) => number[]} */
+/** @type {(normal: Entry[], crossings: Crossing[], i: number) => number[]} */
 function ringOf(normal, crossings, i) {
   const number = crossings.length;
   const [first, ...others] = [...crossings.keys()].filter((p) => !crossings[p].signs[i]);
   if (first === undefined) return [];
   const side = crossOf(normal, crossings[first].ray);
-  const half = others.map((p) => (dotOf(side, crossings[p].ray) > 0n
+  const half = others.map((p) => (signOf(dotOf(side, crossings[p].ray)) > 0
     ? { p, ray: crossings[p].ray } : { p: p + number, ray: opposite(crossings[p].ray) }));
   half.sort((one, other) => -signOf(dotOf(normal, crossOf(one.ray, other.ray))));
   const ring = [first, ...half.map(({ p }) => p)];
@@ -56,8 +68,8 @@ function ringOf(normal, crossings, i) {
 }
 
 // All cells that circles make on the sphere. Arc e has darts 2e, along its circle with the region
-// where the circle is positive on the left, and 2e + 1 back.
-/** @type {(normals: bigint[][]) => Circles} */
+// where the circle is positive on the left, and 2e + 1 back. A circle without crossings is one arc, whose ends are -1.
+/** @type {(normals: Entry[][]) => Circles} */
 function circlesOf(normals) {
   const crossings = crossingsOf(normals);
   const number = crossings.length;
@@ -74,7 +86,7 @@ function circlesOf(normals) {
     ring.forEach((p, k) => {
       const q = ring[(k + 1) % ring.length];
       // Between opposite points there is no other crossing: a quarter turn from p lies between.
-      const quarter = ring.length === 2 ? crossOf(n, p < number ? crossings[p].ray : opposite(crossings[p - number].ray)) : null;
+      const quarter = ring.length === 2 ? crossOf(n, pointOf({ crossings }, p, (ray) => ray)) : null;
       const [a, b] = [signsAt(p), signsAt(q)];
       const signs = normals.map((m, j) => (quarter ? signOf(dotOf(m, quarter)) : Math.sign(a[j] + b[j])));
       const sides = [1, -1].map((s) => regionOf(signs.with(i, s)));
@@ -82,9 +94,11 @@ function circlesOf(normals) {
       arcs.push({ circle: i, from: p, to: q, left: sides[0].id, right: sides[1].id });
     });
   });
-  if (!crossings.length) { // one circle without crossings, or none
-    if (normals.length) for (const s of [1, -1]) regionOf([s]);
-    else regionOf([]);
+  if (!normals.length) regionOf([]);
+  else if (!crossings.length) {
+    const [left, right] = [1, -1].map((s) => regionOf([s]));
+    [left, right].forEach((region, dart) => region.darts.push(dart));
+    arcs.push({ circle: 0, from: -1, to: -1, left: left.id, right: right.id });
   }
   const all = { normals, crossings, arcs, regions: [...regions.values()], rank: rankOf(normals, crossings) };
   for (const region of all.regions) orderDarts(all, region);
@@ -106,18 +120,27 @@ function orderDarts({ arcs }, region) {
     dart = leaving.get(head(arcs, dart));
     return here;
   });
-  region.corners = region.darts.map((d) => tail(arcs, d));
+  region.corners = region.darts.map((d) => tail(arcs, d)).filter((p) => p >= 0);
 }
 
-/** @typedef {{ normals: bigint[][], infinity: number | null, circles: Circles, members: number[][] }} Gathered */
+/**
+ * `members` are the planes of each circle, `sides` the circle of each plane, and 1 or -1: whether its positive side is that of the circle.
+ * @typedef {{ normals: Entry[][], infinity: number | null, circles: Circles, members: number[][], sides: number[][] }} Gathered
+ */
 // The circles of planes, those that coincide together; lines of the plane are half of what they and the line at
 // infinity, which comes last, make on the sphere.
-/** @type {(normals: bigint[][], atInfinity?: bigint[] | null) => Gathered} */
+/** @type {(normals: Entry[][], atInfinity?: bigint[] | null) => Gathered} */
 function gathered(normals, atInfinity = null) {
-  const members = [...Map.groupBy(normals.keys(), (i) => unoriented(normals[i]).join()).values()];
+  const members = [];
+  const sides = normals.map((n, k) => {
+    const known = members.findIndex(([first]) => areParallel(normals[first], n));
+    const i = known < 0 ? members.push([]) - 1 : known;
+    members[i].push(k);
+    return [i, signOf(dotOf(normals[members[i][0]], n))];
+  });
   const distinct = members.map(([i]) => normals[i]);
-  if (!atInfinity) return { normals, infinity: null, circles: circlesOf(distinct), members };
-  return { normals, infinity: distinct.length, circles: circlesOf([...distinct, atInfinity]), members: [...members, []] };
+  if (!atInfinity) return { normals, infinity: null, circles: circlesOf(distinct), members, sides };
+  return { normals, infinity: distinct.length, circles: circlesOf([...distinct, atInfinity]), members: [...members, []], sides };
 }
 
 // What lies in the plane, of what lies on the sphere: all, or what is positive at infinity.
@@ -137,12 +160,25 @@ function facesOf({ circles, infinity }) {
 
 // Signs of the planes as given, from those of the circles.
 /** @type {(all: Gathered, signs: number[]) => number[]} */
-function planeSigns({ normals, members, circles }, signs) {
-  return normals.map((normal, k) => {
-    const i = members.findIndex((list) => list.includes(k));
-    return dotOf(normal, circles.normals[i]) < 0n ? -signs[i] || 0 : signs[i];
+const planeSigns = ({ sides }, signs) => sides.map(([i, way]) => way * signs[i] || 0);
+
+/** @typedef {{ dimension: number, rows: Row[], numbers?: number[] }} Rows */
+/** @typedef {Gathered & { dimension: number, numbers: number[], tints?: string[], styles?: any }} Lines */
+// An arrangement: dimension 3, rows (a, b, c) of central planes a x + b y + c z = 0, or dimension 2, rows (a, b, c)
+// of lines a x + b y = c; `numbers` are those of the planes, where some are left out.
+/** @type {(rows: Rows) => Lines} */
+function arrangementOf({ dimension, rows, numbers = [...rows.keys()] }) {
+  const normals = rows.map((row) => {
+    const [a, b, c] = "d" in row[0] ? integers(row).row : row;
+    return primitive(dimension === 2 ? [a, b, -c] : [a, b, c]);
   });
+  return { dimension, numbers, ...gathered(normals, dimension === 2 ? [0n, 0n, 1n] : null) };
 }
+
+// Whether a region of the affine plane has no point at infinity.
+/** @type {(lines: Gathered, region: Region) => boolean} */
+const isBounded = ({ circles, infinity }, { corners }) => circles.rank === 3
+  && corners.every((p) => circles.crossings[p % circles.crossings.length].signs[infinity] !== 0);
 
 // A text that is equal exactly for circles of one isomorphism class, up to the order of planes,
 // their sides and a mirror: of all ways to number the darts by walking over the map, the least.

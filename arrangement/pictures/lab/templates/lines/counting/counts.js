@@ -1,18 +1,4 @@
-// The numbers of an arrangement: { dimension, rows } with dimension 3, rows (a, b, c) of central
-// planes a x + b y + c z = 0, or dimension 2, rows (a, b, c) of lines a x + b y = c.
-
-/** @typedef {{ dimension: number, rows: Row[] }} Rows */
-/** @typedef {Gathered & { dimension: number }} Lines */
-
-/** @type {(rows: Rows) => Lines} */
-function arrangementOf({ dimension, rows }) {
-  const normals = rows.map((row) => {
-    const { row: [a, b, c] } = integers(row);
-    return primitive(dimension === 2 ? [a, b, -c] : [a, b, c]);
-  });
-  return { dimension, ...gathered(normals, dimension === 2 ? [0n, 0n, 1n] : null) };
-}
-
+// The numbers of an arrangement.
 function rankOfArrangement({ circles, infinity }) {
   if (infinity === null) return circles.rank;
   return circles.crossings.filter(({ signs }) => !signs[infinity]).length > 1 ? 2 : Math.min(1, circles.normals.length - 1);
@@ -26,8 +12,7 @@ function countsOf(arrangement) {
   const rank = rankOfArrangement(arrangement);
   const flats = infinity === null ? circles.crossings : points;
   const mu = flats.reduce((sum, { on }) => sum + on.length - 1, 0);
-  const walls = regions.map(({ darts }) => (circles.arcs.length
-    ? darts.map((dart) => circles.arcs[dart >> 1].circle).filter((i) => i !== infinity) : wallsAlone(arrangement)));
+  const walls = regions.map(({ darts }) => darts.map((dart) => circles.arcs[dart >> 1].circle).filter((i) => i !== infinity));
   const bounded = infinity === null ? [] : regions.filter((region) => isBounded(arrangement, region));
   const triangles = infinity === null ? regions.filter((region) => circles.rank === 3 && region.darts.length === 3).length / 2
     : bounded.filter((region) => region.darts.length === 3).length;
@@ -44,17 +29,9 @@ function countsOf(arrangement) {
   };
 }
 
-// Whether a region of the affine plane has no point at infinity.
-/** @type {(lines: Lines, region: Region) => boolean} */
-const isBounded = ({ circles, infinity }, { corners }) => circles.rank === 3
-  && corners.every((p) => circles.crossings[p % circles.crossings.length].signs[infinity] !== 0);
-
-// The walls of a region of circles that do not cross: the only circle, unless it is infinity.
-const wallsAlone = ({ circles, infinity }) => [...circles.normals.keys()].filter((i) => i !== infinity);
-
 function spatial({ rank, crossings, arcs, regions }) {
   if (rank === 3) return [1, 2 * crossings.length, arcs.length, regions.length];
-  return [0, rank === 2 ? 1 : 0, rank === 2 ? arcs.length : rank, regions.length];
+  return [0, rank === 2 ? 1 : 0, arcs.length, regions.length];
 }
 
 // Coefficients of the characteristic polynomial from the Moebius function of the flats.

@@ -1,77 +1,103 @@
-// Arrangements in words.
+// What is said of planes and of what is marked.
 
-function equationText(row) {
-  const texts = row.map(textOf);
-  const names1 = state.dimension === 2 ? ["x", "y"] : ["x", "y", "z"];
-  return `${sumText(names1.map((name, k) => [texts[k], name]))} = ${state.dimension === 2 ? minusSign(shortNumber(texts[2])) : "0"}`;
+// The equation of a row; numbers that are long are shortened, if `show` does.
+function equationText(row, show = shortNumber) {
+  const variables = state.dimension === 2 ? ["x", "y"] : ["x", "y", "z"];
+  const right = state.dimension === 2 ? minusSign(show(textOf(row[2]))) : "0";
+  return `${sumText(variables.map((name, k) => ("d" in row[k] ? [textOf(row[k]), name] : coefficient(row[k], name))), show)} = ${right}`;
 }
 
-const POWERS = ["", "t", "t²", "t³"];
-function polynomialText(coefficients) {
-  const degree = coefficients.length - 1;
-  const whole = sumText(coefficients.map((x, k) => [String(x), POWERS[degree - k]]));
-  const factors = factored(coefficients);
-  return factors === whole ? whole : `${whole} = ${factors}`;
+// A term of a sum whose coefficient is a number of a field.
+function coefficient(x, name) {
+  const text = String(x.sign() < 0 ? x.minus() : x);
+  const joined = /^\d+$/.test(text) ? name : ` ${name}`;
+  return [`${x.sign() < 0 ? "-" : ""}${text.includes(" ") ? `(${text})` : text}`, joined];
 }
 
-// Splits off integer roots, which lie between 0 and the number of planes.
-function factored(coefficients) {
-  const roots = [];
-  let left = coefficients;
-  for (let root = 0; root <= -coefficients[1]; root += 1) {
-    while (left.length > 1) {
-      const quotient = [];
-      const rest = left.reduce((sum, x) => { quotient.push(sum * root + x); return sum * root + x; }, 0);
-      if (rest) break;
-      roots.push(root);
-      left = quotient.slice(0, -1);
-    }
-  }
-  const text = [...new Set(roots)].map((root) => {
-    const power = roots.filter((x) => x === root).length;
-    const factor = root ? `(t\u00a0\u2212\u00a0${root})` : "t";
-    return power > 1 ? `${factor}${"  ²³"[power]}` : factor;
-  }).join("");
-  const rest = left.length > 1 ? sumText(left.map((x, k) => [String(x), POWERS[left.length - 1 - k]])) : "";
-  return text && rest ? `${text}(${rest})` : text || rest;
+const exactText = (vector) => tuple(vector.map((x) => minusSign(String(x))));
+
+// An exact point inside an arc.
+function insideArc({ circles }, { circle, from, to }) {
+  const n = circles.normals[circle];
+  const [p, q] = [from, to].map((end) => pointOf(circles, end, (ray) => ray));
+  if (!p) return [crossOf(n, [n[1], n[2], n[0]]), crossOf(n, [n[0], n[1], ...opposite([n[2]])])].find((v) => v.some(signOf));
+  return primitive(Math.abs(from - to) === circles.crossings.length ? crossOf(n, p) : totalOf([p, q]));
 }
 
-// {2: 3, 3: 4} as "t₂ = 3, t₃ = 4".
-const lowered = (number) => String(number).replace(/\d/g, (d) => "₀₁₂₃₄₅₆₇₈₉"[d]);
-const tallyText = (counts, letter) => Object.entries(counts).map(([k, number]) => `${letter}${lowered(k)} = ${number}`).join(", ") || "none";
+function insideRegion(arrangement, { key, darts }) {
+  const { circles } = arrangement;
+  if (circles.rank === 0) return [0n, 0n, 1n];
+  if (circles.rank === 1) return key === "+" ? circles.normals[0] : opposite(circles.normals[0]);
+  return primitive(totalOf(darts.map((dart) => insideArc(arrangement, circles.arcs[dart >> 1]))));
+}
 
-const signsText = (signs) => signs.map((s) => (s > 0 ? "+" : s < 0 ? "\u2212" : "0")).join("");
+// The sum of the normals, as given, with the signs of a region.
+function dualVertex({ normals, sides }, { key }) {
+  return normals.length ? totalOf(normals.map((n, k) => ((key[sides[k][0]] === "+") === (sides[k][1] > 0) ? n : opposite(n)))) : [0n, 0n, 0n];
+}
 
-// What is said of the thing that is marked.
-function litText() {
+const planesThrough = ({ members, numbers, infinity }, on) =>
+  on.filter((i) => i !== infinity).map((i) => members[i].map((k) => numbers[k] + 1).join(" = ")).join(", ");
+
+// What is said of a mark: a title, and names and texts of facts, which may be exact numbers; null if there is nothing.
+function told(mark) {
   const { arrangement } = shown();
-  const { circles, infinity, members } = arrangement;
-  const [kind, id] = (lit.mark ?? "").split("-");
+  const { circles } = arrangement;
+  const [kind, id] = (mark ?? "").split("-");
   const k = Number(id);
-  if (kind === "line" && circles.normals[k]) {
-    const points = circles.crossings.filter(({ signs }) => !signs[k]);
-    const number = count(points.length, "crossing", "crossings");
-    if (k === infinity) return `The line at infinity: ${number}, the directions of the lines.`;
-    return `${members[k].length > 1 ? "Lines" : "Line"} ${names(members[k])}: ${equationText(state.rows[members[k][0]])}; ${number}.`;
-  }
-  if (kind === "region" && circles.regions[k]) {
-    const region = circles.regions[k];
-    const side = (key) => signsText(planeSigns(arrangement, [...key].map((s) => (s === "+" ? 1 : -1))));
-    const sides = region.darts.filter((dart) => circles.arcs[dart >> 1].circle !== infinity).length || circles.normals.length;
-    const bounded1 = infinity === null ? "" : isBounded(arrangement, region) ? ", bounded" : ", unbounded";
-    const opposite1 = infinity === null ? `, and opposite ${side(circles.regions[region.opposite].key)}` : "";
-    return `Region ${side(region.key)}${opposite1}: ${count(sides, "side", "sides")}${bounded1}.`;
-  }
-  if (kind === "point" && circles.crossings[k]) {
-    const { ray, on, signs } = circles.crossings[k];
-    const lines = names(on.filter((i) => i !== infinity).flatMap((i) => members[i]));
-    return `Crossing ${pointText(ray)} of lines ${lines}: ${signsText(planeSigns(arrangement, signs))}.`;
-  }
-  return "Point at a line, a region or a crossing: it is marked in all views.";
+  const things = { line: circles.normals, arc: circles.arcs, region: circles.regions, point: [...circles.crossings, ...circles.crossings] }[kind];
+  return things?.[k] ? TELLS[kind](arrangement, things[k], k) : null;
+}
+
+const TELLS = {
+  line({ circles, members, infinity, numbers }, _, k) {
+    const crossings = ["crossings", String(circles.crossings.filter(({ signs }) => !signs[k]).length)];
+    if (k === infinity) return { title: "The line at infinity", facts: [crossings] };
+    const title = `${members[k].length > 1 ? "Lines" : "Line"} ${names({ members, numbers }, k)}`;
+    return { title, facts: [["equation", equationText(state.rows[numbers[members[k][0]]])], crossings] };
+  },
+  arc(arrangement, arc) {
+    const { circles } = arrangement;
+    const sides = [arc.left, arc.right].map((id) => keySigns(circles.regions[id].key));
+    return { title: "An arc, an edge of the dual", facts: [
+      ["signs", signsText(arrangement, sides[0].with(arc.circle, 0)), true],
+      ["a point inside", exactText(insideArc(arrangement, arc)), true],
+      ["on plane", planesThrough(arrangement, [arc.circle])],
+      ["between", sides.map((signs) => signsText(arrangement, signs)).join(" and "), true],
+    ] };
+  },
+  region(arrangement, region) {
+    const { circles, infinity } = arrangement;
+    const signs = (key) => signsText(arrangement, keySigns(key)) || "(no plane)";
+    const bounded = infinity === null ? "" : isBounded(arrangement, region) ? ", bounded" : ", unbounded";
+    const facts = [["signs", signs(region.key), true], ["sides", `${sidesOf(arrangement, region)}${bounded}`],
+      ["a point inside", pointText(insideRegion(arrangement, region)), true]];
+    if (infinity === null && state.projective) facts.splice(1, 0, ["opposite", signs(circles.regions[region.opposite].key), true]);
+    if (infinity === null) facts.push(["dual vertex, normals as given", exactText(dualVertex(arrangement, region)), true]);
+    return { title: "A region, a vertex of the dual", facts };
+  },
+  point(arrangement, { on, signs }, corner) {
+    const { circles } = arrangement;
+    const way = corner < circles.crossings.length ? signs : opposite(signs);
+    return { title: "A crossing, a face of the dual", facts: [
+      ["signs", signsText(arrangement, way), true],
+      [state.dimension === 2 ? "point" : "direction", pointText(pointOf(circles, corner, (ray) => ray)), true],
+      [`${state.projective ? "lines" : "planes"} through it`, planesThrough(arrangement, on)],
+      ["regions around it", String(2 * on.length)],
+    ] };
+  },
+};
+
+// The same in one line, where long numbers are shortened.
+function toldInLine(mark) {
+  const found = told(mark);
+  if (!found) return "Point at a line, a region or a crossing: it is marked in all views.";
+  return `${found.title}: ${found.facts.map(([name, text]) => `${name} ${text.replace(/\d{15,}/g, shortNumber)}`).join("; ")}.`;
 }
 
 function pointText(ray) {
-  if (state.dimension === 3) return `(${ray.map((x) => minusSign(shortNumber(String(x)))).join(" : ")})`;
-  if (!ray[2]) return "at infinity";
-  return `(${[0, 1].map((k) => minusSign(shortNumber(textOf(ratio(ray[k], ray[2]))))).join(", ")})`;
+  if (state.projective && state.dimension === 3) return exactText(ray).replaceAll(",", " :");
+  if (state.dimension === 3) return exactText(ray);
+  if (!signOf(ray[2])) return "at infinity";
+  return tuple([0, 1].map((k) => minusSign(textOf(ratio(ray[k], ray[2])))));
 }

@@ -37,9 +37,8 @@ function barycentric() {
 }
 
 const chartOf = () => CHARTS[state.dimension === 2 ? "z" : state.chart];
-const times3 = (matrix, v) => matrix.map((row) => row[0] * v[0] + row[1] * v[1] + row[2] * v[2]);
 // (X, Y, W) of a point; the line (m0, m1, m2) has m0 X + m1 Y + m2 W = 0.
-/** @type {(ray: bigint[]) => number[]} */ const charted = (ray) => times3(chartOf().matrix, floats(ray));
+/** @type {(ray: bigint[]) => number[]} */ const charted = (ray) => turned(chartOf().matrix, floats(ray));
 /** @type {(normal: bigint[]) => number[]} */
 function lineIn(normal) {
   const { inverse } = chartOf();
@@ -107,14 +106,12 @@ function shapeOf(even) {
   const product = (a, b) => a.map((row) => [0, 1, 2].map((k) => row[0] * b[0][k] + row[1] * b[1][k] + row[2] * b[2][k]));
   const points = even ? product([[1 / half, 0, -x / half], [0, 1 / half, -y / half], [0, 0, 1]], matrix) : CHARTS.z.matrix;
   const back = even ? product(inverse, [[half, 0, x], [0, half, y], [0, 0, 1]]) : CHARTS.z.matrix;
-  return { even, points, back };
+  return { even, points, normals: flipped(back) };
 }
 
-const transposed = (matrix, v) => [0, 1, 2].map((k) => matrix[0][k] * v[0] + matrix[1][k] * v[1] + matrix[2][k] * v[2]);
-const ballPoint = (ray) => unit(times3(state.shape.points, floats(ray)));
-const ballNormal = (normal) => unit(transposed(state.shape.back, floats(normal)));
+const flipped = (matrix) => [0, 1, 2].map((k) => matrix.map((row) => row[k]));
 // The normal, in the coordinates of the planes, of a circle of the ball.
-const normalFrom = (v) => transposed(state.shape.points, v);
+const normalFrom = (v) => turned(flipped(state.shape.points), v);
 
 // Whether the normals lie near one plane, so that most crossings crowd together.
 function isNarrow(normals) {

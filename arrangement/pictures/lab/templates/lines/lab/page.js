@@ -7,6 +7,7 @@ const refresh = oncePerFrame(() => {
   paintDual();
   describe();
   writeFields();
+  showLegend();
   markAll();
   if (focus) /** @type {HTMLElement} */ (document.querySelector(`[data-grip="${CSS.escape(focus)}"]`))?.focus();
 });
@@ -44,7 +45,7 @@ function arranged() {
   at("plane-title").textContent = flat ? "Lines of the plane" : "Lines of the projective plane";
   at("dual-title").textContent = flat ? "The dual: a tiling" : "The dual: a zonotope";
   chooseChart();
-  chooseColour(Object.keys(shown().counts.p_vector).length > 1 ? "sides" : "parity");
+  chooseColour(suitedColour(shown().arrangement));
   fitPlane();
   at("shape").value = flat || isNarrow(shown().arrangement.circles.normals) ? "even" : "given";
   chooseAxes();
@@ -58,17 +59,12 @@ function keepButtons() {
   at("save").addEventListener("click", () => downloadJson("arrangement.json", documentOf(state)));
 }
 
-function chooseColour(name) {
-  state.colour = at("colour").value = name;
-  at("legend").hidden = name !== "sides";
-}
-
 function begin() {
   listenToHead(({ arrangement }) => load(readArrangement(arrangement)));
   for (const [name, chart] of Object.entries(CHARTS)) make("option", { value: name }, at("chart"), chart.name);
   at("chart").addEventListener("change", () => { state.chart = at("chart").value; fitPlane(); chooseAxes(); refresh(); });
   at("shape").addEventListener("change", () => { chooseAxes(); refresh(); });
-  at("colour").addEventListener("change", () => { chooseColour(at("colour").value); refresh(); });
+  listenToColours();
   listen();
   linkViews(["mark"], markAll);
   listenToHistory();

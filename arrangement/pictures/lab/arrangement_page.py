@@ -1,7 +1,7 @@
-"""An interactive page: the great circles and the dual side by side, turning together.
+"""The page of an arrangement: the arrangement lab without dragging.
 
-What is merged when a plane is taken away, and every number that the page shows, is exact; floats
-place curves on the screen.
+Great circles and dual turn together, planes come and go. The page counts by itself, exactly, as the
+lab does, also in real number fields; floats place curves on the screen.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.console.number_form import counted, sign_text
+from arrangement.console.number_form import counted
 from arrangement.drawing.pages.html_page import (
     BASE_SCRIPT,
     BASE_STYLE,
@@ -22,26 +22,22 @@ from arrangement.drawing.pages.html_page import (
 )
 from arrangement.drawing.registry import Vector
 from arrangement.drawing.solids.sight import picture_axes, unit, unit_vectors
-from arrangement.duals.zonohedron import around_rays
-from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.errors import refusal
 from arrangement.numbers import budget
-from arrangement.numbers.exact import IntegerVector, shown, to_text
+from arrangement.numbers.exact import IntegerVector, shown
 from arrangement.pictures.parts.coordinates import CHOICES, even_map, is_narrow, symmetric_map
 from arrangement.pictures.parts.essential import caption
-from arrangement.pictures.parts.names import equation, generator_text
+from arrangement.pictures.parts.names import generator_text
 from arrangement.pictures.parts.registry import brought
 from arrangement.pictures.sphere.globe import Globe, clear_direction
 
-_OWN = "arrangement.pictures.page"
+_OWN = "arrangement.pictures.lab"
+_LAB = ("circles", "cells", "words", "ball_view")
 SCRIPTS: tuple[Template, ...] = (
     BASE_SCRIPT,
-    (_OWN, "model.js"),
-    own("dual.js"),
-    own("ball.js"),
-    *((_OWN, f"{name}.js") for name in ("globe", "arrangement")),
-    own("turning.js"),
-    (_OWN, "controls.js"),
+    *((_OWN, f"{name}.js") for name in ("rational", "vectors", "algebraic")),
+    *map(own, ("dual.js", "ball.js", "turning.js")),
+    *((_OWN, f"{name}.js") for name in ("links", *_LAB, "sphere")),
 )
 #: After the point, of what is drawn.
 _DIGITS = 8
@@ -85,18 +81,20 @@ def arrangement_page(
     globe = Globe(arrangement, camera)
     number = counted(len(arrangement), "plane")
     heading = title if title is not None else f"Arrangement of {number}"
+    document = arrangement.to_dict()
     data = {
         "title": heading,
         "summary": summary,
         "colour": colour,
         "axes": floats(globe.axes, _DIGITS),
         "even": _shaped(globe, arrangement, coordinates, camera),
-        **_cells(globe.whole),
+        "planes": document["planes"],
+        "field": document.get("field"),
     }
     return one_page(
         heading,
-        (_OWN, "arrangement.html"),
-        [BASE_STYLE, (_OWN, "arrangement.css")],
+        (_OWN, "sphere.html"),
+        [BASE_STYLE, (_OWN, "cells.css"), (_OWN, "sphere.css")],
         SCRIPTS,
         data,
         ["spin", "home", "theme", "print"],
@@ -145,66 +143,6 @@ def _summary(arrangement: Arrangement) -> str:
     same = f", {distinct} of them distinct" if distinct < number else ""
     facts = (f"{planes}{same}", f"rank {arrangement.rank}", caption(arrangement, 3))
     return "; ".join(filter(None, (*facts, generator_text(arrangement))))
-
-
-def _cells(sphere: SphereArrangement) -> dict[str, Any]:
-    """Return planes, circles, arcs, crossings and regions with all that joins them."""
-    arrangement, topology = sphere.arrangement, sphere.incidence
-    normals = [plane[:3] for plane in arrangement.integer_planes]
-    longest = max((abs(x) for normal in normals for x in normal), default=1)
-    planes = [
-        {
-            "normal": _exact(normal),
-            "unit": _unit(normal),
-            "length": float(np.linalg.norm([float(x / longest) for x in normal])),
-            "equation": equation(normal),
-            "circle": int(circle),
-        }
-        for normal, circle in zip(normals, sphere.plane_circle.tolist(), strict=True)
-    ]
-    around = around_rays(topology) if sphere.vertex_count else ()
-    return {
-        "planes": planes,
-        "classes": [list(members) for members in arrangement.distinct],
-        "circles": [_unit(normal) for normal in sphere.circle_normals],
-        "arcs": [_arc(sphere, arc) for arc in range(sphere.arc_count)],
-        "points": [
-            {
-                "ray": _exact(sphere.ray(vertex)),
-                "unit": _unit(sphere.ray(vertex)),
-                "circles": topology.circles_at(vertex).tolist(),
-                "around": list(cycle),
-            }
-            for vertex, cycle in enumerate(around)
-        ],
-        "regions": [_region(sphere, region) for region in range(sphere.region_count)],
-    }
-
-
-def _arc(sphere: SphereArrangement, arc: int) -> dict[str, Any]:
-    topology, halves = sphere.incidence, slice(2 * arc, 2 * arc + 2)
-    witness = sphere.arc_witness(arc)
-    return {
-        "circle": int(topology.arc_circle[arc]),
-        "ends": topology.origin[halves].tolist(),
-        "sides": topology.region[halves].tolist(),
-        "witness": _exact(witness),
-        "inside": _unit(witness),
-    }
-
-
-def _region(sphere: SphereArrangement, region: int) -> dict[str, Any]:
-    witness = sphere.region_witness(region)
-    return {
-        "signs": sign_text(sphere.region_signs(region)),
-        "witness": _exact(witness),
-        "inside": _unit(witness),
-        "boundary": sphere.incidence.boundary(region).tolist() if sphere.rank else [],
-    }
-
-
-def _exact(vector: IntegerVector) -> list[str]:
-    return [to_text(x) for x in vector]
 
 
 def _unit(vector: IntegerVector) -> list[float]:

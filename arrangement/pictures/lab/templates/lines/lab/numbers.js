@@ -53,3 +53,37 @@ function tellStep(box, k, all) {
 }
 
 const sumOf = (coefficients) => sumText(coefficients.map((x, k) => [String(x), POWERS[coefficients.length - 1 - k]]));
+
+const POWERS = ["", "t", "t²", "t³"];
+function polynomialText(coefficients) {
+  const degree = coefficients.length - 1;
+  const whole = sumText(coefficients.map((x, k) => [String(x), POWERS[degree - k]]));
+  const factors = factored(coefficients);
+  return factors === whole ? whole : `${whole} = ${factors}`;
+}
+
+// Splits off integer roots, which lie between 0 and the number of planes.
+function factored(coefficients) {
+  const roots = [];
+  let left = coefficients;
+  for (let root = 0; root <= -coefficients[1]; root += 1) {
+    while (left.length > 1) {
+      const quotient = [];
+      const rest = left.reduce((sum, x) => { quotient.push(sum * root + x); return sum * root + x; }, 0);
+      if (rest) break;
+      roots.push(root);
+      left = quotient.slice(0, -1);
+    }
+  }
+  const text = [...new Set(roots)].map((root) => {
+    const power = roots.filter((x) => x === root).length;
+    const factor = root ? `(t\u00a0\u2212\u00a0${root})` : "t";
+    return power > 1 ? `${factor}${"  ²³"[power]}` : factor;
+  }).join("");
+  const rest = left.length > 1 ? sumText(left.map((x, k) => [String(x), POWERS[left.length - 1 - k]])) : "";
+  return text && rest ? `${text}(${rest})` : text || rest;
+}
+
+// {2: 3, 3: 4} as "t₂ = 3, t₃ = 4".
+const lowered = (number) => String(number).replace(/\d/g, (d) => "₀₁₂₃₄₅₆₇₈₉"[d]);
+const tallyText = (counts, letter) => Object.entries(counts).map(([k, number]) => `${letter}${lowered(k)} = ${number}`).join(", ") || "none";

@@ -82,12 +82,12 @@ function markNext(kind) {
   if (!list.length) return;
   lit.mark = list[(list.indexOf(lit.mark) + 1) % list.length];
   markAll();
-  say(litText());
+  say(toldInLine(lit.mark));
 }
 
 function markAll() {
   highlight();
-  at("lit-words").textContent = litText();
+  at("lit-words").textContent = toldInLine(lit.mark);
 }
 
 function listen() {

@@ -1,6 +1,6 @@
-// What is shown, and how it is coloured.
+// What is shown.
 const state = {
-  dimension: 3, rows: [], chosen: null,
+  dimension: 3, rows: [], chosen: null, projective: true, equal: true,
   chart: "z", colour: "sides", axes: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], middle: [0, 0], half: 2, shape: null,
   ends: new Map(), labels: [],
 };
@@ -20,6 +20,8 @@ function summary(rows, dimension = state.dimension) {
 // What the views show: all planes, or the first few of them.
 const shown = () => summary(player.step ? state.rows.slice(0, player.step) : state.rows);
 
+const whole = () => summary(state.rows).arrangement;
+
 // The whole state as a text: the address, and what undo keeps.
 const snapshot = () => hashOf(state);
 
@@ -38,20 +40,7 @@ function changed() {
   say(spoken());
 }
 
-const lineColour = (i) => (i === null ? "var(--soft)" : `oklch(var(--line-l) 0.16 ${(40 + i * 137.508) % 360})`);
-
 function lineStyle(members) {
   const chosen = members.includes(state.chosen) ? " chosen" : "";
   return player.step && members.includes(player.step - 1) ? `${chosen} fresh` : chosen;
-}
-
-// Opposite regions of the ball are one region of the projective plane.
-const regionName = ({ infinity }, { id, opposite: other }) => `region-${infinity === null ? Math.min(id, other) : id}`;
-
-function colourOf({ circles, infinity }, region) {
-  if (state.colour === "none") return "var(--panel)";
-  const minuses = [...region.key].filter((s, i) => s === "-" && i !== infinity).length;
-  if (state.colour === "parity") return `var(--two-${minuses % 2})`;
-  const sides = region.darts.filter((dart) => circles.arcs[dart >> 1].circle !== infinity).length;
-  return `var(--sides-${Math.min(7, Math.max(2, sides))})`;
 }

@@ -13,8 +13,7 @@ function paintPlane() {
 // The part of a region that the picture shows.
 function partSeen({ circles, infinity }, region) {
   let corners = cornersOf(frame(1.02));
-  const walls = region.darts.length ? region.darts.map((dart) => circles.arcs[dart >> 1].circle) : [...circles.normals.keys()];
-  for (const i of new Set(walls)) {
+  for (const i of new Set(region.darts.map((dart) => circles.arcs[dart >> 1].circle))) {
     const line = lineIn(circles.normals[i]);
     if (i !== infinity || line[0] || line[1]) corners = cut(corners, line.map((x) => (region.key[i] === "+" ? x : -x)), 0);
   }
@@ -26,11 +25,11 @@ function paintRegion(view, arrangement, region) {
   const corners = partSeen(arrangement, region);
   if (corners.length < 3) return;
   const open = arrangement.infinity !== null && !isBounded(arrangement, region);
-  const path = draw("path", { class: `region${open ? " open" : ""}`, "data-mark": regionName(arrangement, region), d: `${pathOf(corners.map(onPaper))}Z` }, view);
-  path.style.fill = colourOf(arrangement, region);
+  draw("path", { class: `region ${styleOf(arrangement, region)}${open ? " open" : ""}`, "data-mark": regionName(arrangement, region), d: `${pathOf(corners.map(onPaper))}Z` }, view);
 }
 
-function paintLine(view, { circles, infinity, members }, i) {
+function paintLine(view, arrangement, i) {
+  const { circles, infinity, members } = arrangement;
   if (i === infinity) return;
   const ends = seenPart(lineIn(circles.normals[i]), frame());
   const whole = `M-129,-109H129V109H-129Z`; // the line at infinity
@@ -38,15 +37,13 @@ function paintLine(view, { circles, infinity, members }, i) {
   if (!ends && !atInfinity) return;
   const d = atInfinity ? whole : pathOf(ends.map(onPaper));
   const group = draw("g", { class: `line grip${lineStyle(members[i])}`, "data-mark": `line-${i}`, "data-grip": `line-${i}`, tabindex: 0, role: "button",
-    "aria-label": `line ${names(members[i])}${atInfinity ? ", at infinity" : ""}: arrows move it, brackets turn it` }, view);
-  group.style.stroke = group.style.fill = lineColour(i);
+    "aria-label": `line ${names(arrangement, i)}${atInfinity ? ", at infinity" : ""}: arrows move it, brackets turn it` }, view);
+  group.style.setProperty("--tint", lineColour(arrangement, i));
   draw("path", { class: "target", d }, group);
   draw("path", { class: "stroke", d }, group);
   const [x, y] = atInfinity ? [-118, 100] : labelPlace(ends.map(onPaper));
-  draw("text", { class: "number", x: fixed(x), y: fixed(y) }, group, names(members[i]));
+  draw("text", { class: "number", x: fixed(x), y: fixed(y) }, group, names(arrangement, i));
 }
-
-const names = (members) => members.map((k) => k + 1).join(",");
 
 // Beside the end that is further from the labels written so far.
 /** @type {(ends: number[][]) => number[]} */
@@ -81,15 +78,16 @@ function paintMark(view, [x, y], number, p) {
 }
 
 // Two grips on each line: it turns about the other one.
-function paintEnds(view, { circles, infinity, members }, i) {
+function paintEnds(view, arrangement, i) {
+  const { circles, infinity } = arrangement;
   if (i === infinity) return;
   endsOf(circles.normals[i])?.forEach((end, k) => {
     const [x, y, w] = charted(end);
     const [px, py] = onPaper([x / w, y / w]).map(fixed);
     const group = draw("g", { class: "grip end", "data-mark": `line-${i}`, "data-grip": `end-${i}-${k}`, tabindex: 0, role: "button",
-      "aria-label": `end ${k + 1} of line ${names(members[i])}: arrows move it` }, view);
+      "aria-label": `end ${k + 1} of line ${names(arrangement, i)}: arrows move it` }, view);
     draw("circle", { class: "target", cx: px, cy: py, r: 9 }, group);
-    draw("circle", { class: "knob", cx: px, cy: py, r: 3.4 }, group).style.stroke = lineColour(i);
+    draw("circle", { class: "knob", cx: px, cy: py, r: 3.4 }, group).style.setProperty("--tint", lineColour(arrangement, i));
   });
 }
 
@@ -123,4 +121,20 @@ function apart(normal, from, to) {
     return { end, room: Math.min(12 / scale(), ...own.map(([a, b]) => Math.hypot(a - x / w, b - y / w))) };
   });
   return found.reduce((best, one) => (one.room > best.room ? one : best)).end;
+}
+
+// The ball, with grips, and with its crossings as the plane has them.
+function paintBall() {
+  const view = at("ball");
+  const { arrangement } = shown();
+  const { circles, infinity, members } = arrangement;
+  paintGlobe(view, (i) => {
+    if (i === infinity) return { class: "line grip infinity", "data-mark": `line-${i}` };
+    return { class: `line grip${lineStyle(members[i])}`, "data-mark": `line-${i}`, "data-grip": `circle-${i}`, tabindex: 0, role: "button",
+      "aria-label": `great circle ${names(arrangement, i)}: arrows tilt it` };
+  });
+  circles.crossings.forEach(({ ray, on }, p) => {
+    const point = turned(state.axes, ballPoint(ray));
+    for (const way of [1, -1]) if (way * point[2] > 1e-9) paintMark(view, [way * RADIUS * point[0], -way * RADIUS * point[1]], on.length, p);
+  });
 }
