@@ -37,26 +37,6 @@ function curveOf(normal, start, stop) {
   });
 }
 
-// The ball: regions below circles, whose far halves are there too. Attributes go to the elements;
-// `fill` and `tint` are colours, `curves` are points along the arcs of a circle.
-function paintBallOf(view, regions, circles) {
-  view.replaceChildren();
-  draw("circle", { class: "ball", r: RADIUS }, view);
-  for (const { fill, ...attributes } of regions) {
-    const path = draw("path", attributes, view);
-    if (fill) path.style.fill = fill;
-  }
-  for (const { curves, tint, ...attributes } of circles) {
-    const group = draw("g", attributes, view);
-    group.style.setProperty("--tint", tint);
-    const [far, near] = [-1, 1].map((side) => curves.map((curve) => visible(curve, side)).join("") || "M0,0");
-    draw("path", { class: "hidden-part", d: far }, group);
-    if (attributes["data-mark"]) draw("path", { class: "target", d: near }, group);
-    draw("path", { class: "stroke", d: near }, group);
-  }
-  draw("circle", { class: "limb", r: RADIUS }, view);
-}
-
 // Where the way from a visible point to a hidden one leaves the visible half.
 function onLimb(p, q) {
   const s = p[2] / (p[2] - q[2]);

@@ -14,17 +14,12 @@ function area(corners) {
   }, 0);
 }
 
-// The places of regions by their number, none farther out than 1: sums of the vectors `sides` with their signs.
-function zonotopePlaces(regions, sides) {
-  const places = regions.map(({ key }) => [0, 1, 2].map((k) => sides.reduce((sum, v, i) => sum + (key[i] === "+" ? v[k] : -v[k]), 0)));
-  const reach = Math.max(1e-9, ...places.map((p) => Math.hypot(...p)));
-  return new Map(regions.map(({ id }, i) => [id, places[i].map((x) => x / reach)]));
-}
-
-// The places of the regions of circles, and the faces, each with the corner, of crossing p, where its regions lie
+// The places of the regions of circles, none farther out than 1: sums of the vectors `sides` with their signs; and the faces, each with the corner, of crossing p, where its regions lie
 // counterclockwise about the direction `rayOf(corner, p)`; null leaves a face out.
 function zonotopeOf({ crossings }, sides, regions, rayOf) {
-  const places = zonotopePlaces(regions, sides);
+  const sums = regions.map(({ key }) => [0, 1, 2].map((k) => sides.reduce((sum, v, i) => sum + (key[i] === "+" ? v[k] : -v[k]), 0)));
+  const reach = Math.max(1e-9, ...sums.map((p) => Math.hypot(...p)));
+  const places = new Map(regions.map(({ id }, i) => [id, sums[i].map((x) => x / reach)]));
   const number = crossings.length;
   /** @type {number[][]} */ const regionsAt = Array.from({ length: 2 * number }, () => []);
   for (const { id, corners } of regions) for (const corner of corners) regionsAt[corner].push(id);

@@ -19,8 +19,19 @@ function paintGlobe(view, attributes) {
   const { arrangement } = shown();
   const { circles } = arrangement;
   const frame = curvesOf(arrangement).map((curve) => curve.map((p) => turned(state.axes, p)));
-  paintBallOf(view, circles.regions.flatMap((region) => ballRegion(arrangement, region, frame)), circles.normals.map((_, i) =>
-    ({ ...attributes(i), tint: lineColour(arrangement, i), curves: frame.filter((__, e) => circles.arcs[e].circle === i) })));
+  const curves = Map.groupBy(frame, (_, e) => circles.arcs[e].circle);
+  view.replaceChildren();
+  draw("circle", { class: "ball", r: RADIUS }, view);
+  for (const region of circles.regions) paintOnBall(view, arrangement, region, frame);
+  circles.normals.forEach((_, i) => {
+    const group = draw("g", attributes(i), view);
+    group.style.setProperty("--tint", lineColour(arrangement, i));
+    const [far, near] = [-1, 1].map((side) => curves.get(i).map((curve) => visible(curve, side)).join("") || "M0,0");
+    draw("path", { class: "hidden-part", d: far }, group);
+    if (state.projective) draw("path", { class: "target", d: near }, group);
+    draw("path", { class: "stroke", d: near }, group);
+  });
+  draw("circle", { class: "limb", r: RADIUS }, view);
   numberCircles(view, arrangement);
   if (at("labels").checked) labelRegions(view, arrangement);
   return frame;
@@ -30,11 +41,12 @@ const DISC = `M${-RADIUS},0A${RADIUS} ${RADIUS} 0 0 0 ${RADIUS},0A${RADIUS} ${RA
 // The part of a region on one half; one without a boundary is the whole half.
 const regionPath = ({ darts }, frame, side) => (darts.length ? clipped(boundaryOf(darts, frame), side) : DISC);
 
-function ballRegion(arrangement, region, frame) {
+function paintOnBall(view, arrangement, region, frame) {
   const d = regionPath(region, frame, 1);
-  if (!d) return [];
-  if (arrangement.infinity !== null && region.key[arrangement.infinity] === "-") return [{ class: "region beyond", d }];
-  return [{ class: `region ${styleOf(arrangement, region)}`, d, "data-mark": regionName(arrangement, region) }];
+  if (!d) return;
+  const beyond = arrangement.infinity !== null && region.key[arrangement.infinity] === "-";
+  const style = beyond ? { class: "region beyond" } : { class: `region ${styleOf(arrangement, region)}`, "data-mark": regionName(arrangement, region) };
+  draw("path", { ...style, d }, view);
 }
 
 // Numbers of the planes beside the ball, pushed apart.
