@@ -217,7 +217,12 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "arrangement.enumeration.choose",
     ),
     ("tests/arrangement/test_fan.py",): ("arrangement.enumeration.fan",),
-    ("tests/arrangement/test_regions_alone.py",): ("arrangement.enumeration.deletion_restriction",),
+    ("tests/arrangement/test_regions_alone.py",): (
+        "arrangement.enumeration.deletion_restriction.half_regions",
+        "arrangement.enumeration.deletion_restriction.insertion",
+        "arrangement.enumeration.deletion_restriction.listing",
+        "arrangement.enumeration.deletion_restriction.restrictions",
+    ),
     ("tests/arrangement/test_paper_steps.py",): ("arrangement.enumeration.paper_steps",),
     ("tests/arrangement/test_regions.py",): ("arrangement.enumeration.regions",),
     ("tests/arrangement/test_affine_space.py",): (

@@ -20,7 +20,7 @@ from . import affine_space, any_dimension, deletion_restriction, great_circles
 from .sequence import FaceSequence, Level, no_faces
 
 #: Up to so many faces, a list of all of them is as quick as one of the regions alone.
-_FEW = 200_000
+_FEW = 20_000
 
 
 @dataclass(frozen=True)
@@ -116,15 +116,17 @@ def enumerate_regions(planes: Planes, count: Callable[[Planes], int]) -> FaceSeq
         return None
     restrictions = budget.choose(m + (not central), cone_rank(planes) - 2)
     of_each = cone_rank(planes) + m / 64 + 1  # coordinates of the witness, words of signs
+    made = (
+        restrictions * deletion_restriction.RESTRICTION_STEPS * work_factor(planes.integer_planes)
+    )
 
     def takes() -> dict[str, float]:
-        steps = (
-            restrictions
-            * deletion_restriction.RESTRICTION_STEPS
-            * work_factor(planes.integer_planes)
-        )
-        steps += regions * m
-        return {"faces": regions, "long_steps": steps, "bytes": 32 * of_each * regions}
+        listed = of_each * regions / (1 + central)  # of central planes the opposites are not
+        return {
+            "faces": regions,
+            "long_steps": made + deletion_restriction.REGION_STEPS * listed,
+            "bytes": deletion_restriction.REGION_BYTES * listed,
+        }
 
     regions, many = most_regions(m, planes.rank, central), "up to "
     if budget.excess(**takes()) > 1:

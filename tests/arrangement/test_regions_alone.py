@@ -9,7 +9,13 @@ import pytest
 from arrangement import Arrangement, InputError, OutOfReachError, counts, families
 from arrangement.counts.in_cone import f_vector_in_cone
 from arrangement.enumeration import choose
-from arrangement.enumeration.deletion_restriction import TooCloseError, list_regions
+from arrangement.enumeration.deletion_restriction import (
+    TooCloseError,
+    half_regions,
+    insertion,
+    list_regions,
+    restrictions,
+)
 from arrangement.enumeration.sequence import FaceSequence
 from arrangement.planes.planes import Planes
 
@@ -57,6 +63,29 @@ def test_regions_alone_are_those_of_all_faces(d, bound):
 )
 def test_degenerate_planes_have_all_their_regions(planes):
     _check(planes)
+
+
+@pytest.mark.parametrize("bound", [5, 1000])
+def test_regions_of_more_hyperplanes_than_bits_of_a_word(bound):
+    planes = _random(2, 3, 90, bound)
+    assert len(planes.distinct) > 64
+    listed = list_regions(planes)
+    every = planes.faces(engine="great-circles").of_dimension(3)
+    found = listed.signs(slice(None))
+    assert sorted(map(bytes, found)) == sorted(map(bytes, every.signs))
+    points = listed.points(slice(None))[:, :-1]
+    assert (np.sign(points @ np.array(planes.normals, int).T) == found).all()
+
+
+def test_portions_change_nothing(monkeypatch):
+    planes, box = _random(4, 4, 9, 2), families.coordinate(4)
+    listed = [list_regions(planes).signs(slice(None)), planes.regions(inside=box).signs]
+    monkeypatch.setattr(restrictions, "_PORTION", 5)
+    monkeypatch.setattr(half_regions, "PORTION", 50)
+    monkeypatch.setattr(insertion, "PORTION", 50)
+    again = [list_regions(planes).signs(slice(None)), planes.regions(inside=box).signs]
+    for one, other in zip(listed, again, strict=True):
+        assert (one == other).all()
 
 
 @pytest.mark.parametrize("affine", [False, True])
