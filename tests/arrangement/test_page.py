@@ -83,6 +83,10 @@ def test_the_page_shows_every_cell_and_stays_silent(name, browser, opened):
     assert browser.count("#dual .vertex") == KNOWN[name][0]
     assert browser.count("#dual .edge") == KNOWN[name][1]
     assert KNOWN[name][0] / 2 <= browser.count("#ball .region") <= KNOWN[name][0]
+    for colour in ("sides", "signs", "parity", "none"):
+        browser.put("colour", colour)
+        numbers = [int(re.findall(r"\d+", text)[-1]) for text in browser.texts("#legend li")]
+        assert sum(numbers) == KNOWN[name][0]
     assert browser.messages() == []
 
 

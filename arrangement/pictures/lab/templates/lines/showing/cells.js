@@ -64,7 +64,7 @@ function showLegend() {
     const line = make("li", {}, at("legend"));
     const box = draw("svg", { viewBox: "0 0 10 10", "aria-hidden": "true" }, line);
     draw("rect", { width: 9, height: 9, x: 0.5, y: 0.5, class: styleOf(arrangement, list[0].region) }, box);
-    line.append(`${text} (${new Set(list.map(({ region }) => regionName(arrangement, region))).size})`);
+    line.append(state.projective ? text : `${text} (${list.length})`); // opposite regions may differ
   }
 }
 
