@@ -302,7 +302,9 @@ def _many_grasps(dimension: int, alone: bool, number: int) -> Work:
     grasps = [random_grasp(3 + k % 6, k, dimension=dimension) for k in range(number)]
     loads = [random_wrench(k, dimension=dimension) for k in range(number)]
     if alone:
-        return lambda: sum(bool(solve(*pair).stable) for pair in zip(grasps, loads, strict=True))
+        return lambda: sum(
+            verdict.decided and bool(verdict.stable) for verdict in map(solve, grasps, loads)
+        )
     points, normals = np.full((2, number, 8, dimension), np.nan)
     values = np.full((3, number, 8), np.nan)
     for i, grasp in enumerate(grasps):

@@ -62,7 +62,7 @@ def target_table() -> None:
         found = ours(name, number, LIMIT)
         _line(text, [] if found.absent else [found.count / 1e6], target)
     found = ours("foretold", 9, LIMIT)
-    print(f"  resonance 9: forecast {found.count} s, target 5000 s", flush=True)
+    print(f"  resonance 9: forecast of {found.count:,} steps", flush=True)
 
 
 def _refuted(listed: list[dict[str, object]]) -> list[float]:
