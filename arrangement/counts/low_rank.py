@@ -54,6 +54,8 @@ from .modular import ModularVectors
 MAX_RANK = 4
 _INT64_MAX = 2**63 - 1
 _CHUNK = 1 << 19
+#: Relative distance of quotients, each rounded three times, that may be equal.
+_CLOSE = 2.0**-48
 #: Planes through which flats of rank 2 are counted to foresee how many there are.
 _SAMPLE = 16
 _COLUMN_PAIRS = np.array([(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)])
@@ -152,10 +154,14 @@ def _below_top(config: Configuration) -> WhitneyMatrix:
 def _rank_two_sums(config: Configuration) -> tuple[int, int]:
     """Return L and S of the module's notes for a configuration of rank 3.
 
-    Each plane meets the others in lines, whose slopes in float64 are sorted. Quotients of integers
-    up to Q = 2 B^2 that differ do so by 1 / Q^2 of their size at least, so where that is above
-    2^-51 (B up to 4,871) rounding keeps them apart, and equal ones round alike. Of larger int64
-    only slopes that floats do not distinguish are compared exactly.
+    Each plane meets the later ones in lines, whose slopes in float64 are sorted. A flat of k planes
+    is a group of k - 1, ..., 2, 1 equal slopes at its first k - 1 planes: so L groups have one
+    member, and there are S - L in all.
+
+    Quotients of integers up to Q = 2 B^2 that differ do so by 1 / Q^2 of their size at least, so
+    where that is above 2^-51 (B up to 4,871) rounding keeps them apart, and equal ones round alike;
+    the integers themselves are exact in float64. Of larger int64 only slopes that floats do not
+    distinguish are compared exactly.
     """
     vectors, m = _matrix(config), len(config.vectors)
     if isinstance(vectors, ModularVectors) or vectors.dtype == object:
@@ -164,52 +170,92 @@ def _rank_two_sums(config: Configuration) -> tuple[int, int]:
             count += len(part.row)
             planes += int(part.size.sum()) + len(part.row)
         return count, planes
-    _check_cost(f"the flats of rank 2 of {m:,} planes", config, m * m / 20, 0)
+    _check_cost(f"the flats of rank 2 of {m:,} planes", config, m * m / 25, 0)
     largest_quotient = 2 * int(np.abs(vectors).max()) ** 2
-    near = 0.0 if largest_quotient**2 < 2**51 else 2.0**-48
-    # How often a plane has this many others through one of its lines.
-    times = np.zeros(len(vectors) + 1, dtype=np.int64)
-    for rows in _chunks(m, len(vectors)):
-        parts = _contract_by_one(vectors, rows)
-        for sizes in _sizes_of_groups(parts, rows, m, near):
-            found = np.bincount(sizes)
-            times[: len(found)] += found
-    flats = times[1:] // np.arange(2, len(times) + 1)
-    return int(flats.sum()), int(times.sum())
+    if distinct := largest_quotient**2 < 2**51:
+        vectors = vectors.astype(np.float64)
+    alone = groups = 0
+    for parts in _with_later(vectors, m):
+        found = (_equal_groups if distinct else _close_groups)(parts, len(vectors) > m)
+        alone += found[0]
+        groups += found[1]
+    return alone, alone + groups
 
 
-def _sizes_of_groups(
-    parts: list[Integers], rows: Integers, infinity: int, near: float
-) -> Iterator[Integers]:
-    """Yield the sizes of the groups of equal ratio, but those with the column of infinity.
+def _with_later(vectors: Integers, m: int) -> Iterator[list[Integers]]:
+    """Yield two coordinates of all later vectors in the quotient by each of some of the first m.
+
+    They are 0 for the vector itself and those before it.
+    """
+    pivots = (vectors[:m] != 0).argmax(axis=1)
+    order = np.append(np.argsort(pivots, kind="stable"), np.arange(m, len(vectors)))
+    columns = np.ascontiguousarray(vectors[order].T)
+    ends = np.searchsorted(pivots[order[:m]], range(4)).tolist()
+    for pivot, others in enumerate(((1, 2), (0, 2), (0, 1))):
+        for rows in _chunks(ends[pivot + 1] - ends[pivot], 8 * len(vectors)):
+            later = columns[:, ends[pivot] + rows[0] :]
+            here = later[:, : len(rows), None]
+            not_later = np.tri(len(rows), dtype=np.bool_)
+            parts = []
+            for k in others:
+                part = later[k] * here[pivot]
+                part -= later[pivot] * here[k]
+                part[:, : len(rows)][not_later] = 0
+                parts.append(part)
+            yield parts
+
+
+def _equal_groups(parts: list[Integers], affine: bool) -> tuple[int, int]:
+    """Return how many groups of equal slope have one member, and how many there are.
 
     Args:
-        near: ratios that differ by no more of their size are compared exactly; 0 if all that
-            differ do so as floats.
+        parts: two coordinates of vectors, in rows; 0 for what is not in a group.
+        affine: the last column is infinity, whose groups are left out.
     """
-    with np.errstate(divide="ignore", invalid="ignore"):
-        slopes = parts[0] / parts[1]
-    slopes[parts[1] == 0] = np.inf
-    slopes[(parts[0] == 0) & (parts[1] == 0)] = np.nan  # the plane itself
-    if not near and slopes.shape[1] > infinity:
-        slopes[slopes == slopes[:, infinity:]] = np.nan
-    order = np.argsort(slopes, axis=1) if near else None
-    line = np.sort(slopes, axis=1) if order is None else np.take_along_axis(slopes, order, axis=1)
-    there = ~np.isnan(line)
+    lines, columns = parts[0].shape
+    framed = np.full((lines, columns + 2), np.nan)
+    slopes = framed[:, 1:-1]
+    _divide(parts, slopes)
+    if affine:
+        slopes[slopes == slopes[:, -1:]] = np.nan
+    nobody = int(np.isnan(slopes).sum())
+    slopes.sort(axis=1)
+    changes = framed[:, 1:] != framed[:, :-1]  # NaN, which differs from itself, too
+    alone, groups = changes[:, 1:] & changes[:, :-1], changes[:, :-1]
+    return int(np.count_nonzero(alone)) - nobody, int(np.count_nonzero(groups)) - nobody
+
+
+def _close_groups(parts: list[Integers], affine: bool) -> tuple[int, int]:
+    """Return the same, where slopes that floats do not distinguish are compared exactly."""
+    slopes: Integers = np.empty(parts[0].shape)
+    _divide(parts, slopes)
+    is_open = _are_close(np.sort(slopes, axis=1)).any(axis=1)
+    count = int((~np.isnan(slopes[~is_open])).sum()) - affine * int((~is_open).sum())
+    rows, end = np.flatnonzero(is_open), slopes.shape[1] - affine
+    if not len(rows):
+        return count, count
+    slopes = slopes[rows]
+    order = np.argsort(slopes, axis=1)
+    changes = np.ones((len(rows), slopes.shape[1] + 1), np.bool_)
+    changes[:, 1:-1] = ~_are_close(np.take_along_axis(slopes, order, axis=1))
+    alone = np.empty(slopes.shape, np.bool_)
+    np.put_along_axis(alone, order, changes[:, 1:] & changes[:, :-1], axis=1)
+    count += int((alone & ~np.isnan(slopes))[:, :end].sum())
+    sizes = _flats_only(_group([np.where(alone, 0, part[rows]) for part in parts], rows), end).size
+    return count + int((sizes == 1).sum()), count + len(sizes)
+
+
+def _are_close(line: Any) -> Any:
+    """Return which of sorted slopes floats do not distinguish from the one before."""
     with np.errstate(invalid="ignore"):
-        same = line[:, 1:] == line[:, :-1]
-        if near:
-            same |= np.abs(line[:, 1:] - line[:, :-1]) <= near * np.abs(line[:, 1:])
-    first, last = there.copy(), there.copy()
-    first[:, 1:] &= ~same
-    last[:, :-1] &= ~same
-    if order is None:
-        yield np.flatnonzero(last) - np.flatnonzero(first) + 1
-        return
-    alone = np.zeros_like(there)
-    np.put_along_axis(alone, order, first & last, axis=1)
-    yield np.ones(int(alone[:, :infinity].sum()), dtype=np.int64)
-    yield _flats_only(_group([np.where(alone, 0, part) for part in parts], rows), infinity).size
+        near = np.abs(line[:, 1:] - line[:, :-1]) <= _CLOSE * np.abs(line[:, 1:])
+    return near | (line[:, 1:] == line[:, :-1])
+
+
+def _divide(parts: list[Integers], slopes: Any) -> None:
+    with np.errstate(divide="ignore", invalid="ignore"):
+        np.divide(parts[0], parts[1], out=slopes)  # 0 / 0 is NaN
+    slopes[slopes == -np.inf] = np.inf
 
 
 def with_top(below: WhitneyMatrix, rank: int) -> WhitneyMatrix:

@@ -171,7 +171,7 @@ def test_comparisons_of_flats_with_planes_are_foreseen(root, monkeypatch):
         steps = pytest.approx(comparisons * factor, rel=0.04)
         return {"steps": steps, "bytes": pytest.approx(numbers, rel=0.05)}
 
-    assert foreseen(20, 3) == [takes(20, 0) if rational else takes(200, 130 * 400)]
+    assert foreseen(20, 3) == [takes(16, 0) if rational else takes(200, 130 * 400)]
     assert foreseen(16, 4) == [takes(128, 130 * 256)]
     assert foreseen(20, 4) == [takes(20 * (190 if rational else 200), 0), takes(200, 130 * 400)]
 
