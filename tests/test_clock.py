@@ -1,16 +1,17 @@
 """A command prints the same, byte for byte, whether the clock is fast or slow.
 
-Pages of the documentation are read on a fast clock, too; see `tests.test_docs`.
+Pages of the documentation are read on a clock that is both; see `tests.test_docs`.
 """
 
 import contextlib
 import io
+import itertools
 import json
 import math
 import os
 import shlex
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -53,11 +54,25 @@ equilibrium resisted two-opposed-fingers --wrench 0 3/5 4/5 0 0 0
 """.strip().splitlines()
 
 
-def set_clock(patch: pytest.MonkeyPatch, factor: float) -> None:
-    """Let every clock of this process go faster by a factor."""
+def warped(real: Callable[[], float], factors: Sequence[float]) -> Callable[[], float]:
+    """Return a clock that goes faster by the next of the factors from each reading to the next."""
+    now = last = real()
+    speeds = itertools.cycle(factors)
+
+    def read() -> float:
+        nonlocal now, last
+        reading = real()
+        now += next(speeds) * (reading - last)
+        last = reading
+        return now
+
+    return read
+
+
+def set_clock(patch: pytest.MonkeyPatch, *factors: float) -> None:
+    """Let every clock of this process go faster by a factor, or by each of several in turn."""
     for name in CLOCKS:
-        real = getattr(time, name)
-        patch.setattr(time, name, lambda real=real: factor * real())
+        patch.setattr(time, name, warped(getattr(time, name), factors))
     patch.setattr(deadline, "clock", time.monotonic)
 
 
@@ -106,6 +121,11 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for stem, grasp in grasps.items():
         (made / f"{stem}.json").write_text(json.dumps(grasp.to_dict()))
     return made
+
+
+def test_clock_goes_by_each_factor_from_reading_to_reading():
+    clock = warped(iter([10.0, 11.0, 12.0, 13.0, 15.0]).__next__, (100.0, 0.25))
+    assert [clock() for _ in range(4)] == [110.0, 110.25, 210.25, 210.75]
 
 
 @pytest.mark.parametrize("command", COMMANDS)

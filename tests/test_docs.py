@@ -4,10 +4,9 @@ import importlib
 import os
 import re
 import runpy
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
 
 import pytest
 
@@ -24,7 +23,7 @@ from equilibrium.methods.registry import DECIDING
 from equilibrium.pictures.lab.page import slip_exercises
 from proofs_check.cli import program as claims_cli
 from tests.docpages import ROOT, Page, blocks, commands, loose_literals, with_free_port
-from tests.test_clock import set_clock
+from tests.test_clock import FACTORS, set_clock
 
 DOCS = ROOT / "docs"
 GENERATED = {"_build", "_generated"}
@@ -58,20 +57,11 @@ def run(text: str) -> list[str]:
 WAITING = {"cluster"}
 
 
-def runs() -> Iterator[Any]:
-    """Yield each page with the speeds of the clock on which it is run: fast, and slow."""
-    for page in (*PAGES, ROOT / "README.md"):
-        if page.stem in WAITING:
-            yield pytest.param(page, 1.0, id=name(page))
-            continue
-        yield pytest.param(page, 100.0, id=f"{name(page)}-fast")
-        yield pytest.param(page, 0.01, id=f"{name(page)}-slow", marks=pytest.mark.slow)
-
-
-@pytest.mark.parametrize(("page", "speed"), list(runs()))
-def test_a_page_read_from_top_to_bottom_does_what_it_shows(page, speed, desk, monkeypatch):
+@pytest.mark.parametrize("page", [*PAGES, ROOT / "README.md"], ids=name)
+def test_a_page_read_from_top_to_bottom_does_what_it_shows(page, desk, monkeypatch):
+    """The clock is fast and slow by turns, from reading to reading: no answer depends on it."""
     if page.stem not in WAITING:
-        set_clock(monkeypatch, speed)
+        set_clock(monkeypatch, *FACTORS, *reversed(FACTORS))
     running = Page(page, page.read_text(encoding="utf-8"))
     running.run()
     assert not running.problems, "\n\n".join(running.problems)
