@@ -180,12 +180,20 @@ class Panel:
     def _codes(self, parts: Sequence[tuple[Floats, States]]) -> None:
         """Write the states into the polygons where they fit and nothing later covers them."""
         within = (*self.at((_FADE - 1, _FADE - 1)), *self.at((1 - _FADE, 1 - _FADE)))
-        for i, (shape, states) in enumerate(parts):
-            later = [self.at(other) for other, _ in parts[i + 1 :]]
+        shapes = [self.at(shape) for shape, _ in parts]
+        low = np.array([shape.min(axis=0) for shape in shapes])
+        high = np.array([shape.max(axis=0) for shape in shapes])
+        for i, (_, states) in enumerate(parts):
+            room = np.minimum(high[i], within[2:]) - np.maximum(low[i], within[:2])
+            if (room < self.scene.measure(code(states), FONT)).any():
+                continue
+            # What is farther away than a point covers no part of it.
+            near = (low[i + 1 :] < high[i] + 1) & (high[i + 1 :] > low[i] - 1)
+            later = [shapes[i + 1 + k] for k in np.flatnonzero(near.all(axis=1))]
             plate = {"boxstyle": "square,pad=0.12", "fc": fill_of(states), "ec": "none"}
             style = {"zorder": 1.6, "plate": plate, "va": "center_baseline"}
             for lines in (self.axes(), []):
-                free = inside(self.scene, self.at(shape), keep_off(lines, later), within)
+                free = inside(self.scene, shapes[i], keep_off(lines, later), within)
                 look = {**style, "gid": self.gid("code", i)}
                 if write_if_free(self.scene, [code(states)], [FONT], free, **look):
                     break
