@@ -1,10 +1,11 @@
 """Settings for the whole suite."""
 
 import functools
+import gc
 import math
 import os
 import pickle
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -50,6 +51,17 @@ settings.load_profile("ci")
 
 #: What takes longest comes first, so that at the end no worker is left alone with it.
 LONGEST = {"test_pictures.py", "test_docs.py", "test_layers.py", "test_draw_views.py"}
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Generator[None, object, object]:
+    """Let the garbage collector pass over the items collected, which stay, now and later."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.enable()
+        gc.freeze()
 
 
 @functools.cache
