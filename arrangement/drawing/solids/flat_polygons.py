@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cmp_to_key
+from typing import NamedTuple
 
 from arrangement.numbers.exact import IntegerVector, dot, primitive, reduced, sign
 from arrangement.numbers.linear.intervals import Interval, remainder
@@ -108,6 +109,36 @@ def minus(loop: Loop, cover: Loop) -> list[Loop]:
         if outside:
             pieces.append(outside)
     return pieces
+
+
+class Boxed(NamedTuple):
+    """A convex polygon with its least and largest coordinates.
+
+    These are quotients of integers, correctly rounded: of different ones the larger is larger.
+    """
+
+    loop: Loop
+    low: tuple[float, float]
+    high: tuple[float, float]
+
+
+def boxed(loop: Loop) -> Boxed:
+    """Return a polygon with its box."""
+    first, second = [p[0] / p[2] for p in loop], [p[1] / p[2] for p in loop]
+    return Boxed(loop, (min(first), min(second)), (max(first), max(second)))
+
+
+def without(parts: Iterable[Boxed], cover: Boxed) -> list[Boxed]:
+    """Return convex pieces of polygons outside another one."""
+    found = []
+    (left, lowest), (right, highest) = cover.low, cover.high
+    for part in parts:
+        (x, y), (x_end, y_end) = part.low, part.high
+        if x > right or x_end < left or y > highest or y_end < lowest:
+            found.append(part)
+        else:
+            found += map(boxed, minus(part.loop, cover.loop))
+    return found
 
 
 def creases_of(loops: Sequence[Loop]) -> list[list[Segment]]:

@@ -23,15 +23,17 @@ from arrangement.numbers.linear.polyhedron import Polyhedron
 from arrangement.numbers.linear.rank import cycle_edges, difference
 
 from .flat_polygons import (
+    Boxed,
     Loop,
     Segment,
     between,
+    boxed,
     creases_of,
     facing,
     flattened,
     lifted,
-    minus,
     ordered,
+    without,
 )
 
 #: Of rounded coordinates, over the largest of them: far above any error of rounding.
@@ -218,25 +220,27 @@ def _patches(
     row: IntegerVector, loops: Sequence[Loop], solids: _Polytopes, *, sheet: bool
 ) -> Iterator[Patch]:
     """Yield what is seen of polygons in a plane, as convex polygons without overlaps."""
-    kept: list[Loop] = []
-    sections: dict[int, Loop] = {}
+    kept: list[Boxed] = []
+    sections: dict[int, Boxed | None] = {}
     for loop in loops:
         near = solids.near(row, loop, sheet=sheet)
         if near is None:
             continue
-        left = [flattened(row, loop)]
+        left = [boxed(flattened(row, loop))]
         for cover in kept:
-            left = [rest for part in left for rest in minus(part, cover)]
+            left = without(left, cover)
         for solid in near:
             if not left:
                 break
             if id(solid) not in sections:
-                sections[id(solid)] = flattened(row, solid.section(row))
-            if cover := sections[id(solid)]:
-                left = [piece for part in left for piece in minus(part, cover)]
+                section = flattened(row, solid.section(row))
+                sections[id(solid)] = boxed(section) if section else None
+            if part := sections[id(solid)]:
+                left = without(left, part)
         kept += left
-    edges = creases_of(kept)
-    for loop, creases in zip(kept, edges, strict=True):
+    listed = [part.loop for part in kept]
+    edges = creases_of(listed)
+    for loop, creases in zip(listed, edges, strict=True):
         ends = tuple((lifted(row, p), lifted(row, q)) for p, q in creases)
         yield Patch(row, tuple(lifted(row, p) for p in loop), ends, sheet)
 
