@@ -1,17 +1,23 @@
-"""Scenes of views, the paths of a figure, and what is wrong with the labels of a scene."""
+"""Scenes and files of views, paths of a figure, and what is wrong with the labels of a scene."""
 
+import hashlib
+import io
 from collections import Counter
+from collections.abc import Container, Iterable, Iterator
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
 import shapely
 
-from arrangement import read_arrangement
-from arrangement.drawing.output import own_settings
+from arrangement import InputError, read_arrangement
+from arrangement.drawing.output import PICTURES, own_settings, picture_bytes
+from arrangement.drawing.path_artist import figure
 from arrangement.drawing.registry import Drawings
 from arrangement.drawing.scene.curves import flattened
 from arrangement.drawing.scene.items import Item, Label, Path
 from arrangement.drawing.scene.scene import Scene, measure
+from arrangement.drawing.tikz.tikz import tikz
 from arrangement.library.families import generic
 from arrangement.pictures import DRAWINGS as OF_PLANES
 from equilibrium import read_grasp
@@ -52,6 +58,36 @@ def scene(drawings: Drawings, view: str, name: str = "", **options: Any) -> Scen
 _KEPT: dict[tuple[str, str], Scene] = {}
 
 
+def files(
+    names: Iterable[str], whole: Container[str], tried: Container[str] = ()
+) -> Iterator[tuple[str, str, Scene, dict[str, bytes]]]:
+    """Yield views of built-in instances: instance, view, scene, and its files by their endings.
+
+    What is in `whole` is drawn in every view, a third of them in all formats: writers read scenes
+    alone, so a scene that is the same in SVG and TikZ is the same in all. The rest is drawn in
+    these two, each instance in a seventh of the views and each view of a seventh of the instances;
+    affine ones, which have few views, in all. What is in `tried` is drawn in the other formats as
+    well, in few pixels: every warning is an error.
+    """
+    for k, (drawings, view) in enumerate(VIEWS):
+        for j, name in enumerate(sorted(names)):
+            if name not in whole and "affine" not in name and (j + k) % 7:
+                continue
+            with own_settings(), suppress(InputError):
+                made = scene(drawings, view, name)
+                for end in ("pdf", "png") if drawings is OF_PLANES and name in tried else ():
+                    figure(made).savefig(io.BytesIO(), format=end, dpi=40)
+                ends = PICTURES if name in whole and k % 3 == 0 else (".svg",)
+                contents = {end: picture_bytes(end, lambda made=made: figure(made)) for end in ends}
+                yield name, view, made, contents | {".tex": tikz(made).encode()}
+
+
+def digests(name: str, view: str, contents: dict[str, bytes]) -> Iterator[str]:
+    """Yield a line for each file of a view."""
+    for end, content in contents.items():
+        yield f"{name} {view} {end} {hashlib.sha256(content).hexdigest()}"
+
+
 def usual(drawings: Drawings, view: str) -> Scene:
     """Return the scene with what a view shows by default, for tests that change nothing of it."""
     key = drawings.package, view
@@ -60,9 +96,8 @@ def usual(drawings: Drawings, view: str) -> Scene:
 
 
 def box_of(label: Label) -> Any:
-    """Return the rectangle of a text."""
-    with own_settings():
-        w, h = measure(label.text, label.size, label.rotation)
+    """Return the rectangle of a text in our own settings."""
+    w, h = measure(label.text, label.size, label.rotation)
     x, y = label.place
     left = x - w * {"left": 0.0, "center": 0.5, "right": 1.0}[label.ha]
     share = {"bottom": 0.0, "baseline": 0.2, "center": 0.5, "center_baseline": 0.5, "top": 1.0}
@@ -87,7 +122,8 @@ def offences(scene: Scene) -> list[str]:
     labels = [item for item in scene.items if isinstance(item, Label) and item.text.strip()]
     lines = [item for item in scene.items if isinstance(item, Path) and is_line(item)]
     covers = [item for item in scene.items if isinstance(item, Path) and is_opaque(item)]
-    boxes = [box_of(label) for label in labels]
+    with own_settings():
+        boxes = [box_of(label) for label in labels]
     sheet = shapely.box(0, 0, scene.width, scene.height).buffer(0.01)
     found = [label.text for label, box in zip(labels, boxes, strict=True) if not sheet.covers(box)]
     tree = shapely.STRtree(boxes)

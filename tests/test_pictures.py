@@ -4,7 +4,6 @@ Options have forms, scenes know no format, labels cover nothing, legends have th
 keep what is described, TikZ shows the same items, and files repeat byte for byte.
 """
 
-import json
 import os
 import re
 import subprocess
@@ -39,7 +38,7 @@ from equilibrium.cli import main as draw_grasps
 from equilibrium.grasps.inputs import from_float_data
 from equilibrium.pictures import DRAWINGS as OF_GRASPS
 from tests.docpages import ROOT
-from tests.drawn import VIEWS, offences, scene, usual
+from tests.drawn import VIEWS, digests, files, offences, scene, usual
 from tests.instances import ARRANGEMENTS, PLANAR
 from tests.latex import RESOLUTION, Pixels, compiled, not_compiled, page_count, pages, unlike
 
@@ -417,18 +416,22 @@ def document(folder: Path, papers: Sequence[Any], texts: Sequence[str]) -> Path:
     return source
 
 
-def differences(folder: Path, scenes: list[Scene], texts: list[str]) -> Iterator[float]:
-    """Compile fragments on pages of one document; yield how unlike they are to our own PDF."""
-    source = document(folder, [made.paper for made in scenes], texts)
-    for k, (made, drawn) in enumerate(zip(scenes, pages(compiled(source)), strict=True)):
+def by_latex(folder: Path, scenes: Sequence[Scene], texts: Sequence[str]) -> list[Pixels]:
+    """Return the pages of a document with fragments."""
+    return pages(compiled(document(folder, [made.paper for made in scenes], texts)))
+
+
+def differences(folder: Path, scenes: Sequence[Scene], drawn: Sequence[Pixels]) -> Iterator[float]:
+    """Yield how unlike pages of a document are to our own PDF."""
+    for k, (made, page) in enumerate(zip(scenes, drawn, strict=True)):
         own = folder / f"own-{k}.pdf"
         own.write_bytes(picture_bytes(".pdf", lambda made=made: figure(made)))
         (expected,) = pages(own)
         rows, columns, _ = expected.shape
-        rest = np.ones_like(drawn)
-        rest[:rows, :columns] = drawn[:rows, :columns]
-        assert np.array_equal(rest, drawn)
-        yield unlike(drawn[:rows, :columns], expected)
+        rest = np.ones_like(page)
+        rest[:rows, :columns] = page[:rows, :columns]
+        assert np.array_equal(rest, page)
+        yield unlike(page[:rows, :columns], expected)
 
 
 @pytest.mark.slow
@@ -438,7 +441,7 @@ def test_tikz_shows_what_our_own_pictures_show(tmp_path):
     made = without_labels(scene(OF_PLANES, "sphere", "braid-a3"))
     scenes = [every_kind(), made, without_labels(scene(OF_GRASPS, "resist", "paper-four-contacts"))]
     texts = [tikz(sheet, fragment=True) for sheet in scenes]
-    found = list(differences(tmp_path, scenes, texts))
+    found = list(differences(tmp_path, scenes, by_latex(tmp_path, scenes, texts)))
     assert max(found) < LIMIT, found
     changes = [
         ("line width=0.9bp", "line width=2.5bp"),
@@ -448,17 +451,9 @@ def test_tikz_shows_what_our_own_pictures_show(tmp_path):
         ("layer=circle]", "layer=circle, transparent]"),
     ]
     wrong = [texts[1].replace(*change) for change in changes]
-    found = list(differences(tmp_path, [made] * len(wrong), wrong))
+    sheets = [made] * len(wrong)
+    found = list(differences(tmp_path, sheets, by_latex(tmp_path, sheets, wrong)))
     assert min(found) > 1.5 * LIMIT, found
-
-
-@pytest.mark.slow
-@pytest.mark.usefixtures("latex")
-def test_every_view_is_the_same_in_tikz(tmp_path):
-    """Without letters: of these, fonts differ."""
-    scenes = [without_labels(usual(d, view)) for d, view in VIEWS]
-    found = list(differences(tmp_path, scenes, [tikz(made, fragment=True) for made in scenes]))
-    assert max(found) < LIMIT, found
 
 
 def label_boxes(made: Scene, pixels: Pixels) -> Iterator[tuple[str, slice, slice]]:
@@ -505,13 +500,13 @@ def test_a_document_compiles_and_its_letters_are_where_ours_are(drawings, view, 
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("latex")
-def test_letters_of_every_view_are_where_ours_are(tmp_path):
-    """On pages of one document, in the corner of each."""
+def test_every_view_and_its_letters_are_the_same_in_tikz(tmp_path):
+    """Lines are compared without letters, whose fonts differ: these are where ours are."""
     views = [usual(drawings, view) for drawings, view in VIEWS]
     scenes = [sheet for made in views for sheet in (made, without_labels(made))]
-    texts = [tikz(sheet, fragment=True) for sheet in scenes]
-    source = document(tmp_path, [sheet.paper for sheet in scenes], texts)
-    drawn = pages(compiled(source))
+    drawn = by_latex(tmp_path, scenes, [tikz(sheet, fragment=True) for sheet in scenes])
+    found = list(differences(tmp_path, scenes[1::2], drawn[1::2]))
+    assert max(found) < LIMIT, found
     for made, sheet, bare in zip(views, drawn[::2], drawn[1::2], strict=True):
         columns, rows = (round(length / 25.4 * RESOLUTION) for length in made.paper)
         check_letters(made, sheet[:rows, :columns], bare[:rows, :columns])
@@ -520,79 +515,48 @@ def test_letters_of_every_view_are_where_ours_are(tmp_path):
 # Repetition.
 
 
-#: Draws views of some instances and prints a digest of each file. What the second list names is
-#: drawn in every view, a third of them in all formats: writers read scenes alone, so a scene that
-#: is the same in SVG and TikZ is the same in all. The rest is drawn in these two, each instance in
-#: a sixth of the views and each view of a sixth of the instances; affine ones, which have few
-#: views, in all. What the third list names is tried in the other formats as well, in few pixels:
-#: every warning is an error. If a file is named, the pictures as TikZ go there, with their sizes
-#: and what is wrong with labels of planes.
+#: One of each kind; each is in another part of the instances.
+REPEATED = ["shi-a2-affine", "paper-three-contacts-preload-1", "braid-a3"]
+#: Prints a digest of every picture of an instance.
 SCRIPT = """
-import hashlib, io, json, pathlib, sys
-from arrangement import InputError
-from arrangement.drawing.path_artist import figure, into
-from arrangement.drawing.output import PICTURES, own_settings, picture_bytes
-from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.tikz.tikz import tikz
-from tests.drawn import OF_PLANES, VIEWS, offences, scene
-
-def draw(name, drawings, view, ends):
-    with own_settings():
-        try:
-            made = scene(drawings, view, name)
-        except InputError:
-            return
-        if kept:
-            wrong = offences(laid_out(made)) if drawings is OF_PLANES else []
-            found.append((name, view, made.paper, tikz(made, fragment=True), wrong))
-        contents = {".tex": tikz(made).encode()}
-        for end in ("pdf", "png") if drawings is OF_PLANES and name in tried else ():
-            figure(made).savefig(io.BytesIO(), format=end, dpi=40)
-    contents |= {end: picture_bytes(end, lambda: figure(made)) for end in ends}
-    for end, content in contents.items():
-        print(name, view, end, hashlib.sha256(content).hexdigest())
-
-names, whole, tried = (set(given.split(",")) for given in sys.argv[1:4])
-kept, found = sys.argv[4], []
-for k, (drawings, view) in enumerate(VIEWS):
-    for j, name in enumerate(sorted(names)):
-        if name in whole or "affine" in name or (j + k) % 6 == 0:
-            draw(name, drawings, view, PICTURES if name in whole and k % 3 == 0 else (".svg",))
-if kept:
-    pathlib.Path(kept).write_text(json.dumps(found), encoding="utf-8")
+import sys
+from tests.drawn import digests, files
+for name, view, _, contents in files(sys.argv[1:], sys.argv[1:]):
+    print(*digests(name, view, contents), sep="\\n")
 """
-WHOLE = ["braid-a3", "paper-three-contacts-preload-1"]
 
 
-def digests(names: Sequence[str], tried: Sequence[str], seed: str, kept: str = "") -> list[str]:
-    """Return a line for each picture that there is, drawn with a seed of hashes."""
-    lists = (names, WHOLE, tried)
+@pytest.mark.slow
+@pytest.mark.parametrize("part", range(3))
+def test_all_pictures_repeat_and_compile(part, tmp_path):
+    """The pictures are pages of one document; what a view refuses has none.
+
+    Another process, with another seed of hashes, draws the same.
+    """
+    names, (again,) = PLANAR[part::3], {*PLANAR[part::3]} & {*REPEATED}
+    tried = [name for name in names if name in ARRANGEMENTS][:1]
+    lines, papers, texts, wrong = [], [], [], []
+    for name, view, made, contents in files(names, {again}, tried):
+        lines += digests(name, view, contents)
+        papers.append(made.paper)
+        texts.append(tikz(made, fragment=True))
+        if view in OF_PLANES.views and (found := offences(laid_out(made))):
+            wrong.append((name, view, found))
+    assert wrong == []
+    assert {line.split()[0] for line in lines} == set(names)
     done = subprocess.run(
-        [sys.executable, "-W", "error", "-c", SCRIPT, *map(",".join, lists), kept],
-        env={**os.environ, "PYTHONHASHSEED": seed},
+        [sys.executable, "-W", "error", "-c", SCRIPT, again],
+        env={**os.environ, "PYTHONHASHSEED": "4"},
         cwd=ROOT,
         capture_output=True,
         text=True,
         check=False,
     )
-    assert done.returncode == 0, done.stderr
-    assert done.stderr == ""
-    return sorted(done.stdout.splitlines())
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("part", range(4))
-def test_all_pictures_repeat_and_compile(part, tmp_path):
-    """The pictures are pages of one document; what a view refuses has none."""
-    names, kept = PLANAR[part::4], tmp_path / "kept.json"
-    one = digests(names, [name for name in names if name in ARRANGEMENTS][:1], "3", str(kept))
-    assert {line.split()[0] for line in one} == set(names)
-    again = [name for name in names if name in WHOLE] or names[:1]
-    assert [line for line in one if line.split()[0] in again] == digests(again, [], "4")
-    found = json.loads(kept.read_text(encoding="utf-8"))
-    assert [(name, view, wrong) for name, view, _, _, wrong in found if wrong] == []
+    assert (done.returncode, done.stderr) == (0, "")
+    assert sorted(done.stdout.splitlines()) == sorted(
+        line for line in lines if line.split()[0] == again
+    )
     if not_compiled() is None:
-        papers, texts = zip(*((x[2], x[3]) for x in found), strict=True)
         assert page_count(compiled(document(tmp_path, papers, texts))) == len(texts)
 
 
