@@ -14,9 +14,11 @@ from arrangement.enumeration.deletion_restriction import (
     half_regions,
     insertion,
     list_regions,
+    listing,
     restrictions,
 )
 from arrangement.enumeration.sequence import FaceSequence
+from arrangement.numbers import budget
 from arrangement.planes.planes import Planes
 
 
@@ -155,6 +157,18 @@ def test_regions_inside_are_found_where_all_would_be_too_many():
     cone = Planes([(*row[:-1], -row[-1]) for row in planes.integer_planes])
     bounds = [(*row[:-1], -row[-1]) for row in box.integer_planes]
     assert f_vector_in_cone(cone, [*bounds, (0, 0, 0, 0, 0, 0, 1)])[-1] == len(found)
+
+
+def test_too_many_regions_inside_are_refused_on_the_way(monkeypatch):
+    planes, octant = _random(2, 4, 12, 9), families.coordinate(4)
+    assert len(planes.regions(inside=octant)) > 25
+    with budget.metered():
+        planes.regions(inside=octant)
+        assert budget.spent() > listing.PROGRAM_STEPS * len(planes)
+    monkeypatch.setattr(listing, "_MANY", 25)
+    monkeypatch.setattr(budget, "FACES", 20)
+    with pytest.raises(OutOfReachError, match=r"a list of more than \d+ regions"):
+        planes.regions(inside=octant)
 
 
 def test_regions_inside_a_region_and_inside_nothing():

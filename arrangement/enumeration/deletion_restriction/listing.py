@@ -86,8 +86,10 @@ def _regions(above: Arrangements, points: Floats, units: Words) -> HalfRegions:
     levels.append((above.without_normals(), points, onto))
     del above
     while levels:
-        budget.spend(REGION_STEPS * len(found.of))
-        insertion = Insertion(*levels.pop(), found, units)
+        kept, first, onto = levels.pop()
+        count = len(first) + len(found.of)
+        _check_growth(REGION_STEPS * count, count, kept.dimension + units.shape[1])
+        insertion = Insertion(kept, first, onto, found, units)
         del found  # which the insertion has copied
         found = insertion.regions()
     return found
@@ -103,7 +105,7 @@ def _all_restricted(above: Arrangements, units: Words) -> tuple[Arrangements, Fl
         points.append(first[there])
         maps.append(restrictions.chosen(there))
         count += len(points[-1])
-        _check_growth(len(onto), count, above.dimension + units.shape[1])
+        _check_growth(RESTRICTION_STEPS * len(onto), count, above.dimension + units.shape[1])
     return joined(parts), np.concatenate(points), joined(maps)
 
 
@@ -119,13 +121,13 @@ def _in_planes(above: Arrangements, units: Words) -> tuple[HalfRegions, Restrict
         maps.append(restrictions.chosen(there))
         arrangements += int(there.sum())
         regions += len(of)
-        _check_growth(len(onto), regions, above.dimension + units.shape[1])
+        _check_growth(RESTRICTION_STEPS * len(onto), regions, above.dimension + units.shape[1])
     return joined(parts), joined(maps)
 
 
-def _check_growth(restrictions: int, regions: int, of_each: int) -> None:
+def _check_growth(steps: int, regions: int, of_each: int) -> None:
     """Refuse more regions than the limits allow: those inside are not counted before."""
-    budget.spend(RESTRICTION_STEPS * restrictions)
+    budget.spend(steps)
     if regions > _MANY:
         budget.check_cost(
             f"a list of more than {regions:,} regions",
