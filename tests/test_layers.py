@@ -1,6 +1,5 @@
 """The direction of imports, between the packages and inside each of them."""
 
-import ast
 import json
 import os
 import re
@@ -288,10 +287,10 @@ def test_a_class_name_means_one_thing():
     """No two classes of the three packages have one name, a leading underscore aside."""
     places: dict[str, list[str]] = {}
     for path in (path for package in PACKAGES for path in sorted((ROOT / package).rglob("*.py"))):
-        for node in ast.parse(path.read_text("utf-8")).body:
-            if isinstance(node, ast.ClassDef):
-                where = f"{path.relative_to(ROOT)}:{node.lineno}"
-                places.setdefault(node.name.lstrip("_"), []).append(where)
+        text = path.read_text("utf-8")
+        for found in re.finditer(r"(?m)^class (\w+)", text):
+            where = f"{path.relative_to(ROOT)}:{text.count(chr(10), 0, found.start()) + 1}"
+            places.setdefault(found[1].lstrip("_"), []).append(where)
     assert len(places) > 300
     assert {name: at for name, at in places.items() if len(at) > 1}.keys() == PUBLIC_TWICE
 

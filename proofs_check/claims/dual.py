@@ -5,7 +5,6 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator
 from functools import lru_cache, partial
-from itertools import combinations
 
 import networkx as nx
 
@@ -81,10 +80,11 @@ def _hamming(graph: DualGraph) -> tuple[int, int, bool]:
     below = {
         signs: sum(1 << k for k, sign in enumerate(signs) if sign < 0) for signs in graph.vertices
     }
-    pairs = sum((a ^ b).bit_count() == 1 for a, b in combinations(below.values(), 2))
+    regions, most = set(below.values()), max(below.values()).bit_length()
+    pairs = sum(region ^ 1 << k in regions for region in regions for k in range(most)) // 2
     isometric = all(
-        length == (below[start] ^ below[end]).bit_count()
-        for start in below
+        length == (here ^ below[end]).bit_count()
+        for start, here in below.items()
         for end, length in distances(graph, start).items()
     )
     return len(graph.edges), pairs, isometric

@@ -91,15 +91,13 @@ def _cross(u: tuple[int, ...], v: tuple[int, ...]) -> tuple[int, ...]:
 def distances(graph: DualGraph, start: Signs, removed: Iterable[Signs] = ()) -> dict[Signs, int]:
     """Return the number of edges on a shortest way from one region to each that is reached."""
     neighbours = graph.neighbours
-    found = {start: 0}
-    closed = set(removed)
-    waiting = deque([start])
-    while waiting:
-        here = waiting.popleft()
-        for there in neighbours[here] - closed:
-            if there not in found:
-                found[there] = found[here] + 1
-                waiting.append(there)
+    found, length = {start: 0}, 0
+    level, closed = {start}, {start, *removed}
+    while level:
+        length += 1
+        level = set[Signs]().union(*(neighbours[here] for here in level)) - closed
+        closed |= level
+        found |= dict.fromkeys(level, length)
     return found
 
 

@@ -273,12 +273,11 @@ def test_dual_of_high_rank_has_a_vertex_for_each_region(planes, vertices):
     dual = planes.dual()
     assert len(set(dual.vertices)) == len(dual.signs) == vertices == planes.region_count()
     assert dual.dimension == planes.rank
+    inside = {region.signs: region.witness for region in planes.regions()}
     for signs, vertex in zip(dual.signs, dual.vertices, strict=True):
         columns = zip(*planes.normals, strict=True)
         assert vertex == tuple(sum(s * x for s, x in zip(signs, c, strict=True)) for c in columns)
-        top = planes.region_at(
-            next(r.witness for r in planes.regions() if r.signs == signs)
-        ).witness
+        top = planes.region_at(inside[signs]).witness
         heights = [sum(a * b for a, b in zip(top, v, strict=True)) for v in dual.vertices]
         assert heights.count(max(heights)) == 1
         assert dual.vertices[heights.index(max(heights))] == vertex
