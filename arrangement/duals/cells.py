@@ -155,7 +155,13 @@ class _Knife:
             if len(kept) > 2:
                 faces.append(kept)
                 walls.append(wall)
-        edges = {edge for face in faces for edge in cycle_edges(face)}
+        edges = {
+            edge
+            for face in faces
+            if sum(not self.values[i] for i in face) > 1
+            for edge in cycle_edges(face)
+            if not (self.values[edge[0]] or self.values[edge[1]])
+        }
         first, *rest = loop_around(edges)
         return (*faces, (first, *reversed(rest))), (*walls, self.label)
 

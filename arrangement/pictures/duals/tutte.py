@@ -69,12 +69,19 @@ def _even(values: Floats) -> Floats:
 def _means(places: Floats, pairs: Indices, weights: Floats, inner: Indices) -> Floats:
     """Solve for the inner vertices, the others being fixed."""
     with extra("figures"):
-        from scipy.sparse import coo_array, diags_array
+        from scipy.sparse import coo_array
         from scipy.sparse.linalg import spsolve
 
-    count = len(places)
+    size, index = len(inner), np.full(len(places), -1)
+    index[inner] = np.arange(size)
     ends, others = np.concatenate([pairs, pairs[:, ::-1]]).T
-    pulls = coo_array((np.tile(weights, 2), (ends, others)), shape=(count, count)).tocsr()
-    fixed = np.setdiff1d(np.arange(count), inner)
-    matrix = (diags_array(pulls.sum(axis=1)) - pulls).tocsc()[inner][:, inner]
-    return np.asarray(spsolve(matrix.tocsc(), pulls[inner][:, fixed] @ places[fixed]))
+    kept = index[ends] >= 0
+    rows, others, pulls = index[ends][kept], others[kept], np.tile(weights, 2)[kept]
+    columns, diagonal = index[others], np.arange(size)
+    free = columns >= 0
+    entries = np.concatenate([-pulls[free], np.bincount(rows, pulls, size)])
+    at = np.concatenate([[rows[free], columns[free]], [diagonal, diagonal]], axis=1)
+    matrix = coo_array((entries, (at[0], at[1])), shape=(size, size)).tocsc()
+    fixed = (pulls[:, None] * places[others])[~free].T
+    right = np.stack([np.bincount(rows[~free], x, size) for x in fixed], axis=1)
+    return np.asarray(spsolve(matrix, right))
