@@ -23,6 +23,7 @@ from arrangement.numbers.exact import (
     primitive,
     rational,
     rational_vector,
+    reduced,
     shown,
 )
 from arrangement.numbers.linear.rank import cross
@@ -95,11 +96,11 @@ def body_around(
         if reach <= 0:
             raise InputError(f"the radius is {shown(radius)}; give a positive number")
     units, faces = _SOLIDS[kind]()
+    scale = math.lcm(*(x.denominator for x in (*middle, reach)))
+    *origin, length = (int(x * scale) for x in (*middle, reach))
     corners = tuple(
-        primitive(
-            [*(c + reach * Fraction(x, unit[3]) for c, x in zip(middle, unit, strict=False)), 1]
-        )
-        for unit in units
+        reduced([*(c * w + length * x for c, x in zip(origin, unit, strict=True)), scale * w])
+        for *unit, w in units
     )
     return Body(kind, middle, reach, corners, faces)
 

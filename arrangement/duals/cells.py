@@ -139,39 +139,39 @@ class _Knife:
 
     def halves(self, solid: _Solid) -> Mapping[int, _Solid]:
         """Return the parts of a solid on the sides +1 and -1, as far as they have a volume."""
-        faces, _ = solid
-        corners = {i for face in faces for i in face}
-        above = any(self.values[i] > 0 for i in corners)
-        below = any(self.values[i] < 0 for i in corners)
+        kept: dict[int, list[tuple[tuple[int, ...], int]]] = {1: [], -1: []}
+        edges: dict[int, set[tuple[int, int]]] = {1: set(), -1: set()}
+        above = below = False
+        for face, wall in zip(*solid, strict=True):
+            values = [self.values[i] for i in face]
+            low, high = min(values), max(values)
+            above, below = above or high > 0, below or low < 0
+            if low < 0 < high:
+                parts = {side: self._clipped(face, [side * x for x in values]) for side in kept}
+            else:
+                parts = {1 if low >= 0 else -1: face}
+            for side, part in parts.items():
+                kept[side].append((part, wall))
+                if len(parts) == 2 or values.count(0) > 1:
+                    edges[side].update(
+                        (i, j)
+                        for i, j in cycle_edges(part)
+                        if not (self.values[i] or self.values[j])
+                    )
         if above and below:
-            return {1: self._half(solid, 1), -1: self._half(solid, -1)}
+            return {side: self._closed(kept[side], edges[side]) for side in kept}
         return {1 if above else -1: solid}
 
-    def _half(self, solid: _Solid, side: int) -> _Solid:
-        """Return the part on one side, closed by a face in the plane."""
-        faces, walls = [], []
-        for face, wall in zip(*solid, strict=True):
-            kept = self._clipped(face, side)
-            if len(kept) > 2:
-                faces.append(kept)
-                walls.append(wall)
-        edges = {
-            edge
-            for face in faces
-            if sum(not self.values[i] for i in face) > 1
-            for edge in cycle_edges(face)
-            if not (self.values[edge[0]] or self.values[edge[1]])
-        }
+    def _closed(
+        self, kept: Sequence[tuple[tuple[int, ...], int]], edges: set[tuple[int, int]]
+    ) -> _Solid:
+        """Return a part, closed by a face in the plane, whose edges are among those there."""
         first, *rest = loop_around(edges)
+        faces, walls = zip(*kept, strict=True)
         return (*faces, (first, *reversed(rest))), (*walls, self.label)
 
-    def _clipped(self, face: tuple[int, ...], side: int) -> tuple[int, ...]:
-        """Return the part of a face on one side, which may be less than a polygon."""
-        values = [side * self.values[i] for i in face]
-        if min(values) >= 0:
-            return face
-        if max(values) <= 0:
-            return ()
+    def _clipped(self, face: tuple[int, ...], values: Sequence[int]) -> tuple[int, ...]:
+        """Return the part of a face where values are positive."""
         return tuple(map(self._number, clipped([self.points[i] for i in face], values)))
 
     def _number(self, point: IntegerVector) -> int:
