@@ -76,7 +76,7 @@ def agree(planes: Arrangement) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(2))
 def test_classes_agree_with_all_other_routes(seed):
-    for planes in random_planes(seed, 60):
+    for planes in random_planes(seed, 35):
         agree(planes)
         chi = counts.characteristic_polynomial(planes, symmetry=[])
         assert abs(chi.eval(-1)) == planes.f_vector[-1]

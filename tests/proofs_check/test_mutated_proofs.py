@@ -1,6 +1,6 @@
 """A wrong enumerator or solver is caught: some claim loses its verdict."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -60,14 +60,14 @@ def plant(bug: Callable[[Levels], None], monkeypatch: pytest.MonkeyPatch) -> Non
         monkeypatch.setitem(choose.ENGINES, name, planted)
 
 
-def unexpected(*ids: str) -> list[str]:
+def unexpected(*ids: str) -> Iterator[str]:
     known = registry()
-    return [id for id in ids if not evaluate(known[id]).as_expected]
+    return (id for id in ids if not evaluate(known[id]).as_expected)
 
 
 @pytest.mark.slow
 def test_without_a_bug_all_are_as_expected():
-    assert unexpected(*QUICK) == []
+    assert list(unexpected(*QUICK)) == []
 
 
 @pytest.mark.slow
@@ -76,7 +76,7 @@ def test_a_wrong_enumerator_is_caught(bug, monkeypatch):
     plant(bug, monkeypatch)
     dual._faces_graph.cache_clear()
     try:
-        caught = unexpected(*QUICK)
+        caught = any(unexpected(*QUICK))
     finally:
         dual._faces_graph.cache_clear()
     assert caught
@@ -91,7 +91,7 @@ def test_a_solver_that_always_says_no_is_caught(monkeypatch):
             return True
 
     monkeypatch.setattr(tables.Solver, "solve", lambda *_: Never())
-    assert unexpected("table-three-contacts", "vertical-limits") == [
+    assert list(unexpected("table-three-contacts", "vertical-limits")) == [
         "table-three-contacts",
         "vertical-limits",
     ]
@@ -99,7 +99,7 @@ def test_a_solver_that_always_says_no_is_caught(monkeypatch):
 
 def test_a_substitution_that_ignores_the_cone_is_not_enough(monkeypatch):
     monkeypatch.setattr(oracle, "violations", lambda question, motion, forces: ("balance",))
-    assert unexpected("table-three-contacts") == ["table-three-contacts"]
+    assert list(unexpected("table-three-contacts")) == ["table-three-contacts"]
 
 
 def test_a_changed_printed_number_is_caught():
