@@ -8,6 +8,7 @@ from importlib import metadata
 from itertools import islice
 from pathlib import Path
 from xml.etree import ElementTree as ET
+from zipfile import ZipFile
 
 import numpy as np
 import pytest
@@ -19,6 +20,7 @@ from equilibrium.cli import main
 from equilibrium.decide.solver import Solver
 from equilibrium.scenes import EngineScene, benchmark, document_text
 from proofs_check.cli import main as claims
+from tests.docpages import ROOT
 
 NAME = "paper-three-contacts-preload-1"
 PAPER = read_grasp("paper-three-contacts-preload-1")
@@ -157,6 +159,26 @@ def test_the_benchmark_has_sixty_scenes_that_rest():
         zero = [0] * len(scene.directions[0])
         assert len(scene.directions) == 3
         assert Solver(scene.grasp).solve(zero).stable
+
+
+@pytest.mark.slow
+def test_the_archive_of_the_page_has_the_scenes_and_proofs():
+    """Some are made again: the archive has their loads and verdicts, maybe with other proofs."""
+    scenes = dict(benchmark())
+    with ZipFile(ROOT / "docs" / "howto" / "slip-scenes.zip") as archive:
+        assert archive.namelist() == [f"slip-scenes/{name}.json" for name in scenes]
+        for name, scene in islice(scenes.items(), 0, None, 12):
+            kept = json.loads(archive.read(f"slip-scenes/{name}.json"))
+            made = json.loads(document_text(scene.document()))
+            for load in kept["loads"]:
+                for entry in load["verdicts"]:
+                    wrench = [Fraction(entry["magnitude"]) * Fraction(x) for x in load["direction"]]
+                    proof = entry.pop("certificate")
+                    assert check(proof, (scene.grasp, wrench)).kind == entry["verdict"]
+            for load in made["loads"]:
+                for entry in load["verdicts"]:
+                    del entry["certificate"]
+            assert kept == made, name
 
 
 @pytest.fixture
