@@ -39,7 +39,7 @@ def imports(package):
         for_types = {
             node
             for branch in ast.walk(tree)
-            if isinstance(branch, ast.If) and ast.unparse(branch.test) == "TYPE_CHECKING"
+            if isinstance(branch, ast.If) and getattr(branch.test, "id", "") == "TYPE_CHECKING"
             for node in ast.walk(branch)
         }
         for node in ast.walk(tree):
