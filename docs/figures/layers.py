@@ -85,7 +85,7 @@ def draw_layers(package, rows):
                 )
                 axes.plot([1, RIGHT], [y - ROW / 2] * 2, solid_capstyle="butt", **border)
         top += len(band) * ROW + GAP
-    for above, below in graph.edges:
+    for above, below in sorted(graph.edges):
         y, v = middle[above] + 0.7, middle[below] - 0.7
         reach = RIGHT + 4 + 0.36 * abs(v - y)
         curve = Path([(RIGHT, y), (reach, y), (reach, v), (RIGHT, v)], [1, 4, 4, 4])
