@@ -238,7 +238,7 @@ def test_examples_are_written_and_run(name, verdicts, tmp_path, monkeypatch, cap
     monkeypatch.chdir(tmp_path)
     assert main(["new", "mine", "--example", name]) == 0
     assert "proofs-check run mine.py" in capsys.readouterr().out
-    assert main(["run", "mine.py", "--json"]) == 0
+    assert main(["run", "mine.py", "--json", "--samples", "30"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert [r["verdict"] for r in found["results"]] == verdicts
 
