@@ -51,13 +51,13 @@ def same_faces(found: FaceSequence, expected: FaceSequence, planes: Planes) -> N
 @pytest.mark.parametrize(
     ("dimension", "affine", "trials"),
     [
-        *((n, affine, 60) for n in (1, 2, 3) for affine in (False, True)),
+        *((n, affine, 40) for n in (1, 2, 3) for affine in (False, True)),
         *(
             pytest.param(n, affine, 24, marks=pytest.mark.slow)
             for n in (4, 5)
             for affine in (False, True)
         ),
-        pytest.param(3, False, 150, marks=pytest.mark.slow),
+        pytest.param(3, False, 100, marks=pytest.mark.slow),
     ],
 )
 def test_all_engines_list_the_same_faces(dimension, affine, trials):
