@@ -60,12 +60,12 @@ def page_count(pdf: Path) -> int:
 
 def pages(pdf: Path) -> list[Pixels]:
     """Return the pages as arrays (rows, columns, 3) of numbers from 0 to 1."""
-    from matplotlib.image import imread
+    from PIL import Image
 
-    command = ["pdftoppm", "-r", str(RESOLUTION), "-png", str(pdf), str(pdf.with_suffix(""))]
+    command = ["pdftoppm", "-r", str(RESOLUTION), str(pdf), str(pdf.with_suffix(""))]
     subprocess.run(command, check=True, timeout=300)
-    found = sorted(pdf.parent.glob(f"{pdf.stem}-*.png"))
-    return [imread(path)[..., :3] for path in found]
+    found = sorted(pdf.parent.glob(f"{pdf.stem}-*.ppm"))
+    return [np.asarray(Image.open(path), np.float32) / np.float32(255) for path in found]
 
 
 def unlike(one: Pixels, other: Pixels, reach: int = 1, tolerance: float = 0.25) -> float:
