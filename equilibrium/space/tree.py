@@ -59,6 +59,10 @@ class TreeSettings:
     near_load_share: float = 1 / 8
     #: With more contacts exact programs take seconds, and come last.
     max_contacts_exact_first: int = 6
+    #: Where all sectors have smaller sines, or motions in scaled units are larger, float programs
+    #: find solutions that are none.
+    blurred_sector_sine: float = 1e-3
+    blurred_motion: float = 300.0
     #: Steps that are counted for one relaxation, see `Effort`.
     relaxation_steps: int = 10_000
     #: The same for each contact of it, where motions have six numbers; more or less for others.
@@ -256,17 +260,28 @@ class SpatialSearch:
         leaf = self._leaf(states, relaxed)
         if leaf is not None:
             return leaf
-        # Where floats end, or lead nowhere for long, exact programs are used.
-        if isinstance(relaxed, Point) and not (self.exactly and self.is_impatient):
+        # Where floats end, blur, or lead nowhere for long, exact programs are used.
+        blurred = self.exactly and self._blurs(states, relaxed)
+        hard = blurred or (self.exactly and self.is_impatient)
+        if isinstance(relaxed, Point) and not hard:
             part = self._equilibrium_or_cut(states, relaxed)
             if part is not None:
                 return part
+        is_decided = not any(x in ("undecided", "attached") for x in states)
         small = len(states) <= SETTINGS.max_contacts_exact_first
-        exact_first = self.exactly and (small or self.is_impatient)
+        exact_first = self.exactly and (small or self.is_impatient or (blurred and is_decided))
         split = None if exact_first else self.splits.of_any_contact(states, relaxed)
         if split is not None or not self.exactly:
             return split
         return self._exact_node(states, relaxed)
+
+    def _blurs(self, states: Node, relaxed: Ray | Point | None) -> bool:
+        """Return whether floats may miss that a node has no solution."""
+        if not isinstance(relaxed, Point):
+            return False
+        widest = max((self.cones.sine(x) for x in states if not isinstance(x, str)), default=1.0)
+        far = float(np.abs(relaxed.motion).max())
+        return widest < SETTINGS.blurred_sector_sine or far > SETTINGS.blurred_motion
 
     def _exact_node(
         self, states: Node, relaxed: Ray | Point | None

@@ -590,6 +590,24 @@ def test_what_floats_leave_open_is_decided(kind, seed):
     assert decided(kind, [seed]) == 1
 
 
+#: Contacts, seed and load close to the limit: motions are far, or directions of slip known to 1e-3.
+NEAR_LIMITS = [
+    (5, 31, "-213/512 759/512 281/1024 -39/1024 -417/512 135/1024"),
+    (6, 17, "-2027/8192 -13717/32768 1831/2048 7697/16384 -6655/8192 14181/32768"),
+    (5, 36, "-1643/16384 -3175/4096 14137/8192 19855/16384 30949/16384 -11195/16384"),
+    (6, 22, "12727/8192 1699/4096 -14049/8192 -1437/4096 829/8192 -2541/8192"),
+    (7, 178, "43/64 17/32 -41/32 19/64 15/8 -75/64"),
+]
+
+
+@pytest.mark.parametrize(
+    ("contacts", "seed", "load"),
+    [pytest.param(*x, marks=[pytest.mark.slow] * (i > 0)) for i, x in enumerate(NEAR_LIMITS)],
+)
+def test_floats_that_miss_the_lack_of_a_solution_are_not_trusted(contacts, seed, load):
+    assert verdict(random_grasp(contacts, seed, dimension=3), load.split()) == "not resisted"
+
+
 @pytest.mark.parametrize("load", [(2, 1), pytest.param((4, -1), marks=pytest.mark.slow)])
 def test_a_load_on_the_border_is_given_up_early(load, solved):
     """All friction goes along z only of infinite slips; less of the load has an equilibrium."""
