@@ -402,6 +402,13 @@ def test_styles_are_those_of_the_roles_and_all_is_plain_text(drawings, view):
     assert r"\documentclass" not in text
 
 
+def test_pictures_in_one_document_do_not_take_shadings_of_each_other():
+    scenes = [scene(OF_PLANES, "sphere", "braid-a3"), every_kind()]
+    pattern = re.compile(r"\\pgfdeclareradialshading\{([\w-]+)\}(.*)")
+    found = [pair for made in scenes for pair in pattern.findall(tikz(made))]
+    assert len(found) == len(dict(found)) == len({content for _, content in found}) == 6
+
+
 def document(folder: Path, papers: Sequence[Any], texts: Sequence[str]) -> Path:
     """Return a document with fragments on pages of their own."""
     width, height = (max(paper[k] for paper in papers) for k in (0, 1))

@@ -45,9 +45,7 @@ def set_in_latex(sources: list[Path]) -> None:
     for source in sources:
         width, height, body = TIKZ.search(source.read_text(encoding="utf-8")).groups()
         lines.append(rf"\pdfpagewidth={width}\pdfpageheight={height}")
-        # Shadings have names of their own on each page: one that was used stays as it was.
-        own = body.replace("slipstates-ball", f"slipstates-{source.stem}-ball")
-        lines.append(own + r"\newpage")
+        lines.append(body + r"\newpage")
     document = Path("gallery-all.tex")
     document.write_text("\n".join([*lines, r"\end{document}"]), encoding="utf-8")
     for words in (

@@ -12,6 +12,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from hashlib import sha256
 from itertools import groupby
 from textwrap import fill
 from typing import Any, TypeAlias
@@ -175,7 +176,7 @@ def tikz(scene: Scene, *, fragment: bool = False) -> str:
 
 
 class _Writer:
-    """One picture: its items in the order of painting, its colours and shadings by number."""
+    """One picture: its items in the order of painting, its colours by number, its shadings."""
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
@@ -332,16 +333,18 @@ class _Writer:
         return _Written(item, options, body, tuple(cuts))
 
     def _shading(self, item: Ball, near: Floats, far: Floats) -> str:
-        """Declare a radial shading from one colour to another; return its name."""
-        name, r = f"slipstates-ball-{len(self.shadings)}", item.radius
-        stops = []
+        """Declare a radial shading from one colour to another; return its name.
+
+        It is that of its content: two pictures in one document do not take each other's.
+        """
+        r, stops = item.radius, []
         for size, share in (*SHADES, (1.02, 1.0)):
             colour = ",".join(number(x, 3) for x in near + share * (far - near))
             stops.append(f"rgb({number(size * r)}bp)=({colour})")
         focus = "".join(f"{{{number(x * r)}bp}}" for x in LIGHT)
-        self.shadings.append(
-            rf"\pgfdeclareradialshading{{{name}}}{{\pgfpoint{focus}}}{{{'; '.join(stops)}}}"
-        )
+        content = rf"{{\pgfpoint{focus}}}{{{'; '.join(stops)}}}"
+        name = f"slipstates-ball-{sha256(content.encode()).hexdigest()[:12]}"
+        self.shadings.append(rf"\pgfdeclareradialshading{{{name}}}{content}")
         return name
 
     def _label(self, item: Label) -> tuple[Options, str]:
