@@ -109,6 +109,8 @@ class SpatialSearch:
         self.equilibria = EquilibriumSearch(self.relaxation, *question)
         #: Whether exact programs are tried where floats end; other ways are tried before.
         self.exactly = False
+        #: Whether solutions of float programs are doubted where they blur.
+        self.doubting = False
         self._reset_patience()
 
     def decide(self) -> Outcome:
@@ -196,9 +198,17 @@ class SpatialSearch:
         return None
 
     def _all_nodes(self, tree: OpenTree) -> Outcome:
-        """Continue a tree up to the limit; begin again if it has nodes that cannot be split."""
-        again = tree.holes or tree.hopeless
-        return self._search(OpenTree(self.root) if again else tree, self.max_nodes)
+        """Continue a tree up to the limit; begin again if it has nodes that cannot be split.
+
+        If others come, float solutions may be why: these are doubted the next time.
+        """
+        if tree.holes or tree.hopeless:
+            tree = OpenTree(self.root)
+        outcome = self._search(tree, self.max_nodes)
+        if isinstance(outcome, Open) and (tree.holes or tree.hopeless):
+            self.doubting = True
+            outcome = self._search(OpenTree(self.root), self.max_nodes)
+        return outcome
 
     def _search(self, tree: OpenTree, max_nodes: int) -> Outcome:
         """Search depth first; nodes that other loads show are not counted."""
@@ -261,15 +271,15 @@ class SpatialSearch:
         if leaf is not None:
             return leaf
         # Where floats end, blur, or lead nowhere for long, exact programs are used.
-        blurred = self.exactly and self._blurs(states, relaxed)
+        blurred = self.doubting and self._blurs(states, relaxed)
         hard = blurred or (self.exactly and self.is_impatient)
         if isinstance(relaxed, Point) and not hard:
             part = self._equilibrium_or_cut(states, relaxed)
             if part is not None:
                 return part
         is_decided = not any(x in ("undecided", "attached") for x in states)
-        small = len(states) <= SETTINGS.max_contacts_exact_first
-        exact_first = self.exactly and (small or self.is_impatient or (blurred and is_decided))
+        cheap = is_decided if blurred else len(states) <= SETTINGS.max_contacts_exact_first
+        exact_first = self.exactly and (cheap or self.is_impatient)
         split = None if exact_first else self.splits.of_any_contact(states, relaxed)
         if split is not None or not self.exactly:
             return split
