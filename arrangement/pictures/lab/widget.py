@@ -32,7 +32,9 @@ def _widget() -> Any:
         import anywidget
         import traitlets
 
-    class Lab(anywidget.AnyWidget):  # type: ignore[misc]
+    base: Any = anywidget.AnyWidget
+
+    class Lab(base):  # type: ignore[misc]
         """A lab; `state` follows the page."""
 
         _esm = files(__package__).joinpath("templates", "widget.js").read_text("utf-8")
