@@ -59,10 +59,10 @@ class TreeSettings:
     near_load_share: float = 1 / 8
     #: With more contacts exact programs take seconds, and come last.
     max_contacts_exact_first: int = 6
-    #: Where all sectors have smaller sines, or motions in scaled units are larger, float programs
-    #: find solutions that are none.
-    blurred_sector_sine: float = 1e-3
-    blurred_motion: float = 300.0
+    #: Where all sectors have smaller sines, or motions in scaled units are larger, the error of a
+    #: float program may hide that a node is infeasible.
+    imprecise_sector_sine: float = 1e-3
+    imprecise_motion: float = 300.0
     #: Steps that are counted for one relaxation, see `Effort`.
     relaxation_steps: int = 10_000
     #: The same for each contact of it, where motions have six numbers; more or less for others.
@@ -109,8 +109,8 @@ class SpatialSearch:
         self.equilibria = EquilibriumSearch(self.relaxation, *question)
         #: Whether exact programs are tried where floats end; other ways are tried before.
         self.exactly = False
-        #: Whether solutions of float programs are doubted where they blur.
-        self.doubting = False
+        #: Whether exact programs replace float ones where these are imprecise.
+        self.avoids_imprecise = False
         self._reset_patience()
 
     def decide(self) -> Outcome:
@@ -200,13 +200,13 @@ class SpatialSearch:
     def _all_nodes(self, tree: OpenTree) -> Outcome:
         """Continue a tree up to the limit; begin again if it has nodes that cannot be split.
 
-        If others come, float solutions may be why: these are doubted the next time.
+        If the new tree has such nodes, too, the next one avoids imprecise float programs.
         """
         if tree.holes or tree.hopeless:
             tree = OpenTree(self.root)
         outcome = self._search(tree, self.max_nodes)
         if isinstance(outcome, Open) and (tree.holes or tree.hopeless):
-            self.doubting = True
+            self.avoids_imprecise = True
             outcome = self._search(OpenTree(self.root), self.max_nodes)
         return outcome
 
@@ -270,28 +270,28 @@ class SpatialSearch:
         leaf = self._leaf(states, relaxed)
         if leaf is not None:
             return leaf
-        # Where floats end, blur, or lead nowhere for long, exact programs are used.
-        blurred = self.doubting and self._blurs(states, relaxed)
-        hard = blurred or (self.exactly and self.is_impatient)
+        # Where floats end, are imprecise, or lead nowhere for long, exact programs are used.
+        imprecise = self.avoids_imprecise and self._is_imprecise(states, relaxed)
+        hard = imprecise or (self.exactly and self.is_impatient)
         if isinstance(relaxed, Point) and not hard:
             part = self._equilibrium_or_cut(states, relaxed)
             if part is not None:
                 return part
         is_decided = not any(x in ("undecided", "attached") for x in states)
-        cheap = is_decided if blurred else len(states) <= SETTINGS.max_contacts_exact_first
+        cheap = is_decided if imprecise else len(states) <= SETTINGS.max_contacts_exact_first
         exact_first = self.exactly and (cheap or self.is_impatient)
         split = None if exact_first else self.splits.of_any_contact(states, relaxed)
         if split is not None or not self.exactly:
             return split
         return self._exact_node(states, relaxed)
 
-    def _blurs(self, states: Node, relaxed: Ray | Point | None) -> bool:
-        """Return whether floats may miss that a node has no solution."""
+    def _is_imprecise(self, states: Node, relaxed: Ray | Point | None) -> bool:
+        """Return whether the error of a float solution may hide that a node is infeasible."""
         if not isinstance(relaxed, Point):
             return False
         widest = max((self.cones.sine(x) for x in states if not isinstance(x, str)), default=1.0)
         far = float(np.abs(relaxed.motion).max())
-        return widest < SETTINGS.blurred_sector_sine or far > SETTINGS.blurred_motion
+        return widest < SETTINGS.imprecise_sector_sine or far > SETTINGS.imprecise_motion
 
     def _exact_node(
         self, states: Node, relaxed: Ray | Point | None

@@ -604,7 +604,7 @@ NEAR_LIMITS = [
     ("contacts", "seed", "load"),
     [pytest.param(*x, marks=[pytest.mark.slow] * (i > 0)) for i, x in enumerate(NEAR_LIMITS)],
 )
-def test_floats_that_miss_the_lack_of_a_solution_are_not_trusted(contacts, seed, load):
+def test_loads_just_beyond_the_limit_are_decided(contacts, seed, load):
     assert verdict(random_grasp(contacts, seed, dimension=3), load.split()) == "not resisted"
 
 

@@ -24,9 +24,9 @@ class HalfRegions:
     """Regions of some arrangements, on the positive side of the first hyperplanes of each.
 
     Attributes:
-        signs: (R, W); bit k is set if the region is on the positive side of hyperplane k.
-        points: (R, d); a point of each, with largest entry 1.
-        of: (R); the arrangement of each.
+        signs: (R, W), bit k is set if the region is on the positive side of hyperplane k.
+        points: (R, d), a point of each, with largest entry 1.
+        of: (R,), the arrangement of each.
     """
 
     signs: Words

@@ -35,10 +35,10 @@ class Arrangements:
     """Arrangements of distinct hyperplanes through the origin of R^d, one after the other.
 
     Attributes:
-        normals: (N, d); of all hyperplanes; int64 where sums of two products of their entries fit.
-        floats: (N, d); the normals, each divided by its largest entry: correctly rounded quotients.
-        sizes: (n); how many hyperplanes each arrangement has.
-        sides: (n); of these, the first so many have the regions on their positive side.
+        normals: (N, d), of all hyperplanes; int64 where sums of two products of their entries fit.
+        floats: (N, d), the normals, each divided by its largest entry: correctly rounded quotients.
+        sizes: (n,), how many hyperplanes each arrangement has.
+        sides: (n,), of these, the first so many have the regions on their positive side.
     """
 
     normals: Integers
@@ -53,7 +53,7 @@ class Arrangements:
 
     @property
     def starts(self) -> Places:
-        """(n); the first hyperplane of each arrangement."""
+        """(n,), the first hyperplane of each arrangement."""
         return np.cumsum(self.sizes) - self.sizes
 
     def without_normals(self) -> Arrangements:
@@ -61,7 +61,7 @@ class Arrangements:
         return replace(self, normals=np.empty((0, self.dimension), np.int64))
 
     def owners(self) -> Places:
-        """Return (N); the arrangement of each hyperplane."""
+        """Return (N,), the arrangement of each hyperplane."""
         return np.repeat(np.arange(len(self.sizes)), self.sizes)
 
     def chosen(self, kept: Bits) -> Arrangements:
@@ -81,11 +81,11 @@ class Restrictions:
     An arrangement restricted to its hyperplane j is that of the hyperplanes before j.
 
     Attributes:
-        onto: (n); the hyperplane, among all above, to which each is the restriction.
-        pivot: (n); its coordinate that is eliminated.
-        merged: (n); how many hyperplanes above are before it; 0 if no two have the same image.
-        member: (sum of merged); which hyperplane each of these becomes.
-        turned: (sum of merged); whether with the other orientation.
+        onto: (n,), the hyperplane, among all above, to which each is the restriction.
+        pivot: (n,), its coordinate that is eliminated.
+        merged: (n,), how many hyperplanes above are before it; 0 if no two have the same image.
+        member: (sum of merged,), which hyperplane each of these becomes.
+        turned: (sum of merged,), whether with the other orientation.
     """
 
     onto: Places
@@ -190,7 +190,7 @@ def _classes(images: Integers, below: Places) -> tuple[Places, Places, Bits]:
 
 
 def other_columns(d: int, pivot: Places) -> Places:
-    """Return (n, d - 1); all coordinates but the pivot."""
+    """Return (n, d - 1), all coordinates but the pivot."""
     columns = np.arange(d - 1)
     found: Places = columns + (columns >= pivot[:, None])
     return found

@@ -14,8 +14,9 @@ function area(corners) {
   }, 0);
 }
 
-// The places of the regions of circles, none farther out than 1: sums of the vectors `sides` with their signs; and the faces, each with the corner, of crossing p, where its regions lie
-// counterclockwise about the direction `rayOf(corner, p)`; null leaves a face out.
+// The places of the regions of circles: sums of the vectors `sides` with their signs, scaled into the unit ball. And the
+// faces, each with the point of the sphere that is its corner and its regions counterclockwise about `rayOf(corner, p)`,
+// where p is the crossing; null leaves a face out.
 function zonotopeOf({ crossings }, sides, regions, rayOf) {
   const sums = regions.map(({ key }) => [0, 1, 2].map((k) => sides.reduce((sum, v, i) => sum + (key[i] === "+" ? v[k] : -v[k]), 0)));
   const reach = Math.max(1e-9, ...sums.map((p) => Math.hypot(...p)));
