@@ -395,8 +395,13 @@ class Arrangement(HintsMixin, Planes):
 
     @property
     def f_vector(self) -> tuple[int, ...]:
-        """The number of faces of dimension 0, 1, ..., d, by enumeration."""
-        return self._faces.f_vector
+        """The number of faces of dimension 0, 1, ..., d.
+
+        Those of `faces()` where these were enumerated before, else by Zaslavsky's theorem
+        (`counts.f_vector`), which enumerates none. ``faces().f_vector`` is by enumeration always.
+        """
+        listed: FaceSequence | None = vars(self).get("_faces")
+        return counts.f_vector(self) if listed is None else listed.f_vector
 
     def chirotope_string(self, order: str = "reverse-lexicographic") -> str:
         """Return the chirotope as a text of ``+``, ``-``, ``0``; see `counts.chirotope_string`.

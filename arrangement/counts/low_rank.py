@@ -44,6 +44,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.console.progress import watched
 from arrangement.numbers import budget
 from arrangement.numbers.exact import all_reduced, fast_integers, largest, one_way, work_factor
 
@@ -58,6 +59,8 @@ _CHUNK = 1 << 19
 _CLOSE = 2.0**-48
 #: Planes through which flats of rank 2 are counted to foresee how many there are.
 _SAMPLE = 16
+#: Steps for each pair of planes whose slopes are sorted.
+_SORT_STEPS = 1 / 35
 _COLUMN_PAIRS = np.array([(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)])
 _COLUMN_REST = np.array([(2, 3), (1, 3), (1, 2), (0, 3), (0, 2), (0, 1)])
 
@@ -170,7 +173,8 @@ def _rank_two_sums(config: Configuration) -> tuple[int, int]:
             count += len(part.row)
             planes += int(part.size.sum()) + len(part.row)
         return count, planes
-    _check_cost(f"the flats of rank 2 of {m:,} planes", config, m * m / 25, 0)
+    steps = m * m * _SORT_STEPS
+    budget.check_cost(f"the flats of rank 2 of {m:,} planes", "leave out planes", long_steps=steps)
     largest_quotient = 2 * int(np.abs(vectors).max()) ** 2
     if distinct := largest_quotient**2 < 2**51:
         vectors = vectors.astype(np.float64)
@@ -191,18 +195,23 @@ def _with_later(vectors: Integers, m: int) -> Iterator[list[Integers]]:
     order = np.append(np.argsort(pivots, kind="stable"), np.arange(m, len(vectors)))
     columns = np.ascontiguousarray(vectors[order].T)
     ends = np.searchsorted(pivots[order[:m]], range(4)).tolist()
-    for pivot, others in enumerate(((1, 2), (0, 2), (0, 1))):
-        for rows in _chunks(ends[pivot + 1] - ends[pivot], 8 * len(vectors)):
-            later = columns[:, ends[pivot] + rows[0] :]
-            here = later[:, : len(rows), None]
-            not_later = np.tri(len(rows), dtype=np.bool_)
-            parts = []
-            for k in others:
-                part = later[k] * here[pivot]
-                part -= later[pivot] * here[k]
-                part[:, : len(rows)][not_later] = 0
-                parts.append(part)
-            yield parts
+    chunks = [
+        (pivot, ends[pivot] + rows)
+        for pivot in range(3)
+        for rows in _chunks(ends[pivot + 1] - ends[pivot], 8 * len(vectors))
+    ]
+    for pivot, rows in watched(chunks, "chunks of planes"):
+        budget.spend(len(rows) * m * _SORT_STEPS)
+        later = columns[:, rows[0] :]
+        here = later[:, : len(rows), None]
+        not_later = np.tri(len(rows), dtype=np.bool_)
+        parts = []
+        for k in (k for k in range(3) if k != pivot):
+            part = later[k] * here[pivot]
+            part -= later[pivot] * here[k]
+            part[:, : len(rows)][not_later] = 0
+            parts.append(part)
+        yield parts
 
 
 def _equal_groups(parts: list[Integers], affine: bool) -> tuple[int, int]:

@@ -246,7 +246,7 @@ def f_vector(arrangement: Planes) -> tuple[int, ...]:
     """Return (f_0, ..., f_d), the faces by dimension, from Zaslavsky's theorem alone.
 
     f_k is the sum of the regions of the restrictions to all flats of dimension k. Equal to
-    `Arrangement.f_vector`, which enumerates; the two share no code.
+    the f-vector of `Arrangement.faces`, which are enumerated; the two share no code.
 
     Source: T. Zaslavsky, Facing up to arrangements, Memoirs AMS 154 (1975), theorem A.
     Complexity: see `doubly_indexed_whitney_numbers`. Beyond rank 4, planes whose largest minors are

@@ -10,7 +10,6 @@ import math
 import random
 from collections.abc import Callable, Iterator
 from itertools import combinations
-from operator import attrgetter
 from typing import Any
 
 from arrangement.enumeration.great_circles import sphere_arrangement
@@ -147,7 +146,9 @@ def _work(m: int) -> int:
     return e**3 + v * e * e * v.bit_length()
 
 
-_enumerated = attrgetter("f_vector")
+def _enumerated(planes: Arrangement) -> tuple[int, ...]:
+    return planes.faces().f_vector
+
 
 CLAIMS = (
     stated(
@@ -207,7 +208,7 @@ CLAIMS = (
     ),
     stated(
         "step-1-square-bound",
-        lambda planes: planes.f_vector[3],
+        lambda planes: planes.faces().f_vector[3],
         counts.region_count,
         judge=lambda planes, regions: regions <= len(planes) ** 2,
         cases=types_and_samples(12),

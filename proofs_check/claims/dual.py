@@ -13,7 +13,7 @@ from proofs_check.routes.many_types import cycle_bases_are_faces
 from .parts import *
 
 #: What a slip state contributes to V, E and F of the dual.
-_VEF = (lambda planes: _vef(planes.f_vector), lambda planes: _vef(counts.f_vector(planes)))
+_VEF = (lambda planes: _vef(planes.faces().f_vector), lambda planes: _vef(counts.f_vector(planes)))
 
 
 def _edge_and_face_bounds(signs: Signs, n: int) -> Booleans:

@@ -170,7 +170,7 @@ def _state_tree(id: str, *, closed: bool, **checked: Any) -> Claim:
 
 
 _FACES = (
-    lambda grasp: grasp.motion_arrangement().f_vector,
+    lambda grasp: grasp.motion_arrangement().faces().f_vector,
     lambda grasp: counts.f_vector(grasp.motion_arrangement()),
 )
 

@@ -121,7 +121,7 @@ def _slip_planes(_: Random) -> Iterator[Case]:
 def _general_faces(planes: int, d: int) -> int:
     """Return the faces of planes with normals on the moment curve, any d of them independent."""
     curve = [[Fraction(t) ** k for k in range(d)] for t in range(planes)]
-    return sum(Arrangement(curve, dimension=d).f_vector)
+    return sum(Arrangement(curve, dimension=d).faces().f_vector)
 
 
 def _slip_arrangement(rows: ContactRows) -> Arrangement:

@@ -131,9 +131,9 @@ def test_extensions_without_coordinates_are_all_in_the_list():
 @pytest.mark.parametrize("planes", [5, 6])
 def test_regions_by_points_are_those_that_are_enumerated(planes):
     signs = chirotope_of(catalogue.normals(planes))
-    assert regions(signs, planes).tolist() == [a.f_vector[3] for a in census(planes)]
+    assert regions(signs, planes).tolist() == [a.faces().f_vector[3] for a in census(planes)]
     points = t_vectors(signs, planes).sum(1)
-    assert (2 * points).tolist() == [a.f_vector[1] for a in census(planes)]
+    assert (2 * points).tolist() == [a.faces().f_vector[1] for a in census(planes)]
 
 
 def test_the_table_of_seven_planes():

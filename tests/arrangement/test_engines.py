@@ -100,7 +100,7 @@ def test_more_planes_than_one_word_holds():
 )
 def test_the_rank_chooses_the_engine(planes, engine):
     assert planes.faces().engine == engine
-    assert planes.f_vector == counts.f_vector(planes)
+    assert planes.faces().f_vector == counts.f_vector(planes)
 
 
 def test_an_engine_that_is_unknown_or_cannot_is_refused():

@@ -18,7 +18,7 @@ def test_enumeration_and_zaslavsky_agree(planes):
     assert planes.bounded_region_count() == len(planes.bounded_regions())
     assert len(planes.vertices()) == planes.f_vector[0]
     signs = planes.sign_vectors()
-    assert signs.shape == (sum(planes.f_vector), len(planes))
+    assert signs.shape == (sum(planes.faces().f_vector), len(planes))
     assert {tuple(map(int, row)) for row in signs} == {face.signs for face in planes.faces()}
 
 

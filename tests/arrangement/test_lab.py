@@ -50,7 +50,7 @@ def expected(planes: Arrangement) -> dict[str, Any]:
         "distinct_planes": len(planes.distinct),
         "dimension": planes.dimension,
         "rank": planes.rank,
-        "f_vector": list(planes.f_vector),
+        "f_vector": list(planes.faces().f_vector),
         "regions": planes.f_vector[-1],
         "bounded_regions": len(planes.bounded_regions()),
         "characteristic_polynomial": list(map(int, characteristic_polynomial(planes).all_coeffs())),

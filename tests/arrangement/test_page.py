@@ -109,7 +109,7 @@ def assert_counted(planes: Arrangement, browser: Browser, opened: Opened) -> Non
     opened(planes)
     assert listed(browser) == expected(planes)
     if planes.rank == 3:
-        crossings, arcs, regions = planes.f_vector[1:]
+        crossings, arcs, regions = planes.faces().f_vector[1:]
         assert counts(browser) == dual_counts(browser) == (regions, arcs, crossings)
     assert browser.messages() == []
 

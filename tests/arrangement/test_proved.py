@@ -115,7 +115,7 @@ def check_agreement(seed: str, number: int, folder: Path) -> None:
     read = [json.loads(line)["planes"] for line in answers(certificates, folder, "--question")]
     said = answers(certificates, folder)
     for i, planes in enumerate(all_planes):
-        f_vector = planes.f_vector
+        f_vector = planes.faces().f_vector
         assert f_vector == counts.f_vector(planes)
         whitney = list(counts.first_whitney_numbers(planes))
         padded = [*found["faces"][i], *[0] * planes.dimension]

@@ -228,7 +228,7 @@ def test_points_and_polygons_of_the_projective_plane(planes):
     assume(planes.rank == 3)
     points, polygons, m = counts.t_vector(planes), planes.p_vector, len(planes.distinct)
     assert sum(t * j * (j - 1) for j, t in points.items()) == m * (m - 1)
-    assert 2 * sum(points.values()) == planes.f_vector[1]
+    assert 2 * sum(points.values()) == planes.faces().f_vector[1]
     excess = sum(t * (3 - j) for j, t in points.items()) - 3
     assert 2 * excess == sum(p * (k - 3) for k, p in polygons.items())
     assert planes.is_simplicial == (excess == 0)

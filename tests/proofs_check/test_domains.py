@@ -128,7 +128,7 @@ def test_pseudolines_of_a_type_are_counted_as_its_planes_are():
             assert len(lines.distinct) == len(lines) == len(planes)
             for name in ("rank", "dimension", "is_central", "is_simple", "is_simplicial"):
                 assert getattr(lines, name) == getattr(planes, name)
-            assert lines.f_vector == planes.f_vector
+            assert lines.f_vector == planes.faces().f_vector
             assert lines.p_vector == planes.p_vector
             assert lines.t_vector == dict(counts.t_vector(planes))
             assert lines.whitney_numbers == counts.first_whitney_numbers(planes)

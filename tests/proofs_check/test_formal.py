@@ -95,7 +95,7 @@ def test_no_hand_sets_a_badge():
     invented = {"routes": (), "theorems": ("euler", "invented", "two_planes_general")}
     assert named(euler, **invented) == ["theorem euler"]
     assert named(euler, **invented, file="own.py") == []
-    called = Route("the program proved in Coq", lambda planes: sum(planes.f_vector))
+    called = Route("the program proved in Coq", lambda planes: sum(planes.faces().f_vector))
     assert named(states, routes=(*states.routes, called)) == ["theorem different_slip_states"]
     proved = replace(called, compute=COUNTS[states.id])
     claim = replace(states, routes=(*states.routes, proved))
