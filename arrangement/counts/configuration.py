@@ -22,6 +22,7 @@ from arrangement.numbers.exact import IntegerVector, largest
 from arrangement.numbers.linear.rank import (
     PRIME,
     ask_elimination,
+    determinant,
     echelon,
     rank,
     spanning,
@@ -32,7 +33,9 @@ from arrangement.planes.planes import Planes
 
 Indices = int | Iterable[int]
 #: Maximal minors that are looked at.
-_MINORS = 3_000_000
+_MINORS = 10_000_000
+#: With more that a prime divides, the vectors are taken for special ones.
+_EXACT_MINORS = 20
 
 
 @dataclass(frozen=True)
@@ -111,11 +114,11 @@ def is_generic(config: Configuration) -> bool:
     """Return whether every basis-many of the vectors, infinity included, are seen to be one.
 
     Then every flat has as many planes as its rank, and none is parallel to another. False says
-    nothing: there may be too many, or a minor that only a prime divides.
+    nothing: there may be too many of them, or too many that a prime divides.
 
     Where r of n vectors are the identity, the minors of order r of all are the minors of every
     order of the others. A row more at a time, they are expanded along it, modulo a prime: what is
-    not 0 there is not 0.
+    not 0 there is not 0. The few that are 0 there are computed exactly.
     """
     rows = [*config.vectors, *([] if config.infinity is None else [config.infinity])]
     rank, others = config.rank, len(rows) - config.rank
@@ -124,7 +127,8 @@ def is_generic(config: Configuration) -> bool:
     reduced, pivots = echelon(list(zip(*rows, strict=True)))
     if len(pivots) < rank:
         return False
-    matrix = np.delete(reduced, pivots, axis=1)
+    left = np.delete(np.arange(len(rows)), pivots)
+    matrix = reduced[:, left]
     minors = np.ones((1, 1), dtype=np.int64)
     for k in range(1, min(rank, others) + 1):
         chosen, columns = _subsets(rank, k), _subsets(others, k)
@@ -133,10 +137,16 @@ def is_generic(config: Configuration) -> bool:
         for j in range(k):
             rest = _place(np.delete(columns, j, axis=1))
             term = matrix[np.ix_(chosen[:, -1], columns[:, j])] * minors[above, rest]
-            larger += (-1) ** j * (term % PRIME)
+            larger += (-1) ** j * term  # below rank * PRIME^2, far below 2^63
         minors = larger % PRIME
-        if not minors.all():
+        zeros = np.argwhere(minors == 0)
+        if len(zeros) > _EXACT_MINORS:
             return False
+        for row, column in zeros:
+            kept = np.delete(pivots, chosen[row])
+            basis = [*kept, *left[columns[column]]]
+            if not determinant([rows[i] for i in basis]):
+                return False
     return True
 
 
@@ -149,6 +159,6 @@ def _subsets(n: int, k: int) -> NDArray[np.intp]:
 def _place(subsets: NDArray[np.intp]) -> NDArray[np.intp]:
     """Return the place of each subset among those of its size, ordered by the last element."""
     place = np.zeros(len(subsets), dtype=np.intp)
-    for i, column in enumerate(subsets.T.tolist(), start=1):
-        place += [math.comb(x, i) for x in column]
+    for i, column in enumerate(subsets.T, start=1):
+        place += np.array([math.comb(x, i) for x in range(subsets.max() + 1)])[column]
     return place

@@ -139,9 +139,17 @@ def test_vectors_are_generic_when_no_largest_minor_is_0():
     assert len(found) > 8
 
 
-def test_minors_divisible_by_a_prime_are_missed():
+def test_minors_divisible_by_a_prime_are_computed_exactly():
+    assert is_generic(configuration(Arrangement([[1, 0], [0, 1], [PRIME, 1]])))
+    affine = Arrangement([[1, 0], [0, 1], [PRIME, 1]], [0, 0, 1])
+    assert is_generic(configuration(affine))
+    zero = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [PRIME, 1, 0]])
+    assert not is_generic(configuration(zero))
+
+
+def test_vectors_that_may_not_be_generic_are_not_said_to_be():
+    # Modulo the prime the rank is smaller.
     assert not is_generic(configuration(Arrangement([[1, 0], [1, PRIME], [2, PRIME]])))
-    assert not is_generic(configuration(Arrangement([[1, 0], [0, 1], [PRIME, 1]])))
     root = sympy.sqrt(2)
     assert is_generic(configuration(Arrangement([[1, root], [root, 1]])))
     assert not is_generic(configuration(Arrangement([[1, root], [root, 1], [1, 0]])))
