@@ -199,6 +199,9 @@ class Holding:
 
     def problem(self, reach: RationalVector, energy: Fraction) -> str:
         """Return why this is not a proof, or nothing."""
+        for i, contact in enumerate(self.grasp):
+            if not contact.stiffness:
+                return f"contact {i}: it has no spring, and the proof is about springs"
         if not any((*reach, energy)):
             return self._standing_problem(reach)
         if min(*reach, energy) <= 0:

@@ -46,9 +46,14 @@ _ENLARGED = 1 + 1e-6
 def proof_for_all(
     found: Any, bounds: Bounds, deadline: Deadline = NO_DEADLINE
 ) -> Certificate | None:
-    """Return a proof that a verdict holds for all grasps within bounds, if one is found."""
+    """Return a proof that a verdict holds for all grasps within bounds, if one is found.
+
+    That of a yes is about springs: there is none where a contact has stiffness 0.
+    """
     grasp, wrench = found.grasp, found.wrench
     if found.verdict == RESISTED:
+        if not all(contact.stiffness for contact in grasp):
+            return None
         parts = next(_held(grasp, wrench, bounds, deadline), None)
     else:
         parts = _pulled(grasp, wrench, bounds)
@@ -134,7 +139,7 @@ class _FloatGrasp:
         self.force = float(np.abs(np.append(self.load, preload)).max()) or 1.0
         self.load, self.preload = self.load / self.force, preload / self.force
         stiffness = np.array([float(c.stiffness) for c in grasp])
-        self.stiff = float(stiffness.mean()) if m else 1.0
+        self.stiff = (float(stiffness.mean()) if m else 1.0) or 1.0
         self.stiffness = stiffness / self.stiff
         self.friction = np.array([float(c.friction * (1 - bounds.friction)) for c in grasp])
         self.normal = np.array([c.normal_wrench for c in grasp], float).reshape(m, n) * self.units

@@ -365,7 +365,7 @@ def _fits_floats(found: Any) -> bool:
     """Return whether products of some numbers of the question and its solution fit floats."""
     columns = [found.wrench, [x for c in found.grasp for x in c.point]]
     columns += [[getattr(c, name) for c in found.grasp] for name in VALUES]
-    columns += [[1 / c.stiffness] for c in found.grasp]
+    columns += [[1 / c.stiffness] for c in found.grasp if c.stiffness]
     if found.solution is not None:
         columns += [found.solution.motion, [x for f in found.solution.forces for x in f]]
     sizes = [max(map(abs, column), default=0) for column in columns]

@@ -126,8 +126,6 @@ class BodyContact:
     contact: Contact
 
     def __post_init__(self) -> None:
-        if not self.contact.stiffness:
-            raise GraspError("stiffness is 0; it must be above 0 between bodies")
         for name in (self.body_a, *([] if self.body_b is None else [self.body_b])):
             if not isinstance(name, str):
                 raise GraspError(f"a body of a contact is {shown(name)}; expected a name")

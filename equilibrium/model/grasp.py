@@ -185,8 +185,8 @@ class Grasp(HintsMixin):
     def motion_arrangement(self) -> Arrangement:
         """Return the m planes ``T . d = 0``, then the m planes ``stiffness N . d = preload``.
 
-        For a contact of constant force (stiffness 0), which never lets go, the second plane is the
-        first one again.
+        For a contact of constant force (stiffness 0), whose force no motion changes, the second
+        plane is the first one again.
         """
         pairs = [
             (tuple(c.stiffness * x for x in c.normal_wrench), c.preload)

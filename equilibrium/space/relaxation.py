@@ -408,7 +408,9 @@ class Relaxation:
         spring = self.preload - self.stiffness * (self.normal @ d)
         slip = self.tangents @ d
         missed = self.cones.misses(self.friction * f[:, 0], f[:, 1:], slip)
-        rubs = np.minimum(self.stiffness * lengths(slip), missed)
+        # Without a spring no motion changes a force, and what is missed is all there is.
+        soft = np.where(self.stiffness > 0, self.stiffness * lengths(slip), missed)
+        rubs = np.minimum(soft, missed)
         lifts = f[:, 0] - np.maximum(0.0, spring)
         open_ = np.array([state not in ("detached", "stick") for state in states], dtype=bool)
         first = np.array([state == "undecided" for state in states], dtype=bool)

@@ -138,6 +138,7 @@ def rubbing_states(
     c, pull, least = contacts, np.hypot(*forces[:, 1:].T), _FORCE_TOLERANCE * size
     press = pull / np.maximum(c.friction, 1e-300)
     rubs = (pull > least) & (press < least) & (np.array(slipping) | (forces[:, 0] < least))
+    rubs &= c.stiffness > 0
     if not rubs.any():
         return None
     normal = np.where(rubs, press, forces[:, 0])

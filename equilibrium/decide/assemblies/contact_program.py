@@ -238,7 +238,8 @@ class ContactProgram:
             missed = max(Fraction(0), least * pressed - opposed) if slip else Fraction(0)
             if slip and most is not None:
                 missed = max(missed, opposed - most * pressed)
-            rub = min(contact.stiffness * abs(slip), missed)
+            # Without a spring no motion changes a force, and what is missed is all there is.
+            rub = min(contact.stiffness * abs(slip), missed) if contact.stiffness else missed
             lift = pressed - max(spring, Fraction(0))
             # Half-planes of any friction have an edge that belongs to no cone.
             edge = abs(rubbed) if most is None and not pressed else 0

@@ -97,10 +97,12 @@ def states_at(grasp: Grasp, motion: RationalVector) -> States:
 def _codes(signs: Codes, grasp: Grasp) -> Codes:
     """Return the codes of rows of signs over the planes of ``Grasp.motion_arrangement``.
 
-    A contact of constant force is never detached.
+    A contact of constant force is never detached, or always, where that force is 0.
     """
     m, springs = len(grasp), np.array([bool(c.stiffness) for c in grasp], dtype=bool)
-    codes: Codes = np.where((signs[:, m:] >= 0) & springs, np.int8(DETACHED), signs[:, :m])
+    idle = np.array([not (c.stiffness or c.preload) for c in grasp], dtype=bool)
+    loose = (signs[:, m:] >= 0) & springs | idle
+    codes: Codes = np.where(loose, np.int8(DETACHED), signs[:, :m])
     return codes
 
 
