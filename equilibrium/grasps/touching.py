@@ -2,7 +2,8 @@
 
 Where two polygons have part of an edge in common there are two contacts, at its ends, else one
 where a corner of either lies inside an edge of the other. A corner that only meets a corner is no
-contact: it has no normal. Overlaps are refused. All is exact.
+contact: it has no normal. Where the boundary is straight there is no corner, whatever is listed.
+Overlaps are refused. All is exact.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Polygon
 from equilibrium.model.unit_normal import unit_normal
 
-from .inputs.polygon import orientation, place_on_segment, turn
+from .inputs.polygon import is_straight, orientation, place_on_segment, turn
 
 #: An edge, the inside of the polygon to its left.
 _Edge = tuple[RationalVector, RationalVector]
@@ -86,13 +87,14 @@ def touching_polygons(
     return Assembly(bodies, contacts)
 
 
-def _shape(name: str | None, corners: Iterable[Iterable[Any]]) -> _NamedPolygon:
-    found = Polygon(corners).corners
+def _shape(name: str | None, given: Iterable[Iterable[Any]]) -> _NamedPolygon:
+    found = Polygon(given).corners
     try:
         turned = orientation(found)
     except GraspError as error:
         raise GraspError(f"{name or 'the ground'}: {error}") from None
-    return _NamedPolygon(name, found if turned > 0 else found[::-1])
+    corners = tuple(x for i, x in enumerate(found) if not is_straight(found, i))
+    return _NamedPolygon(name, corners if turned > 0 else corners[::-1])
 
 
 def _are_apart(one: _NamedPolygon, other: _NamedPolygon) -> bool:

@@ -133,6 +133,17 @@ class TestWeight:
 
 
 class TestPolygons:
+    def test_corners_of_a_straight_edge_are_merged(self):
+        plain = Assembly.from_polygons({"a": box(0, 0)}, "1/2", ground=[FLOOR], density=1)
+        more = box(0, 0)
+        more[1:1] = [(Fraction(k, 3), 0) for k in (1, 2)]
+        floor = [*FLOOR[:3], (Fraction(1, 2), 0), (0, 0), *FLOOR[3:]]
+        for corners in (more, more[::-1]):
+            for ground in (FLOOR, floor):
+                made = Assembly.from_polygons({"a": corners}, "1/2", ground=[ground], density=1)
+                assert {c.contact for c in made.contacts} == {c.contact for c in plain.contacts}
+                assert made.weights == plain.weights
+
     def test_edges_in_common_have_two_contacts(self):
         made = Assembly.from_polygons({"a": box(0, 0), "b": box(1, 1)[::-1]}, 1, ground=[FLOOR])
         assert not any(map(any, made.weights.values()))

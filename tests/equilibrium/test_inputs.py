@@ -167,6 +167,12 @@ class TestPolygon:
         with pytest.raises(InputError, match=word):
             from_polygon(TRIANGLE, [place], 1)
 
+    def test_place_where_the_boundary_is_straight_is_no_corner(self):
+        bent = [(0, 0), (1, 0), (2, 0), (0, 2)]
+        assert from_polygon(bent, [(1, 0)], 1).grasp.contacts[0].normal == (0, 1)
+        with pytest.raises(InputError, match="corner 2"):
+            from_polygon(bent, [(2, 0)], 1)
+
     @given(st.integers(0, 2), st.fractions(0, 1, max_denominator=20))
     def test_edge_and_coordinates_say_the_same(self, edge, at):
         by_edge = from_polygon(TRIANGLE, [OnEdge(edge, at)], 1)

@@ -130,7 +130,7 @@ def from_polygon(
     Args:
         vertices: at least three corners in either orientation, exact (see `from_floats`).
         places: for each contact an `OnEdge`, or its coordinates, which must lie exactly on the
-            boundary and not in a corner.
+            boundary and not in a corner (in one where the boundary is straight they may).
         friction, stiffness, preload: one for all or one for each contact; a stiffness that is
             not given is 1.
         angle_tolerance: an edge whose length is not rational has no exactly unit rational normal;
@@ -185,6 +185,12 @@ def orientation(corners: Sequence[RationalVector]) -> int:
     return sign(area)
 
 
+def is_straight(corners: Sequence[RationalVector], i: int) -> bool:
+    """Return whether a corner of a simple polygon lies in the middle of a straight edge."""
+    before, at, after = corners[i - 1], corners[i], corners[(i + 1) % len(corners)]
+    return turn(difference(at, before), difference(after, at)) == 0
+
+
 def _clash(corners: Sequence[RationalVector], i: int, j: int) -> bool:
     """Return whether two edges, i < j, share more than the corner that neighbours share."""
     n = len(corners)
@@ -226,7 +232,7 @@ def _located(
     point = rational_vector(place, f"places[{index}]")
     if len(point) != 2:
         raise GraspError(f"places[{index}] has {len(point)} coordinates; give two, or an OnEdge")
-    if point in corners:
+    if point in corners and not is_straight(corners, corners.index(point)):
         raise GraspError(
             f"places[{index}] is corner {corners.index(point)}, where two normals meet; "
             "name the edge with OnEdge(edge, at)"
