@@ -369,11 +369,12 @@ TRIED = [
     ("comb(10 ** 9, 3) > m", "comb takes integers"),
     ("m / 0 > 1", "has no value"),
     ("p_vector[77] > 1", "write .get(key, 0)"),
-    ("f_vector.get(1, 1) > 1", "has no value"),
-    ("f_vector + 1 > 1", "is not a number"),
-    ("chi(1, 2) > 1", "has no value"),
-    ("regions", "compare it with something"),
-    ("m > 1 and regions", "compare it with something"),
+    ("f_vector.get(1, 1) > 1", "asks a vector for keys; expected one of p_vector"),
+    ("f_vector + 1 > 1", "is a vector; expected a number"),
+    ("chi(1, 2) > 1", "has 2 arguments; expected 1"),
+    ("regions", "is a number; expected a comparison"),
+    ("-" * 400 + "m < 0", "402 operations inside each other; expected at most 250"),
+    ("m > 1 and regions", "expected a truth value on each side"),
 ]
 OLD = '{"schema_version": 1, "certificate": "unstable", "regions": ""}'
 DEEP = '{"schema_version": 1, "certificate": ' + "[" * 10**6 + "]" * 10**6 + "}"

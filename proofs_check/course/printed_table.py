@@ -45,7 +45,8 @@ from arrangement.library.families import FAMILIES
 from arrangement.library.files.json_files import read_text
 from arrangement.numbers.exact import integer, shown
 from proofs_check.instances.families import is_family, read_family
-from proofs_check.own_claims.one_line import computed, read
+from proofs_check.own_claims.language import read
+from proofs_check.own_claims.one_line import computed
 from proofs_check.own_claims.quantities import QUANTITIES
 
 _COLUMNS = ("arrangement", "quantity", "printed")

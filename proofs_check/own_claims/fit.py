@@ -20,7 +20,8 @@ from proofs_check.instances.families import Member, read_family
 from proofs_check.statements.evidence import check
 from proofs_check.statements.statement import Claim
 
-from .one_line import computed, read
+from .language import read
+from .one_line import computed
 
 #: The largest period that is tried, and the fewest values that a fit must meet without having used.
 MOST_PERIOD, LEAST_CHECKED = 6, 2

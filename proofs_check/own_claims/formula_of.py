@@ -25,7 +25,7 @@ _WORDS: dict[type[ast.AST], str] = {
     ast.Mod: r"\; \text{mod} \;",
 }
 #: How strongly parts hold together; what holds less stands in brackets.
-_OR, _AND, _NOT, _COMPARED, _SUM, _PRODUCT, _POWER, _WHOLE = range(8)
+_IMPLIES, _OR, _AND, _NOT, _COMPARED, _SUM, _PRODUCT, _POWER, _WHOLE = range(9)
 
 
 def formula_of(node: ast.expr) -> str:
@@ -38,7 +38,7 @@ def formula_of(node: ast.expr) -> str:
     try:
         found = _formula(node)[0]
         check_formula(found)
-    except (InputError, LookupError):
+    except (InputError, LookupError, RecursionError):
         return ""
     return found
 
@@ -72,7 +72,7 @@ def _formula(node: ast.expr) -> tuple[str, int]:
         ):
             return f"{_LETTERS[name]}_{{{_formula(index)[0]}}}", _WHOLE
         case ast.Call(func=ast.Name(id=name), args=given):
-            return _called(name, given), _WHOLE
+            return _called(name, given), _IMPLIES if name == "implies" else _WHOLE
     raise LookupError(ast.unparse(node))
 
 
@@ -102,14 +102,18 @@ def _operation(node: ast.BinOp) -> tuple[str, int]:
 
 
 def _called(name: str, given: Sequence[ast.expr]) -> str:
+    if name == "implies":
+        return r" \Rightarrow ".join(_bound(part, _OR) for part in given)
     inside = [_formula(part)[0] for part in given]
     match name, inside:
         case "chi", [point]:
             return rf"\chi({point})"
         case "tutte", [x, y]:
             return f"T({x}, {y})"
-        case "comb", [upper, lower]:
+        case "comb" | "binomial", [upper, lower]:
             return rf"\binom{{{upper}}}{{{lower}}}"
+        case "factorial", [value]:
+            return f"({value})!"
         case "abs", [value]:
             return f"|{value}|"
         case "max" | "min", [_, _, *_]:

@@ -1,9 +1,10 @@
 """Claims in one line: a comparison of counts of an arrangement, in a small language of its own.
 
-``p_vector.get(3, 0) >= m`` is read by Python's parser and computed by this module, node by node: a
-text has names and functions of `quantities`, integers, arithmetic, comparisons, ``and``, ``or``
-and ``not``, indices, ``.get(key, default)`` and the functions of `_FUNCTIONS`, and nothing else. It
-is never run as a program.
+``p_vector.get(3, 0) >= m`` is read by `language` and computed by this module, node by node: a text
+has names and functions of `quantities`, integers, arithmetic (``^`` and ``**`` are powers, ``//``
+rounds down), comparisons, ``in``, ``and``, ``or``, ``not`` and ``implies``, indices,
+``.get(key, default)`` and the functions of `_FUNCTIONS`, and nothing else. Vectors are compared
+entry by entry. It is never run as a program.
 """
 
 from __future__ import annotations
@@ -11,25 +12,23 @@ from __future__ import annotations
 import ast
 import math
 import operator
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from arrangement.errors import refusal
 from arrangement.numbers.exact import shown
 from proofs_check.errors import OwnClaimError
 from proofs_check.instances.domains import is_domain
 from proofs_check.instances.families import Family, is_family, read_family
 from proofs_check.statements.statement import Claim
 
-from .false_comparison import compare_values
+from .false_comparison import FalseComparison, compare_values
 from .formula_of import formula_of
+from .language import BITS, read_statement
 from .quantities import FUNCTIONS, QUANTITIES, Planes
 from .user_claim import claim
 
-_LONGEST = 500  # characters of a text
-_BITS = 4096  # of a number on the way
 _COMPUTED = (int, Fraction)
 _OF_ARRANGEMENT = {text.partition("(")[0]: function for text, function in FUNCTIONS.items()}
 _ARITHMETIC: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = {
@@ -41,10 +40,11 @@ _ARITHMETIC: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Mod: operator.mod,
     ast.Pow: lambda a, b: _power(a, b),
 }
-_COMPARISONS = (ast.Eq, ast.NotEq, ast.Lt, ast.LtE, ast.Gt, ast.GtE)
 _FUNCTIONS: Mapping[str, Callable[..., Any]] = {
     "abs": abs,
+    "binomial": lambda n, k: _combinations(n, k),
     "comb": lambda n, k: _combinations(n, k),
+    "factorial": lambda n: _factorial(n),
     "len": len,
     "max": max,
     "min": min,
@@ -71,7 +71,8 @@ def one_line_claim(text: str, *, of: str = "distinct", when: str | None = None) 
         )
     chosen = members(of)
     names = chosen.integers if chosen else ()
-    statement, hypothesis = read(text, names), read(when, names) if when else None
+    statement = read_statement(text, names)
+    hypothesis = read_statement(when, names) if when else None
 
     def holds(planes: Planes, **parameters: int) -> Any:
         return _Computed(planes, parameters).verdict(statement)
@@ -106,78 +107,6 @@ def computed(node: ast.expr, planes: Planes, parameters: Mapping[str, Any]) -> A
     return _Computed(planes, parameters).value(node)
 
 
-def read(text: str, names: Collection[str] = ()) -> ast.expr:
-    """Return the syntax tree of a text, every node of which is in the language.
-
-    Args:
-        text: see the head of this module.
-        names: of integers that it may have besides.
-
-    Raises:
-        OwnClaimError: it has something else.
-    """
-    if len(text) > _LONGEST:
-        raise OwnClaimError(f"the claim has {len(text)} characters; at most {_LONGEST} are read")
-    try:
-        tree = ast.parse(text.strip(), mode="eval").body
-    except (SyntaxError, ValueError, MemoryError, RecursionError):
-        raise OwnClaimError(
-            f'{shown(text)} cannot be read; write a comparison such as "p_vector.get(3, 0) >= m"'
-        ) from None
-    _check(tree, text, {*QUANTITIES, *names})
-    return tree
-
-
-def _check(node: ast.expr, text: str, names: Collection[str]) -> None:
-    """Refuse what is not in the language, with the part of the text that is not."""
-    match node:
-        case ast.Name(id=name):
-            if name not in names:
-                mistake = f"{shown(name)} is not a quantity"
-                listed = [*QUANTITIES, *FUNCTIONS, *sorted({*names} - {*QUANTITIES})]
-                raise OwnClaimError(str(refusal(mistake, name, listed)))
-        case ast.Constant(value=int(number)) if (
-            not isinstance(number, bool) and abs(number).bit_length() <= _BITS
-        ):
-            pass
-        case ast.BinOp(left=left, op=op, right=right) if type(op) in _ARITHMETIC:
-            _check_all([left, right], text, names)
-        case ast.UnaryOp(op=ast.USub() | ast.Not(), operand=inner):
-            _check(inner, text, names)
-        case ast.BoolOp(values=parts) | ast.Tuple(elts=parts) | ast.List(elts=parts):
-            _check_all(parts, text, names)
-        case ast.Compare(left=left, ops=ops, comparators=others) if all(
-            isinstance(op, _COMPARISONS) for op in ops
-        ):
-            _check_all([left, *others], text, names)
-        case ast.Subscript(value=value, slice=index) if not isinstance(index, ast.Slice):
-            _check_all([value, index], text, names)
-        case ast.Call(
-            func=ast.Attribute(value=value, attr="get"), args=[_, _] as given, keywords=[]
-        ):
-            _check_all([value, *given], text, names)
-        case ast.Call(
-            func=ast.Attribute(value=value, attr="values" | "keys"), args=[], keywords=[]
-        ):
-            _check(value, text, names)
-        case ast.Call(func=ast.Name(id=name), args=[_, *_] as given) if (
-            not node.keywords and name in (*_FUNCTIONS, *_OF_ARRANGEMENT)
-        ):
-            _check_all(given, text, names)
-        case _:
-            part = shown(ast.get_source_segment(text.strip(), node) or text)
-            raise OwnClaimError(
-                f"{part} is not in the language of claims in one line; it has "
-                f"{', '.join([*QUANTITIES, *FUNCTIONS])}, integers, + - * / // % **, "
-                f"comparisons, and, or, not, [index], .get(key, default), {', '.join(_FUNCTIONS)}"
-            )
-
-
-def _check_all(nodes: list[ast.expr], text: str, names: Collection[str]) -> None:
-    for node in nodes:
-        _check(node, text, names)
-
-
 class _Computed:
     """The values of the parts of a text, on one arrangement."""
 
@@ -195,16 +124,14 @@ class _Computed:
             return found
         if isinstance(node, ast.Compare) and len(node.ops) == 1:
             sides = self.value(node.left), self.value(node.comparators[0])
-            return compare_values(
-                ast.unparse(node), type(node.ops[0]).__name__, *map(_plain, sides)
-            )
-        found = self.value(node)
-        if not isinstance(found, bool):
-            raise OwnClaimError(f"{ast.unparse(node)} is {shown(found)}; compare it with something")
-        return found
+            return _compared(ast.unparse(node), node.ops[0], *map(_plain, sides))
+        match node:
+            case ast.Call(func=ast.Name(id="implies"), args=[hypothesis, conclusion]):
+                return not self.value(hypothesis) or self.verdict(conclusion)
+        return self.value(node)
 
     def value(self, node: ast.expr) -> Any:
-        """Return the value of a part that `_check` has passed."""
+        """Return the value of a part that `language` has read."""
         try:
             found = self._value(node)
         except OwnClaimError:
@@ -216,9 +143,9 @@ class _Computed:
             raise OwnClaimError(f"{ast.unparse(node)} has no value: {error}") from error
         if (
             isinstance(found, _COMPUTED)
-            and max(map(int.bit_length, found.as_integer_ratio())) > _BITS
+            and max(map(int.bit_length, found.as_integer_ratio())) > BITS
         ):
-            raise OwnClaimError(f"{ast.unparse(node)} has more than {_BITS} bits")
+            raise OwnClaimError(f"{ast.unparse(node)} has more than {BITS} bits")
         return found
 
     def _value(self, node: ast.expr) -> Any:
@@ -240,11 +167,13 @@ class _Computed:
             case ast.Compare(left=left, ops=ops, comparators=others):
                 values = [_plain(self.value(part)) for part in (left, *others)]
                 return all(
-                    bool(compare_values("", type(op).__name__, a, b))
+                    bool(_compared("", op, a, b))
                     for op, a, b in zip(ops, values, values[1:], strict=False)
                 )
             case ast.Subscript(value=inner, slice=index):
                 return self.value(inner)[self.value(index)]
+            case ast.Call(func=ast.Name(id="implies"), args=[hypothesis, conclusion]):
+                return not self.value(hypothesis) or self.value(conclusion)
             case ast.Call(func=function, args=given):
                 return self._called(function, list(map(self.value, given)))
             case ast.Tuple(elts=parts) | ast.List(elts=parts):
@@ -268,17 +197,37 @@ def _number(value: Any) -> int | Fraction:
 
 
 def _power(base: int | Fraction, exponent: int | Fraction) -> int | Fraction:
-    if not isinstance(exponent, int) or abs(exponent) > _BITS:
-        raise ValueError(f"the exponent {shown(exponent)} is not an integer up to {_BITS}")
-    if max(map(int.bit_length, base.as_integer_ratio())) * abs(exponent) > _BITS:
-        raise ValueError(f"the power has more than {_BITS} bits")
+    if not isinstance(exponent, int) or abs(exponent) > BITS:
+        raise ValueError(f"the exponent {shown(exponent)} is not an integer up to {BITS}")
+    if max(map(int.bit_length, base.as_integer_ratio())) * abs(exponent) > BITS:
+        raise ValueError(f"the power has more than {BITS} bits")
     return Fraction(base) ** exponent if exponent < 0 else base**exponent
 
 
 def _combinations(n: Any, k: Any) -> int:
-    if not all(isinstance(x, int) and 0 <= x <= _BITS for x in (n, k)):
-        raise ValueError(f"comb takes integers from 0 to {_BITS}")
+    if not all(isinstance(x, int) and 0 <= x <= BITS for x in (n, k)):
+        raise ValueError(f"comb takes integers from 0 to {BITS}")
     return math.comb(n, k)
+
+
+def _factorial(n: Any) -> int:
+    if not isinstance(n, int) or not 0 <= n <= BITS:
+        raise ValueError(f"factorial takes an integer from 0 to {BITS}")
+    return math.factorial(n)
+
+
+def _compared(text: str, op: ast.cmpop, left: Any, right: Any) -> Any:
+    """Compare two values, the order of vectors entry by entry; see `compare_values`."""
+    kind = type(op).__name__
+    if not isinstance(left, tuple) or isinstance(op, (ast.Eq, ast.NotEq)):
+        return compare_values(text, kind, left, right)
+    if len(left) != len(right):
+        raise OwnClaimError(
+            f"{text or 'a comparison'} is of the vectors {shown(left)} and {shown(right)}, with "
+            f"{len(left)} and {len(right)} entries; expected equal numbers"
+        )
+    entries = (compare_values("", kind, a, b) for a, b in zip(left, right, strict=True))
+    return all(entries) or FalseComparison(f"{text} is false: {shown(left)} and {shown(right)}")
 
 
 def _plain(value: Any) -> Any:

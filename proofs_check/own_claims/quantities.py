@@ -37,6 +37,18 @@ def _number(value: Any) -> int | Fraction:
     return Fraction(int(value.p), int(value.q)) if value.q != 1 else int(value)
 
 
+def _cells(planes: Planes, k: int) -> int:
+    """Return the number of vertices, edges or faces (k = 0, 1, 2) of a division of a surface."""
+    if planes.dimension == 2:
+        return QUANTITIES["f_vector"](planes)[k]  # type: ignore[no-any-return]
+    if planes.dimension == 3 and planes.is_central and planes.rank == 3:
+        return QUANTITIES["f_vector"](planes)[k + 1]  # type: ignore[no-any-return]
+    raise ValueError(
+        "V, E and F are of lines in the plane, or of great circles on the sphere, that is planes "
+        "of rank 3 through the origin; f_vector has the faces of others"
+    )
+
+
 #: By name, how each is computed.
 QUANTITIES: Mapping[str, Callable[[Any], Any]] = {
     "m": lambda planes: len(planes.distinct),
@@ -64,7 +76,15 @@ QUANTITIES: Mapping[str, Callable[[Any], Any]] = {
     "central": lambda planes: planes.is_central,
     "simple": lambda planes: planes.is_simple,
     "simplicial": lambda planes: planes.is_simplicial,
+    "n": lambda planes: len(planes.distinct),
+    "V": lambda planes: _cells(planes, 0),
+    "E": lambda planes: _cells(planes, 1),
+    "F": lambda planes: _cells(planes, 2),
 }
+#: The quantities that are no numbers.
+TRUTH_VALUES = frozenset({"central", "simple", "simplicial"})
+VECTORS = frozenset({"polynomial", "f_vector", "nbc_sets"})
+MAPPINGS = ("p_vector", "bounded_p_vector", "t_vector", "level_vector")
 #: Functions of an arrangement and numbers, as they are written.
 FUNCTIONS: Mapping[str, Callable[..., Any]] = {
     "chi(t)": _chi,

@@ -18,6 +18,7 @@ from proofs_check.course.printed_table import check_table
 from proofs_check.instances import printed
 from proofs_check.instances.grasps import grasp_of, paper_question
 from proofs_check.own_claims import one_line
+from proofs_check.own_claims.language import read
 from proofs_check.own_claims.quantities import QUANTITIES
 
 EXAMPLES = files("proofs_check.examples")
@@ -211,7 +212,7 @@ def test_every_quantity_is_the_same_in_python_claims_and_tables(name, tmp_path):
     planes = read_arrangement(name)
     for quantity, compute in QUANTITIES.items():
         value = compute(planes)
-        assert one_line.computed(one_line.read(quantity), planes, {}) == value
+        assert one_line.computed(read(quantity), planes, {}) == value
         printed = (
             " ".join(f"{k}={v}" for k, v in value.items())
             if isinstance(value, dict)

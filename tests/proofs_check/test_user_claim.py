@@ -17,7 +17,8 @@ from proofs_check.cli.program import EXAMPLES, main
 from proofs_check.instances.arrangements import line_cases
 from proofs_check.instances.domains import DOMAINS, domain, known_families, size
 from proofs_check.own_claims.formula_of import formula_of
-from proofs_check.own_claims.one_line import one_line_claim, read
+from proofs_check.own_claims.language import read
+from proofs_check.own_claims.one_line import one_line_claim
 from proofs_check.own_claims.shrink import shrink
 
 HEAD = "from proofs_check import claim\n"
@@ -426,6 +427,8 @@ def test_one_claim_named_and_failing_one_keeps_others(write, capsys):
         ("(m < 3 or simple) and not m % 2 == 0", r"(m \lt 3\; \text{or} \;\text{simple})"
          r"\; \text{and} \;\neg (m\; \text{mod} \;2 = 0)"),
         ("max(f_vector[1], m) <= 7", r"\max(f_{1}, m) \le 7"),
+        ("simple implies binomial(m, 2) < factorial(n)",
+         r"\text{simple} \Rightarrow \binom{m}{2} \lt (n)!"),
         ("sum(p_vector.values()) == regions", ""),
         ("p_vector.get(3, 1) == 4", ""),
         ("+".join(["m"] * 200) + ">0", ""),
