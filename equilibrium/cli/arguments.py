@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import re
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -280,13 +280,22 @@ def grasp_of(arguments: argparse.Namespace) -> Grasp:
 
 
 def intervals_text(intervals: Iterable[Interval]) -> str:
-    """Return closed intervals in words, such as "[0, 1] or [2, oo)"."""
+    """Return closed intervals in words, such as "[0, 1] or {3/2} or [2, oo)"."""
     shown = [
-        ("(-oo" if low is None else f"[{number(low)}")
+        f"{{{number(low)}}}"
+        if low is not None and low == high
+        else ("(-oo" if low is None else f"[{number(low)}")
         + (", oo)" if high is None else f", {number(high)}]")
         for low, high in intervals
     ]
     return " or ".join(shown) if shown else "no interval"
+
+
+def within_text(intervals: Sequence[Interval], at: str = "of") -> str:
+    """Return where a number lies: "in [0, 1] or [2, oo)", or "of 0 only" for one point."""
+    if len(intervals) == 1 and (point := intervals[0][0]) is not None and point == intervals[0][1]:
+        return f"{at} {number(point)} only"
+    return f"in {intervals_text(intervals)}"
 
 
 def seconds(text: str) -> float:

@@ -16,7 +16,7 @@ from arrangement.console.writing import write_text_atomically
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.exact import RationalVector
 
-from .arguments import intervals_text, show
+from .arguments import show, within_text
 
 if TYPE_CHECKING:
     from equilibrium.decide.verdict import Verdict
@@ -105,7 +105,7 @@ def _load(
         document |= {**factors.to_dict(), "least_preload": least}
         force = f" {grasp.units.force}" if grasp.units else ""
         rows += [
-            ("margin", f"resisted when scaled by a factor in {intervals_text(factors.intervals)}"),
+            ("margin", f"resisted when scaled by a factor {within_text(factors.intervals)}"),
             ("least preload", "none is enough" if least is None else f"{number(least)}{force}"),
         ]
     return yes, rows

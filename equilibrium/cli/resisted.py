@@ -27,6 +27,7 @@ from .arguments import (
     intervals_text,
     show,
     spanning_wrench,
+    within_text,
 )
 from .assemblies import (
     add_on_body,
@@ -176,7 +177,7 @@ def _of_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> 
         magnitudes: Any = resisted.along(arguments.along, wrenches)
     except UndecidedError as unknown:
         return show(arguments, undecided(unknown), [f"undecided: {unknown}"], None, assembly)
-    lines = [f"resisted for t in {intervals_text(magnitudes.intervals)}"]
+    lines = [f"resisted for t {within_text(magnitudes.intervals, '=')}"]
     return show(arguments, magnitudes.to_dict(), lines, bool(magnitudes.intervals), assembly)
 
 
@@ -204,7 +205,7 @@ def _along(arguments: argparse.Namespace, grasp: Grasp) -> int:
     if grasp.dimension == 3:
         return _show_in_space(arguments, magnitudes)
     more, again = _rounded(resisted, magnitudes)
-    lines = [f"resisted for t in {intervals_text(magnitudes.intervals)}", *again]
+    lines = [f"resisted for t {within_text(magnitudes.intervals, '=')}", *again]
     return show(arguments, magnitudes.to_dict() | more, lines, bool(magnitudes.intervals), grasp)
 
 
@@ -300,10 +301,13 @@ def _border_lines(found: SpatialMagnitudes) -> Iterator[str]:
     first, last = found.samples[0], found.samples[-1]
     tried = counted(len(found.samples), "magnitude")
     yield f"{tried} from 0 to {number(last[0])} tried; at 0: {first[1]}"
+    if found.zero_only:
+        yield "resisted at 0 only"
+        return
     for border in found.borders:
-        ends = sorted((border.resisted, border.refused))
         order = "resisted, then not" if border.resisted < border.refused else "not, then resisted"
-        line = f"{order}: the boundary is {bracket(*ends)}"
+        place = f"{number(border.resisted)} exactly" if border.exact else bracket(*border.ends)
+        line = f"{order}: the boundary is {place}"
         left = len(border.undecided)
         yield line + (f"; {left} undecided between them" if left else "")
     for a, b in found.gaps:
@@ -375,7 +379,7 @@ def _show_margin(arguments: argparse.Namespace, resisted: ResistedSet, factors: 
     tolerance = Fraction(1, 2**20) if arguments.tolerance is None else arguments.tolerance
     preload, in_preloads = or_undecided(
         lambda: factors.preloads if chosen is None else resisted.preloads(loads, chosen),
-        lambda found: f" in {intervals_text(found.intervals)}{_force(grasp)}",
+        lambda found: f" {within_text(found.intervals)}{_force(grasp)}",
     )
     friction, coefficient = or_undecided(
         lambda: factors.friction(tolerance), lambda found: f": {_friction(found.low, found.high)}"
@@ -387,7 +391,7 @@ def _show_margin(arguments: argparse.Namespace, resisted: ResistedSet, factors: 
     yes = None if doubt or "verdict" in {*preload, *friction} else factors.resisted
     lines = [
         f"resisted: {word}",
-        f"resisted when scaled by a factor in {intervals_text(factors.intervals)}",
+        f"resisted when scaled by a factor {within_text(factors.intervals)}",
         *again,
         f"resisted with {whose}{in_preloads}",
         f"least uniform friction{coefficient}",

@@ -1,4 +1,4 @@
-"""What is proved of the loads of one grasp in space, and of the magnitudes along a direction.
+"""What is proved of the loads of a grasp in space, of magnitudes along a direction, and brackets.
 
 The load enters a tree in one place: the works of its leaves, ``lambda . w + sum alpha q``. So a
 tree refutes every load for which all of them are above 0, an open convex set. And where two exact
@@ -9,16 +9,18 @@ are convex, and a slip in one direction has one friction force.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any, TypeAlias
 
-from arrangement.numbers.exact import RationalVector, dot
+from arrangement.numbers.exact import RationalVector, dot, to_text
 from equilibrium.certificate.leaves import spatial_leaves
-from equilibrium.decide import NOT_RESISTED, RESISTED
+from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.contact import Contact
+from equilibrium.model.errors import EquilibriumError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Solution
 
@@ -28,6 +30,69 @@ Works: TypeAlias = tuple[tuple[RationalVector, Fraction], ...]
 Ends: TypeAlias = tuple[Fraction | None, Fraction | None]
 #: This many nodes show in floats where a boundary is.
 _BOUNDARY_NODES = 800
+
+
+@dataclass(frozen=True)
+class Border:
+    """A change of the verdict between two magnitudes.
+
+    Attributes:
+        resisted, refused: the two magnitudes, both proved; either may be the larger one.
+        undecided: magnitudes between them that were tried and left open, increasing.
+        exact: whether all that is between them is proved not to be resisted, so that the boundary
+            is `resisted` itself.
+    """
+
+    resisted: Fraction
+    refused: Fraction
+    undecided: tuple[Fraction, ...] = ()
+    exact: bool = False
+
+    def __post_init__(self) -> None:
+        """Refuse ends that contradict each other.
+
+        Raises:
+            EquilibriumError: one magnitude is both resisted and not, which is an internal error.
+        """
+        if self.resisted == self.refused:
+            raise EquilibriumError(
+                f"{to_text(self.refused)} is proved to be resisted and not to be. This is an "
+                "internal error; please report it"
+            )
+
+    @property
+    def ends(self) -> tuple[Fraction, Fraction]:
+        """Both ends, the smaller one first."""
+        return min(self.resisted, self.refused), max(self.resisted, self.refused)
+
+    @property
+    def width(self) -> Fraction:
+        """The distance of the ends."""
+        return abs(self.resisted - self.refused)
+
+    def shrunk(self, t: Fraction, answer: str) -> Border:
+        """Return the bracket with what is known now of one magnitude.
+
+        An end is replaced by a magnitude between the ends alone: of others nothing follows for
+        this change of the verdict.
+        """
+        low, high = self.ends
+        if not low < t < high:
+            return self
+        if answer == UNDECIDED:
+            return replace(self, undecided=tuple(sorted({*self.undecided, t})))
+        ends = (t, self.refused) if answer == RESISTED else (self.resisted, t)
+        left = tuple(x for x in self.undecided if min(ends) < x < max(ends))
+        return Border(*ends, left)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form."""
+        return {
+            "resisted": to_text(self.resisted),
+            "not_resisted": to_text(self.refused),
+            "undecided": list(map(to_text, self.undecided)),
+            "exact": self.exact,
+        }
 
 
 class KnownLoads:
@@ -123,6 +188,24 @@ class KnownMagnitudes:
             ),
             None,
         )
+
+    def refutes_between(self, low: Fraction, high: Fraction | None) -> bool:
+        """Return whether all magnitudes between two are refuted, without these themselves.
+
+        Args:
+            high: None for all above the first.
+        """
+        if self.scales and not low:
+            return self.verdict(Fraction(1)) == NOT_RESISTED
+        reached = low
+        for start, end in sorted(self.refuted, key=lambda x: (x[0] is not None, x[0] or 0)):
+            # They are open: the end of one is refuted by another one only.
+            if start is not None and (start > reached or start == reached != low):
+                return False
+            if end is None or (high is not None and end >= high):
+                return True
+            reached = max(reached, end)
+        return False
 
     def _range(self, works: Works) -> Ends | None:
         """Return for which magnitudes all works are above 0; None if for none.

@@ -9,14 +9,14 @@ the same verdict is not looked at.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple
 
 from arrangement.numbers.exact import RationalVector, rational, shown, to_text
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
-from equilibrium.decide.known_loads import KnownLoads, KnownMagnitudes
+from equilibrium.decide.known_loads import Border, KnownLoads, KnownMagnitudes
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.displacement import read_displacement
@@ -24,9 +24,6 @@ from equilibrium.model.effort import Effort
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.plane.contact_rows import sum_row
-
-#: A magnitude and its verdict.
-Sample: TypeAlias = tuple[Fraction, str]
 
 #: Powers of two of the sampled magnitudes, times the largest preload or 1.
 _POWERS = range(-6, 9)
@@ -56,28 +53,6 @@ _NEAR = Fraction(1, 1000)
 _STEPS = 50_000_000
 
 
-@dataclass(frozen=True)
-class Border:
-    """A change of the verdict between two magnitudes.
-
-    Attributes:
-        resisted, refused: the two magnitudes, both proved; either may be the larger one.
-        undecided: magnitudes between them that were tried and left open.
-    """
-
-    resisted: Fraction
-    refused: Fraction
-    undecided: tuple[Fraction, ...] = ()
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form."""
-        return {
-            "resisted": to_text(self.resisted),
-            "not_resisted": to_text(self.refused),
-            "undecided": list(map(to_text, self.undecided)),
-        }
-
-
 class Nearby(NamedTuple):
     """The verdict a little before a boundary, for converted data.
 
@@ -102,6 +77,7 @@ class SpatialMagnitudes:
         samples: magnitudes and their verdicts, increasing.
         borders: each change of the verdict between neighbouring samples that are decided.
         grasp, max_displacement: what it is about.
+        zero_only: whether it is proved that 0 is resisted and no t above it.
     """
 
     grasp: Grasp
@@ -110,6 +86,7 @@ class SpatialMagnitudes:
     samples: tuple[tuple[Fraction, str], ...]
     borders: tuple[Border, ...]
     max_displacement: Fraction | None = None
+    zero_only: bool = False
 
     @property
     def verdict(self) -> str:
@@ -148,6 +125,7 @@ class SpatialMagnitudes:
             "direction": list(map(to_text, self.direction)),
             "base": list(map(to_text, self.base)),
             "verdict": self.verdict,
+            "zero_only": self.zero_only,
             "borders": [border.to_dict() for border in self.borders],
             "samples": [{"t": to_text(t), "verdict": verdict} for t, verdict in self.samples],
         }
@@ -195,12 +173,15 @@ def spatial_magnitudes(
     found = {k: known.verdict(tried[k]) for k in _ends_first(len(tried))}
     samples = [(t, found[k]) for k, t in enumerate(tried)]
     decided = [(t, answer) for t, answer in samples if answer != UNDECIDED]
-    borders = tuple(
-        _bracket(known, *_closer(known, first, second, share), share)
-        for first, second in pairwise(decided)
-        if first[1] != second[1]
-    )
-    return SpatialMagnitudes(grasp, along, start, tuple(samples), borders, loads.max_displacement)
+    borders = []
+    for (low, answer), (high, next_answer) in pairwise(decided):
+        if answer != next_answer:
+            border = Border(low, high) if answer == RESISTED else Border(high, low)
+            border = _bracket(known, _closer(known, border, share), share)
+            borders.append(replace(border, exact=known.refutes_between(*border.ends)))
+    alone = found[0] == RESISTED and known.refutes_between(Fraction(0), None)
+    results = tuple(samples), tuple(borders), loads.max_displacement, alone
+    return SpatialMagnitudes(grasp, along, start, *results)
 
 
 def _ends_first(count: int) -> list[int]:
@@ -214,10 +195,8 @@ def _ends_first(count: int) -> list[int]:
     return found
 
 
-def _closer(
-    known: KnownMagnitudes, first: Sample, second: Sample, width: Fraction
-) -> tuple[Sample, Sample, list[Fraction]]:
-    """Return proved magnitudes on both sides of a boundary, near it, and those left open between.
+def _closer(known: KnownMagnitudes, border: Border, width: Fraction) -> Border:
+    """Return a bracket with ends near the boundary, and the magnitudes that were left open.
 
     Floats show up to where loads may be resisted. Before that edge equilibria are looked for,
     without trees; the tree of the floats is closed a little beyond it.
@@ -226,66 +205,63 @@ def _closer(
     enough, smaller by a 64th at least; between two of them `near` grows past 3/4 of it in three
     steps.
     """
-    (held, _), (refused, _) = (first, second) if first[1] == RESISTED else (second, first)
-    gap, widest = abs(refused - held), width * second[0]
+    held, refused = border.resisted, border.refused
+    gap, widest = abs(refused - held), width * border.ends[1]
     if known.scales or gap <= widest:
-        return first, second, []
+        return border
     share, tree, stuck = known.reach(refused, held, float(widest / gap))
-    edge, way = refused + Fraction(share) * (held - refused), (refused - held) / gap
+    # Floats may show it a little beyond either end.
+    edge = refused + Fraction(min(max(share, 0.0), 1.0)) * (held - refused)
+    way = (refused - held) / gap
     enough = max(width * max(held, edge), widest / _FLOOR)
-    undecided = set[Fraction]()
     # How far before the edge there is an equilibrium, and none was found; how far that began.
     far, near, begun, asked = abs(edge - held), Fraction(0), Fraction(0), enough / 3
     while far - near > max(enough / 2, far / _SHARP):
         t = simplest_between(*sorted((edge - way * asked, edge - way * asked * _SIMPLE_FACTOR)))
-        if known.verdict(t, nodes=0) == RESISTED:
-            held, far = t, abs(edge - t)
+        answer = known.verdict(t, nodes=0)
+        border = border.shrunk(t, answer)
+        if answer == NOT_RESISTED:
+            edge = t
+            break
+        if answer == RESISTED:
+            far = abs(edge - t)
             # From so much nearer more is found.
             near = near if far * _SHARP > begun else Fraction(0)
         else:
-            undecided.add(t)
             near, begun = abs(edge - t), far
         asked = max(far / _SHARP, (near + far) / 2 if near >= far / _SHARP else Fraction(0))
     beyond = max(enough / 4, far / _BEYOND_EDGE)
     for how in ({"tree": tree}, {}, {}):
-        if abs(refused - edge) <= 2 * beyond:
+        if abs(border.refused - edge) <= 2 * beyond:
             break
         t = simplest_between(*sorted((edge + way * beyond, edge + way * beyond * 3 / 2)))
         if known.verdict(t, **how) == NOT_RESISTED:
-            low, high = sorted((held, t))
-            ends = _to_the_edge(known, t, low, high, max(enough / 4, far / _EDGE_SHARE))
-            refused = ends[0] if way < 0 else ends[1]
+            border = border.shrunk(t, NOT_RESISTED)
+            border = _to_the_edge(known, border, max(enough / 4, far / _EDGE_SHARE))
             break
         beyond *= _BEYOND_EDGE
-    one, other = sorted([(held, RESISTED), (refused, NOT_RESISTED)])
-    if stuck and other[0] - one[0] > other[0] / _WIDE:
+    if stuck and border.width > border.ends[1] / _WIDE:
         # The edge is none: what stayed open without a tree is asked again.
-        undecided = set()
-    return one, other, sorted(t for t in undecided if one[0] < t < other[0])
+        return replace(border, undecided=())
+    return border
 
 
-def _bracket(
-    known: KnownMagnitudes,
-    first: Sample,
-    second: Sample,
-    undecided: list[Fraction],
-    width: Fraction,
-) -> Border:
-    """Return a narrow bracket between two magnitudes of different verdicts.
+def _bracket(known: KnownMagnitudes, border: Border, width: Fraction) -> Border:
+    """Return a narrow bracket inside a wider one.
 
     This ends. A verdict takes a third off one of the parts that end the bracket, and the part is
     more than a quarter of it, or, near an end that stays, half of what is enough. What stays open
     takes a third off this part; near an end that stays it is asked once.
     """
-    low, high = first[0], second[0]
     # Where the verdict changes at 0 no width is small beside the larger end.
-    floor = width * high / _FLOOR
+    floor = width * border.ends[1] / _FLOOR
     stays = [0, 0]
-    while high - low > (enough := max(width * high, floor)):
-        inner = [low, *undecided, high]
+    while border.width > (enough := max(width * border.ends[1], floor)):
+        low, high = border.ends
+        inner = [low, *border.undecided, high]
         parts = [inner[:2], inner[-2:]]
         start, end = max(parts, key=lambda part: part[1] - part[0])
-        if undecided and end - start <= max(enough, (high - low) / _SHARP):
+        if border.undecided and end - start <= max(enough, border.width / _SHARP):
             break
         third = (end - start) / 3
         t = simplest_between(start + third, end - third)
@@ -294,33 +270,21 @@ def _bracket(
             t = simplest_between(low + enough / 2, low + enough)
         elif stays[1] == _STAYS:
             t = simplest_between(high - enough, high - enough / 2)
-        answer, ends = known.verdict(t), (low, high)
-        if answer == UNDECIDED:
-            undecided = sorted([*undecided, t])
-        elif answer == first[1]:
-            low = t
-        else:
-            high = t
+        answer = known.verdict(t)
+        border = border.shrunk(t, answer)
         if answer == NOT_RESISTED:
-            low, high = _to_the_edge(known, t, low, high, enough / 4)
-        undecided = [t for t in undecided if low < t < high]
-        pairs = zip(stays, ends, (low, high), strict=True)
+            border = _to_the_edge(known, border, enough / 4)
+        pairs = zip(stays, (low, high), border.ends, strict=True)
         stays = [0 if old != new else count + 1 for count, old, new in pairs]
-    ends = (low, high) if first[1] == RESISTED else (high, low)
-    return Border(*ends, tuple(undecided))
+    return border
 
 
-def _to_the_edge(
-    known: KnownMagnitudes, t: Fraction, low: Fraction, high: Fraction, near: Fraction
-) -> tuple[Fraction, Fraction]:
-    """Move the refused end to the edge of what the tree refutes, as near as is asked for."""
-    around = known.refuting(t)
-    if around is None:
-        return low, high
+def _to_the_edge(known: KnownMagnitudes, border: Border, near: Fraction) -> Border:
+    """Move the refused end to the edge of what its tree refutes, as near as is asked for."""
+    low, high = known.refuting(border.refused) or (None, None)
     # The other end is resisted, so the tree ends before it.
-    start, end = around
-    if t == high and start is not None and high - start > near:
-        high = simplest_between(start + near / 2, start + near)
-    if t == low and end is not None and end - low > near:
-        low = simplest_between(end - near, end - near / 2)
-    return low, high
+    edge, way = (low, 1) if border.resisted < border.refused else (high, -1)
+    if edge is None or abs(border.refused - edge) <= near:
+        return border
+    t = simplest_between(*sorted((edge + way * near / 2, edge + way * near)))
+    return border.shrunk(t, NOT_RESISTED)

@@ -24,7 +24,7 @@ from equilibrium import Grasp, Solution, Verdict, read_grasp, solve, unit_normal
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.cli.program import main
-from equilibrium.decide.known_loads import KnownLoads, KnownMagnitudes, _same, blends
+from equilibrium.decide.known_loads import Border, KnownLoads, KnownMagnitudes, _same, blends
 from equilibrium.decide.solver import STEPS, Solver
 from equilibrium.grasps.inputs import random_grasp, random_wrench, read_any
 from equilibrium.grasps.schemas import certificate_schema
@@ -379,8 +379,13 @@ def bracket_of(rule, low, high, tree):
         verdict=lambda t: tried.append(t) or rule(t),
         refuting=lambda t: edges if tree and rule(t) == "not resisted" else None,
     )
-    ends = ((Fraction(t), rule(Fraction(t))) for t in (low, high))
-    return _bracket(known, *ends, [], Fraction(1, 1000)), tried
+    return _bracket(known, border_of(rule, low, high), Fraction(1, 1000)), tried
+
+
+def border_of(rule, low, high):
+    """Return the bracket of two magnitudes whose given verdicts differ."""
+    ends = Fraction(low), Fraction(high)
+    return Border(*ends if rule(ends[0]) == "resisted" else ends[::-1])
 
 
 @pytest.fixture
@@ -494,21 +499,19 @@ class TestBrackets:
                 stuck,
             ),
         )
-        ends = sorted((mirrored(t), answers(border, border)(Fraction(t))) for t in (1, 2))
-        low, high, open_ = _closer(known, *ends, Fraction(1, 1000))
-        print(border, edge, closes, up, low, high, open_, len(tried), float(high[0] - low[0]))
-        assert [low[1], high[1]] == [answer for _, answer in ends]
-        for t, answer in (low, high):
-            assert answers(border, border)(mirrored(t)) == answer
-        assert bool(open_) == opens
-        assert all(low[0] < t < high[0] for t in open_)
-        assert high[0] - low[0] <= Fraction(left)
+        found = _closer(known, Border(mirrored(1), mirrored(2)), Fraction(1, 1000))
+        assert answers(border, border)(mirrored(found.resisted)) == "resisted"
+        assert answers(border, border)(mirrored(found.refused)) == "not resisted"
+        low, high = found.ends
+        assert bool(found.undecided) == opens
+        assert all(low < t < high for t in found.undecided)
+        assert high - low <= Fraction(left)
         assert len(tried) <= asked
 
     def test_boundaries_lie_between_sampled_magnitudes(self, monkeypatch):
         """Resisted up to 1/2 and from 3 to 5; of 64 and beyond nothing is found."""
         tried = []
-        monkeypatch.setattr(spatial, "_closer", lambda known, low, high, width: (low, high, []))
+        monkeypatch.setattr(spatial, "_closer", lambda known, border, width: border)
 
         def ask(wrench):
             tried.append(wrench[1])
@@ -550,6 +553,7 @@ class TestBrackets:
             "resisted": "3",
             "not_resisted": "1000001/333334",
             "undecided": [],
+            "exact": False,
         }
         assert written["samples"][1] == {"t": "1/64", "verdict": "resisted"}
 

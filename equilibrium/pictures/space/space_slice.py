@@ -152,7 +152,7 @@ def _explain(
     open_ends = any(known.samples[-1][1] == UNDECIDED for _, known in spokes)
     if ends or open_ends:
         legend.key(symbol("missed"), "open between two proofs; thick: tried and undecided")
-    elif all(known.borders for _, known in spokes):
+    elif all(known.zero_only for _, known in spokes):
         legend.line("only 0 is resisted in these directions")
     legend.line(f"{len(spokes)} directions; the shading between them is not proved")
     tried = [known.samples[-1][0] for _, known in spokes if known.samples[-1][1] == RESISTED]
