@@ -1,7 +1,7 @@
 """Files of claims: Python programs that are run, with messages that name their lines.
 
-A file is run once for each content. Its claims return the values of comparisons that are false
-(`false_comparison`).
+A file is run once for each content of it and of what it imports from its folder (`neighbours`). Its
+claims return the values of comparisons that are false (`false_comparison`).
 """
 
 from __future__ import annotations
@@ -13,12 +13,11 @@ import sys
 import traceback
 from collections.abc import Callable
 from dataclasses import replace
-from functools import lru_cache
 from hashlib import sha256
 from importlib.machinery import SourceFileLoader
 from pathlib import Path
 from types import CodeType, ModuleType
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 from arrangement.errors import refusal
 from arrangement.numbers.exact import shown
@@ -26,6 +25,7 @@ from proofs_check.errors import OwnClaimError
 from proofs_check.statements.statement import Claim, Registry
 
 from .false_comparison import COMPARE_NAME, compare_values, explain_returns
+from .neighbours import imports_from, sha256_of
 
 #: Of a source line or of an error's text: so that a message stays short.
 _MAX_QUOTED_CHARACTERS = 200
@@ -79,7 +79,7 @@ def defined(path: str, kind: type[_Kind], what: str) -> tuple[_Kind, ...]:
     Raises:
         OwnClaimError: the file cannot be read or run, or has none.
     """
-    module = _run(str(Path(path).resolve()), file_digest(path))
+    module = _run(path).module
     of_kind = [value for value in vars(module).values() if isinstance(value, kind)]
     if not of_kind:
         raise OwnClaimError(f"{path} has no {what}")
@@ -87,27 +87,62 @@ def defined(path: str, kind: type[_Kind], what: str) -> tuple[_Kind, ...]:
 
 
 def file_digest(path: str) -> str:
-    """Return the SHA-256 of a file of claims, by which a sweep knows that it has not changed."""
+    """Return a SHA-256 of a file of claims and of what it imports from its folder.
+
+    A sweep knows by it that neither has changed. Without such imports it is that of the file.
+
+    Raises:
+        OwnClaimError: the file cannot be read or run.
+    """
+    own, *others = _run(path).digests.items()
+    if not others:
+        return own[1]
+    folder = Path(own[0]).parent
+    named = sorted((Path(file).relative_to(folder).as_posix(), digest) for file, digest in others)
+    return sha256(repr([own[1], *named]).encode()).hexdigest()
+
+
+class _Run(NamedTuple):
+    """A file that was run.
+
+    Attributes:
+        module: what it defines.
+        digests: the SHA-256 of the file, and of each file of its folder that it imports.
+    """
+
+    module: ModuleType
+    digests: dict[str, str]
+
+    @property
+    def is_current(self) -> bool:
+        """Whether no file has changed since."""
+        return all(sha256_of(file) == digest for file, digest in self.digests.items())
+
+
+#: The last runs, by path.
+_runs: dict[str, _Run] = {}
+_MAX_RUNS = 16
+
+
+def _run(path: str) -> _Run:
+    """Run a file as a module, once for each content of it and of what it imports."""
+    given, path = path, str(Path(path).resolve())
+    if path in _runs and _runs[path].is_current:
+        return _runs[path]
     try:
-        return sha256(Path(path).read_bytes()).hexdigest()
+        digest = sha256(Path(path).read_bytes()).hexdigest()
     except OSError as error:
-        raise OwnClaimError(f"cannot read {path}: {error.strerror}") from None
-
-
-@lru_cache(maxsize=16)
-def _run(path: str, digest: str) -> ModuleType:
-    """Run a file as a module; the digest of its content is the key of the cache."""
-    name = f"proofs_check_own_{digest[:16]}"
+        raise OwnClaimError(f"cannot read {given}: {error.strerror}") from None
+    name = f"proofs_check_own_{sha256(f'{digest} {path}'.encode()).hexdigest()[:16]}"
     loader = _ClaimFileLoader(name, path)
     spec = importlib.util.spec_from_file_location(name, path, loader=loader)
     assert spec is not None
     module = importlib.util.module_from_spec(spec)
     vars(module)[COMPARE_NAME] = compare_values
     sys.modules[name] = module
-    folder = str(Path(path).parent)  # the file may import its neighbours
-    sys.path.insert(0, folder)
     try:
-        loader.exec_module(module)
+        with imports_from(Path(path).parent) as digests:
+            loader.exec_module(module)
     except OwnClaimError:
         raise
     except SyntaxError as error:
@@ -118,9 +153,10 @@ def _run(path: str, digest: str) -> ModuleType:
         reason = f"{type(error).__name__}: {str(error)[:_MAX_QUOTED_CHARACTERS]}"
         where = line_of(error, path)
         raise OwnClaimError(f"{path} does not run: {reason} ({where})") from error
-    finally:
-        sys.path.remove(folder)
-    return module
+    if len(_runs) >= _MAX_RUNS:
+        del _runs[next(iter(_runs))]
+    _runs[path] = _Run(module, {path: digest, **digests})
+    return _runs[path]
 
 
 class _ClaimFileLoader(SourceFileLoader):

@@ -4,6 +4,7 @@ import json
 import sqlite3
 import sys
 from contextlib import closing
+from hashlib import sha256
 from pathlib import Path
 
 import pytest
@@ -196,6 +197,23 @@ def test_a_file_that_changed_does_not_continue_a_sweep(tmp_path):
         sweep(old, place)
     with pytest.raises(SweepError, match="another sweep"):
         sweep(plan_sweep(path, (3, 4), 20, 0, 5), place)
+
+
+def test_a_changed_import_does_not_continue_a_sweep(tmp_path):
+    path, place = own_file(tmp_path, "return True"), str(tmp_path / "s.sqlite")
+    alone = plan_sweep(path, (3, 4), 20, 0, 5)
+    assert alone.digest == sha256(Path(path).read_bytes()).hexdigest()
+    helper = tmp_path / "helper.py"
+    helper.write_text("ANSWER = 1\n", encoding="utf-8")
+    with Path(path).open("a", encoding="utf-8") as file:
+        file.write("from helper import ANSWER\n")
+    old = plan_sweep(path, (3, 4), 20, 0, 5)
+    sweep(old, place, shard=(1, 2))
+    helper.write_text("ANSWER = 2\n", encoding="utf-8")
+    with pytest.raises(SweepError, match="has changed"):
+        sweep(old, place, shard=(2, 2))
+    with pytest.raises(SweepError, match="another sweep"):
+        sweep(plan_sweep(path, (3, 4), 20, 0, 5), place, shard=(2, 2))
 
 
 def test_sweep_of_a_changed_file_runs_the_new_claim(tmp_path):

@@ -1,10 +1,12 @@
 """Claims of a user's file: what is checked, how failures shrink, what is saved."""
 
 import json
+import sys
 from collections.abc import Callable
 from importlib.resources import files
 from pathlib import Path
 from random import Random
+from types import ModuleType
 
 import pytest
 from hypothesis import given, settings, strategies as st
@@ -16,6 +18,7 @@ from proofs_check import ClaimVerdict, claim, evaluate
 from proofs_check.cli.program import EXAMPLES, main
 from proofs_check.instances.arrangements import line_cases
 from proofs_check.instances.domains import DOMAINS, domain, known_families, size
+from proofs_check.own_claims.claim_file import load
 from proofs_check.own_claims.formula_of import formula_of
 from proofs_check.own_claims.language import read
 from proofs_check.own_claims.one_line import one_line_claim
@@ -299,6 +302,31 @@ def test_comparisons_outside_of_claims_stay_what_they_are(write, capsys):
         "    return small(p) is False and type(inner()) is bool\n"
     )
     assert main(["run", path]) == 0
+
+
+def claim_in(folder: Path, helper: str) -> str:
+    """Write a claim that takes its answer from a file beside it."""
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "helper.py").write_text(helper, encoding="utf-8")
+    (folder / "parts").mkdir(exist_ok=True)
+    (folder / "parts" / "inner.py").write_text("from helper import ANSWER\n", encoding="utf-8")
+    body = 'from parts.inner import ANSWER\n@claim("s", samples=1)\ndef f(p): return ANSWER\n'
+    path = folder / "mine.py"
+    path.write_text(HEAD + body, encoding="utf-8")
+    return str(path)
+
+
+@pytest.mark.parametrize("order", [(0, 1), (1, 0)])
+def test_each_file_imports_its_own_neighbours(order, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "helper", helper := ModuleType("helper"))
+    answers = ("ANSWER = True\n", "ANSWER = 'no'\n")
+    paths = [claim_in(tmp_path / str(k), answers[k]) for k in order]
+    verdicts = [evaluate(load(path)["f"]).verdict.value for path in paths]
+    assert verdicts == [("holds", "refuted")[k] for k in order]
+    assert sys.modules["helper"] is helper
+    assert not any(name.partition(".")[0] == "parts" for name in sys.modules)
+    claim_in(tmp_path / "0", answers[1])
+    assert evaluate(load(paths[order.index(0)])["f"]).verdict is ClaimVerdict.REFUTED
 
 
 def test_integers_of_libraries_are_integers(write):
