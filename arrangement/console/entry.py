@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from importlib import import_module
 from typing import Any
 
@@ -12,6 +13,8 @@ from arrangement.errors import missing_attribute
 
 #: EX_SOFTWARE of sysexits.h: a fault must never look like a "no".
 FAULT = 70
+#: What a shell reports for a program that SIGINT ended (128 + the signal's number).
+INTERRUPTED = 130
 
 
 def lazy_names(
@@ -53,6 +56,8 @@ def entry(module: str) -> Callable[..., int]:
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
         try:
             program = import_module(module).main
+        except KeyboardInterrupt:
+            return INTERRUPTED
         except Exception as error:
             return fault(error, argv)
         code: int = program(argv)
@@ -61,12 +66,8 @@ def entry(module: str) -> Callable[..., int]:
     return main
 
 
-def fault(error: Exception, argv: Sequence[str] | None) -> int:
+def fault(error: BaseException, argv: Sequence[str] | None) -> int:
     """Report an unexpected error on stderr, with ``--traceback`` in full; return 70."""
-    if "--traceback" in (sys.argv if argv is None else argv):
-        import traceback
-
-        traceback.print_exc()
     what = "".join(c if c.isprintable() else " " for c in str(error)[:120])
     text = (
         f"error: internal error, no answer: {type(error).__name__}: {what}; please report "
@@ -75,7 +76,12 @@ def fault(error: Exception, argv: Sequence[str] | None) -> int:
     if isinstance(error, ModuleNotFoundError):
         text = f"error: no answer: the module {error.name} is missing; install slipstates again"
     if sys.stderr is not None:
-        print(text, file=sys.stderr)
+        with suppress(OSError):  # it is full or closed
+            if "--traceback" in (sys.argv if argv is None else argv):
+                import traceback
+
+                traceback.print_exc()
+            print(text, file=sys.stderr)
     return FAULT
 
 

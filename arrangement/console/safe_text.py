@@ -1,15 +1,16 @@
 """Text that any terminal and any reader of text files can take, whatever file it came from.
 
 Control characters, bidirectional marks and stray bytes are escaped; where the encoding of the
-output lacks a sign, it is written in ASCII.
+output lacks a sign, it is written in ASCII. Messages that cannot be written change no exit code.
 """
 
 from __future__ import annotations
 
+import os
 import re
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager, redirect_stdout
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from typing import Any, TextIO, cast
 from unicodedata import category
 
@@ -85,4 +86,49 @@ class _Answers:
 def safe_stdout() -> Iterator[None]:
     """Print safely and completely inside, on every terminal and in every file."""
     with redirect_stdout(cast(TextIO, _Answers(sys.stdout))):
+        yield
+
+
+class _Messages:
+    """A stream that may be full or closed: what cannot be written to it is lost.
+
+    Attributes:
+        stream: where the text goes.
+    """
+
+    def __init__(self, stream: TextIO) -> None:
+        self.stream = stream
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.stream, name)
+
+    def write(self, text: str) -> int:
+        try:
+            self.stream.write(text)
+        except OSError:
+            discard(self.stream)
+        return len(text)
+
+    def flush(self) -> None:
+        try:
+            self.stream.flush()
+        except OSError:
+            discard(self.stream)
+
+
+def discard(stream: TextIO) -> None:
+    """Send what is still buffered nowhere, so that the interpreter does not complain at exit."""
+    try:
+        descriptor = stream.fileno()
+    except (OSError, ValueError):
+        return
+    devnull = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(devnull, descriptor)
+    os.close(devnull)
+
+
+@contextmanager
+def safe_stderr() -> Iterator[None]:
+    """Print messages inside; a stderr that cannot be written does not end the program."""
+    with redirect_stderr(cast(TextIO, _Messages(sys.stderr))):
         yield

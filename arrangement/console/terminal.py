@@ -24,7 +24,7 @@ from arrangement.numbers import budget
 from arrangement.numbers.real import Irrational, written
 
 from . import number_form, progress
-from .entry import fault
+from .entry import INTERRUPTED, fault
 from .options.completion import PrintCompletion
 from .options.parser import Parser, Version
 from .options.values import (
@@ -33,15 +33,14 @@ from .options.values import (
     shard_argument,
     times_argument,
 )
-from .safe_text import error_text, safe_stdout
+from .safe_text import discard, error_text, safe_stderr, safe_stdout
 
 YES = 0
 NO = 1
 _BAD_INPUT = 2
 #: Neither yes nor no was proved.
 UNDECIDED = 3
-#: What a shell reports for a program that SIGINT or SIGPIPE ended (128 + the signal's number).
-_INTERRUPTED = 130
+#: What a shell reports for a program that SIGPIPE ended (128 + the signal's number).
 _BROKEN_PIPE = 141
 
 
@@ -138,15 +137,17 @@ def run(parser: Parser, argv: Sequence[str] | None = None) -> int:
 
     Bad input ends with one line ``error: ...`` on stderr and exit code 2, without a traceback;
     whatever is not expected, with one line and exit code 70. A reader that closes the pipe
-    (``| head``) ends the command quietly. Answers are complete whatever the encoding of stdout is,
+    (``| head``) ends the command quietly. Where stderr cannot be written, the code alone tells what
+    happened. Answers are complete whatever the encoding of stdout is,
     and no text of a file changes the terminal (`safe_text`).
     """
     if sys.stderr is None:  # closed by the shell; print would write to stdout instead
         sys.stderr = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115
-    if sys.stdout is None:
-        return _report_error("standard output is closed, so there is nowhere to answer; open it")
-    with safe_stdout():
-        return _run(parser, argv)
+    with safe_stderr():
+        if sys.stdout is None:
+            return _report_error("standard output is closed; open it, the answer goes there")
+        with safe_stdout():
+            return _run(parser, argv)
 
 
 def _run(parser: Parser, argv: Sequence[str] | None) -> int:
@@ -158,26 +159,36 @@ def _run(parser: Parser, argv: Sequence[str] | None) -> int:
         with budget.limit(limit), budget.metered(allowed), progress.shown(), form.used():
             code: int = arguments.command(arguments)
         sys.stdout.flush()
-    except (InputError, MissingExtraError) as error:
-        return _report_error(str(error))
-    except budget.WorkOver as error:
-        _discard_stdout()
-        return _report_error(str(error))
-    except MemoryError:
-        _discard_stdout()
-        return _report_error("there is not enough memory on this machine for it; ask for less")
-    except BrokenPipeError:
-        _discard_stdout()
-        return _BROKEN_PIPE
-    except OSError as error:
-        _discard_stdout()
-        return _report_error(f"cannot write the output: {error.strerror or error}")
     except KeyboardInterrupt:
-        return _INTERRUPTED
-    except Exception as error:
-        _discard_stdout()
-        return fault(error, argv)
+        return INTERRUPTED
+    except (Exception, budget.WorkOver) as error:
+        return INTERRUPTED if _was_interrupted(error) else _end(error, argv)
     return code
+
+
+def _was_interrupted(error: BaseException) -> bool:
+    """Return whether Ctrl-C is behind an error: closing what was half written raises others."""
+    context = error.__context__
+    return context is not None and (
+        isinstance(context, KeyboardInterrupt) or _was_interrupted(context)
+    )
+
+
+def _end(error: BaseException, argv: Sequence[str] | None) -> int:
+    """Report why a command ends; return its exit code."""
+    if isinstance(error, (InputError, MissingExtraError)):
+        return _report_error(str(error))
+    discard(sys.stdout)
+    match error:
+        case budget.WorkOver():
+            return _report_error(str(error))
+        case MemoryError():
+            return _report_error("there is not enough memory on this machine for it; ask for less")
+        case BrokenPipeError():
+            return _BROKEN_PIPE
+        case OSError():
+            return _report_error(f"cannot write the output: {error.strerror or error}")
+    return fault(error, argv)
 
 
 def _steps(arguments: argparse.Namespace) -> float:
@@ -213,14 +224,3 @@ def _encode(value: Any) -> str | list[str]:
 def _report_error(message: str) -> int:
     print(f"error: {error_text(message)}", file=sys.stderr)
     return _BAD_INPUT
-
-
-def _discard_stdout() -> None:
-    """Send what is still buffered nowhere, so that the interpreter does not complain at exit."""
-    try:
-        descriptor = sys.stdout.fileno()
-    except (OSError, ValueError):
-        return
-    devnull = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(devnull, descriptor)
-    os.close(devnull)

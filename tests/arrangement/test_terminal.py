@@ -10,7 +10,9 @@ import sys
 from collections.abc import Iterable
 from fractions import Fraction
 from importlib import import_module
+from pathlib import Path
 from typing import Annotated, Any, TypeAlias
+from zipfile import ZipFile
 
 import pytest
 
@@ -103,6 +105,56 @@ def test_expected_errors_are_one_line(error, code, lines, capsys):
     out, err = capsys.readouterr()
     assert (out, err.count("\n"), "\x1b" in err) == ("", lines, False)
     assert err.startswith("error: " * lines)
+
+
+def test_interrupted_cleanup_counts_as_interrupted(capsys):
+    def fails(_):
+        with ZipFile(io.BytesIO(), "w") as archive:
+            part = archive.open("part", "w")  # NumPy is interrupted before it closes it
+            part.write(b"half")
+            raise KeyboardInterrupt
+
+    def closes(_):
+        try:
+            raise KeyboardInterrupt
+        finally:
+            raise InputError("cannot be closed")
+
+    for command in (fails, closes):
+        assert terminal.run(parser_for(command), ["go"]) == 130
+        assert capsys.readouterr().err == ""
+
+
+#: Bad input of a kind that argparse finds, and of a kind that a command finds.
+BAD = {
+    "arrangement": ("count", "faces", "draw planes", "identify"),
+    "equilibrium": ("solve", "resisted", "verify", "info"),
+    "proofs_check": ("run", "sweep", "grade", "report"),
+}
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
+@pytest.mark.parametrize("package", BAD)
+def test_exit_code_does_not_need_stderr(package, monkeypatch):
+    main = import_module(f"{package}.cli").main
+    for command in BAD[package]:
+        for words in ([*command.split(), "absent.json"], [command, "--absent"]):
+            with Path("/dev/full").open("w", buffering=1) as full:
+                monkeypatch.setattr(sys, "stderr", full)
+                try:
+                    code = main(words)
+                except SystemExit as left:
+                    code = left.code
+                assert code == 2, words
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
+@pytest.mark.parametrize("words", [["--help"], ["--version"], ["count", "--help"], ["list"]])
+def test_help_that_cannot_be_written_is_an_error(words, monkeypatch, capsys):
+    with Path("/dev/full").open("w") as full:
+        monkeypatch.setattr(sys, "stdout", full)
+        assert main(words) == 2
+    assert capsys.readouterr().err.startswith("error: cannot write the output")
 
 
 @pytest.mark.parametrize("error", [ZeroDivisionError("x" * 999), RecursionError()])

@@ -35,7 +35,7 @@ class PrintCompletion(argparse.Action):
 
     def __call__(self, parser: Any, namespace: Any, values: Any, *_: Any) -> NoReturn:
         """Print it, and end the program."""
-        print(completion_script(parser, values))
+        print(completion_script(parser, values), flush=True)
         raise SystemExit(0)
 
 

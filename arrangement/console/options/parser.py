@@ -5,10 +5,11 @@
 * An option that is given twice, or has an empty value, is refused (`_get_values`, `_refuse_empty`).
 * Names that are misspelt or were renamed are answered with those that exist (`_check_value`,
   `_unknown`), and every error is one line (`error`).
+* Help that cannot be written is an error (`_print_message`).
 * Options that take time to find out are added when their command is parsed (`lazy_options`).
 * The help of a program lists its commands under headings (`format_help`).
 
-argparse has no public hooks for the second to fourth of these; their methods override its own.
+argparse has no public hooks for the second to fifth of these; their methods override its own.
 """
 
 from __future__ import annotations
@@ -155,6 +156,11 @@ class Parser(argparse.ArgumentParser):
         parts += [f"{self.prog} COMMAND --help describes a command.", self.epilog or ""]
         return "\n\n".join(parts) + "\n"
 
+    def _print_message(self, message: str, file: Any = None) -> None:
+        """Print help; argparse hides that it cannot be written."""
+        if message:
+            print(message, end="", file=file or sys.stderr, flush=True)
+
     def error(self, message: str) -> NoReturn:
         """Print one line with the error to stderr; exit with 2.
 
@@ -212,5 +218,5 @@ class Version(argparse.Action):
                 parts.append(f"{name} {version(name)}")
             except PackageNotFoundError:
                 parts.append(f"no {name}")
-        print(f"{parser.prog} {__version__} ({', '.join(parts)})")
+        print(f"{parser.prog} {__version__} ({', '.join(parts)})", flush=True)
         parser.exit(0)
