@@ -162,8 +162,9 @@ def enumerate_regions_inside(planes: Planes, sides: Planes) -> FaceSequence:
     joined = Planes([r[:-1] for r in rows], [r[-1] for r in rows], dimension=planes.dimension)
     engine, level = "deletion-restriction", no_faces(len(rows), planes.dimension)
     if set(sides.orientation) <= {1}:  # else two sides are one plane with nothing between
+        least = 3 if joined.is_central and not len(sides) else 2  # see `list_regions`
         try:
-            if joined.rank < 2 or not largest(joined.integer_planes) < math.inf:
+            if joined.rank < least or not largest(joined.integer_planes) < math.inf:
                 raise deletion_restriction.TooCloseError
             level = deletion_restriction.list_regions(joined, len(sides.distinct))
         except deletion_restriction.TooCloseError:

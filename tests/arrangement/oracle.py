@@ -34,6 +34,20 @@ def _extensions(arrangement: Arrangement, prefix: tuple[int, ...]) -> Iterator[t
         yield from _extensions(arrangement, (*prefix, sign))
 
 
+def regions_inside(arrangement: Arrangement, sides: Arrangement) -> set[tuple[int, ...]]:
+    """Return the sign vectors of the regions that meet the positive side of all of some planes."""
+    joined = Arrangement(
+        [*sides.normals, *arrangement.normals],
+        [*sides.offsets, *arrangement.offsets],
+        dimension=arrangement.dimension,
+    )
+    found = [(1,) * len(sides)] if realisable(joined, (1,) * len(sides)) else []
+    for _ in range(len(arrangement)):
+        longer = ((*prefix, sign) for prefix in found for sign in (-1, 1))
+        found = [signs for signs in longer if realisable(joined, signs)]
+    return {signs[len(sides) :] for signs in found}
+
+
 def realisable(arrangement: Arrangement, signs: Sequence[int]) -> bool:
     """Decide whether some point has these signs for the first planes.
 

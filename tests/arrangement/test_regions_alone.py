@@ -1,6 +1,7 @@
 """Regions by deletion and restriction are those that engines for all faces list."""
 
 import math
+from operator import mul
 from random import Random
 
 import numpy as np
@@ -20,6 +21,8 @@ from arrangement.enumeration.deletion_restriction import (
 from arrangement.enumeration.sequence import FaceSequence
 from arrangement.numbers import budget
 from arrangement.planes.planes import Planes
+
+from .oracle import regions_inside
 
 
 def _random(number: int, d: int, m: int, bound: int) -> Arrangement:
@@ -143,6 +146,42 @@ def test_regions_inside_are_those_of_all_that_meet_it(d, bound):
     for number in range(8):
         planes = _random(1000 * d + number, d, 1 + number % 6, bound)
         _inside(planes, _random(7 + number // 2, d, 1 + number % 5, bound))
+
+
+def _low_rank(seed: int) -> tuple[Arrangement, Arrangement]:
+    """Planes and sides, often few, central, coincident or of low rank."""
+    source = Random(seed)
+    d, bound = source.randint(0, 4), source.choice([1, 1, 2, 9])
+    basis = [[source.randint(-1, 1) for _ in range(d)] for _ in range(source.randint(1, d + 1))]
+
+    def some(count: int, central: bool) -> Arrangement:
+        normals: list[list[int]] = []
+        for _ in range(count if any(map(any, basis)) else 0):
+            row = [0] * d
+            while not any(row):
+                weights = [source.randint(-bound, bound) for _ in basis]
+                row = [sum(map(mul, weights, x)) for x in zip(*basis, strict=True)]
+            normals.append(row)
+        offsets = [0 if central else source.randint(-bound, bound) for _ in normals]
+        return Arrangement(normals, offsets, dimension=d)
+
+    kind = source.randrange(4)
+    return some(source.randint(0, 5), kind < 2), some(
+        source.choice([0, 0, 1, 2, 4]), kind in (0, 2)
+    )
+
+
+@pytest.mark.parametrize("seeds", [range(40), pytest.param(range(1000), marks=pytest.mark.slow)])
+def test_regions_inside_are_those_tried_one_by_one(seeds):
+    for seed in seeds:
+        planes, sides = _low_rank(seed)
+        found = planes.regions(inside=sides)
+        listed = {region.signs for region in found}
+        assert listed == regions_inside(planes, sides), seed
+        assert len(found) == len(listed)
+        for region in found:
+            assert planes.signs_at(region.witness) == region.signs
+            assert set(sides.signs_at(region.witness)) <= {1}
 
 
 def test_regions_inside_are_found_where_all_would_be_too_many():
