@@ -35,6 +35,7 @@ from .operations import (
     union as union,
 )
 from .points import (
+    QuasiPolynomial as QuasiPolynomial,
     by_points as by_points,
     characteristic_quasi_polynomial as characteristic_quasi_polynomial,
     points_off as points_off,

@@ -9,7 +9,15 @@ of the planes and infinity (0, ..., 0, 1), that is: every basis of their span st
 Then so does every independent set, which some basis contains, and no set becomes independent.
 
 Modulo any q, prime or not, the points of (Z/q)^d off rational central planes are counted by a
-quasi-polynomial in q, which is chi where no minor has a divisor in common with q.
+quasi-polynomial in q, which is chi where no minor has a divisor in common with q. Each of its
+polynomials is made by itself, in the cheaper of two ways:
+
+1. From sets: where the planes of a set J, as rows, have the elementary divisors e_1, ..., e_r,
+   their intersection has q^(d - r) gcd(e_1, q) ... gcd(e_r, q) points modulo q. Inclusion and
+   exclusion over all J gives the points off the planes. Each e divides the period, so with g the
+   greatest common divisor of q and the period, gcd(e, q) = gcd(e, g).
+2. From points: d moduli with the same g, whose points are counted, determine a polynomial that
+   begins with t^d.
 
 Entries in a field Q(a) are reduced modulo primes q at which the minimal polynomial of a has a root
 in F_q, which stands for a: integral vectors are over Z[a], which F_q is then an image of.
@@ -17,9 +25,11 @@ in F_q, which stands for a: integral vectors are over Z[a], which F_q is then an
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from itertools import combinations, count, islice
-from math import comb, gcd, lcm
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
+from itertools import combinations, count, islice, product
+from math import comb, gcd, inf, lcm, prod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -36,6 +46,13 @@ if TYPE_CHECKING:
     import sympy
 
 _CHUNK = 1 << 20
+#: Sums below are exact in words of 64 bits.
+_MAX_WORD = 1 << 63
+#: Steps to the elementary divisors of one matrix.
+_DIVISORS_STEPS = 10_000
+#: Steps and bytes of one polynomial.
+_POLYNOMIAL_STEPS = 2_000
+_POLYNOMIAL_BYTES = 2_000
 
 
 def by_points(arrangement: Planes, primes: Iterable[int] | None = None) -> sympy.Poly:
@@ -75,16 +92,12 @@ def by_points(arrangement: Planes, primes: Iterable[int] | None = None) -> sympy
     return _interpolated(arrangement, chosen)
 
 
-def characteristic_quasi_polynomial(arrangement: Planes) -> dict[int, sympy.Poly]:
-    """Return a polynomial for each divisor g of the period: it counts the points off the planes.
-
-    There are f_g(q) points of (Z/q)^d on none of the planes, where g = gcd(q, period). The period,
-    the largest key, is the least common multiple of the largest elementary divisors of the bases.
-    f_1 is the characteristic polynomial.
+def characteristic_quasi_polynomial(arrangement: Planes) -> QuasiPolynomial:
+    """Return the quasi-polynomial that counts the points of (Z/q)^d off the planes.
 
     Raises:
         InputError: planes that miss the origin, or with irrational entries.
-        OutOfReachError: too many bases or points.
+        OutOfReachError: too many bases.
 
     Source: H. Kamiya, A. Takemura, H. Terao, Periodicity of hyperplane arrangements with integral
     coefficients modulo positive integers, Journal of Algebraic Combinatorics 27 (2008).
@@ -94,24 +107,144 @@ def characteristic_quasi_polynomial(arrangement: Planes) -> dict[int, sympy.Poly
     >>> [(g, f.as_expr().factor()) for g, f in found.items()]
     [(1, (t - 3)*(t - 1)), (2, (t - 2)**2)]
     """
-    from sympy import ZZ, divisors
-    from sympy.polys.matrices import DM
-    from sympy.polys.matrices.normalforms import invariant_factors
-
     if not arrangement.is_central or arrangement.field is not None:
         raise InputError(
             f"{arrangement!r} has no quasi-polynomial here; give rational planes through the origin"
         )
-    period = 1
-    for _, planes in _minors(arrangement):
-        rows = [arrangement.integer_planes[i][:-1] for i in planes]
-        period = lcm(period, int(invariant_factors(DM(rows, ZZ))[-1]))
-    needed = max(1, arrangement.dimension)
-    found: dict[int, sympy.Poly] = {}
-    for g in map(int, divisors(period)):
-        moduli = islice((q for q in count(g, g) if gcd(q, period) == g), needed)
-        found[g] = _interpolated(arrangement, moduli)
-    return found
+    bases = ([arrangement.integer_planes[i][:-1] for i in b] for _, b in _minors(arrangement))
+    return QuasiPolynomial(arrangement, {_elementary_divisors(rows)[-1] for rows in bases})
+
+
+class QuasiPolynomial(Mapping[int, "sympy.Poly"]):
+    """The numbers of points of (Z/q)^d off some planes: polynomials, by the divisors of the period.
+
+    There are ``f[gcd(q, f.period)].eval(q)`` points, which is ``f(q)``; ``f[1]`` is the
+    characteristic polynomial. A polynomial is made when it is looked up. A loop over the divisors
+    factors the period first, which may have too many of them.
+
+    Attributes:
+        period: the least common multiple of the largest elementary divisors of the bases.
+    """
+
+    def __init__(self, arrangement: Planes, divisors: set[int]) -> None:
+        self._arrangement = arrangement
+        self._divisors = divisors
+        self.period = lcm(*divisors)
+        self._made: dict[int, sympy.Poly] = {}
+
+    def __repr__(self) -> str:
+        return f"<quasi-polynomial of {self._arrangement!r}, period {shown(self.period)}>"
+
+    def __call__(self, q: int) -> int:
+        """Return the number of points of (Z/q)^d off the planes.
+
+        Raises:
+            InputError: q is not an integer of at least 1.
+            OutOfReachError: see `__getitem__`.
+        """
+        if type(q) is not int or q < 1:
+            raise InputError(f"q is {shown(q)}; give an integer, at least 1")
+        return int(self[gcd(q, self.period)].eval(q))
+
+    def __getitem__(self, g: int) -> sympy.Poly:
+        """Return the polynomial for all q with gcd(q, period) = g.
+
+        Raises:
+            KeyError: g does not divide the period.
+            OutOfReachError: too many sets of planes, and too many points.
+        """
+        if type(g) is not int or g < 1 or self.period % g:
+            raise KeyError(g)
+        if g not in self._made:
+            self._made[g] = self._polynomial(g)
+        return self._made[g]
+
+    def __len__(self) -> int:
+        return prod(power + 1 for power in self._factors.values())
+
+    def __iter__(self) -> Iterator[int]:
+        """Iterate over the divisors of the period, in order.
+
+        Raises:
+            OutOfReachError: they are too many, or the period is too long to be factored.
+        """
+        number = len(self)
+        budget.check_cost(
+            f"the {budget.about(number)} polynomials of {self!r}",
+            "look up those that you need, f[g] or f(q)",
+            steps=_POLYNOMIAL_STEPS * number,
+            bytes=_POLYNOMIAL_BYTES * number,
+        )
+        powers = ([p**k for k in range(n + 1)] for p, n in self._factors.items())
+        return iter(sorted(map(prod, product(*powers))))
+
+    @cached_property
+    def _factors(self) -> dict[int, int]:
+        """The primes of the period with their powers, from the short numbers that it is made of."""
+        from sympy import factorint
+
+        # Of a number with b bits the smallest prime is found in about 2^(b/4) steps of Pollard's
+        # rho, each of which is some products and remainders.
+        budget.check_cost(
+            f"the divisors of the period of {self!r}",
+            "look up the polynomials that you need, f[g] or f(q)",
+            steps=sum(100 * budget.power(2, e.bit_length() / 4) for e in self._divisors),
+        )
+        found: dict[int, int] = {}
+        for e in self._divisors:
+            for p, n in factorint(e).items():
+                found[int(p)] = max(n, found.get(int(p), 0))
+        return found
+
+    def _polynomial(self, g: int) -> sympy.Poly:
+        d, m = self._arrangement.dimension, len(self._arrangement.distinct)
+        moduli = list(islice((q for q in count(g, g) if gcd(q, self.period) == g), max(1, d)))
+        by_points = sum(_points_steps(self._arrangement, q) for q in moduli)
+        by_subsets = budget.power(2, m) * _DIVISORS_STEPS
+        if "_sets" in vars(self) or by_subsets < by_points:
+            return self._from_sets(g)
+        return _interpolated(self._arrangement, moduli)
+
+    def _from_sets(self, g: int) -> sympy.Poly:
+        import sympy
+
+        d, terms = self._arrangement.dimension, Counter[int]()
+        budget.spend(10 * len(self._sets))
+        for (order, divisors), number in self._sets.items():
+            terms[d - order] += number * prod(gcd(e, g) for e in divisors)
+        return sympy.Poly.from_dict(dict(terms), sympy.Symbol("t"), domain=sympy.ZZ)
+
+    @cached_property
+    def _sets(self) -> dict[tuple[int, tuple[int, ...]], int]:
+        """The sets of planes of each rank and each list of elementary divisors above 1.
+
+        Those of an even number of planes count 1, the others -1.
+        """
+        planes = self._arrangement.distinct_planes
+        budget.check_cost(
+            f"the sets of {len(planes)} planes",
+            "use characteristic_polynomial, which is f[1]",
+            steps=budget.power(2, len(planes)) * _DIVISORS_STEPS,
+        )
+        found = Counter[tuple[int, tuple[int, ...]]]()
+        for bits in range(1 << len(planes)):
+            rows = [plane[:-1] for i, plane in enumerate(planes) if bits >> i & 1]
+            divisors = [e for e in _elementary_divisors(rows) if e]
+            kind = len(divisors), tuple(e for e in divisors if e > 1)
+            found[kind] += (-1) ** bits.bit_count()
+        return {kind: number for kind, number in found.items() if number}
+
+
+def _elementary_divisors(rows: Sequence[IntegerVector]) -> list[int]:
+    """Return the elementary divisors of an integer matrix, each a divisor of the next."""
+    from sympy import ZZ
+    from sympy.polys.matrices import DM
+    from sympy.polys.matrices.normalforms import invariant_factors
+
+    if not rows or not rows[0]:
+        return []
+    found: Any = invariant_factors(DM([list(row) for row in rows], ZZ))
+    return [int(e) for e in found]
 
 
 def _interpolated(arrangement: Planes, moduli: Iterable[int]) -> sympy.Poly:
@@ -147,7 +280,7 @@ def points_off(arrangement: Planes, q: int) -> int:
         raise InputError(f"q is {shown(q)}; give an integer, at least 1")
     if not d:
         return 1
-    if d * q**2 >= 1 << 63:
+    if d * q**2 >= _MAX_WORD:
         raise InputError(f"{q} is too large for words of 64 bits in dimension {d}")
     planes = np.array(residues(arrangement.integer_planes, q), np.int64).reshape(-1, d + 1)
     along, across = planes[planes[:, d - 1] == 0], planes[planes[:, d - 1] != 0]
@@ -156,7 +289,7 @@ def points_off(arrangement: Planes, q: int) -> int:
     budget.check_cost(
         f"the points of (Z/{q})^{d} off {len(arrangement)} planes",
         "use characteristic_polynomial",
-        steps=budget.power(q, d - 1) * max(1, columns) / 10,
+        steps=_steps(q, d, columns),
     )
     powers = q ** np.arange(d - 1)
     step = max(1, _CHUNK // max(1, columns))
@@ -170,6 +303,21 @@ def points_off(arrangement: Planes, q: int) -> int:
         hit = np.sort(np.hstack([np.full((len(points), 1), q), *hits]), axis=1)
         found += q * len(points) - int((hit[:, 1:] != hit[:, :-1]).sum())
     return found
+
+
+def _points_steps(arrangement: Planes, q: int) -> float:
+    """Return about how many steps `points_off` takes for central planes.
+
+    Infinity where q is too large for it.
+    """
+    d = arrangement.dimension
+    if d * q**2 >= _MAX_WORD:
+        return inf
+    return _steps(q, d, sum(gcd(row[-2], q) if d else 1 for row in arrangement.integer_planes))
+
+
+def _steps(q: int, d: int, columns: int) -> float:
+    return budget.power(q, d - 1) * max(1, columns) / 10
 
 
 def _hits(points: Integers, planes: Integers, q: int, divisor: int) -> Integers:

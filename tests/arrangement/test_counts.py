@@ -10,7 +10,7 @@ import sympy
 from hypothesis import given, settings
 from sympy import sqrt
 
-from arrangement import Arrangement, InputError, counts, families
+from arrangement import Arrangement, InputError, OutOfReachError, counts, families
 from arrangement.counts import low_rank as lowrank, points, whitney
 from arrangement.counts.configuration import configuration
 
@@ -236,6 +236,41 @@ def test_quasi_polynomial_counts_points_modulo_every_number(planes, expected):
     assert found[1] == counts.characteristic_polynomial(planes)
     for q in range(1, 14):
         assert found[math.gcd(q, period)].eval(q) == oracle.points_by_hand(planes, q)
+
+
+@pytest.mark.parametrize("planes", [families.type_b(2), families.type_d(3), "random"])
+def test_quasi_polynomial_from_sets_equals_that_from_points(planes, monkeypatch):
+    if planes == "random":
+        planes = Arrangement([[2, 4, 3], [3, 0, 2], [1, 2, 0], [0, 3, 5]])
+    costs = {"sets": 1, "points": math.inf}
+    found = {}
+    for way, cost in costs.items():
+        monkeypatch.setattr(points, "_points_steps", lambda *_, cost=cost: 1e300 / cost)
+        monkeypatch.setattr(points, "_DIVISORS_STEPS", 1)
+        quasi = counts.characteristic_quasi_polynomial(planes)
+        found[way] = {g: quasi[g] for g in quasi if g < 40}
+        assert ("_sets" in vars(quasi)) == (way == "sets")
+    assert found["sets"] == found["points"]
+
+
+def test_quasi_polynomial_of_a_long_period_needs_no_list_of_divisors():
+    source = Random(1)
+    planes = Arrangement([[source.randint(-99, 99) for _ in range(3)] for _ in range(7)])
+    quasi = counts.characteristic_quasi_polynomial(planes)
+    assert quasi[1] == counts.characteristic_polynomial(planes)
+    assert all(quasi(q) == counts.points_off(planes, q) for q in range(1, 30))
+    assert quasi(quasi.period + 1) == quasi[1].eval(quasi.period + 1)
+    assert len(quasi) > 10**17
+    with pytest.raises(OutOfReachError, match=r"polynomials of .*look up those that you need"):
+        list(quasi)
+    for key in (0, -1, quasi.period + 1, "1"):
+        with pytest.raises(KeyError):
+            quasi[key]
+    with pytest.raises(InputError, match="q is 0; give an integer"):
+        quasi(0)
+    long = Arrangement([[10**40 + 7, 3], [1, 10**41 + 3], [10**30 + 1, 10**20 + 9]])
+    with pytest.raises(OutOfReachError, match="divisors of the period"):
+        len(counts.characteristic_quasi_polynomial(long))
 
 
 def test_planes_without_a_quasi_polynomial_are_refused():
