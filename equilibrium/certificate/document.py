@@ -113,8 +113,9 @@ def certificate(
     """
     if pyramid is not None:
         proof = {"pyramid": pyramid, **proof}
-    # A proof is about these numbers, whether they were given or assumed.
-    complete = Grasp((replace(c, stiffness_given=True) for c in grasp), grasp.units)
+    # A proof is about these numbers, whether they were given or assumed, and about points.
+    points = (replace(c, stiffness_given=True) for c in grasp.without_pads())
+    complete = Grasp(points, grasp.units)
     question = {"grasp": complete.to_dict(), "wrench": _texts(wrench)}
     question |= displacement_entry(max_displacement)
     document = {"schema_version": SCHEMA_VERSION, "certificate": kind, **question, **proof}

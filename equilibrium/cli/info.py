@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import counted, number, sign_text, vector
 from arrangement.console.progress import shown
-from equilibrium.model.contact import pyramid_words
+from equilibrium.model.contact import contact_entry, contact_words, pyramid_words
 from equilibrium.model.errors import GraspError
 
 from .arguments import (
@@ -113,7 +113,7 @@ def _description(arguments: argparse.Namespace, load: bool) -> int:
     rows = [primitive(row) for contact in grasp for row in contact.tangential_wrenches]
     closed = form_closure(grasp, friction=True).accepts is True
     document: dict[str, Any] = {
-        "contacts": [contact.to_dict() for contact in grasp],
+        "contacts": [contact_entry(points) for points in grasp.parts],
         "dimension": grasp.dimension,
         "stiffness_given": any(contact.stiffness_given for contact in grasp),
         "tangential_hyperplanes": len(rows),
@@ -155,11 +155,12 @@ def _of_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> 
 
 def _description_lines(grasp: Grasp, document: dict[str, Any]) -> Iterator[str]:
     place = "in the plane" if grasp.dimension == 2 else "in space"
-    yield f"contacts         {len(grasp)}, {place}"
-    for i, contact in enumerate(grasp.contacts[:_MOST_CONTACTS], 1):
-        yield f"  contact {i} {contact.words}"
-    if len(grasp) > _MOST_CONTACTS:
-        yield f"  ... and {counted(len(grasp) - _MOST_CONTACTS, 'contact')} more"
+    points = f" ({counted(len(grasp), 'point')})" if grasp.has_pads else ""
+    yield f"contacts         {len(grasp.parts)}{points}, {place}"
+    for i, part in enumerate(grasp.parts[:_MOST_CONTACTS], 1):
+        yield f"  contact {i} {contact_words(part)}"
+    if len(grasp.parts) > _MOST_CONTACTS:
+        yield f"  ... and {counted(len(grasp.parts) - _MOST_CONTACTS, 'contact')} more"
     yield f"stiffness        {'given' if document['stiffness_given'] else '1 (default)'}"
     planes = counted(document["tangential_hyperplanes"], "tangential hyperplane")
     yield f"rank             {document['rank']} of {planes}"

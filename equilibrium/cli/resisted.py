@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from arrangement.console.number_form import bracket, counted, number, vector
 from arrangement.console.options import values
 from arrangement.numbers.exact import RationalVector, number_text
+from equilibrium.model.contact import contact_entry, contact_words
 from equilibrium.model.errors import GraspError, UndecidedError
 
 from .arguments import (
@@ -222,14 +223,14 @@ def _candidates(arguments: argparse.Namespace, grasp: Grasp) -> int:
     wrench = list(map(sum, zip(*loads, strict=True)))
     sets = _set(arguments, grasp).with_contact(found.grasp)
     verdicts = [resisted.solve(wrench).verdict for resisted in sets]
+    tried = list(zip(found.grasp.parts, verdicts, strict=True))
     lines = [
-        f"candidate {i}  {verdict:<12}  {contact.words}"
-        for i, (contact, verdict) in enumerate(zip(found.grasp, verdicts, strict=True), 1)
+        f"candidate {i}  {verdict:<12}  {contact_words(points)}"
+        for i, (points, verdict) in enumerate(tried, 1)
     ]
     document = {
         "candidates": [
-            {"contact": contact.to_dict(), "verdict": verdict}
-            for contact, verdict in zip(found.grasp, verdicts, strict=True)
+            {"contact": contact_entry(points), "verdict": verdict} for points, verdict in tried
         ]
     }
     yes = True if "resisted" in verdicts else None if "undecided" in verdicts else False

@@ -13,6 +13,7 @@ from equilibrium.certificate.reading import read_plane
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.displacement import STIFFNESS_ASSUMED, displacement_words, has_unit
 from equilibrium.model.labels import equilibria_words
+from equilibrium.model.solution import PadForce, numbering_words
 
 if TYPE_CHECKING:
     from equilibrium.certificate.leaves import ClosedPart
@@ -57,6 +58,8 @@ def verdict_lines(
         if solution.box is not None and solution.box.idle:
             yield f"  (but for motions {_UNFELT}, as a turn about the line of two)"
         yield from _equilibrium_lines(found.grasp, solution, found.states)
+    if path and found.grasp.has_pads:
+        yield numbering_words(found.grasp.groups)
     yield from found.warnings
     if not has_unit(found.grasp) and (solution is not None or found.max_displacement is not None):
         yield STIFFNESS_ASSUMED
@@ -85,11 +88,18 @@ def _equilibrium_lines(
     rounded = getattr(found, "box", None) is not None
     shown = _floats if rounded else vector
     yield f"  motion {shown(found.motion)}{freedom}"
-    for i, (contact, state, force) in enumerate(zip(grasp, states, found.forces, strict=True), 1):
-        moves = any(dot(row, found.motion) for row in contact.tangential_wrenches)
-        still = state.startswith("slip") and not moves
+    named = list(states)
+    for i, (points, group) in enumerate(zip(grasp.parts, grasp.groups, strict=True), 1):
+        kinds = named[group.start : group.stop]
+        # A pad is one contact: the sum of the forces of its points, and where it acts.
+        whole = PadForce.of(points, found.forces[group.start : group.stop])
+        at = f" at {shown(whole.at)}" if len(points) > 1 and whole.at else ""
+        at += f", torque {shown((whole.torsion,))}" if at and whole.torsion else ""
+        moves = any(dot(row, found.motion) for c in points for row in c.tangential_wrenches)
+        still = all(kind.startswith("slip") for kind in kinds) and not moves
         why = "  (not slipping: at the edge of its cone)" if still else ""
-        yield f"    contact {i}  {state:<8}  force {shown(force)}{why}"
+        state = kinds[0] if len({*kinds}) == 1 else " ".join(kinds)
+        yield f"    contact {i}  {state:<8}  force {shown(whole.force)}{at}{why}"
 
 
 def _refusal(found: Verdict, about: str, path: str | None) -> Iterator[str]:
@@ -102,13 +112,14 @@ def _refusal(found: Verdict, about: str, path: str | None) -> Iterator[str]:
     yield f"not resisted{about}: proof{where} with {counted(leaves, 'leaf', 'leaves')}"
     if leaves <= _MOST:
         for leaf in spatial_leaves(found.proof):
-            yield from _leaf_lines(found.wrench, leaf)
+            yield from _leaf_lines(found, leaf)
 
 
 def _proof_lines(verdict: Verdict, path: str | None) -> Iterator[str]:
     """Yield the cases of the proof of a "no" if they are few, else the number of its leaves."""
     found = list(parts(verdict.proof))
-    cases = _cases(found)
+    names = verdict.grasp.point_names
+    cases = _cases(found, names)
     if not 0 < len(cases) <= _MOST:
         where = f", in {path}" if path else "; --certificate OUT.json writes it"
         yield f"proof: {counted(len(found), 'leaf', 'leaves')}{where}"
@@ -121,12 +132,12 @@ def _proof_lines(verdict: Verdict, path: str | None) -> Iterator[str]:
             f"  {where}on the virtual motion {vector(together[0].leaf.motion)} the load does work "
             f"{number(done.load)}, the contacts at least {number(done.least)}"
         )
-        for i, factor in enumerate(done.factors, 1):
+        for i, factor in enumerate(done.factors):
             work = "none" if factor is None else f"at least {number(factor)} times its normal force"
-            yield f"    contact {i}  {work}"
+            yield f"    {names[i]}  {work}"
 
 
-def _cases(found: list[ClosedPart]) -> dict[str, list[ClosedPart]]:
+def _cases(found: list[ClosedPart], names: Sequence[str]) -> dict[str, list[ClosedPart]]:
     """Return the parts by conditions in words; none if they cannot be told in signs and states.
 
     Orthants with one virtual motion are one case if they fill the part with their common signs.
@@ -144,16 +155,17 @@ def _cases(found: list[ClosedPart]) -> dict[str, list[ClosedPart]]:
             words += [f"{name} {'>=' if max(signs) > 0 else '<='} 0"] if len(signs) == 1 else []
         if len(together) != (1 if len(together[0].region) == 7 else 2 ** (3 - len(words))):
             return {}
-        words += [f"contact {i + 1} {state}" for i, state in states]
+        words += [f"{names[i]} {state}" for i, state in states]
         cases[f"{', '.join(words)}: " if words else ""] = together
     return cases
 
 
-def _leaf_lines(wrench: RationalVector, leaf: SpatialLeaf) -> Iterator[str]:
-    states = ", ".join(f"contact {i + 1} {words}" for i, words in sorted(leaf.states.items()))
+def _leaf_lines(verdict: Verdict, leaf: SpatialLeaf) -> Iterator[str]:
+    names = verdict.grasp.point_names
+    states = ", ".join(f"{names[i]} {words}" for i, words in sorted(leaf.states.items()))
     yield f"  {states or 'for all contact forces'}:"
     yield f"    on the virtual motion {vector(leaf.motion)} the load does work"
-    work = number(dot(wrench, leaf.motion))
+    work = number(dot(verdict.wrench, leaf.motion))
     yield f"    {work}, and all contacts together at least {number(leaf.least)}"
 
 

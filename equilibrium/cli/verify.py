@@ -12,6 +12,7 @@ from arrangement.console.safe_text import printable
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.displacement import displacement_words, read_displacement
 from equilibrium.model.errors import GraspError
+from equilibrium.model.solution import numbering_words
 
 from .arguments import (
     add_applied,
@@ -48,14 +49,17 @@ def add_command_verify(commands: Any) -> None:
 
 def _verify(arguments: argparse.Namespace) -> int:
     check = _by_verified_checker if arguments.verified else _by_python_checker
-    report = check(arguments, _question(arguments))
+    question = _question(arguments)
+    report = check(arguments, question)
     document = report.to_dict()
     # The verified checker counts no leaves, and what came on stdin only it has read.
     unread = arguments.verified and arguments.certificate == "-"
     for name in ("leaves",) * arguments.verified + ("wrench", "grasp") * unread:
         del document[name]
     document["checker"] = "proved" if arguments.verified else "python"
-    lines = _lines(report, "verified" if arguments.verified else "Python", known=not unread)
+    lines = list(_lines(report, "verified" if arguments.verified else "Python", known=not unread))
+    if words := numbering_words(getattr(question and question[0], "groups", ())):
+        lines.append(words)
     return show(arguments, document, lines, bool(report), report.grasp)
 
 

@@ -53,17 +53,18 @@ def corners(found: Any, bounds: Bounds, decide: Any) -> Iterator[Grasp]:
         decide: returns the verdict on a grasp and a wrench, None where it is undecided.
     """
     known = {found.grasp}
-    for shares in _shares(found, decide):
-        pairs = zip(found.grasp, shares, strict=True)
-        grasp = Grasp(moved(contact, row, bounds) for contact, row in pairs)
+    whole = found.grasp.joined()
+    for shares in _shares(found, whole, decide):
+        pairs = zip(whole, shares, strict=True)
+        grasp = found.grasp.spread(moved(contact, row, bounds) for contact, row in pairs)
         if grasp not in known:
             known.add(grasp)
             yield grasp
 
 
-def _shares(found: Any, decide: Any) -> Iterator[list[list[float]]]:
-    """Yield the shares for `moved` of all contacts."""
-    grasp, most = found.grasp, 1 if found.verdict == RESISTED else -1
+def _shares(found: Any, grasp: Grasp, decide: Any) -> Iterator[list[list[float]]]:
+    """Yield the shares for `moved` of all contacts, of which a pad is one."""
+    most = 1 if found.verdict == RESISTED else -1
     turns, size = 2 * grasp.dimension - 1, 2 * grasp.dimension + 2
     for end in (-most, most):
         yield [[0.0] * turns + [end] * (size - turns) for _ in grasp]

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations, islice
 from typing import Any, NamedTuple
@@ -21,7 +22,8 @@ from arrangement.numbers.exact import RationalVector, to_text
 from arrangement.numbers.float_filter import Floats
 from equilibrium.certificate.document import Certificate, certificate
 from equilibrium.certificate.robust import Holding, virtual_motion_problem
-from equilibrium.certificate.uncertain import Bounds
+from equilibrium.certificate.uncertain import Bounds, root
+from equilibrium.model.contact import radius_squared
 from equilibrium.model.grasp import Grasp
 from equilibrium.plane.states.equilibrium import equilibrium_of
 from equilibrium.plane.states.state_system import state_system
@@ -50,7 +52,7 @@ def proof_for_all(
 
     That of a yes is about springs: there is none where a contact has stiffness 0.
     """
-    grasp, wrench = found.grasp, found.wrench
+    grasp, wrench, bounds = found.grasp, found.wrench, _of_points(found.grasp, bounds)
     if found.verdict == RESISTED:
         if not all(contact.stiffness for contact in grasp):
             return None
@@ -66,6 +68,7 @@ def standing_proof(found: Any, bounds: Bounds, weakest: Any) -> Certificate | No
     In the plane it is looked for where no contact slips. It may have no room in friction cones.
     """
     grasp, wrench, at = found.grasp, found.wrench, weakest.solution
+    bounds = _of_points(grasp, bounds)
     if at is None or at.box is not None or len(grasp) > MAX_STANDING_CONTACTS:
         return None
     if grasp.dimension == 2:
@@ -79,6 +82,15 @@ def standing_proof(found: Any, bounds: Bounds, weakest: Any) -> Certificate | No
     if held.problem(zeros, Fraction(0)):
         return None
     return _certificate(found, bounds, _parts(held, zeros, Fraction(0)))
+
+
+def _of_points(grasp: Grasp, bounds: Bounds) -> Bounds:
+    """Return bounds of the points of pads, each on its own, when the pads are within bounds.
+
+    A pad that turns moves a point at its edge by its radius times the angle, at most.
+    """
+    radius = root(max(map(radius_squared, grasp.parts), default=Fraction(0)))
+    return replace(bounds, length=bounds.length + radius * bounds.angle) if radius else bounds
 
 
 def _certificate(found: Any, bounds: Bounds, parts: dict[str, Any]) -> Certificate:

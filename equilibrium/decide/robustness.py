@@ -80,7 +80,7 @@ class _OtherGrasps(ReprMixin):
         return {name: self.turned.to_dict(), "change": sizes} | proof
 
     def _turned_lines(self) -> Iterator[str]:
-        for i, c in enumerate(self.turned.grasp, 1):
+        for i, c in enumerate(self.turned.grasp.joined(), 1):
             point, normal = (", ".join(number_text(x, 10) for x in v) for v in (c.point, c.normal))
             friction = number_text(c.friction)
             yield f"    contact {i}  point ({point})  normal ({normal})  friction {friction}"
@@ -196,7 +196,7 @@ def _nearest(
         else:
             low = share
     change = dict.fromkeys(("point", "normal", *VALUES), Fraction(0))
-    for old, new in zip(found.grasp, turned.grasp, strict=True):
+    for old, new in zip(found.grasp.joined(), turned.grasp.joined(), strict=True):
         for name in change:
             one, two = (getattr(c, name) for c in (old, new))
             pairs = [(one, two)] if name in VALUES else zip(one, two, strict=True)
@@ -220,7 +220,7 @@ def _between(one: Grasp, two: Grasp, share: Fraction) -> Grasp:
         return tuple(a + share * (b - a) for a, b in zip(x, y, strict=True))
 
     contacts = []
-    for old, new in zip(one, two, strict=True):
+    for old, new in zip(one.joined(), two.joined(), strict=True):
         normal = old.normal
         if far := max(abs(x - y) for x, y in zip(old.normal, new.normal, strict=True)):
             normal = unit_normal(mixed(old.normal, new.normal), share * far / 1000).normal
@@ -228,7 +228,7 @@ def _between(one: Grasp, two: Grasp, share: Fraction) -> Grasp:
         values = {k: x + share * (y - x) for k, (x, y) in zip(VALUES, pairs, strict=True)}
         place, given = mixed(old.point, new.point), old.stiffness_given
         contacts.append(Contact(place, normal, **values, stiffness_given=given))
-    return Grasp(contacts)
+    return one.spread(contacts)
 
 
 def within_error(found: Any, deadline: Deadline = NO_DEADLINE) -> WithinError:
@@ -283,7 +283,8 @@ def _error_bounds(grasp: Grasp) -> tuple[Bounds, bool]:
     error = grasp.data_error
     if error is None:
         raise GraspError("the grasp was not rounded: it has no data_error")
-    least = {name: min((x for c in grasp if (x := getattr(c, name))), default=1) for name in VALUES}
+    whole = grasp.joined()
+    least = {name: min((x for c in whole if (x := getattr(c, name))), default=1) for name in VALUES}
     wanted = {"degrees": error.angle * 113 * 180 / 355, "length": error.length}
     wanted |= {name: error.value / x for name, x in least.items()}
     given = {

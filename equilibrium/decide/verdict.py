@@ -10,13 +10,12 @@ neither proof may close: then the answer is "undecided".
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from arrangement.console.number_form import counted
 from arrangement.console.plugins import named
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.deadline import Deadline
@@ -38,7 +37,7 @@ from equilibrium.model.errors import (
     TimeLimitError,
 )
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.solution import Open, Outcome, Solution, Tree
+from equilibrium.model.solution import Open, Outcome, Solution, Tree, pad_entries
 from equilibrium.plane.states.contact_states import states_at
 from equilibrium.plane.states.equilibrium import Equilibrium
 
@@ -94,7 +93,7 @@ class Verdict(AnswerMixin):
     }
 
     def __repr__(self) -> str:
-        count = counted(len(self.grasp), "contact") + " in space" * (self.grasp.dimension == 3)
+        count = self.grasp.size_words + " in space" * (self.grasp.dimension == 3)
         cones = pyramid_words(self.pyramid, before=", ")
         return f"<Verdict: {self.verdict}, wrench {vector_text(self.wrench)}, {count}{cones}>"
 
@@ -210,6 +209,9 @@ class Verdict(AnswerMixin):
     def to_dict(self, every: bool | None = None) -> dict[str, Any]:
         """Return a JSON form; exact numbers are strings of rationals.
 
+        Contacts are the points of `grasp`; forces of pads, and where they act, are in "pads", with
+        the numbers of contacts from 1, and of their points from 0.
+
         In space an equilibrium that has no rational numbers is given in floats, with
         ``"exact": false``; the certificate has the box that holds it.
 
@@ -232,9 +234,14 @@ class Verdict(AnswerMixin):
     def _listed(self, every: bool | None) -> dict[str, Any]:
         """Return the equilibria in the plane."""
         if self.lists_all(every) or self.solution is None:
-            return {"stable": self.stable, "equilibria": [x.to_dict() for x in self.equilibria]}
+            listed = [x.to_dict() | self._pads(x.forces) for x in self.equilibria]
+            return {"stable": self.stable, "equilibria": listed}
         shown = {"states": list(self.states), **self.solution.to_dict()}
+        shown |= self._pads(self.solution.forces)
         return {"stable": self.stable, "equilibria": [shown], "complete": False}
+
+    def _pads(self, forces: Sequence[RationalVector], form: Any = to_text) -> dict[str, Any]:
+        return pad_entries(self.grasp.groups, self.grasp.contacts, forces, form)
 
     def _found(self) -> dict[str, Any]:
         """Return what was found in space."""
@@ -247,6 +254,7 @@ class Verdict(AnswerMixin):
                 "motion": list(map(form, self.solution.motion)),
                 "forces": [list(map(form, force)) for force in self.solution.forces],
                 "exact": exact,
+                **self._pads(self.solution.forces, form),
             }
         return (
             document

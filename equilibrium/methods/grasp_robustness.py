@@ -116,10 +116,11 @@ def _bounds(grasp: Grasp) -> Iterator[RobustnessBound]:
 
 
 def _bound(grasp: Grasp, states: tuple[str, ...]) -> RobustnessBound | None:
-    pairs = list(zip(grasp, states, strict=True))
+    pairs = list(zip(grasp.without_pads(), states, strict=True))
     if any(state == "detached" and contact.preload for contact, state in pairs):
         return None
-    held = (c if state == "stick" else replace(c, friction=Fraction(0)) for c, state in pairs)
+    none = Fraction(0)
+    held = (c if state == "stick" else replace(c, friction=none) for c, state in pairs)
     friction = balancing_friction(Grasp(held))
     if friction is None:
         return None

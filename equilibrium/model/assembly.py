@@ -134,6 +134,11 @@ class BodyContact:
                 f"the contact between bodies is {shown(self.contact)}; expected a Contact in the "
                 "plane"
             )
+        if self.contact.share != 1:
+            raise GraspError(
+                f"share is {shown(self.contact.share)}; pads are of one body, so it must be 1 "
+                "between bodies"
+            )
         if self.body_a == self.body_b:
             raise GraspError(
                 f"body_a and body_b are both {shown(self.body_a)}; expected two bodies, or None "

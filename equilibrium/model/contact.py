@@ -7,13 +7,16 @@ by +90 degrees, ``t = (-n_y, n_x)``, ``a x b = a_x b_y - a_y b_x``, and a small 
 tangent. In space a motion is ``d = (v, omega)``, and a contact has two tangents, t and ``n x t``;
 t is given, or is the x axis rotated by the smallest rotation that takes the z axis to n (no turn
 where n is opposite to it).
+
+A pad is several points that are one contact to whoever counts contacts: a flat patch that presses
+with one preload, of which each point has a share. The law knows points alone.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
@@ -29,7 +32,7 @@ from arrangement.numbers.exact import (
     to_text,
     vector_text,
 )
-from arrangement.numbers.linear.rank import cross
+from arrangement.numbers.linear.rank import cross, difference
 from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import coordinates
 from equilibrium.model.unit_normal import unit_normal
@@ -38,7 +41,8 @@ from equilibrium.model.unit_normal import unit_normal
 WRENCH_SIZES = {2: 3, 3: 6}
 #: What a contact has besides its place.
 VALUES = ("friction", "stiffness", "preload")
-_REQUIRED, _OPTIONAL = ("point", "normal", "friction"), ("stiffness", "preload", "tangent")
+_REQUIRED = ("point", "normal", "friction")
+_OPTIONAL = ("stiffness", "preload", "tangent", "share")
 
 #: Why a grasp in space is refused by what knows the plane only.
 IN_SPACE = (
@@ -56,15 +60,18 @@ class Contact(ReprMixin):
         point: contact point p (length), two coordinates in the plane or three in space.
         normal: exactly unit, rational, pointing into the object; see `unit_normal`.
         friction: Coulomb coefficient, at least 0.
-        stiffness: of the normal spring (force per length), at least 0; if omitted, 1. With 0, in
-            the plane, the contact presses with its preload wherever the object moves, as a
-            force-controlled finger does.
+        stiffness: of the normal spring (force per length), at least 0; if omitted, 1, for a point
+            of a pad its share of 1. With 0, in the plane, the contact presses with its preload
+            wherever the object moves, as a force-controlled finger does.
         preload: spring force at d = 0, at least 0.
         tangent: in space it may be chosen, exactly unit and at a right angle to the normal: the
             edges of friction pyramids and the planes of slip states start from it. In the plane
             it follows from the normal, whatever is given.
         stiffness_given: whether the stiffness is one of the data, not the default; no comparison
             looks at it.
+        share: of the preload of a pad, for one of its points: neighbours whose shares add up to 1
+            are one contact, see `Grasp.groups`. The law is about points, so no comparison looks at
+            it. 1, for a contact of its own.
 
     Raises:
         GraspError: a normal that is not unit, or a number out of range.
@@ -81,6 +88,7 @@ class Contact(ReprMixin):
     preload: Fraction = Fraction(0)
     tangent: RationalVector = ()
     stiffness_given: bool = field(default=False, compare=False)
+    share: Fraction = field(default=Fraction(1), compare=False)
 
     def __init__(
         self,
@@ -91,6 +99,7 @@ class Contact(ReprMixin):
         preload: Any = 0,
         tangent: Iterable[Any] | None = None,
         stiffness_given: bool | None = None,
+        share: Any = 1,
     ) -> None:
         place, inward = coordinates(point, "point"), _unit(normal)
         if len(place) != len(inward):
@@ -98,7 +107,8 @@ class Contact(ReprMixin):
                 f"point has {len(place)} coordinates and normal has {len(inward)}; give two for "
                 "both, in the plane, or three, in space"
             )
-        spring = rational(1 if stiffness is None else stiffness, "stiffness")
+        part = rational(share, "share")
+        spring = part if stiffness is None else rational(stiffness, "stiffness")
         if stiffness_given is None:
             stiffness_given = stiffness is not None
         values = {
@@ -111,10 +121,13 @@ class Contact(ReprMixin):
             if tangent is None or len(inward) == 2
             else _checked_tangent(inward, tangent),
             # Copies with another stiffness repeat the mark of the contact that they come from.
-            "stiffness_given": stiffness_given or spring != 1,
+            "stiffness_given": stiffness_given or spring != part,
+            "share": part,
         }
         for name, value in values.items():
             object.__setattr__(self, name, value)
+        if not 0 < part <= 1:
+            raise GraspError(f"share is {shown(part)}; it must be above 0 and at most 1")
         for name in ("friction", "preload"):
             if getattr(self, name) < 0:
                 raise GraspError(f"{name} is {shown(getattr(self, name))}; it must be at least 0")
@@ -180,6 +193,8 @@ class Contact(ReprMixin):
         vectors = {name: list(map(to_text, getattr(self, name))) for name in names}
         left_out = () if self.stiffness_given else ("stiffness",)
         values = {name: to_text(getattr(self, name)) for name in VALUES if name not in left_out}
+        if self.share != 1:
+            values["share"] = to_text(self.share)
         return vectors | values
 
 
@@ -236,6 +251,121 @@ def wrench_at(point: RationalVector, force: RationalVector) -> RationalVector:
     if len(point) == 3:
         return (*force, *cross(point, force))
     return (force[0], force[1], point[0] * force[1] - point[1] * force[0])
+
+
+#: What the points of a pad have in common.
+_COMMON = ("normal", "tangent", "friction")
+
+
+def groups_of(contacts: Sequence[Contact]) -> tuple[range, ...]:
+    """Return the points of each contact: one, or neighbours whose shares add up to 1.
+
+    Raises:
+        GraspError: shares that do not add up to 1, or points that are not one flat pad.
+    """
+    found, start, total = [], 0, Fraction(0)
+    for i, contact in enumerate(contacts):
+        total += contact.share
+        if total == 1:
+            found.append(range(start, i + 1))
+            start, total = i + 1, Fraction(0)
+        elif total > 1:
+            break
+    if start < len(contacts):
+        raise GraspError(
+            f"the shares of the points of a pad, from contacts[{start}] on, are "
+            f"{', '.join(to_text(c.share) for c in contacts[start : start + 5])}; expected "
+            "neighbours whose shares add up to 1. Leave share out for a contact of its own"
+        )
+    for group in found:
+        first = contacts[group.start]
+        for i in group[1:]:
+            away = difference(contacts[i].point, first.point)
+            other = [x for x in _COMMON if getattr(contacts[i], x) != getattr(first, x)]
+            if other or dot(away, first.normal):
+                raise GraspError(
+                    f"contacts[{i}] and contacts[{group.start}] are points of one pad; expected "
+                    f"the same {other[0] if other else 'height along the normal'}"
+                )
+    return tuple(found)
+
+
+def joined(points: Sequence[Contact]) -> Contact:
+    """Return the contact that stands for the points of a pad: in its middle, with their sums."""
+    if len(points) == 1:
+        return points[0]
+    columns = zip(*(c.point for c in points), strict=True)
+    return replace(
+        points[0],
+        point=tuple(Fraction(dot([c.share for c in points], column)) for column in columns),
+        stiffness=sum((c.stiffness for c in points), Fraction(0)),
+        preload=sum((c.preload for c in points), Fraction(0)),
+        share=Fraction(1),
+    )
+
+
+def spread(points: Sequence[Contact], moved: Contact) -> tuple[Contact, ...]:
+    """Return the points of a pad after its contact (see `joined`) has moved and turned, as a body.
+
+    Args:
+        moved: with what the whole pad has; each point gets its share.
+    """
+    if len(points) == 1:
+        return (moved,)
+    old = joined(points)
+    middle = tuple(x + y for x, y in zip(old.normal, moved.normal, strict=True))
+    found = []
+    for c in points:
+        away = difference(c.point, old.point)
+        # The smallest rotation that takes the old normal to the new one.
+        turn = dot(moved.normal, away) / (1 + dot(old.normal, moved.normal))
+        place = (p + a - turn * m for p, a, m in zip(moved.point, away, middle, strict=True))
+        found.append(
+            replace(
+                moved,
+                point=tuple(place),
+                stiffness=_shared(c, old, moved, "stiffness"),
+                preload=_shared(c, old, moved, "preload"),
+                share=c.share,
+            )
+        )
+    return tuple(found)
+
+
+def _shared(point: Contact, old: Contact, new: Contact, name: str) -> Fraction:
+    """Return what a point gets of a value of its pad: as large a part as it had."""
+    whole = getattr(old, name)
+    part = getattr(point, name) / whole if whole else point.share
+    return Fraction(part * getattr(new, name))
+
+
+def radius_squared(points: Sequence[Contact]) -> Fraction:
+    """Return the square of the largest distance of a point from the middle of its pad."""
+    middle = joined(points).point
+    aways = (difference(c.point, middle) for c in points)
+    return max((Fraction(dot(away, away)) for away in aways), default=Fraction(0))
+
+
+def radius_text(points: Sequence[Contact]) -> str:
+    """Return the radius of a pad, exactly where it is rational."""
+    square = radius_squared(points)
+    root = Fraction(math.isqrt(square.numerator), math.isqrt(square.denominator))
+    return number_text(root) if root**2 == square else f"{math.sqrt(square):.6g}"
+
+
+def contact_words(points: Sequence[Contact]) -> str:
+    """Return place, normal and values of a contact, of a pad with its radius."""
+    if len(points) == 1:
+        return points[0].words
+    return f"{joined(points).words}, pad of radius {radius_text(points)}"
+
+
+def contact_entry(points: Sequence[Contact]) -> dict[str, Any]:
+    """Return the JSON form of a contact; that of a pad has its sums, and its points."""
+    whole = joined(points).to_dict()
+    if len(points) > 1:
+        whole["points"] = [point.to_dict() for point in points]
+    return whole
 
 
 #: Largest tangent of the angle between an edge and where a regular polygon has it.

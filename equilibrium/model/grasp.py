@@ -19,10 +19,19 @@ from arrangement.errors import HintsMixin
 from arrangement.library.arguments import entries
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers import budget
-from arrangement.numbers.exact import RationalVector, dot, rational_vector, shown
+from arrangement.numbers.exact import RationalVector, dot, rational, rational_vector, shown
 from arrangement.numbers.linear.rank import cross
 
-from .contact import IN_SPACE, WRENCH_SIZES, Contact, contact_of, wrench_at
+from .contact import (
+    IN_SPACE,
+    WRENCH_SIZES,
+    Contact,
+    contact_of,
+    groups_of,
+    joined,
+    spread,
+    wrench_at,
+)
 from .errors import GraspError
 from .labels import DataError, Units
 from .outline import Circle, Mesh, Outline, Polygon, coordinates, read_outline
@@ -50,7 +59,7 @@ class Grasp(HintsMixin):
     None is allowed too, and is a grasp in the plane.
 
     Attributes:
-        contacts: in the order given.
+        contacts: in the order given; a pad is several of them, its points, see `groups`.
         units: what the numbers are measured in, if stated; a label that no comparison looks at.
         outline: the shape of the object, if stated; pictures show it as it is given, and no
             comparison or decision looks at it.
@@ -103,6 +112,7 @@ class Grasp(HintsMixin):
                     f"{name} is in {_PLACES[dimension]}, and contacts[0] in "
                     f"{_PLACES[dimensions[0]]}; a grasp has two coordinates everywhere, or three"
                 )
+        groups_of(listed)
         object.__setattr__(self, "contacts", listed)
         object.__setattr__(self, "units", units)
         object.__setattr__(self, "outline", outline)
@@ -117,14 +127,84 @@ class Grasp(HintsMixin):
         return self._hash
 
     def __repr__(self) -> str:
-        number = counted(len(self), "contact")
-        return f"<Grasp: {number}>"
+        return f"<Grasp: {self.size_words}>"
 
     def __len__(self) -> int:
         return len(self.contacts)
 
     def __iter__(self) -> Iterator[Contact]:
         return iter(self.contacts)
+
+    @cached_property
+    def groups(self) -> tuple[range, ...]:
+        """Where the points of each contact are among `contacts`: one, of a pad several.
+
+        A pad is one contact wherever contacts are counted or numbered.
+
+        >>> halves = [Contact([x, 0], [0, 1], 1, share="1/2") for x in (0, 1)]
+        >>> Grasp([*halves, Contact([0, 1], [0, -1], 1)]).groups
+        (range(0, 2), range(2, 3))
+        """
+        return groups_of(self.contacts)
+
+    @cached_property
+    def parts(self) -> tuple[tuple[Contact, ...], ...]:
+        """The points of each contact, by `groups`."""
+        return tuple(self.contacts[group.start : group.stop] for group in self.groups)
+
+    @property
+    def has_pads(self) -> bool:
+        """Whether some contact is a pad, of several points."""
+        return len(self.groups) < len(self.contacts)
+
+    @property
+    def size_words(self) -> str:
+        """The number of contacts in words; with pads, that of points, too."""
+        points = f" ({counted(len(self), 'point')})" if self.has_pads else ""
+        return counted(len(self.groups), "contact") + points
+
+    @cached_property
+    def point_names(self) -> tuple[str, ...]:
+        """The names of `contacts`: "contact 1", or of the points of a pad "contact 1, point 2"."""
+        return tuple(
+            f"contact {k}" + (f", point {j}" if len(group) > 1 else "")
+            for k, group in enumerate(self.groups, 1)
+            for j in range(1, len(group) + 1)
+        )
+
+    def points_of(self, numbers: Iterable[int]) -> frozenset[int]:
+        """Return the places in `contacts` of the points of contacts by their numbers, from 1.
+
+        Raises:
+            GraspError: no such contact.
+        """
+        chosen = sorted({*numbers})
+        if not {*chosen} <= {*range(1, len(self.groups) + 1)}:
+            raise GraspError(
+                f"contacts are {shown(chosen)}; expected numbers of contacts from 1 to "
+                f"{len(self.groups)}"
+            )
+        return frozenset(i for k in chosen for i in self.groups[k - 1])
+
+    def joined(self) -> Grasp:
+        """Return the grasp with each pad as one contact in its middle."""
+        if not self.has_pads:
+            return self
+        return replace(self, contacts=tuple(map(joined, self.parts)))
+
+    def without_pads(self) -> Grasp:
+        """Return the grasp with each point of a pad as a contact of its own."""
+        one = Fraction(1)
+        return replace(self, contacts=tuple(replace(contact, share=one) for contact in self))
+
+    def spread(self, moved: Iterable[Contact]) -> Grasp:
+        """Return the grasp after its contacts, as `joined` has them, have changed.
+
+        Args:
+            moved: one contact for each of `groups`; points of a pad move and turn with it.
+        """
+        pairs = zip(self.parts, moved, strict=True)
+        return Grasp(c for points, contact in pairs for c in spread(points, contact))
 
     @property
     def dimension(self) -> int:
@@ -170,6 +250,7 @@ class Grasp(HintsMixin):
                     c.preload,
                     (*c.tangent, zero),
                     c.stiffness_given,
+                    c.share,
                 )
                 for c in self
             ),
@@ -201,16 +282,29 @@ class Grasp(HintsMixin):
             axes=MOTIONS,
         )
 
-    def with_preload(self, preload: Any) -> Grasp:
-        """Return the same grasp with one preload at every contact."""
-        return self._with_each(preload=preload)
+    def with_preload(self, preload: Any, contacts: Iterable[int] | None = None) -> Grasp:
+        """Return the same grasp with one preload at every contact, which a pad shares out.
+
+        Args:
+            contacts: numbers, from 1, of those that get it; the others keep their own.
+
+        Raises:
+            GraspError: no such contact.
+        """
+        whole = rational(preload, "preload")
+        every = range(1, len(self.groups) + 1) if contacts is None else contacts
+        chosen = self.points_of(every)
+        return replace(
+            self,
+            contacts=tuple(
+                replace(c, preload=c.share * whole) if i in chosen else c
+                for i, c in enumerate(self)
+            ),
+        )
 
     def with_friction(self, friction: Any) -> Grasp:
         """Return the same grasp with one friction coefficient at every contact."""
-        return self._with_each(friction=friction)
-
-    def _with_each(self, **values: Any) -> Grasp:
-        return replace(self, contacts=tuple(replace(contact, **values) for contact in self))
+        return replace(self, contacts=tuple(replace(c, friction=friction) for c in self))
 
     def with_units(self, length: str, force: str) -> Grasp:
         """Return the same grasp with its units stated; no number changes."""
@@ -271,8 +365,8 @@ class Grasp(HintsMixin):
     def from_dict(cls, document: Mapping[str, Any]) -> Grasp:
         """Return the grasp of a document with exactly the keys of `to_dict`.
 
-        In a contact, stiffness (1) and preload (0) may be omitted; in the grasp, units,
-        outline and data_error.
+        In a contact, stiffness (1), preload (0) and share (1) may be omitted; in the grasp,
+        units, outline and data_error.
 
         Raises:
             InputError: unknown or missing keys, an unknown schema version, wrong types.

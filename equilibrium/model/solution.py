@@ -1,12 +1,20 @@
-"""What a search ends with: an equilibrium, exact or enclosed in a box; a proof; or neither."""
+"""What a search ends with: an equilibrium, exact or enclosed in a box; a proof; or neither.
+
+Forces are those of points; `PadForce` is that of a pad.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.console.number_form import JsonMixin, counted
-from arrangement.numbers.exact import RationalVector, vector_text
+from arrangement.numbers.exact import RationalVector, dot, to_text, vector_text
+from arrangement.numbers.linear.rank import cross, difference
+
+from .contact import Contact
 
 
 class Enclosure(NamedTuple):
@@ -52,6 +60,86 @@ class Solution(JsonMixin):
         return (
             f"<Solution: motion {vector_text(self.motion)}, {counted(len(self.forces), 'force')}>"
         )
+
+
+@dataclass(frozen=True)
+class PadForce:
+    """The force of a pad: the sum of those of its points, and where it acts.
+
+    Attributes:
+        force: along the normal and the tangents.
+        at: the place of the pad where the normal forces have no moment; none where it is detached.
+        torsion: in space, the torque of friction about the normal there.
+    """
+
+    force: RationalVector
+    at: RationalVector
+    torsion: Fraction
+
+    @classmethod
+    def of(cls, points: Sequence[Contact], forces: Sequence[RationalVector]) -> PadForce:
+        """Return the force of a pad whose points press like this."""
+        force = tuple(sum(column, Fraction(0)) for column in zip(*forces, strict=True))
+        if not force[0]:
+            return cls(force, (), Fraction(0))
+        columns = zip(*(c.point for c in points), strict=True)
+        at = tuple(Fraction(dot([f[0] for f in forces], x)) / force[0] for x in columns)
+        torsion = Fraction(0)
+        if len(at) == 3:
+            pairs = zip(points, forces, strict=True)
+            rubs = ((c, c.force((Fraction(0), *f[1:]))) for c, f in pairs)
+            torques = (cross(difference(c.point, at), rub) for c, rub in rubs)
+            torsion = sum((Fraction(dot(points[0].normal, x)) for x in torques), torsion)
+        return cls(force, at, torsion)
+
+    def to_dict(self, form: Any = to_text) -> dict[str, Any]:
+        """Return a JSON form.
+
+        Args:
+            form: of a number.
+        """
+        found: dict[str, Any] = {"force": list(map(form, self.force))}
+        if self.at:
+            found["at"] = list(map(form, self.at))
+        if len(self.at) == 3:
+            found["torsion"] = form(self.torsion)
+        return found
+
+
+def numbering_words(groups: Sequence[range]) -> str:
+    """Return how a certificate, which is about points, numbers them; empty without pads."""
+    if all(len(group) == 1 for group in groups):
+        return ""
+    places = (
+        f"contact {k} is {g.start + 1}" + (f" to {g.stop}" if len(g) > 1 else "")
+        for k, g in enumerate(groups, 1)
+    )
+    return f"the certificate is about points, which it numbers as contacts: {', '.join(places)}"
+
+
+def pad_entries(
+    groups: Sequence[range],
+    contacts: Sequence[Contact],
+    forces: Sequence[RationalVector],
+    form: Any = to_text,
+) -> dict[str, Any]:
+    """Return the JSON form of the forces of pads, by the key "pads"; nothing where there is none.
+
+    Args:
+        form: of a number.
+    """
+    found = [
+        {
+            "contact": k,
+            "points": list(group),
+            **PadForce.of(
+                contacts[group.start : group.stop], forces[group.start : group.stop]
+            ).to_dict(form),
+        }
+        for k, group in enumerate(groups, 1)
+        if len(group) > 1
+    ]
+    return {"pads": found} if found else {}
 
 
 @dataclass(frozen=True)

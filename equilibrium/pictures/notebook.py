@@ -36,6 +36,7 @@ def verdict_html(verdict: Verdict) -> str:
     if verdict.doubt:
         head += f"<p><b>{escape(verdict.doubt)}</b>; for the rounded data:</p>"
     tables = ""
+    names = [name.removeprefix("contact ") for name in verdict.grasp.point_names]
     if not verdict.decided:
         note = escape(verdict.reason)
     elif verdict.solution is None:
@@ -43,14 +44,14 @@ def verdict_html(verdict: Verdict) -> str:
     elif verdict.lists_all():
         found = verdict.equilibria
         note = counted(len(found), "equilibrium", "equilibria")
-        tables = "".join(_table(x.states, x, _freedom(x)) for x in found[:MOST_PIECES])
+        tables = "".join(_table(names, x.states, x, _freedom(x)) for x in found[:MOST_PIECES])
         more = len(found) - MOST_PIECES
         tables += f"<p>and {more} more</p>" if more > 0 else ""
     else:
         note = "one equilibrium, and there may be others"
         if verdict.solution.box is not None:
             note = "exactly one equilibrium lies in a box around this one"
-        tables = _table(verdict.states, verdict.solution)
+        tables = _table(names, verdict.states, verdict.solution)
     answer = f"<b>{verdict.verdict}</b> under w = {_vector(verdict.wrench)}: {note}"
     return f"<div>{head}<p>{answer}</p>{tables}</div>"
 
@@ -60,12 +61,14 @@ def grasp_svg(grasp: Grasp) -> str | None:
     return svg_text(lambda: draw_grasp(grasp))
 
 
-def _table(states: Iterable[str], found: Equilibrium | Solution, freedom: str = "") -> str:
+def _table(
+    names: Iterable[str], states: Iterable[str], found: Equilibrium | Solution, freedom: str = ""
+) -> str:
     head = "<tr><th>contact</th><th>state</th><th>c<sub>n</sub></th><th>c<sub>t</sub></th></tr>"
     rows = "".join(
-        f"<tr><td>{i}</td><td>{escape(state)}</td><td>{_number(c_n)}</td>"
+        f"<tr><td>{name}</td><td>{escape(state)}</td><td>{_number(c_n)}</td>"
         f"<td>{', '.join(map(_number, c_t))}</td></tr>"
-        for i, (state, (c_n, *c_t)) in enumerate(zip(states, found.forces, strict=True), 1)
+        for name, state, (c_n, *c_t) in zip(names, states, found.forces, strict=True)
     )
     caption = f"d = {_vector(found.motion)}{freedom}"
     return f"<table><caption>{caption}</caption><thead>{head}</thead><tbody>{rows}</tbody></table>"

@@ -9,7 +9,7 @@ w / p, if no range bounds motions and forces.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from itertools import product
@@ -128,7 +128,8 @@ class Preloads(JsonMixin):
 
     Attributes:
         wrenches: resisted, each of them.
-        contacts: numbers, from 1, of those whose preload is p; the others keep their own.
+        contacts: numbers, from 1, of those whose preload is p, which a pad shares out; the others
+            keep their own.
         intervals: disjoint, closed, increasing; an upper end None means unbounded.
     """
 
@@ -170,7 +171,7 @@ def sufficient_preloads(grasp: Grasp | Solver, wrench: Any) -> Preloads:
         )
         if found := interval_between(*systems):
             parts.append(found)
-    return Preloads((w,), tuple(range(1, len(given) + 1)), union(parts))
+    return Preloads((w,), tuple(range(1, len(given.groups) + 1)), union(parts))
 
 
 def chosen_preloads(
@@ -178,9 +179,9 @@ def chosen_preloads(
 ) -> Preloads:
     """Return all p >= 0 with which chosen contacts make a grasp resist every wrench, exactly.
 
-    Each chosen contact has the preload p, and the others keep their own. Motions and p together
-    are a space of four dimensions, in which the planes of the contacts have cells; on each choice
-    of contact states that a cell has, the p that resist a wrench are one interval.
+    Each chosen contact has the preload p, a pad in all, and the others keep their own. Motions and
+    p together are a space of four dimensions, in which the planes of the contacts have cells; on
+    each choice of contact states that a cell has, the p that resist a wrench are one interval.
 
     Args:
         contacts: their numbers, from 1.
@@ -200,21 +201,12 @@ def chosen_preloads(
     given.require_plane()
     loads = tuple(read_wrench(w) for w in wrenches)
     chosen = tuple(sorted({*contacts}))
-    if not loads or not chosen or not {*chosen} <= {*range(1, len(given) + 1)}:
+    if not loads or not chosen:
         raise GraspError(
             f"contacts are {shown(list(chosen))} and wrenches {len(loads)}; expected at least one "
-            f"wrench, and numbers of contacts from 1 to {len(given)}"
+            f"wrench, and numbers of contacts from 1 to {len(given.groups)}"
         )
-    unloaded, loaded = (
-        replace(
-            given,
-            contacts=tuple(
-                replace(c, preload=Fraction(p)) if i in chosen else c
-                for i, c in enumerate(given, 1)
-            ),
-        )
-        for p in (0, 1)
-    )
+    unloaded, loaded = (given.with_preload(p, chosen) for p in (0, 1))
     many = most_faces(2 * len(given), 4, False)
     budget.check_cost(
         f"contact states of {len(given)} contacts with a free preload",

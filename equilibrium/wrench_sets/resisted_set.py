@@ -287,11 +287,14 @@ class ResistedSet(HintsMixin, JsonMixin):
         Fraction(3, 1)
         """
         solver = self._of_grasp()
-        every = range(1, len(solver.grasp) + 1) if contacts is None else contacts
+        every = range(1, len(solver.grasp.groups) + 1) if contacts is None else contacts
         return chosen_preloads(solver, wrenches, every)
 
     def with_contact(self, candidates: Iterable[Contact]) -> tuple[ResistedSet, ...]:
         """Return for each candidate the set that the grasp resists with it as one more contact.
+
+        Args:
+            candidates: contacts, or a grasp with them, of which a pad is one.
 
         >>> from equilibrium import Contact, ResistedSet, read_grasp
         >>> thumb = Contact([0, 1], [0, -1], "1/2")
@@ -302,11 +305,11 @@ class ResistedSet(HintsMixin, JsonMixin):
         bound, pyramid, grasp = self.max_displacement, self.pyramid, self._of_grasp().grasp
         return tuple(
             ResistedSet(
-                replace(grasp, contacts=(*grasp, candidate)),
+                replace(grasp, contacts=(*grasp, *points)),
                 max_displacement=bound,
                 pyramid=pyramid,
             )
-            for candidate in candidates
+            for points in Grasp(candidates).parts
         )
 
     def smallest_outside(

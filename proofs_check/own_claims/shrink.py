@@ -125,11 +125,12 @@ def _smaller_rows(row: IntegerVector) -> list[IntegerVector]:
 
 def _grasp_steps(grasp: Grasp) -> Iterator[Grasp]:
     contacts = grasp.contacts
-    for i in range(len(contacts)):
-        yield Grasp([*contacts[:i], *contacts[i + 1 :]])
-    for i, contact in enumerate(contacts):
+    for group in grasp.groups:
+        yield Grasp([*contacts[: group.start], *contacts[group.stop :]])
+    whole = grasp.joined().contacts
+    for k, contact in enumerate(whole):
         for smaller in _smaller_contacts(contact):
-            yield Grasp([*contacts[:i], smaller, *contacts[i + 1 :]])
+            yield grasp.spread([*whole[:k], smaller, *whole[k + 1 :]])
 
 
 def _smaller_contacts(contact: Contact) -> list[Contact]:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import chain
 from typing import Any, NamedTuple
 
 from arrangement.library.arguments import is_listed
@@ -20,7 +21,7 @@ from arrangement.numbers.exact import (
     to_text,
     vector_text,
 )
-from equilibrium.model.contact import VALUES, Contact
+from equilibrium.model.contact import VALUES, Contact, joined, radius_text
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Outline
@@ -90,6 +91,24 @@ class Conversion:
     def exact(self) -> bool:
         """Whether nothing was rounded."""
         return not (any(self.point_errors) or any(self.angle_errors) or self.value_error)
+
+    def of_points(self, points: Grasp, groups: Sequence[Sequence[Any]]) -> Conversion:
+        """Return the conversion with the points of each contact in its place.
+
+        Args:
+            groups: for each contact its points.
+        """
+
+        def repeated(errors: RationalVector) -> RationalVector:
+            pairs = zip(errors, groups, strict=True) if errors else ()
+            return tuple(x for x, group in pairs for _ in group)
+
+        return replace(
+            self,
+            grasp=replace(self.grasp, contacts=points.contacts),
+            point_errors=repeated(self.point_errors),
+            angle_errors=repeated(self.angle_errors),
+        )
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form: the grasp file, and the errors as strings of rationals."""
@@ -242,42 +261,39 @@ def completed(found: Conversion, extras: Sequence[Mapping[str, Any]]) -> Convers
         for i, entry in enumerate(extras, 1)
     ]
     if not any(any(entry.values()) for entry in values):
-        return found
-    contacts: list[Contact] = []
-    places: list[int] = []
-    remarks = []
+        return replace(found, remarks=_pad_remarks(found.grasp))
+    parts: list[list[Contact]] = []
     pull = [Fraction(0)] * found.grasp.wrench_size
-    for i, (contact, entry) in enumerate(zip(found.grasp, values, strict=True)):
+    for contact, entry in zip(found.grasp, values, strict=True):
         radius, stuck = entry.get("pad", Fraction(0)), entry.get("adhesion", Fraction(0))
         pull = [x - stuck * n for x, n in zip(pull, contact.normal_wrench, strict=True)]
-        many = [*_pad(contact, radius)] if radius else [contact]
-        contacts += many
-        places += [i] * len(many)
-        if radius:
-            remarks.append(
-                f"contact {i + 1}: {len(many)} points stand for an evenly pressed flat pad of "
-                f"radius {number_text(radius)}, with shares of stiffness "
-                f"{number_text(contact.stiffness)}{'' if contact.stiffness_given else ' (assumed)'}"
-                " and of the preload; each point has friction of its own"
-            )
+        parts.append([*_pad(contact, radius)] if radius else [contact])
+    found = found.of_points(Grasp(chain.from_iterable(parts)), parts)
+    remarks = [*_pad_remarks(found.grasp)]
     if any(pull):
         remarks.append(f"adhesion acts as the wrench {vector_text(pull)} besides every load")
-    point_errors, angle_errors = (
-        tuple(errors[i] for i in places) if errors else ()
-        for errors in (found.point_errors, found.angle_errors)
-    )
-    return replace(
-        found,
-        grasp=replace(found.grasp, contacts=tuple(contacts)),
-        point_errors=point_errors,
-        angle_errors=angle_errors,
-        kept=found.kept if len(contacts) == len(found.grasp) else (),
-        pull=tuple(pull) if any(pull) else (),
-        remarks=tuple(remarks),
-    )
+    return replace(found, pull=tuple(pull) if any(pull) else (), remarks=tuple(remarks))
+
+
+def _pad_remarks(grasp: Grasp) -> tuple[str, ...]:
+    """Return what stands for each pad of a grasp, in words."""
+    found = []
+    for k, points in enumerate(grasp.parts, 1):
+        if len(points) > 1:
+            whole = joined(points)
+            assumed = "" if whole.stiffness_given else " (assumed)"
+            found.append(
+                f"contact {k}: {len(points)} points stand for an evenly pressed flat pad of "
+                f"radius {radius_text(points)}, with shares of stiffness "
+                f"{number_text(whole.stiffness)}{assumed} and of the preload; each point has "
+                "friction of its own"
+            )
+    return tuple(found)
 
 
 def _pad(contact: Contact, radius: Fraction) -> Iterator[Contact]:
+    if contact.share != 1:
+        raise GraspError("a contact has pad and share, which one of its points has; keep one")
     for along, share in _PADS[contact.dimension].items():
         point = contact.point
         for step, tangent in zip(along, contact.tangents, strict=True):
@@ -288,7 +304,7 @@ def _pad(contact: Contact, radius: Fraction) -> Iterator[Contact]:
             point=point,
             stiffness=part * contact.stiffness,
             preload=part * contact.preload,
-            stiffness_given=True,
+            share=part,
         )
 
 

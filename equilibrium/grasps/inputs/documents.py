@@ -92,14 +92,16 @@ def read_any(
         for contact, normal in zip(contacts, normals, strict=True)
     ]
     grasp = Grasp.from_dict({**document, "contacts": rounded})
+    whole = grasp.joined()
     found = converted(
-        [(contact.point, Fraction(0)) for contact in grasp],
-        given,
-        [{name: getattr(contact, name) for name in _WITH_MARK} for contact in grasp],
+        [(contact.point, Fraction(0)) for contact in whole],
+        [given[group.start] for group in grasp.groups],
+        [{name: getattr(contact, name) for name in _WITH_MARK} for contact in whole],
         rounding(0, tolerance, angle_tolerance, as_given),
         outline=grasp.outline,
     )
-    return completed(replace(found, grasp=replace(found.grasp, units=grasp.units)), extras)
+    found = replace(found, grasp=replace(found.grasp, units=grasp.units))
+    return completed(found.of_points(grasp.spread(found.grasp), grasp.groups), extras)
 
 
 def read_assembly(source: Source) -> Assembly:

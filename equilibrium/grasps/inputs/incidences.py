@@ -113,7 +113,7 @@ def other_rounding(grasp: Grasp, seed: int) -> Grasp:
     """Return another grasp within the error of the data of a converted one.
 
     Incidences of the grasp stay, unless its data were taken as given; so do numbers that are 0
-    among friction and preload.
+    among friction and preload. A pad is one contact, whose points move with it.
 
     Raises:
         GraspError: the grasp has no `data_error`.
@@ -121,7 +121,8 @@ def other_rounding(grasp: Grasp, seed: int) -> Grasp:
     error = grasp.data_error
     if error is None:
         raise GraspError("the grasp was not rounded: it has no data_error")
-    points, normals = [c.point for c in grasp], [c.normal for c in grasp]
+    whole = grasp.joined()
+    points, normals = [c.point for c in whole], [c.normal for c in whole]
     # What holds exactly is found again within the error of floats.
     size = max((abs(x) for point in points for x in point), default=Fraction(0))
     least = size / 10**12
@@ -136,17 +137,17 @@ def other_rounding(grasp: Grasp, seed: int) -> Grasp:
     places, units, _ = rounded_contacts(points, normals, how)
     columns = {}
     for name in VALUES:
-        given = [getattr(contact, name) for contact in grasp]
+        given = [getattr(contact, name) for contact in whole]
         near = equal_numbers(given, error.value, replace(how, key=name))
         columns[name] = [max(x, y / 2) if y else y for x, y in zip(near, given, strict=True)]
-    return Grasp(
+    return grasp.spread(
         Contact(
             places[i],
             units[i].normal,
             **{name: column[i] for name, column in columns.items()},
             stiffness_given=contact.stiffness_given,
         )
-        for i, contact in enumerate(grasp)
+        for i, contact in enumerate(whole)
     )
 
 

@@ -234,8 +234,10 @@ class GraspPicture:
 
     def numbers(self) -> None:
         """Write the number of every contact outside the object, near its preload."""
-        for i, (p, n) in enumerate(zip(self.places, self.layout.normals, strict=True), 1):
-            self.labels.write(str(i), near(p, -n), gid=f"number-{i}")
+        grasp, frame = self.layout.grasp, self.layout.frame
+        for i, (group, contact) in enumerate(zip(grasp.groups, grasp.joined(), strict=True), 1):
+            place, away = self.at(frame.paper(contact.point)), -self.layout.normals[group.start]
+            self.labels.write(str(i), near(place, away), gid=f"number-{i}")
 
 
 def _describe(layout: Layout, legend: Legend, scale: float) -> None:

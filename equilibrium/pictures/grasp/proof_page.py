@@ -129,7 +129,9 @@ def _part(maps: ProofMaps, part: ClosedPart) -> dict[str, Any]:
     return {
         "motion": maps.ranks[part.leaf.motion],
         "cone": [f"({', '.join(map(to_text, generator))})" for generator in part.region],
-        "states": [f"contact {i + 1} {state}" for i, state in part.states.items()],
+        "states": [
+            f"{maps.verdict.grasp.point_names[i]} {state}" for i, state in part.states.items()
+        ],
         "works": [LABEL.number(value) for value in (done.load, done.least, total)],
         "exact": [to_text(value) for value in (done.load, done.least, total)],
         "factors": [None if factor is None else LABEL.number(factor) for factor in done.factors],

@@ -121,8 +121,10 @@ def lab_page(
     budget.check_size(len(grasp), "contacts in the lab")
     heading = "The slip lab" if title is None else title
     applied = _EXAMPLES[0][2] if wrench is None else wrench
-    question = question_document(grasp, applied, "the lab")
+    question = question_document(grasp.without_pads(), applied, "the lab")
     summary = "Drag contacts, normals and the load; every answer is exact."
+    if grasp.has_pads:
+        summary += " Here each point of a pad is a contact of its own."
     if grasp.data_error is not None:
         doubt = solve(grasp, applied).doubt or "other roundings of the first load say the same"
         summary += f" The data of this grasp were rounded: {doubt}."

@@ -125,12 +125,16 @@ class SolidGrasp:
 
     @property
     def groups(self) -> Iterator[tuple[int, list[int], str]]:
-        """Yield the contacts at one point: the first, all, and their numbers as a text."""
+        """Yield the contacts at one place, a pad in its middle.
+
+        The first point among `places`, the first points of all, and their numbers as a text.
+        """
         found: dict[object, list[int]] = {}
-        for i, contact in enumerate(self.grasp):
+        for i, contact in enumerate(self.grasp.joined()):
             found.setdefault(contact.point, []).append(i)
         for members in found.values():
-            yield members[0], members, ", ".join(str(i + 1) for i in members)
+            firsts = [self.grasp.groups[i].start for i in members]
+            yield firsts[0], firsts, ", ".join(str(i + 1) for i in members)
 
     @cached_property
     def body(self) -> tuple[Floats, list[tuple[int, ...]], bool]:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.console.number_form import LABEL, counted
+from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLACK
 from arrangement.drawing.output import millimetres
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage, page_face
@@ -52,7 +52,7 @@ def grasp_page(
     solid, note = solved_in_space(grasp, wrench)
     towards = clear_side(solid) if camera is None else view_direction(camera)
     tree = solid.tree()
-    number_of = counted(len(grasp), "contact")
+    number_of = grasp.size_words
     facts = [note or None, wrench_text(solid.wrench, grasp.units) if any(solid.wrench) else None]
     facts.append(motion_text(solid) if solid.motion else None)
     legend = [(CONE_EDGE, "friction cone")]
@@ -70,7 +70,7 @@ def grasp_page(
         picture_axes(towards),
         reach,
         [node.drawn_as(_face) for node in tree],
-        [(f"Contact {i}", _told(solid, i - 1)) for i in range(1, len(grasp) + 1)],
+        [(name.capitalize(), _told(solid, i)) for i, name in enumerate(grasp.point_names)],
         legend,
         marks=[
             (solid.places[k] - 0.12 * solid.normals[members].mean(axis=0), text)
@@ -132,7 +132,7 @@ def grasp_model(
     parts += [_part(name, s, INKS[name.partition("-")[0]], half) for name, s in solids.items()]
     if not parts:
         raise InputError("the grasp has no contacts and no body, so there is no model of it")
-    return model_bytes(parts, suffix, f"a grasp in space, {counted(len(grasp), 'contact')}")
+    return model_bytes(parts, suffix, f"a grasp in space, {grasp.size_words}")
 
 
 def _part(

@@ -99,7 +99,8 @@ def _describe(
     if states and len(grasp):
         found = [s for s in SYMBOLS if any(s in x for x in states)]
         shown = ", ".join(f"{SYMBOLS[s]} {s.replace('-', '−')}" for s in found)
-        which = "contact 1" if len(grasp) == 1 else f"contacts 1 to {len(grasp)}"
+        kind = "point" if grasp.has_pads else "contact"
+        which = f"{kind} 1" if len(grasp) == 1 else f"{kind}s 1 to {len(grasp)}"
         legend.line(f"{which}: {shown}")
 
 

@@ -42,7 +42,7 @@ def wrench_set_page(
         GraspError: an extent that is not above 0.
     """
     box = wrench_box(grasp, read_extent(extent))
-    number_of = counted(len(grasp), "contact")
+    number_of = grasp.size_words
     pieces: dict[IntegerVector, int] = {}
     told: list[tuple[str, list[tuple[str, str]]]] = []
 
