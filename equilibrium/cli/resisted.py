@@ -88,7 +88,7 @@ def add_command_resisted(commands: Any) -> None:
     forms.add_argument("--search", action="store_true", help=text)
     text = "print how far the load may be scaled, and the preload and friction that resist it"
     parser.add_argument("--margin", action="store_true", help=text)
-    text = "with --margin: the preload of these contacts alone; the others keep their own"
+    text = "with --margin: the preload and the friction of these contacts; the others keep theirs"
     numbers = values.count_argument
     parser.add_argument("--contacts", nargs="+", type=numbers, metavar="NUMBER", help=text)
     text = "with --contacts: one more wrench that the preload has to resist; repeatable"
@@ -121,7 +121,7 @@ def add_command_resisted(commands: Any) -> None:
 _ONE_BODY = (
     *("wrench", "force", "weight", "at", "base", "smallest", "torque_length"),
     *("slice", "origin", "search", "rays", "max_magnitude", "round_normals", "as_given"),
-    *("contacts", "also", "candidates"),
+    *("also", "candidates"),
 )
 
 
@@ -363,6 +363,12 @@ def _margin(arguments: argparse.Namespace, grasp: Grasp) -> int:
     wrench = given_load(arguments, grasp)
     question_document(grasp, wrench, "margin")
     if grasp.dimension == 3:
+        for option in ("contacts", "also", "tolerance"):
+            if getattr(arguments, option) is not None:
+                raise GraspError(
+                    f"--{option} is for grasps in the plane and assemblies: in space --margin "
+                    "prints factors of the load alone, no preload and no friction"
+                )
         return _along(arguments, grasp)
     resisted = _set(arguments, grasp)
     return _show_margin(arguments, resisted, resisted.margin(wrench))
@@ -370,12 +376,18 @@ def _margin(arguments: argparse.Namespace, grasp: Grasp) -> int:
 
 def _show_margin(arguments: argparse.Namespace, resisted: ResistedSet, factors: Margin) -> int:
     """Print a margin, with the preload and the friction that resist the wrench."""
+    from equilibrium.wrench_sets.friction import rough_contacts
+
     grasp, chosen = resisted.grasp, arguments.contacts
-    whose = "a uniform preload"
+    whose, rubbing = "a uniform preload", "uniform friction"
     if chosen is not None:
-        whose = f"this preload of contacts {', '.join(map(str, sorted({*chosen})))}"
+        named = _contacts(chosen)
+        whose, rubbing = f"this preload of {named}", f"friction of {named}"
+        rubbing += ", for the load alone" if arguments.also else ""
     elif arguments.also is not None:
         raise GraspError("--also goes with --contacts")
+    elif smooth := sorted({*grasp.contact_numbers} - {*rough_contacts(grasp)}):
+        rubbing += f" with {_contacts(smooth)} smooth"
     loads = [factors.wrench, *(arguments.also or ())]
     tolerance = Fraction(1, 2**20) if arguments.tolerance is None else arguments.tolerance
     preload, in_preloads = or_undecided(
@@ -383,7 +395,8 @@ def _show_margin(arguments: argparse.Namespace, resisted: ResistedSet, factors: 
         lambda found: f" {within_text(found.intervals)}{_force(grasp)}",
     )
     friction, coefficient = or_undecided(
-        lambda: factors.friction(tolerance), lambda found: f": {_friction(found.low, found.high)}"
+        lambda: factors.friction(tolerance, chosen),
+        lambda found: f": {_friction(found.low, found.high)}",
     )
     more, again = _rounded(resisted, factors.magnitudes) if any(factors.wrench) else ({}, [])
     doubt = "within_error" in more and resisted.solve(factors.wrench).doubt
@@ -395,7 +408,7 @@ def _show_margin(arguments: argparse.Namespace, resisted: ResistedSet, factors: 
         f"resisted when scaled by a factor {within_text(factors.intervals)}",
         *again,
         f"resisted with {whose}{in_preloads}",
-        f"least uniform friction{coefficient}",
+        f"least {rubbing}{coefficient}",
     ]
     remedies = {"preload": preload, "friction": friction}
     return show(arguments, factors.to_dict() | more | remedies, lines, yes, grasp)
@@ -430,11 +443,16 @@ def _between(low: Any, high: Any) -> str:
     return number(high) if low == high else bracket(low, high)
 
 
+def _contacts(numbers: Iterable[int]) -> str:
+    listed = sorted({*numbers})
+    return f"contact{'s' * (len(listed) > 1)} {', '.join(map(str, listed))}"
+
+
 def _friction(low: Fraction | None, high: Fraction | None) -> str:
     if low is None:
-        return "none is enough"
+        return "no friction is enough"
     if high is None:
-        return f"not below {number(low)}; none found above"
+        return f"not below {number(low)}; undecided above"
     return _between(low, high)
 
 

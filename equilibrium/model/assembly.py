@@ -27,7 +27,7 @@ from arrangement.numbers.exact import RationalVector, rational, rational_vector,
 
 from .contact import Contact, contact_of
 from .errors import GraspError
-from .grasp import Grasp, ask_contacts, wrench_of
+from .grasp import Grasp, ask_contacts, chosen_places, wrench_of
 from .labels import Units
 from .outline import Circle, Polygon, centroid, coordinates, read_outline
 from .rows import TURNS, ContactRow, ContactRows
@@ -326,16 +326,41 @@ class Assembly(HintsMixin):
             [RigidBody(name, outline)], [BodyContact(name, None, c) for c in grasp], grasp.units
         )
 
-    def with_preload(self, preload: Any) -> Assembly:
-        """Return the same assembly with one preload at every contact."""
-        return self._with_each(preload=preload)
+    @property
+    def contact_numbers(self) -> range:
+        """The numbers of the contacts, from 1."""
+        return range(1, len(self.contacts) + 1)
 
-    def with_friction(self, friction: Any) -> Assembly:
-        """Return the same assembly with one friction coefficient at every contact."""
-        return self._with_each(friction=friction)
+    def points_of(self, numbers: Iterable[int]) -> frozenset[int]:
+        """Return the places in `contacts` of contacts by their numbers, from 1.
 
-    def _with_each(self, **values: Any) -> Assembly:
-        changed = [replace(c, contact=replace(c.contact, **values)) for c in self.contacts]
+        Raises:
+            GraspError: no such contact.
+        """
+        return chosen_places(numbers, len(self.contacts))
+
+    def with_preload(self, preload: Any, contacts: Iterable[int] | None = None) -> Assembly:
+        """Return the same assembly with one preload at every contact.
+
+        Args:
+            contacts: numbers, from 1, of those that get it; the others keep their own.
+        """
+        return self._with_each(contacts, preload=preload)
+
+    def with_friction(self, friction: Any, contacts: Iterable[int] | None = None) -> Assembly:
+        """Return the same assembly with one friction coefficient at every contact.
+
+        Args:
+            contacts: numbers, from 1, of those that get it; the others keep their own.
+        """
+        return self._with_each(contacts, friction=friction)
+
+    def _with_each(self, contacts: Iterable[int] | None, **values: Any) -> Assembly:
+        chosen = self.points_of(self.contact_numbers if contacts is None else contacts)
+        changed = [
+            replace(c, contact=replace(c.contact, **values)) if i in chosen else c
+            for i, c in enumerate(self.contacts)
+        ]
         return replace(self, contacts=tuple(changed))
 
     def to_dict(self, wrenches: Any = None) -> dict[str, Any]:

@@ -172,19 +172,19 @@ class Grasp(HintsMixin):
             for j in range(1, len(group) + 1)
         )
 
+    @property
+    def contact_numbers(self) -> range:
+        """The numbers of the contacts, from 1; a pad has one."""
+        return range(1, len(self.groups) + 1)
+
     def points_of(self, numbers: Iterable[int]) -> frozenset[int]:
         """Return the places in `contacts` of the points of contacts by their numbers, from 1.
 
         Raises:
             GraspError: no such contact.
         """
-        chosen = sorted({*numbers})
-        if not {*chosen} <= {*range(1, len(self.groups) + 1)}:
-            raise GraspError(
-                f"contacts are {shown(chosen)}; expected numbers of contacts from 1 to "
-                f"{len(self.groups)}"
-            )
-        return frozenset(i for k in chosen for i in self.groups[k - 1])
+        chosen = chosen_places(numbers, len(self.groups))
+        return frozenset(i for k in chosen for i in self.groups[k])
 
     def joined(self) -> Grasp:
         """Return the grasp with each pad as one contact in its middle."""
@@ -292,8 +292,7 @@ class Grasp(HintsMixin):
             GraspError: no such contact.
         """
         whole = rational(preload, "preload")
-        every = range(1, len(self.groups) + 1) if contacts is None else contacts
-        chosen = self.points_of(every)
+        chosen = self.points_of(self.contact_numbers if contacts is None else contacts)
         return replace(
             self,
             contacts=tuple(
@@ -302,9 +301,18 @@ class Grasp(HintsMixin):
             ),
         )
 
-    def with_friction(self, friction: Any) -> Grasp:
-        """Return the same grasp with one friction coefficient at every contact."""
-        return replace(self, contacts=tuple(replace(c, friction=friction) for c in self))
+    def with_friction(self, friction: Any, contacts: Iterable[int] | None = None) -> Grasp:
+        """Return the same grasp with one friction coefficient at every contact.
+
+        Args:
+            contacts: numbers, from 1, of those that get it; the others keep their own.
+
+        Raises:
+            GraspError: no such contact.
+        """
+        chosen = self.points_of(self.contact_numbers if contacts is None else contacts)
+        changed = (replace(c, friction=friction) if i in chosen else c for i, c in enumerate(self))
+        return replace(self, contacts=tuple(changed))
 
     def with_units(self, length: str, force: str) -> Grasp:
         """Return the same grasp with its units stated; no number changes."""
@@ -448,3 +456,17 @@ def in_plane(
         for c in grasp
     )
     return flat, (dot(u, force), dot(v, force), dot(normal, torque))
+
+
+def chosen_places(numbers: Iterable[int], count: int) -> frozenset[int]:
+    """Return places, from 0, of contacts by their numbers, from 1.
+
+    Raises:
+        GraspError: no such contact.
+    """
+    chosen = sorted({*numbers})
+    if not {*chosen} <= {*range(1, count + 1)}:
+        raise GraspError(
+            f"contacts are {shown(chosen)}; expected numbers of contacts from 1 to {count}"
+        )
+    return frozenset(k - 1 for k in chosen)

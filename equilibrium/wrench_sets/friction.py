@@ -1,4 +1,4 @@
-"""The least uniform friction coefficient with which a wrench is resisted: an exact bracket.
+"""The least friction coefficient of chosen contacts that resists a wrench: an exact bracket.
 
 In the coefficient the equations are not linear, and more friction is not always better, so plain
 bisection would be wrong. Instead a whole range of coefficients is refuted at once: let every
@@ -11,7 +11,7 @@ coefficient cones are half-planes, in which friction takes a normal force.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
@@ -25,7 +25,7 @@ from equilibrium.decide.assemblies.magnitudes import Survivors, surviving_states
 from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.grasps.inputs.conversion import simplest_between
-from equilibrium.model.assembly import Wrenches
+from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.rows import ContactRows
@@ -33,7 +33,7 @@ from equilibrium.plane.states.contact_states import contact_states
 from equilibrium.plane.states.state_system import States
 
 #: Coefficients above this are tried all at once only.
-LARGEST = 64
+LARGEST = 2**20
 #: Of the bracket, if none is stated.
 TOLERANCE = Fraction(1, 2**20)
 #: Least width of the bracket: each halving takes one more search with longer numbers.
@@ -47,15 +47,18 @@ class FrictionBracket(JsonMixin):
     Attributes:
         low: no coefficient below this one resists the wrench (proved).
         high: this one does (an exact verdict), and where possible it is the simplest fraction of
-            the last range; None when none was found, see `impossible`.
+            the last range; None when none was found, see `impossible`: if that is not proved,
+            nothing is known of those above `low`.
+        contacts: numbers, from 1, of those that have the coefficient; the others keep their own.
         impossible: whether it is proved that no coefficient at all resists the wrench.
     """
 
-    json_fields = ("low", "high", "width", "impossible")
+    json_fields = ("low", "high", "width", "impossible", "contacts")
 
     wrench: RationalVector | Wrenches
     low: Fraction | None
     high: Fraction | None
+    contacts: tuple[int, ...] = ()
 
     @property
     def impossible(self) -> bool:
@@ -69,17 +72,23 @@ class FrictionBracket(JsonMixin):
 
 
 def least_friction(
-    grasp: Grasp | Solver | AssemblySolver, wrench: Any, tolerance: Any = TOLERANCE
+    grasp: Grasp | Solver | AssemblySolver,
+    wrench: Any,
+    tolerance: Any = TOLERANCE,
+    contacts: Iterable[int] | None = None,
 ) -> FrictionBracket:
-    """Bracket the least coefficient that, the same at all contacts, makes a grasp resist a wrench.
+    """Bracket the least coefficient that, the same at chosen contacts, makes a wrench resisted.
 
     Args:
-        grasp: its own coefficients are replaced; or an assembly, with a wrench for each body.
+        grasp: or an assembly, with a wrench for each body.
         tolerance: the wanted length of the bracket. It comes out longer where coefficients are
             resisted only on a range shorter than this, or just missed by less than this.
 
+        contacts: numbers, from 1, of those whose coefficient is replaced; the others keep their
+            own. If omitted, all that have friction: smooth ones stay smooth.
+
     Raises:
-        GraspError: a tolerance below 2^-100.
+        GraspError: a tolerance below 2^-100, or no such contact.
         OutOfReachError: too many ranges of that length are neither refuted nor resisted.
 
     Complexity: one exact linear program for each choice of contact states and each range that is
@@ -94,35 +103,54 @@ def least_friction(
     goal = rational(tolerance, "tolerance")
     if goal < _LEAST_WIDTH:
         raise GraspError(f"tolerance is {shown(goal)}; it must be at least 2^-100")
-    if isinstance(grasp, AssemblySolver):
-        return _OfAssembly(grasp, grasp.grasp.read_wrenches(wrench), goal).run()
-    return _OfGrasp(prepare(grasp), read_wrench(wrench), goal).run()
+    solver = grasp if isinstance(grasp, AssemblySolver) else prepare(grasp)
+    if contacts is None:
+        contacts = rough_contacts(solver.grasp)
+    chosen = tuple(sorted({*contacts}))
+    solver.grasp.points_of(chosen)
+    if isinstance(solver, AssemblySolver):
+        return _OfAssembly(solver, solver.grasp.read_wrenches(wrench), goal, chosen).run()
+    return _OfGrasp(solver, read_wrench(wrench), goal, chosen).run()
+
+
+def rough_contacts(grasp: Grasp | Assembly) -> tuple[int, ...]:
+    """Return the numbers, from 1, of the contacts that have friction."""
+    pairs = (
+        [(k, c.contact) for k, c in enumerate(grasp.contacts, 1)]
+        if isinstance(grasp, Assembly)
+        else [(k, c) for k, points in enumerate(grasp.parts, 1) for c in points]
+    )
+    return tuple(sorted({k for k, contact in pairs if contact.friction}))
 
 
 class _Search(ABC):
     """The state of one search, from small coefficients to large ones."""
 
-    def __init__(self, wrench: Any, width: Fraction) -> None:
-        self.wrench, self.width = wrench, width
+    def __init__(self, wrench: Any, width: Fraction, chosen: tuple[int, ...]) -> None:
+        self.wrench, self.width, self.chosen = wrench, width, chosen
         self.first_open: Fraction | None = None
         self.open = 0
 
     def run(self) -> FrictionBracket:
         """Look at ever larger ranges until one holds a sufficient coefficient."""
+        low, high = self.bracket()
+        return FrictionBracket(self.wrench, low, high, self.chosen)
+
+    def bracket(self) -> tuple[Fraction | None, Fraction | None]:
+        """Return `low` and `high` of the answer."""
         if self.resists(Fraction(0)):
-            return FrictionBracket(self.wrench, Fraction(0), Fraction(0))
-        alive = self.possible(None, Fraction(0), None)
-        if not alive:
-            return FrictionBracket(self.wrench, None, None)
+            return Fraction(0), Fraction(0)
+        alive = None
         for low, high in _ranges():
+            alive = self.possible(alive, low, None)
+            if not alive:
+                return self.first_open, None
             found = self.lowest(alive, low, high)
             if found is not None:
-                assert self.first_open is not None
-                return FrictionBracket(self.wrench, self.first_open, found)
-        if self.first_open is not None or self.possible(alive, Fraction(LARGEST), None):
-            low = Fraction(LARGEST) if self.first_open is None else self.first_open
-            return FrictionBracket(self.wrench, low, None)
-        return FrictionBracket(self.wrench, None, None)
+                return self.first_open, found
+        if self.first_open is None and self.possible(alive, Fraction(LARGEST), None):
+            self.first_open = Fraction(LARGEST)
+        return self.first_open, None
 
     def lowest(self, states: list[Any], low: Fraction, high: Fraction) -> Fraction | None:
         """Return a sufficient coefficient of a range, after all ranges below it are looked at."""
@@ -160,11 +188,14 @@ class _Search(ABC):
 class _OfGrasp(_Search):
     """A search that tries all contact states of a grasp."""
 
-    def __init__(self, solver: Solver, wrench: RationalVector, width: Fraction) -> None:
-        super().__init__(wrench, width)
+    def __init__(
+        self, solver: Solver, wrench: RationalVector, width: Fraction, chosen: tuple[int, ...]
+    ) -> None:
+        super().__init__(wrench, width, chosen)
         self.grasp, self.max_displacement = solver.grasp, solver.max_displacement
         rows, still = ContactRows.of_grasp(self.grasp), (Fraction(0),) * len(wrench)
-        self.question = LinearQuestion(rows, wrench, still, max_displacement=self.max_displacement)
+        bound, places = self.max_displacement, self.grasp.points_of(chosen)
+        self.question = LinearQuestion(rows, wrench, still, max_displacement=bound, chosen=places)
 
     def possible(
         self, states: list[States] | None, low: Fraction, high: Fraction | None
@@ -180,15 +211,17 @@ class _OfGrasp(_Search):
 
     def resists(self, coefficient: Fraction) -> bool:
         """Return whether the wrench is resisted at one coefficient; exact."""
-        solver = Solver(self.grasp.with_friction(coefficient), self.max_displacement)
+        solver = Solver(self.grasp.with_friction(coefficient, self.chosen), self.max_displacement)
         return solver.solve(self.wrench).stable
 
 
 class _OfAssembly(_Search):
     """A search in the trees of the parts of an assembly, each up to the first states that do."""
 
-    def __init__(self, solver: AssemblySolver, wrenches: Wrenches, width: Fraction) -> None:
-        super().__init__(wrenches, width)
+    def __init__(
+        self, solver: AssemblySolver, wrenches: Wrenches, width: Fraction, chosen: tuple[int, ...]
+    ) -> None:
+        super().__init__(wrenches, width, chosen)
         self.assembly, self.max_displacement = solver.grasp, solver.max_displacement
 
     def possible(
@@ -197,12 +230,14 @@ class _OfAssembly(_Search):
         """Return states of each part that a range does not refute."""
         known = states[0] if states else ()
         question = self.assembly, self.wrench, (low, high), known
-        found = surviving_states(*question, self.max_displacement)
+        places = self.assembly.points_of(self.chosen)
+        found = surviving_states(*question, places, self.max_displacement)
         return [] if found is None else [found]
 
     def resists(self, coefficient: Fraction) -> bool:
         """Return whether the wrenches are resisted at one coefficient; not if it is undecided."""
-        solver = AssemblySolver(self.assembly.with_friction(coefficient), self.max_displacement)
+        changed = self.assembly.with_friction(coefficient, self.chosen)
+        solver = AssemblySolver(changed, self.max_displacement)
         verdict = solver.solve(self.wrench)
         return verdict.decided and verdict.stable
 

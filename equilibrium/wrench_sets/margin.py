@@ -12,7 +12,6 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from itertools import product
 from typing import Any
 
 from arrangement import Arrangement
@@ -21,7 +20,7 @@ from arrangement.console.progress import watched
 from arrangement.enumeration.choose import most_faces
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, shown
-from arrangement.numbers.linear.intervals import Interval, holds, intersection, union
+from arrangement.numbers.linear.intervals import Interval, common, holds, union
 from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.decide.state_choices import StateChoices
@@ -81,18 +80,22 @@ class Margin(JsonMixin):
     def preloads(self) -> Preloads:
         """All uniform preloads with which the wrench is resisted, exactly."""
         if isinstance(self._solver, AssemblySolver):
-            wrenches = self._solver.grasp.read_wrenches(self.wrench)
-            every = tuple(range(1, len(self._solver.grasp) + 1))
-            return Preloads((wrenches,), every, self._solver.preloads(wrenches))
+            return chosen_preloads(self._solver, [self.wrench])
         return sufficient_preloads(self._solver, self.wrench)
 
-    def friction(self, tolerance: Any = TOLERANCE) -> FrictionBracket:
-        """Bracket the least uniform friction coefficient that resists the wrench.
+    def friction(
+        self, tolerance: Any = TOLERANCE, contacts: Iterable[int] | None = None
+    ) -> FrictionBracket:
+        """Bracket the least friction coefficient, the same at all contacts that have friction.
+
+        Contacts of friction 0 stay smooth.
 
         Args:
             tolerance: the wanted length of the bracket; see `least_friction`.
+            contacts: numbers, from 1, of those that get the coefficient, smooth ones too; the
+                others keep their own.
         """
-        return least_friction(self._solver, self.wrench, tolerance)
+        return least_friction(self._solver, self.wrench, tolerance, contacts)
 
 
 #: How often a margin tries all states, about: for the wrench, for preloads, for friction.
@@ -171,11 +174,13 @@ def sufficient_preloads(grasp: Grasp | Solver, wrench: Any) -> Preloads:
         )
         if found := interval_between(*systems):
             parts.append(found)
-    return Preloads((w,), tuple(range(1, len(given.groups) + 1)), union(parts))
+    return Preloads((w,), tuple(given.contact_numbers), union(parts))
 
 
 def chosen_preloads(
-    grasp: Grasp | Solver, wrenches: Iterable[Iterable[Any]], contacts: Iterable[int]
+    grasp: Grasp | Solver | AssemblySolver,
+    wrenches: Iterable[Any],
+    contacts: Iterable[int] | None = None,
 ) -> Preloads:
     """Return all p >= 0 with which chosen contacts make a grasp resist every wrench, exactly.
 
@@ -184,11 +189,13 @@ def chosen_preloads(
     each choice of contact states that a cell has, the p that resist a wrench are one interval.
 
     Args:
-        contacts: their numbers, from 1.
+        wrenches: of an assembly each is a wrench for each body.
+        contacts: their numbers, from 1; None for all.
 
     Raises:
         GraspError: no wrench, or no such contact.
         OutOfReachError: too many contacts.
+        UndecidedError: an assembly takes more nodes or steps than the limits allow.
 
     >>> from equilibrium.grasps.files import read_grasp
     >>> grasp = read_grasp("paper-four-contacts-preload-1")
@@ -196,16 +203,24 @@ def chosen_preloads(
     >>> found.least, chosen_preloads(grasp, [[0, 2, 0]], [2, 3]).least
     (Fraction(2, 1), Fraction(1, 1))
     """
-    solver = prepare(grasp)
+    solver = grasp if isinstance(grasp, AssemblySolver) else prepare(grasp)
+    every = solver.grasp.contact_numbers
+    chosen = tuple(sorted({*(every if contacts is None else contacts)}))
+    listed = tuple(wrenches)
+    if not listed or not chosen:
+        raise GraspError(
+            f"contacts are {shown(list(chosen))} and wrenches {len(listed)}; expected at least one "
+            f"wrench, and numbers of contacts from 1 to {len(every)}"
+        )
+    found: tuple[Interval, ...] = (ALL,)
+    if isinstance(solver, AssemblySolver):
+        read = tuple(map(solver.grasp.read_wrenches, listed))
+        for wrench in read:
+            found = common(found, solver.preloads(wrench, chosen))
+        return Preloads(read, chosen, found)
     given, bound = solver.grasp, solver.max_displacement
     given.require_plane()
-    loads = tuple(read_wrench(w) for w in wrenches)
-    chosen = tuple(sorted({*contacts}))
-    if not loads or not chosen:
-        raise GraspError(
-            f"contacts are {shown(list(chosen))} and wrenches {len(loads)}; expected at least one "
-            f"wrench, and numbers of contacts from 1 to {len(given.groups)}"
-        )
+    loads = tuple(map(read_wrench, listed))
     unloaded, loaded = (given.with_preload(p, chosen) for p in (0, 1))
     many = most_faces(2 * len(given), 4, False)
     budget.check_cost(
@@ -213,18 +228,16 @@ def chosen_preloads(
         "leave out contacts",
         steps=2000 * many * len(loads),
     )
-    listed = _states_of_preloads(unloaded, loaded)
-    found: tuple[Interval, ...] = (ALL,)
+    choices = _states_of_preloads(unloaded, loaded)
     for w in loads:
         parts = []
-        for states in watched(listed, "contact states"):
+        for states in watched(choices, "contact states"):
             systems = (
                 state_system(one, states, w, max_displacement=bound) for one in (unloaded, loaded)
             )
             if part := interval_between(*systems):
                 parts.append(part)
-        pairs = product(found, union(parts))
-        found = union(both for one, other in pairs if (both := intersection(one, other)))
+        found = common(found, union(parts))
     return Preloads(loads, chosen, found)
 
 

@@ -267,9 +267,7 @@ class ResistedSet(HintsMixin, JsonMixin):
         """
         return margin(self._solver, wrench)
 
-    def preloads(
-        self, wrenches: Iterable[Iterable[Any]], contacts: Iterable[int] | None = None
-    ) -> Preloads:
+    def preloads(self, wrenches: Iterable[Load], contacts: Iterable[int] | None = None) -> Preloads:
         """Return the preloads of chosen contacts with which every one of some wrenches is resisted.
 
         Args:
@@ -286,9 +284,7 @@ class ResistedSet(HintsMixin, JsonMixin):
         >>> resisted.preloads([[0, 1, 0], [0, 3, 0]], contacts=[1, 3]).least
         Fraction(3, 1)
         """
-        solver = self._of_grasp()
-        every = range(1, len(solver.grasp.groups) + 1) if contacts is None else contacts
-        return chosen_preloads(solver, wrenches, every)
+        return chosen_preloads(self._solver, wrenches, contacts)
 
     def with_contact(self, candidates: Iterable[Contact]) -> tuple[ResistedSet, ...]:
         """Return for each candidate the set that the grasp resists with it as one more contact.

@@ -58,7 +58,7 @@ class TestOneContact:
 
     def test_numbers_are_those_of_contacts(self, pinch, capsys):
         margin = "resisted", pinch, "--wrench", "0", "-1", "0", "--margin", "--contacts"
-        assert "preload of contacts 1 in [1, oo)" in printed(capsys, *margin, "1")[1]
+        assert "preload of contact 1 in [1, oo)" in printed(capsys, *margin, "1")[1]
         assert main([*margin, "3"]) == 2
         assert "numbers of contacts from 1 to 2" in capsys.readouterr().err
 

@@ -6,9 +6,10 @@ from pathlib import Path
 import pytest
 
 from arrangement.console import progress
+from equilibrium import Assembly
 from equilibrium.cli.program import main
 from equilibrium.grasps.files import read_grasp
-from equilibrium.grasps.inputs import random_grasp
+from equilibrium.grasps.inputs import random_grasp, read_any
 
 THREE = "paper-three-contacts-preload-1"
 
@@ -104,6 +105,42 @@ def test_margin_and_its_remedies(capsys):
     assert found["nearest"] == "1/2"
     assert found["preload"]["least"] == "2"
     assert found["friction"]["high"] == "1"
+
+
+LADDER = "x,y,angle,mu\n0,0,90,1\n4,3,180,0\n"
+
+
+@pytest.mark.parametrize("bodies", [False, True])
+def test_margin_leaves_smooth_contacts_smooth_unless_named(tmp_path, capsys, bodies):
+    path, load = tmp_path / "ladder.csv", ["--weight", "1", "--at", "2", "0"]
+    path.write_text(LADDER)
+    if bodies:
+        document = Assembly.of_grasp(read_any(path).grasp).to_dict({"object": [0, -1, -2]})
+        path, load = tmp_path / "ladder.json", []
+        path.write_text(json.dumps(document))
+    asked = ["resisted", str(path), *load, "--margin"]
+    for contacts, line in [
+        ([], "least uniform friction with contact 2 smooth: 0.66667 "),
+        (["1", "2"], "least friction of contacts 1, 2: 0.5 "),
+        (["2"], "least friction of contact 2: 0\n"),
+    ]:
+        assert main([*asked, *(["--contacts", *contacts] if contacts else [])]) == 0
+        assert line in capsys.readouterr().out
+    assert answer(capsys, *asked)[1]["friction"]["contacts"] == [1]
+    assert main([*asked, "--contacts", "3"]) == 2
+    assert "contacts are [3]; expected numbers of contacts from 1 to 2" in capsys.readouterr().err
+
+
+def test_friction_that_is_never_enough_is_called_so(capsys):
+    assert main(["resisted", "paper-three-contacts", "--wrench", "0", "1", "0", "--margin"]) == 1
+    assert "least uniform friction: no friction is enough\n" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("option", [["--contacts", "1"], ["--tolerance", "1"]])
+def test_margin_in_space_takes_no_contacts(capsys, option):
+    asked = ["resisted", "two-opposed-fingers", "--wrench", *"010000", "--margin", *option]
+    assert main(asked) == 2
+    assert f"{option[0]} is for grasps in the plane" in capsys.readouterr().err
 
 
 def test_slice_by_names_is_the_one_by_vectors(capsys):

@@ -8,7 +8,7 @@ from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.linear.intervals import holds, remainder, union
 from arrangement.numbers.linear.polyhedron import from_conditions
-from equilibrium import Assembly, Contact, Grasp, GraspError, read_grasp, solve
+from equilibrium import Assembly, Contact, Grasp, GraspError, ResistedSet, read_grasp, solve
 from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.model.effort import Effort
 from equilibrium.plane.contact_rows import any_friction_does
@@ -272,7 +272,7 @@ def test_tolerance_of_friction_has_a_least_value():
 def test_least_friction_with_many_open_ranges_is_refused(monkeypatch):
     contacts = [((-1, -1), (12, 5)), ((1, "1/2"), (12, -5)), (("-5/2", 1), (-5, 12))]
     grasp = Grasp(
-        Contact(p, [Fraction(x, 13) for x in n], 0, "1/2" if k < 2 else 1, ["1", "1/2", "1"][k])
+        Contact(p, [Fraction(x, 13) for x in n], 1, "1/2" if k < 2 else 1, ["1", "1/2", "1"][k])
         for k, (p, n) in enumerate(contacts)
     )
     monkeypatch.setitem(budget.MAX_SIZES, "open ranges of friction coefficients", 1)
@@ -304,13 +304,55 @@ def test_friction_without_normal_force_is_none():
 
 
 @settings(max_examples=6)
-@given(grasps(least=2), directions, st.fractions(0, 4, max_denominator=12))
-def test_below_the_bracket_nothing_is_resisted(grasp, wrench, friction):
-    found = least_friction(grasp, wrench, "1/64")
+@given(grasps(least=2), directions, st.fractions(0, 4, max_denominator=12), st.booleans())
+def test_below_the_bracket_nothing_is_resisted(grasp, wrench, friction, name_first):
+    found = least_friction(grasp, wrench, "1/64", [1] if name_first else None)
+    rough = tuple(i for i, c in enumerate(grasp, 1) if c.friction)
+    assert found.contacts == ((1,) if name_first else rough)
     if found.high is not None:
-        assert solve(grasp.with_friction(found.high), wrench).stable
+        assert solve(grasp.with_friction(found.high, found.contacts), wrench).stable
     if found.impossible or friction < found.low:
-        assert not solve(grasp.with_friction(friction), wrench).stable
+        assert not solve(grasp.with_friction(friction, found.contacts), wrench).stable
+
+
+def ladder():
+    """A ladder of weight 1 with its middle above (2, 0): on a floor, at a smooth wall."""
+    return Grasp([Contact([0, 0], [0, 1], 1), Contact([4, 3], [-1, 0], 0)]), (0, -1, -2)
+
+
+@pytest.mark.parametrize("bodies", [False, True])
+def test_smooth_contacts_stay_smooth_unless_named(bodies):
+    grasp, weight = ladder()
+    if bodies:
+        grasp, weight = Assembly.of_grasp(grasp), {"object": weight}
+    whole = ResistedSet(grasp).margin(weight)
+    found = whole.friction("1/1000")
+    assert (found.high, found.contacts) == (Fraction(2, 3), (1,))
+    assert whole.friction("1/1000", [1, 2]).high == Fraction(1, 2)
+    assert whole.friction("1/1000", [2]).high == 0
+    smooth = ResistedSet(grasp.with_friction(0)).margin(weight).friction()
+    assert (smooth.impossible, smooth.contacts) == (True, ())
+    assert smooth.to_dict()["contacts"] == []
+    half = grasp.with_friction("1/2", [1])
+    assert ResistedSet(half).margin(weight).friction("1/64", [2]).high == Fraction(1, 2)
+    with pytest.raises(GraspError, match=r"contacts are \[3\]; expected .* from 1 to 2"):
+        whole.friction("1/1000", [3])
+
+
+def test_coefficients_far_above_1_are_found():
+    steep = [Contact([1, 1], [-1, 0], 1), Contact([-2, 1], ["-4/5", "3/5"], 1, 5)]
+    found = least_friction(Grasp(steep), (-3, -20, -1), "1/16")
+    assert found.low < found.high == Fraction(517, 4)
+
+
+def test_preloads_of_chosen_contacts_of_an_assembly_are_those_of_its_grasp():
+    grasp, loads = read_grasp(THREE), [[0, 1, 0], [0, 3, 0]]
+    body = ResistedSet(Assembly.of_grasp(grasp))
+    for contacts in ([1, 3], [2], [1, 2, 3], None):
+        found = body.preloads([{"object": load} for load in loads], contacts)
+        assert found.intervals == ResistedSet(grasp).preloads(loads, contacts).intervals
+    with pytest.raises(GraspError, match=r"contacts are \[4\]"):
+        body.preloads([{"object": loads[0]}], [4])
 
 
 def test_the_search_finds_the_end_of_one_interval():

@@ -24,7 +24,7 @@ from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.intervals import Interval
 from arrangement.numbers.linear.programs import Infeasible, Program
 from equilibrium.model.effort import Effort
-from equilibrium.model.rows import ContactRow, ContactRows
+from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Solution
 from equilibrium.plane.contact_rows import any_friction_does
 
@@ -47,6 +47,8 @@ class LinearQuestion:
         preload_slope: what each unit of t adds to every preload.
         frictions: the least and the largest coefficient, in place of those of the contacts, which
             may differ between contacts; the largest may be None, for any.
+        chosen: places in `rows` of the contacts that `preload_slope` and `frictions` are about;
+            None for all.
         max_displacement: how far contact points may move, if bounded.
     """
 
@@ -56,20 +58,25 @@ class LinearQuestion:
     preload_slope: Fraction = Fraction(0)
     frictions: Interval | None = None
     max_displacement: Fraction | None = None
+    chosen: frozenset[int] | None = None
 
-    def coefficients(self, contact: ContactRow) -> tuple[Fraction, Fraction | None]:
+    def is_chosen(self, i: int) -> bool:
+        """Return whether the preload or the friction of a contact is not its own."""
+        return self.chosen is None or i in self.chosen
+
+    def coefficients(self, i: int) -> tuple[Fraction, Fraction | None]:
         """Return the least and the largest friction coefficient of a contact."""
-        if self.frictions is None:
-            return contact.friction, contact.friction
+        if self.frictions is None or not self.is_chosen(i):
+            return self.rows[i].friction, self.rows[i].friction
         return self.frictions[0] or Fraction(0), self.frictions[1]
 
-    def is_smooth(self, contact: ContactRow) -> bool:
+    def is_smooth(self, i: int) -> bool:
         """Return whether a contact has no friction."""
-        return self.coefficients(contact)[1] == 0
+        return self.coefficients(i)[1] == 0
 
     def is_open(self, i: int, state: str) -> bool:
         """Return whether a contact is not decided."""
-        return state == "undecided" or (state == "attached" and not self.is_smooth(self.rows[i]))
+        return state == "undecided" or (state == "attached" and not self.is_smooth(i))
 
 
 class End(NamedTuple):
@@ -105,10 +112,10 @@ class ContactProgram:
         n = question.rows.n
         forces: list[tuple[int | None, int | None]] = []
         size = n
-        for contact, state in zip(question.rows, states, strict=True):
+        for i, state in enumerate(states):
             presses = state in ("loose", "undecided")
-            slips_surely = state in _SIGNS and question.frictions is None
-            rubs = not (state == "detached" or slips_surely or question.is_smooth(contact))
+            least, most = question.coefficients(i)
+            rubs = not (state == "detached" or most == 0 or (state in _SIGNS and least == most))
             forces.append((size if presses else None, size + presses if rubs else None))
             size += presses + rubs
         self.size, self._t = size + 1, size
@@ -121,9 +128,8 @@ class ContactProgram:
         self._tangential: list[_Terms] = []
         self._slips: list[_Terms] = []
         self._springs: list[_Terms] = []
-        pairs = zip(question.rows, states, forces, strict=True)
-        for contact, state, (pressing, rubbing) in pairs:
-            self._add_contact(contact, state, pressing, rubbing)
+        for i, (state, (pressing, rubbing)) in enumerate(zip(states, forces, strict=True)):
+            self._add_contact(i, state, pressing, rubbing)
         for j in range(n):
             line: _Terms = {-1: question.load[j], self._t: question.load_slope[j]}
             for i, contact in enumerate(question.rows):
@@ -132,16 +138,16 @@ class ContactProgram:
             self._equal.append(self._row(line))
         self._program = Program(self.size, self._least, self._equal, deadline)
 
-    def _add_contact(
-        self, contact: ContactRow, state: str, pressing: int | None, rubbing: int | None
-    ) -> None:
+    def _add_contact(self, i: int, state: str, pressing: int | None, rubbing: int | None) -> None:
         question, one = self.question, Fraction(1)
+        contact = question.rows[i]
         slip, along = _sparse(contact.tangential_wrenches[0]), _sparse(contact.normal_wrench)
         spring = _times(along, -contact.stiffness)
-        _add(spring, {-1: contact.preload, self._t: question.preload_slope})
+        slope = question.preload_slope if question.is_chosen(i) else Fraction(0)
+        _add(spring, {-1: contact.preload, self._t: slope})
         normal = spring if pressing is None else {pressing: one}
         tangential: _Terms = {} if rubbing is None else {rubbing: one}
-        low, high = question.coefficients(contact)
+        low, high = question.coefficients(i)
         sign = _SIGNS.get(state, 0)
         if question.max_displacement is not None and state != "loose":
             for row in (along, slip):
@@ -192,10 +198,15 @@ class ContactProgram:
     @property
     def feasible(self) -> bool:
         """Whether there is a solution; with any friction, one with some coefficient."""
-        if self.question.frictions is None or self.question.frictions[1] is not None:
+        question = self.question
+        if question.frictions is None or question.frictions[1] is not None:
             return self._program.feasible
-        pairs = zip(self._normal, self._tangential, strict=True)
-        forces = [(self._row(normal), self._row(rubbed)) for normal, rubbed in pairs if rubbed]
+        pairs = enumerate(zip(self._normal, self._tangential, strict=True))
+        forces = [
+            (self._row(normal), self._row(rubbed))
+            for i, (normal, rubbed) in pairs
+            if rubbed and question.coefficients(i)[1] is None
+        ]
         return any_friction_does(self.size, self._least, self._equal, forces, self._deadline)
 
     def start(self) -> End | None:
@@ -231,9 +242,9 @@ class ContactProgram:
         assert point is not None
         violations, states = [], []
         terms = zip(self._normal, self._tangential, self._slips, self._springs, strict=True)
-        for contact, values in zip(question.rows, terms, strict=True):
+        for i, (contact, values) in enumerate(zip(question.rows, terms, strict=True)):
             pressed, rubbed, slip, spring = (_value(one, point) for one in values)
-            least, most = question.coefficients(contact)
+            least, most = question.coefficients(i)
             opposed = -rubbed if slip > 0 else rubbed
             missed = max(Fraction(0), least * pressed - opposed) if slip else Fraction(0)
             if slip and most is not None:
@@ -245,7 +256,7 @@ class ContactProgram:
             edge = abs(rubbed) if most is None and not pressed else 0
             violations.append(rub + _LIFT_WEIGHT * lift + edge)
             slips = "slip+" if slip > 0 else "slip-" if slip < 0 else "stick"
-            slips = "attached" if question.is_smooth(contact) else slips
+            slips = "attached" if question.is_smooth(i) else slips
             states.append(slips if spring > 0 else "detached")
         return End(t, violations, tuple(states))
 

@@ -47,12 +47,14 @@ def assembly_magnitudes(
     along: Wrenches,
     *,
     preload_slope: Fraction = Fraction(0),
+    chosen: frozenset[int] | None = None,
     max_displacement: Fraction | None = None,
 ) -> tuple[Interval, ...]:
     """Return all t >= 0 for which an assembly resists ``base + t along``, exactly.
 
     Args:
         preload_slope: what each unit of t adds to every preload.
+        chosen: places of the contacts whose preload it is; None for all.
 
     Returns:
         disjoint, closed, increasing.
@@ -66,7 +68,7 @@ def assembly_magnitudes(
         rows = [(sign * x, sign * y) for x, y in zip(slope, total, strict=True) for sign in (1, -1)]
         still = where_positive(rows)
         found = common(found, () if still is None else (still,))
-    for _, question in _questions(assembly, base, along):
+    for _, question in _questions(assembly, base, along, chosen):
         if found:
             changed = replace(
                 question, preload_slope=preload_slope, max_displacement=max_displacement
@@ -80,6 +82,7 @@ def surviving_states(
     wrenches: Wrenches,
     frictions: Interval,
     known: Survivors = (),
+    chosen: frozenset[int] | None = None,
     max_displacement: Fraction | None = None,
 ) -> Survivors | None:
     """Return states of each part that a range of friction coefficients does not refute.
@@ -89,12 +92,14 @@ def surviving_states(
 
     Args:
         known: of a wider range; they are tried first.
+        chosen: places of the contacts with these coefficients, the others have their own; None
+            for all.
 
     Raises:
         UndecidedError: a part takes more nodes or steps than the limits allow.
     """
     found = []
-    pairs = _questions(assembly, wrenches, assembly.read_wrenches({}))
+    pairs = _questions(assembly, wrenches, assembly.read_wrenches({}), chosen)
     questions = [question for _, question in pairs]
     if any(any(total) for _, total in parts_of(assembly, wrenches)[1]):
         return None
@@ -179,7 +184,7 @@ def _complete(tree: _Tree) -> Iterator[ContactProgram]:
 
 
 def _questions(
-    assembly: Assembly, base: Wrenches, along: Wrenches
+    assembly: Assembly, base: Wrenches, along: Wrenches, chosen: frozenset[int] | None = None
 ) -> Iterator[tuple[AssemblyPart, LinearQuestion]]:
     """Yield each part with its question, those of few contacts first."""
     both = zip(*(parts_of(assembly, wrenches)[0] for wrenches in (base, along)), strict=True)
@@ -187,7 +192,10 @@ def _questions(
         load, change = (
             tuple(x for name in part.bodies for x in one.wrenches[name]) for one in (part, slope)
         )
-        yield part, LinearQuestion(with_root_as_ground(assembly, part).rows, load, change)
+        places = enumerate(part.contacts)
+        own = None if chosen is None else frozenset(k for k, i in places if i in chosen)
+        rows = with_root_as_ground(assembly, part).rows
+        yield part, LinearQuestion(rows, load, change, chosen=own)
 
 
 class _Tree:

@@ -6,7 +6,7 @@ cones: with all states decided a node is an exact program, so the search ends un
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -72,12 +72,19 @@ class AssemblySolver:
                 return ((Fraction(0), None if verdict else Fraction(0)),)
         return assembly_magnitudes(self.grasp, base, along, max_displacement=self.max_displacement)
 
-    def preloads(self, wrenches: Wrenches) -> tuple[Interval, ...]:
-        """Return all uniform preloads with which the wrenches are resisted."""
-        bare, slope = self.grasp.with_preload(0), Fraction(1)
-        question = bare, wrenches, self.no_wrench
-        bound = self.max_displacement
-        return assembly_magnitudes(*question, preload_slope=slope, max_displacement=bound)
+    def preloads(
+        self, wrenches: Wrenches, contacts: Iterable[int] | None = None
+    ) -> tuple[Interval, ...]:
+        """Return all preloads of chosen contacts, or of all, with which wrenches are resisted."""
+        chosen = None if contacts is None else tuple(contacts)
+        return assembly_magnitudes(
+            self.grasp.with_preload(0, chosen),
+            wrenches,
+            self.no_wrench,
+            preload_slope=Fraction(1),
+            chosen=None if chosen is None else self.grasp.points_of(chosen),
+            max_displacement=self.max_displacement,
+        )
 
 
 def solve_assembly(
