@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
+from itertools import chain
 from math import gcd
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +13,7 @@ from arrangement.console.number_form import counted, number, sign_text, vector
 from arrangement.console.progress import shown
 from equilibrium.model.contact import contact_entry, contact_words, pyramid_words
 from equilibrium.model.errors import GraspError
+from equilibrium.model.solution import numbering_words
 
 from .arguments import (
     add_applied,
@@ -234,7 +236,7 @@ def _modes(arguments: argparse.Namespace) -> int:
     from arrangement.library.files.json_files import read_document
     from equilibrium.modes import ContactModes
 
-    limit = arguments.time_limit
+    limit, groups = arguments.time_limit, tuple[range, ...]()
     if str(arguments.grasp).lower().endswith(".csv"):
         document = assembly_document(arguments) or {}
     else:
@@ -242,11 +244,14 @@ def _modes(arguments: argparse.Namespace) -> int:
     if {"normals", "bodies"} & set(document):
         modes = ContactModes.from_dict(document, time_limit=limit)
     else:
-        modes = ContactModes.of_grasp(grasp_of(arguments), time_limit=limit)
+        grasp = grasp_of(arguments)
+        modes, groups = ContactModes.of_grasp(grasp, time_limit=limit), grasp.groups
     with shown():
-        return show(
-            arguments, _modes_document(modes, arguments), _modes_lines(modes, arguments.count)
+        lines = chain(
+            _modes_lines(modes, arguments.count),
+            filter(None, [numbering_words(groups, "a mode")]),
         )
+        return show(arguments, _modes_document(modes, arguments), lines)
 
 
 def _modes_document(modes: ContactModes, arguments: argparse.Namespace) -> dict[str, Any]:

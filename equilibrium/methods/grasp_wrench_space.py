@@ -2,11 +2,11 @@
 
 It is the set of wrenches that contact forces inside their cones can give together when their
 normal parts are bounded: by 1 in sum (norm "L1": the convex hull of the cone edges and the
-origin) or by 1 each (norm "Linf": the Minkowski sum of one triangle for each contact). In the
-plane a friction cone has two edges, so nothing is linearised; in space a pyramid inside the round
-cone takes its place, and the hull has six dimensions. A wrench w is resisted, in the sense
-of this method, when a multiple of the space holds ``-w``. Springs, preload and slip play no part:
-this is the set of weakly stable loads.
+origin) or by 1 each (norm "Linf": the Minkowski sum of one triangle for each contact, of a pad one
+hull). In the plane a friction cone has two edges, so nothing is linearised; in space a pyramid
+inside the round cone takes its place, and the hull has six dimensions. A wrench w is resisted, in
+the sense of this method, when a multiple of the space holds ``-w``. Springs, preload and slip play
+no part: this is the set of weakly stable loads.
 
 Whether forces inside round cones balance a wrench in space is proved either way (`round_cones`). A
 pyramid inside each cone gives exact forces; a pyramid around each gives, where it has none, a
@@ -130,7 +130,8 @@ class GraspWrenchSpace:
                 "`solve --methods` decides whether one wrench is in it"
             )
         edges = [
-            [self._scaled(edge) for edge in friction_edges(c, self.pyramid)] for c in self.grasp
+            [self._scaled(edge) for c in points for edge in friction_edges(c, self.pyramid)]
+            for points in self.grasp.parts
         ]
         zero = (Fraction(0),) * self._axes
         if self.norm == "L1":
@@ -183,8 +184,9 @@ class GraspWrenchSpace:
         rows = [unit_row(j, n + 1) for j in range(n + 1)]
         if self.norm == "Linf":
             rows += [
-                tuple(x - sum(column) for x, *column in zip(rows[n], *rows[j : j + k], strict=True))
-                for j in range(0, n, k)
+                tuple(x - sum(column) for x, *column in zip(rows[n], *own, strict=True))
+                for group in self.grasp.groups
+                for own in [rows[k * group.start : k * group.stop]]
             ]
         balance: list[Row] = [
             [*(c[i] for c in columns), Fraction(0), x] for i, x in enumerate(load)

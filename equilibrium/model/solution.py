@@ -106,15 +106,19 @@ class PadForce:
         return found
 
 
-def numbering_words(groups: Sequence[range]) -> str:
-    """Return how a certificate, which is about points, numbers them; empty without pads."""
+def numbering_words(groups: Sequence[range], taker: str = "the certificate") -> str:
+    """Return how an answer about points numbers them as contacts; empty without pads.
+
+    Args:
+        taker: the answer.
+    """
     if all(len(group) == 1 for group in groups):
         return ""
     places = (
         f"contact {k} is {g.start + 1}" + (f" to {g.stop}" if len(g) > 1 else "")
         for k, g in enumerate(groups, 1)
     )
-    return f"the certificate is about points, which it numbers as contacts: {', '.join(places)}"
+    return f"{taker} is about points, which it numbers as contacts: {', '.join(places)}"
 
 
 def pad_entries(

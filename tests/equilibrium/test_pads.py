@@ -14,6 +14,7 @@ from equilibrium.decide.corners import corners
 from equilibrium.decide.proofs_for_all import proof_for_all
 from equilibrium.grasps.inputs import read_any, read_csv
 from equilibrium.grasps.inputs.incidences import other_rounding
+from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
 from equilibrium.model.assembly import BodyContact
 from equilibrium.model.contact import contact_words, joined, spread
 from equilibrium.model.solution import PadForce
@@ -108,6 +109,18 @@ class TestOneContact:
         assert [x for x in names if x.startswith("number-")] == ["number-1", "number-2"]
         solid = SolidGrasp(read_csv(pinch).grasp.in_space())
         assert [text for _, _, text in solid.groups] == ["1", "2"]
+
+    def test_normal_force_at_most_1_is_that_of_the_pad(self, pinch):
+        """Whatever the length of a pad, it presses with 1 at most, and bears a torque then."""
+        grasp = read_csv(pinch).grasp
+        for pads, slope in ((grasp, Fraction(1)), (grasp.without_pads(), Fraction(1, 3))):
+            space = GraspWrenchSpace(pads, "Linf")
+            assert space.verdict([-1, 0, 0]).least_force == slope
+        assert GraspWrenchSpace(grasp, "Linf").volume < space.volume
+
+    def test_modes_say_that_they_are_about_points(self, pinch, capsys):
+        _, out = printed(capsys, "info", pinch, "--modes", "--count")
+        assert "a mode is about points, which it numbers as contacts: contact 1 is 1 to 3" in out
 
 
 class TestFile:
