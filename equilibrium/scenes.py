@@ -84,6 +84,8 @@ class EngineScene(ReprMixin):
             raise GraspError("a direction is zero; give one that is not")
         if not all(c.stiffness for c in grasp):
             raise GraspError("a contact has stiffness 0; a scene has a spring at each contact")
+        if any(c.adhesion for c in grasp):
+            raise GraspError("a contact has adhesion; a scene has none, leave it out")
         if not len(grasp):
             raise GraspError("a grasp without contacts holds nothing; give one with contacts")
         numbers = chain.from_iterable(

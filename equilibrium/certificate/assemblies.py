@@ -169,7 +169,7 @@ def joint_rows(assembly: Assembly) -> list[LawRow]:
                 other = [-x for x in wrench]
                 row[place[joint.body_b] : place[joint.body_b] + SIZE] = other
             lifted.append(tuple(row))
-        rows.append(LawRow(tuple(lifted), c.friction, c.stiffness, c.preload))
+        rows.append(LawRow(tuple(lifted), c.friction, c.stiffness, c.preload, c.adhesion))
     return rows
 
 

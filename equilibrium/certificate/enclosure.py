@@ -7,10 +7,10 @@ sticking contacts ("pillars"). With ``c_n = q - k N . d`` and friction
 * ``-mu c_n s / |s|`` with s = T d where a contact slips,
 * ``mu c_n r`` with a given r where it sticks, and z along a tangent if it is a pillar there,
 
-let F be the sum of all wrenches. The test of Krawczyk: if for a box X with centre m and any matrix
-Y ``K = m - Y F(m) + (I - Y F'(X)) (X - m)`` lies inside X, then F has exactly one zero in X. There
-all conditions of the law hold, if they hold for all of X. Intervals have integer ends over 2^192
-and are rounded outwards.
+let F be the sum of all wrenches, with the load and the constant pull of all adhesion. The test of
+Krawczyk: if for a box X with centre m and any matrix Y ``K = m - Y F(m) + (I - Y F'(X)) (X - m)``
+lies inside X, then F has exactly one zero in X. There all conditions of the law hold, if they hold
+for all of X. Intervals have integer ends over 2^192 and are rounded outwards.
 
 Motions that no attached contact feels (without friction it feels no slip), and on which the load
 does no work (null-space motions, JSON "idle"), leave d open, and F misses them. Then F + sum v (v .
@@ -31,7 +31,7 @@ from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Enclosure
 
-from .law import frame
+from .law import applied, frame, law_rows
 
 _BITS = 192
 _ONE = 1 << _BITS
@@ -94,7 +94,7 @@ def enclosure_problem(
     grasp: Grasp, wrench: RationalVector, given: Enclosure, max_displacement: Fraction | None = None
 ) -> str:
     """Return why an enclosure shows no equilibrium that counts, or nothing."""
-    felt_contacts = felt_by(grasp, given.basis)
+    felt_contacts, wrench = felt_by(grasp, given.basis), applied(law_rows(grasp), wrench)
     for i, (felt, friction) in enumerate(zip(felt_contacts, given.friction, strict=True)):
         _, *tangents = felt.wrenches
         if friction and any(dot(t, motion) for motion in given.basis for t in tangents):

@@ -26,11 +26,21 @@ class LawRow(NamedTuple):
     friction: Fraction
     stiffness: Fraction
     preload: Fraction
+    adhesion: Fraction
 
 
 def law_rows(contacts: Iterable[Contact]) -> list[LawRow]:
     """Return the rows of the contacts of a grasp."""
-    return [LawRow(frame(c), c.friction, c.stiffness, c.preload) for c in contacts]
+    return [LawRow(frame(c), c.friction, c.stiffness, c.preload, c.adhesion) for c in contacts]
+
+
+def applied(rows: Iterable[LawRow], wrench: RationalVector) -> RationalVector:
+    """Return a wrench with the adhesion of all contacts, which pulls against their normals."""
+    for row in rows:
+        if row.adhesion:
+            pairs = zip(wrench, row.wrenches[0], strict=True)
+            wrench = tuple(w - row.adhesion * x for w, x in pairs)
+    return wrench
 
 
 def frame(contact: Contact) -> tuple[RationalVector, ...]:
@@ -57,7 +67,7 @@ def law_problem(
     """Return what is wrong with a motion and forces (normal, tangential); empty if they obey.
 
     Spring ``c_n = max(0, q - k N . d)``, cone ``|c_t| <= mu c_n``, dissipation: where s = T d is
-    not 0, ``c_t = -mu c_n s / |s|``, balance ``sum (c_n N + c_t T) + w = 0``.
+    not 0, ``c_t = -mu c_n s / |s|``, balance ``sum ((c_n - adhesion) N + c_t T) + w = 0``.
 
     Args:
         edges: of friction pyramids; none for cones, in space round ones.
@@ -77,7 +87,8 @@ def law_problem(
         pushes += normal, *friction
         along_axes += contact.wrenches
     columns = zip(*along_axes, strict=True) if along_axes else ([] for _ in wrench)
-    total = [w + _dot(pushes, column) for w, column in zip(wrench, columns, strict=True)]
+    loads = zip(applied(rows, wrench), columns, strict=True)
+    total = [w + _dot(pushes, column) for w, column in loads]
     return f"the forces add up to {_shown(total)}, not 0" if any(total) else ""
 
 

@@ -14,7 +14,7 @@ from arrangement.numbers.exact import IntegerVector, RationalVector, dot, vector
 from equilibrium.model.grasp import Grasp
 
 from .checker import edges_of, placed_leaves
-from .law import displacement_work, law_rows
+from .law import applied, displacement_work, law_rows
 from .plane import PlanarQuestion
 from .reading import FORMS, Leaf, read_bound, read_plane, read_question
 from .states import SlipFace, State, StateQuestion, slip_faces
@@ -37,7 +37,7 @@ class Works(NamedTuple):
     """What is done on the virtual motion of parts.
 
     Attributes:
-        load: the work of the load.
+        load: the work of the load and of all adhesion.
         factors: for each contact its least work, as a factor of its normal force; None where it has
             no force.
         least: all contacts and bounded displacements work at least that much;
@@ -64,7 +64,8 @@ def works(
 ) -> Works:
     """Return the works on the virtual motion of one part, or of several that share it."""
     question = PlanarQuestion(grasp, wrench, max_displacement)
-    each = [_works(question, Fraction(dot(wrench, part.leaf.motion)), part) for part in together]
+    load = applied(question.rows, wrench)
+    each = [_works(question, Fraction(dot(load, part.leaf.motion)), part) for part in together]
     factors = [
         min((factor for factor in some if factor is not None), default=None)
         for some in zip(*(done.factors for done in each), strict=True)
@@ -89,8 +90,8 @@ class SpatialLeaf(NamedTuple):
         states: by contact, counted from 0, what is assumed of it, in words.
         motion: the virtual motion.
         least: contacts do at least that much work on it, whatever they do; ``sum alpha q``, less
-            what bounds of the range take. The tree refutes a load w if ``motion . w + least > 0``
-            for all leaves.
+            what bounds of the range take, with the work of all adhesion. The tree refutes a load w
+            if ``motion . w + least > 0`` for all leaves.
     """
 
     states: Mapping[int, str]
@@ -104,12 +105,15 @@ def spatial_leaves(document: Mapping[str, Any]) -> Iterator[SpatialLeaf]:
     if read_plane(document["tree"]):
         return
     form, edges, bound = FORMS[grasp.dimension], edges_of(document), read_bound(document)
-    question = StateQuestion(law_rows(grasp), wrench, form, edges, bound)
+    rows = law_rows(grasp)
+    pull = applied(rows, (Fraction(0),) * len(wrench))
+    question = StateQuestion(rows, wrench, form, edges, bound)
     for leaf, place in placed_leaves(document["tree"], question):
         works = (row[0] * grasp.contacts[i].preload for i, row in leaf.multipliers.items())
         _, taken = displacement_work(question.max_displacement, leaf.displacements)
         states = {i: _words(state, question.edges) for i, state in place.states.items()}
-        yield SpatialLeaf(states, leaf.motion, sum(works, -taken))
+        least = sum(works, Fraction(dot(pull, leaf.motion)) - taken)
+        yield SpatialLeaf(states, leaf.motion, least)
 
 
 def _words(state: State, edges: Sequence[RationalVector]) -> str:

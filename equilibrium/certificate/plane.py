@@ -22,8 +22,9 @@ A leaf stands for a region of motions and for states of contacts. It has a virtu
    * ``kappa e``, if it is decided otherwise or all e >= 0;
    * ``min(0, kappa) max(0, e)`` for the rest, which is concave in g: between generators it is not
      below its interpolation.
-4. *Sum.* The load does ``lambda . w g_0``. The leaf holds if load and least works together are at
-   least 0 at each generator, and above 0 where ``g_0 > 0``. Each motion of the region is a sum of
+4. *Sum.* The load, with all adhesion, is a constant wrench w and does ``lambda . w g_0``. The leaf
+   holds if load and least works together are at least 0 at each generator, and above 0 where
+   ``g_0 > 0``. Each motion of the region is a sum of
    generators, some with ``g_0 > 0``, so there load and contacts do work on lambda together. Forces
    that balance do none.
 
@@ -43,7 +44,7 @@ from typing import Any, NamedTuple, TypeAlias
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot
 from equilibrium.model.grasp import Grasp
 
-from .law import displacement_work, law_rows, short
+from .law import applied, displacement_work, law_rows, short
 from .reading import FORMS, Leaf, Place
 from .states import broken_multipliers
 
@@ -107,8 +108,9 @@ class PlanarQuestion:
             rubbing = tuple(row.friction * x for x in tangent)
             laws.append((spring, (Fraction(0), *tangent), (*normal, *rubbing)))
         scales = [tuple(map(_denominator, law)) for law in laws]
-        self.unit = math.lcm(_denominator(wrench), *(math.lcm(e * f, s) for e, s, f in scales))
-        self.wrench = _times(wrench, self.unit)
+        load = applied(self.rows, wrench)
+        self.unit = math.lcm(_denominator(load), *(math.lcm(e * f, s) for e, s, f in scales))
+        self.load = _times(load, self.unit)
         self.contacts = []
         for (spring, slip, force), (e, s, _) in zip(laws, scales, strict=True):
             forces, per_e, per_s = _times(force, self.unit // e), self.unit // e, self.unit // s
@@ -153,7 +155,7 @@ class PlanarQuestion:
         """
         scale = _denominator(leaf.motion)
         virtual, unit = _times(leaf.motion, scale), scale * self.unit
-        load = dot(self.wrench, virtual)
+        load = dot(self.load, virtual)
         work: list[Any] = [load * generator.vector[0] for generator in region]
         if leaf.displacements:
             bounded = self._work_of_bounds(leaf, taken, region)

@@ -1,13 +1,14 @@
 """Proofs of a verdict for all grasps within bounds.
 
-"Not resisted" has one "virtual_motion" on which the load does work above 0, and each contact within
-the bounds none below 0, whatever its force in the friction cone is.
+"Not resisted" has one "virtual_motion" on which the load and all adhesion do work above 0, and each
+contact within the bounds none below 0, whatever its force in the friction cone is.
 
 "Resisted" has contact forces that balance the load with room in each friction cone, for all grasps
 within the bounds. Let ``e = max(0, q - k N . d)`` be the spring force at a motion d, c a motion
 (the "motion" of the document), ``q' = q - k N . c`` and ``s = T . c`` there, ``v = N . (d - c)``
 and ``x = T . (d - c)``. Let forces ``(c_n, c_t)`` balance the load w, and put ``a = q' - c_n``.
-Contacts with forces are holding, the others loose.
+Contacts with forces are holding, the others loose. The load w is that of the document and the
+adhesion of all contacts, which pulls along their normals and so is another one in each grasp.
 
 On the motion ``d - c`` load and contacts do the work ``sum e v + r . x - c_n v - c_t . x``, with
 friction forces ``r = -mu e u``, u along ``s + x``. As ``u . x >= |x| - 2 |s|``, a holding contact
@@ -99,15 +100,15 @@ def virtual_motion_problem(
     grasp: Grasp, wrench: RationalVector, bounds: Bounds, virtual: RationalVector
 ) -> str:
     """Return why a virtual motion does not show that no grasp within bounds resists, or nothing."""
-    if dot(virtual, wrench) <= 0:
-        return "virtual_motion: the load does no work above 0"
+    work = Fraction(dot(virtual, wrench))
     for i, contact in enumerate(grasp):
         uncertain = Uncertain(contact, bounds)
         along = uncertain.along(virtual)
+        work -= max(x * (along.normal + along.normal_error) for x in uncertain.ends("adhesion"))
         rubbing = uncertain.ends("friction")[1] * along.slip
         if along.normal - along.normal_error < rubbing:
             return f"virtual_motion: contact {i} may do work below 0 within the bounds"
-    return ""
+    return "" if work > 0 else "virtual_motion: load and adhesion may do no work above 0"
 
 
 class Holding:
@@ -155,17 +156,20 @@ class Holding:
         """Return at least ``|G f + w|`` and ``|G R - 1|`` of all grasps within the bounds."""
         n, unfelt = len(self.wrench), self.unfelt()
         rests, matrix = [], []
+        pairs = zip(self.grasp, self.forces, strict=True)
+        net = [(normal - c.adhesion, *tangents) for c, (normal, *tangents) in pairs]
         for j, unit in enumerate(_units(n)):
             alongs = [contact.along(unit) for contact in self.contacts]
-            total, error = _entry(alongs, self.forces)
+            total, error = _entry(alongs, net)
+            error += _change_of_adhesion(alongs, self.contacts)
             rests.append(abs(total + self.wrench[j]) + error)
             columns = ([[row[k] for row in rows] for rows in self.correction] for k in range(n))
-            pairs = [_entry(alongs, column) for column in columns]
-            row = [total - (k == j) for k, (total, _) in enumerate(pairs)]
+            sums = [_entry(alongs, column) for column in columns]
+            row = [total - (k == j) for k, (total, _) in enumerate(sums)]
             for one in unfelt:
                 share = dot(row, one) / dot(one, one)
                 row = [x - share * y for x, y in zip(row, one, strict=True)]
-            matrix.append([abs(x) + error for x, (_, error) in zip(row, pairs, strict=True)])
+            matrix.append([abs(x) + error for x, (_, error) in zip(row, sums, strict=True)])
         return rests, matrix
 
     def energy(self, reach: RationalVector, energy: Fraction) -> tuple[Fraction, str]:
@@ -241,6 +245,15 @@ def _entry(
         total += normal * along.normal + dot(tangents, along.tangents)
         error += abs(normal) * along.normal_error + sum(map(abs, tangents)) * along.tangent_error
     return total, error
+
+
+def _change_of_adhesion(alongs: Sequence[Along], contacts: Sequence[Uncertain]) -> Fraction:
+    """Return at least how far one entry of the wrench changes with the sizes of adhesion."""
+    return sum(
+        (contact.ends("adhesion")[1] - contact.contact.adhesion)
+        * (abs(along.normal) + along.normal_error)
+        for along, contact in zip(alongs, contacts, strict=True)
+    )  # type: ignore[return-value]
 
 
 def _units(n: int) -> list[RationalVector]:

@@ -17,8 +17,8 @@ Without multipliers alpha and h are 0 here. Where only displacements of contact 
 count, numbers of a leaf for the normal and the tangents of a contact take D times their sizes from
 the sum, and give what they are times the rows ``N . d`` and ``T . d``, see
 `equilibrium.certificate.law.displacement_work`. Where all these together do not depend on d, and
-are above minus the work of the load, nothing balances the load. Roots are compared by their
-squares.
+are above minus the work of the load and of all adhesion, nothing balances the load. Roots are
+compared by their squares.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from typing import Any, NamedTuple, TypeAlias
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot
 from equilibrium.model.errors import CertificateError
 
-from .law import LawRow, displacement_work, outward, short
+from .law import LawRow, applied, displacement_work, outward, short
 from .reading import Leaf, Place, Split, TreeForm
 
 #: A sector from u to v, counter-clockwise by less than half a turn.
@@ -73,6 +73,7 @@ class StateQuestion:
         max_displacement: Fraction | None = None,
     ) -> None:
         self.form, self.edges, self.max_displacement = form, edges, max_displacement
+        load = applied(rows, load)
         works = math.lcm(*(x.denominator for x in (*load, *(c.preload for c in rows))))
         self.load = tuple(whole(load, works))
         units = [math.lcm(*(x.denominator for row in c.wrenches for x in row)) for c in rows]

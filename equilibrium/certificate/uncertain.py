@@ -1,7 +1,8 @@
 """Bounds of grasps near a given one, and how far the wrenches of a contact change within them.
 
 A contact within bounds has its normal turned by an angle of at most t, each coordinate of its point
-moved, and friction, stiffness and preload changed by a share.
+moved, and friction, stiffness, preload and adhesion changed by a share. Adhesion pulls along the
+turned normal.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ class Bounds(JsonMixin):
     Attributes:
         degrees: of each normal, up to 45.
         length: of each coordinate of a point.
-        friction, stiffness, preload: shares of the values, below 1.
+        friction, stiffness, preload, adhesion: shares of the values, below 1.
 
     >>> Bounds(degrees=2, friction="5%").friction
     Fraction(1, 20)
@@ -48,6 +49,7 @@ class Bounds(JsonMixin):
     friction: Fraction
     stiffness: Fraction
     preload: Fraction
+    adhesion: Fraction
 
     def __init__(self, **given: Any) -> None:
         for name, most in LARGEST.items():
@@ -133,7 +135,7 @@ class Uncertain:
         )
 
     def ends(self, name: str) -> tuple[Fraction, Fraction]:
-        """Return the least and the largest friction, stiffness or preload."""
+        """Return the least and the largest of the values of this name."""
         value, share = getattr(self.contact, name), getattr(self.bounds, name)
         return value * (1 - share), value * (1 + share)
 

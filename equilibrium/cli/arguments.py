@@ -158,13 +158,7 @@ def add_force(parser: argparse.ArgumentParser, ways: Any) -> None:
 
 
 def applied(arguments: argparse.Namespace, grasp: Grasp) -> RationalVector:
-    """Return the wrench that `add_applied` has read, with the pull of adhesion in the data."""
-    wrench = given_load(arguments, grasp)
-    return tuple(x + y for x, y in zip(wrench, arguments.pull or [0] * len(wrench), strict=True))
-
-
-def given_load(arguments: argparse.Namespace, grasp: Grasp) -> RationalVector:
-    """Return the wrench that `add_applied` has read, alone."""
+    """Return the wrench that `add_applied` has read."""
     wrench = force_given(arguments, grasp.dimension) or arguments.wrench
     if wrench is None:
         raise GraspError("there is no wrench; give one of --wrench, --force and --weight")
@@ -242,12 +236,7 @@ def read(arguments: argparse.Namespace) -> Grasp:
         arguments.grasp, round_normals=arguments.round_normals, as_given=arguments.as_given
     )
     tell_rounding(found)
-    arguments.pull, arguments.remarks = found.pull, found.remarks
-    if found.pull and not getattr(arguments, "takes_pull", False):
-        raise GraspError(
-            "the contacts have adhesion, a wrench besides every load, which this command does not "
-            "add; leave the column out, or use `solve`, `info` or `resisted` with a load"
-        )
+    arguments.remarks = found.remarks
     # In space proofs are long, and of converted data many roundings are asked.
     if found.grasp.dimension == 3 or found.grasp.data_error is not None:
         budget.allow(3 * budget.COMMAND_STEPS)

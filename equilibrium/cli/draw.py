@@ -101,7 +101,7 @@ def _write_data(arguments: argparse.Namespace, grasp: Grasp) -> int:
     takes = {"model": {"wrench", "preload"}, "view": {"slice", "origin"}}[kind]
     always = {"grasp", "output", "view", "model", "force", "weight", "at"}
     common = {"command", "json", "limit", "traceback", "round_normals", "as_given"}
-    common |= {"pull", "remarks"}  # of the data
+    common |= {"remarks"}  # of the data
     for option, value in vars(arguments).items():
         if value not in (None, False, []) and option not in takes | always | common:
             raise GraspError(f"the data of the {kind} {name} take no --{option.replace('_', '-')}")

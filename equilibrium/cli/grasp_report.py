@@ -36,7 +36,7 @@ def give_report(
     """Print the report, and write it as a page where one is wanted; return the exit code.
 
     Args:
-        wrench: the load to decide, if there is one; the pull of adhesion acts besides.
+        wrench: the load to decide, if there is one.
         document, lines: the description of the grasp, which comes first.
     """
     rows: Rows = [("units", str(grasp.units) if grasp.units else "not stated")]
@@ -45,14 +45,12 @@ def give_report(
     rows += _closure(grasp, document)
     yes: bool | None = True
     if wrench is not None:
-        yes, more = _load(grasp, wrench, arguments.pull, document)
+        yes, more = _load(grasp, wrench, document)
         rows += more
     rows += [("remark", remark) for remark in arguments.remarks]
     described = list(lines)
     if arguments.output is not None:
-        pull = arguments.pull or (0,) * len(wrench or ())
-        total = None if wrench is None else [x + y for x, y in zip(wrench, pull, strict=True)]
-        write_text_atomically(arguments.output, _page(grasp, total, described, rows))
+        write_text_atomically(arguments.output, _page(grasp, wrench, described, rows))
     printed = (
         f"{title if k == 0 else '':<16} {line}"
         for title, text in rows
@@ -77,21 +75,14 @@ def _closure(grasp: Grasp, document: dict[str, Any]) -> Rows:
     return rows
 
 
-def _load(
-    grasp: Grasp, load: RationalVector, pull: RationalVector, document: dict[str, Any]
-) -> tuple[bool | None, Rows]:
-    """Return the verdict on a load and its margin, as rows; add them to the document.
-
-    Args:
-        pull: of adhesion, which acts besides the load and is not scaled with it.
-    """
+def _load(grasp: Grasp, load: RationalVector, document: dict[str, Any]) -> tuple[bool | None, Rows]:
+    """Return the verdict on a load and its margin, as rows; add them to the document."""
     from equilibrium.wrench_sets import ResistedSet
 
     from .verdict_words import verdict_lines
 
     resisted = ResistedSet(grasp)
-    total = tuple(x + y for x, y in zip(load, pull or [Fraction(0)] * len(load), strict=True))
-    verdict: Verdict = resisted.solve(total)
+    verdict: Verdict = resisted.solve(load)
     document |= {"wrench": load, "verdict": verdict.verdict}
     said = list(verdict_lines(verdict))
     yes = verdict.stable if verdict.decided else None
@@ -100,9 +91,9 @@ def _load(
         yes = None
     rows = [("load", vector(load)), ("verdict", "\n".join(said))]
     if grasp.dimension == 2 and any(load):
-        factors: Any = resisted.along(load, pull or 0)
-        least = resisted.margin(total).preloads.least
-        document |= {**factors.to_dict(), "least_preload": least}
+        factors = resisted.margin(load)
+        least = factors.preloads.least
+        document |= {**factors.magnitudes.to_dict(), "least_preload": least}
         force = f" {grasp.units.force}" if grasp.units else ""
         rows += [
             ("margin", f"resisted when scaled by a factor {within_text(factors.intervals)}"),

@@ -20,8 +20,8 @@ from .arguments import (
     add_command,
     add_cone,
     add_number,
+    applied,
     force_given,
-    given_load,
     grasp_of,
     seconds,
     show,
@@ -77,7 +77,6 @@ def add_command_info(commands: Any) -> None:
     parser.add_argument("--count", action="store_true", default=None, help=text)
     text = "with --modes: stop after SECONDS: exit code 2"
     parser.add_argument("--time-limit", metavar="SECONDS", type=seconds, help=text)
-    parser.set_defaults(takes_pull=True)
 
 
 def _info(arguments: argparse.Namespace) -> int:
@@ -127,7 +126,7 @@ def _description(arguments: argparse.Namespace, load: bool) -> int:
     if load or arguments.output is not None:
         from .grasp_report import give_report
 
-        wrench = given_load(arguments, grasp) if load else None
+        wrench = applied(arguments, grasp) if load else None
         return give_report(arguments, grasp, wrench, document, lines)
     return show(arguments, document, lines, True, grasp)
 

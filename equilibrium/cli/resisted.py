@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import bracket, counted, number, vector
 from arrangement.console.options import values
-from arrangement.numbers.exact import RationalVector, number_text
+from arrangement.numbers.exact import number_text
 from equilibrium.model.contact import contact_entry, contact_words
 from equilibrium.model.errors import GraspError, UndecidedError
 
@@ -22,8 +22,8 @@ from .arguments import (
     add_displacement,
     add_number,
     add_wrench,
+    applied,
     force_given,
-    given_load,
     grasp_of,
     intervals_text,
     show,
@@ -114,7 +114,6 @@ def add_command_resisted(commands: Any) -> None:
     text = "accepted error: of the friction of --margin (default: 1/1048576), of the magnitudes of "
     add_number(parser, "--tolerance", None, f"{text}--search (default: 1/1000)")
     add_displacement(parser)
-    parser.set_defaults(takes_pull=True)
 
 
 #: Options that are about one body.
@@ -142,11 +141,6 @@ def _resisted(arguments: argparse.Namespace) -> int:
     if form not in (_LOAD, "--margin"):
         force_given(arguments)  # refuses a place without a force
     grasp = grasp_of(arguments)
-    if arguments.pull and form not in (_LOAD, "--smallest"):
-        raise GraspError(
-            f"the contacts have adhesion, which acts besides every load; {form} does not take it: "
-            "give a load or --smallest"
-        )
     command = {
         _LOAD: _along,
         "--margin": _margin,
@@ -202,7 +196,7 @@ def _along(arguments: argparse.Namespace, grasp: Grasp) -> int:
     if arguments.candidates is not None:
         return _candidates(arguments, grasp)
     resisted = _set(arguments, grasp)
-    magnitudes: Any = resisted.along(given_load(arguments, grasp), _base(arguments, grasp))
+    magnitudes: Any = resisted.along(applied(arguments, grasp), arguments.base or 0)
     if grasp.dimension == 3:
         return _show_in_space(arguments, magnitudes)
     more, again = _rounded(resisted, magnitudes)
@@ -215,11 +209,8 @@ def _candidates(arguments: argparse.Namespace, grasp: Grasp) -> int:
     from equilibrium.grasps.inputs import read_any
 
     found = read_any(arguments.candidates, round_normals=arguments.round_normals)
-    if found.pull:
-        raise GraspError("a candidate has adhesion; leave the column out")
-    start = grasp.read_wrench(given_load(arguments, grasp))
-    base = _base(arguments, grasp)
-    loads = [start] if isinstance(base, int) else [start, grasp.read_wrench(base)]
+    start = grasp.read_wrench(applied(arguments, grasp))
+    loads = [start, grasp.read_wrench(arguments.base)] if arguments.base else [start]
     wrench = list(map(sum, zip(*loads, strict=True)))
     sets = _set(arguments, grasp).with_contact(found.grasp)
     verdicts = [resisted.solve(wrench).verdict for resisted in sets]
@@ -237,17 +228,9 @@ def _candidates(arguments: argparse.Namespace, grasp: Grasp) -> int:
     return show(arguments, document, lines, yes, grasp)
 
 
-def _base(arguments: argparse.Namespace, grasp: Grasp) -> RationalVector | int:
-    """Return what acts in any case: --base, and the pull of adhesion in the data."""
-    if not arguments.pull:
-        return arguments.base or 0
-    base = grasp.read_wrench(arguments.base or [0] * len(arguments.pull))
-    return tuple(x + y for x, y in zip(base, arguments.pull, strict=True))
-
-
 def _smallest(arguments: argparse.Namespace, grasp: Grasp) -> int:
     length = 1 if arguments.torque_length is None else arguments.torque_length
-    smallest = _set(arguments, grasp).smallest_outside(_base(arguments, grasp), length)
+    smallest = _set(arguments, grasp).smallest_outside(arguments.base or 0, length)
     lines = _smallest_lines(smallest, grasp)
     return show(arguments, smallest.to_dict(), lines, smallest.size_squared != 0, grasp)
 
@@ -360,7 +343,7 @@ def _set_lines(whole: ResistedSet) -> Iterator[str]:
 def _margin(arguments: argparse.Namespace, grasp: Grasp) -> int:
     from equilibrium.grasps.inputs.documents import question_document
 
-    wrench = given_load(arguments, grasp)
+    wrench = applied(arguments, grasp)
     question_document(grasp, wrench, "margin")
     if grasp.dimension == 3:
         for option in ("contacts", "also", "tolerance"):

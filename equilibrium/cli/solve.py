@@ -122,8 +122,6 @@ def add_command_solve(commands: Any) -> None:
         help=f"follow the text as printed in the paper: {', '.join(AS_PRINTED)}",
     )
 
-    parser.set_defaults(takes_pull=True)
-
 
 def _bound(text: str) -> tuple[str, str]:
     name, equals, value = text.partition("=")

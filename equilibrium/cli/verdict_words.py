@@ -99,7 +99,9 @@ def _equilibrium_lines(
         still = all(kind.startswith("slip") for kind in kinds) and not moves
         why = "  (not slipping: at the edge of its cone)" if still else ""
         state = kinds[0] if len({*kinds}) == 1 else " ".join(kinds)
-        yield f"    contact {i}  {state:<8}  force {shown(whole.force)}{at}{why}"
+        stuck = sum(c.adhesion for c in points)
+        more = f"  adhesion {number(stuck)}" if stuck else ""
+        yield f"    contact {i}  {state:<8}  force {shown(whole.force)}{at}{more}{why}"
 
 
 def _refusal(found: Verdict, about: str, path: str | None) -> Iterator[str]:
@@ -125,11 +127,12 @@ def _proof_lines(verdict: Verdict, path: str | None) -> Iterator[str]:
         yield f"proof: {counted(len(found), 'leaf', 'leaves')}{where}"
         return
     about = displacement_words(verdict.max_displacement)
+    loads = "the load and adhesion do" if any(verdict.grasp.adhesion_wrench) else "the load does"
     yield f"proof{about}: no contact forces in the friction cones balance the load"
     for where, together in cases.items():
         done = works(verdict.grasp, verdict.wrench, together, verdict.max_displacement)
         yield (
-            f"  {where}on the virtual motion {vector(together[0].leaf.motion)} the load does work "
+            f"  {where}on the virtual motion {vector(together[0].leaf.motion)} {loads} work "
             f"{number(done.load)}, the contacts at least {number(done.least)}"
         )
         for i, factor in enumerate(done.factors):

@@ -45,9 +45,10 @@ def moved(contact: Contact, signs: Iterable[float], bounds: Bounds) -> Contact:
 def corners(found: Any, bounds: Bounds, decide: Any) -> Iterator[Grasp]:
     """Yield grasps within bounds that may have another verdict than the one found.
 
-    First those where friction, stiffness and preload all are least, or largest; then those where
-    each contact does the most on a virtual motion (for a no the least): the load itself, and those
-    of proofs for this load and larger ones; at last some inside. None comes twice.
+    First those where friction, stiffness and preload all are least and adhesion largest, or the
+    other way round; then those where each contact does the most on a virtual motion (for a no the
+    least): the load itself, and those of proofs for this load and larger ones; at last some inside.
+    None comes twice.
 
     Args:
         decide: returns the verdict on a grasp and a wrench, None where it is undecided.
@@ -65,15 +66,21 @@ def corners(found: Any, bounds: Bounds, decide: Any) -> Iterator[Grasp]:
 def _shares(found: Any, grasp: Grasp, decide: Any) -> Iterator[list[list[float]]]:
     """Yield the shares for `moved` of all contacts, of which a pad is one."""
     most = 1 if found.verdict == RESISTED else -1
-    turns, size = 2 * grasp.dimension - 1, 2 * grasp.dimension + 2
+    turns, values = 2 * grasp.dimension - 1, len(VALUES) - 1
     for end in (-most, most):
-        yield [[0.0] * turns + [end] * (size - turns) for _ in grasp]
+        yield [[0.0] * turns + [end] * values + [-end] for _ in grasp]
     motion = found.solution.motion if found.solution else (Fraction(0),) * len(found.wrench)
     for virtual in _virtual_motions(found, decide):
         yield [_working(contact, virtual, motion, most) for contact in grasp]
     source = Random("robust")
     for _ in range(MAX_INNER_GRASPS):
-        yield [[source.uniform(-1, 1) for _ in range(size)] for _ in grasp]
+        yield [
+            [
+                source.uniform(-1, 1) if k < turns + values or c.adhesion else 0.0
+                for k in range(turns + values + 1)
+            ]
+            for c in grasp
+        ]
 
 
 def _virtual_motions(found: Any, decide: Any) -> Iterator[RationalVector]:
@@ -93,8 +100,8 @@ def _working(
 ) -> list[float]:
     """Return the signs for `moved` where a contact does the most work, or the least (-1).
 
-    Each sign is that of the change of the work ``e (N - mu u T) virtual`` by it, with the spring
-    force e and the direction u of friction at the motion.
+    Each sign is that of the change of the work ``(e (N - mu u T) - adhesion N) virtual`` by it,
+    with the spring force e and the direction u of friction at the motion.
     """
     d = contact.dimension
     slips = [dot(row, virtual) for row in contact.tangential_wrenches]
@@ -104,12 +111,18 @@ def _working(
         contact.preload - contact.stiffness * dot(contact.normal_wrench, motion), Fraction(0)
     )
     work = along - contact.friction * dot(ways, slips)
-    turns = [slip + contact.friction * way * along for slip, way in zip(slips, ways, strict=True)]
-    force = contact.force([Fraction(1), *(-contact.friction * way for way in ways)])
+    # Without adhesion all forces are proportional to e.
+    pressing, stuck = (spring, contact.adhesion) if contact.adhesion else (Fraction(1), Fraction(0))
+    rubbing = pressing * contact.friction
+    turns = [
+        (pressing - stuck) * slip + rubbing * way * along
+        for slip, way in zip(slips, ways, strict=True)
+    ]
+    force = contact.force([pressing - stuck, *(-rubbing * way for way in ways)])
     axes = (tuple(Fraction(j == k) for j in range(d)) for k in range(d))
     shifts = [dot(wrench_at(axis, force)[d:], virtual[d:]) for axis in axes]
     pressed = -work * dot(contact.normal_wrench, motion)
-    return [most * sign(x) for x in (*turns, *shifts, -size * spring, pressed, work)]
+    return [most * sign(x) for x in (*turns, *shifts, -size * spring, pressed, work, -along)]
 
 
 def _leaves(node: Any, n: int) -> Iterator[RationalVector]:

@@ -110,8 +110,8 @@ class KnownLoads:
         self.grasp, self.nodes, self.max_displacement = grasp, nodes, max_displacement
         self.solver = Solver(grasp, max_displacement)
         self.trees: list[Works] = []
-        #: Without preload all multiples of a load have its verdict: the law scales.
-        self.scales = max_displacement is None and not any(contact.preload for contact in grasp)
+        #: Without preload and adhesion all multiples of a load have its verdict: the law scales.
+        self.scales = max_displacement is None and not any(c.preload or c.adhesion for c in grasp)
         self._verdicts: dict[RationalVector, Verdict] = {}
 
     def solve(self, wrench: RationalVector, nodes: int | None = None, tree: Any = None) -> Verdict:

@@ -146,7 +146,7 @@ class _FloatGrasp:
         arm = float(np.ptp(points, axis=0).max()) if m else 0.0
         arm = arm or 1.0
         self.units = np.array([1.0] * self.d + [1 / arm] * (n - self.d))
-        self.load = np.array(wrench, float) * self.units
+        self.load = np.array(grasp.total_load(wrench), float) * self.units
         preload = np.array([float(c.preload) for c in grasp])
         self.force = float(np.abs(np.append(self.load, preload)).max()) or 1.0
         self.load, self.preload = self.load / self.force, preload / self.force

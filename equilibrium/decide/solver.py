@@ -329,7 +329,8 @@ class Solver(ReprMixin):
 
     def _in_plane(self, wrench: RationalVector, effort: Effort, shorten: bool) -> Solution | Tree:
         """Search in the plane, in units that keep numbers small."""
-        units = SearchUnits.of(self.grasp, wrench)
+        load = self.grasp.total_load(wrench)
+        units = SearchUnits.of(self.grasp, load)
         # Without preload no number of the contacts depends on the unit of force, with it that is
         # the grasp's own; so all wrenches share them but for the largest displacement.
         bound = units.displacement(self.max_displacement)
@@ -337,7 +338,7 @@ class Solver(ReprMixin):
         if scaled is None:
             scaled = IntegerContacts(units.grasp(self.grasp), bound)
             self._scaled = {bound: scaled}
-        found = resistance(scaled, units.wrench(wrench), effort, shorten)
+        found = resistance(scaled, units.wrench(load), effort, shorten)
         return units.solution_back(found) if isinstance(found, Solution) else units.tree_back(found)
 
     def _search(
@@ -353,9 +354,10 @@ class Solver(ReprMixin):
         def accept(solution: Solution) -> bool:
             return not self._verdict(wrench, solution).problem
 
+        rows = ContactRows.of_grasp(self.grasp)
         return SpatialSearch(
-            FloatContacts(ContactRows.of_grasp(self.grasp)),
-            wrench,
+            FloatContacts(rows),
+            rows.total_load(wrench),
             accept,
             effort,
             nodes=SETTINGS.max_nodes if nodes is None else nodes,

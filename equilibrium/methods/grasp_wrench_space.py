@@ -6,7 +6,8 @@ origin) or by 1 each (norm "Linf": the Minkowski sum of one triangle for each co
 hull). In the plane a friction cone has two edges, so nothing is linearised; in space a pyramid
 inside the round cone takes its place, and the hull has six dimensions. A wrench w is resisted, in
 the sense of this method, when a multiple of the space holds ``-w``. Springs, preload and slip play
-no part: this is the set of weakly stable loads.
+no part: this is the set of weakly stable loads. Adhesion is a constant wrench besides w; it is no
+part of the space, its volume and epsilon.
 
 Whether forces inside round cones balance a wrench in space is proved either way (`round_cones`). A
 pyramid inside each cone gives exact forces; a pyramid around each gives, where it has none, a
@@ -176,7 +177,7 @@ class GraspWrenchSpace:
 
     def verdict(self, wrench: Iterable[Any]) -> WrenchSpaceVerdict:
         """Return whether the method counts a wrench as resisted; one exact linear program."""
-        load = self.grasp.read_wrench(wrench)
+        load = self.grasp.total_load(self.grasp.read_wrench(wrench))
         directions = [edge_directions(contact, self.pyramid) for contact in self.grasp]
         columns = [edge for c in self.grasp for edge in friction_edges(c, self.pyramid)]
         n, k = len(columns), len(directions[0]) if directions else 2
@@ -233,10 +234,10 @@ class GraspWrenchSpace:
 
     @cached_property
     def resisted(self) -> Polyhedron:
-        """The wrenches that forces within the bounds balance."""
+        """The wrenches that forces within the bounds, and adhesion, balance."""
         self.grasp.require_plane()
-        s = self.length
-        return _hull([(-x, -y, -s * torque) for x, y, torque in self.polytope.points])
+        (a, b, c), s = self.grasp.adhesion_wrench, self.length
+        return _hull([(-x - a, -y - b, -s * torque - c) for x, y, torque in self.polytope.points])
 
     def _scaled(self, wrench: RationalVector) -> RationalVector:
         forces = self.grasp.dimension
@@ -282,7 +283,7 @@ def round_cones(grasp: Grasp, wrench: Iterable[Any]) -> WrenchSpaceVerdict:
 
 def separates(grasp: Grasp, wrench: RationalVector, motion: RationalVector) -> bool:
     """Return whether a motion proves that no forces inside the round cones balance the wrench."""
-    return dot(wrench, motion) > 0 and all(
+    return dot(grasp.total_load(wrench), motion) > 0 and all(
         (push := dot(contact.normal_wrench, motion)) >= 0
         and push**2
         >= contact.friction**2 * sum(dot(t, motion) ** 2 for t in contact.tangential_wrenches)
@@ -300,7 +301,8 @@ def _refused_around(grasp: Grasp, load: RationalVector, pyramid: int) -> Rationa
     ]
     columns = [cone_edge(contact, corner) for contact in grasp for corner in corners]
     n = len(columns)
-    balance: list[Row] = [[*(c[i] for c in columns), x] for i, x in enumerate(load)]
+    rows = enumerate(grasp.total_load(load))
+    balance: list[Row] = [[*(c[i] for c in columns), x] for i, x in rows]
     found = feasible_point(n, [unit_row(j, n) for j in range(n)], balance)
     if not isinstance(found, Infeasible):
         return None

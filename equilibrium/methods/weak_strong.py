@@ -236,10 +236,11 @@ def _decide_frictionless(
     return GraspWrenchSpace(grasp.with_friction(0)).verdict(wrench).accepts, "normal forces alone"
 
 
-def _balanced(forces: Iterable[RationalVector]) -> Iterator[Polyhedron | None]:
-    """Yield the cone of the wrenches that combinations of forces balance."""
+def _balanced(grasp: Grasp, forces: Iterable[RationalVector]) -> Iterator[Polyhedron | None]:
+    """Yield the cone of the wrenches that combinations of forces, and adhesion, balance."""
     rays = [(*primitive(negated(force)), 0) for force in forces]
-    yield from_generators([(0, 0, 0, 1), *rays], (), 3)
+    apex = primitive((*negated(grasp.adhesion_wrench), Fraction(1)))
+    yield from_generators([apex, *rays], (), 3)
 
 
 WEAK = Method(
@@ -247,7 +248,7 @@ WEAK = Method(
     "weakly stable (Pang, Trinkle 2000)",
     "weakly stable",
     _decide_weak,
-    cut(lambda grasp: _balanced(edge for c in grasp for edge in friction_edges(c))),
+    cut(lambda grasp: _balanced(grasp, (edge for c in grasp for edge in friction_edges(c)))),
     decide_in_space=_decide_weak_in_space,
     decide_assembly=_decide_weak_assembly,
 )
@@ -257,7 +258,7 @@ FRICTIONLESS = Method(
     "frictionless stable (Pang, Trinkle 2000)",
     "frictionless stable",
     _decide_frictionless,
-    cut(lambda grasp: _balanced(c.normal_wrench for c in grasp)),
+    cut(lambda grasp: _balanced(grasp, (c.normal_wrench for c in grasp))),
     decide_in_space=_decide_frictionless,
     decide_assembly=_decide_frictionless_assembly,
 )

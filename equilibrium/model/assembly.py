@@ -25,7 +25,7 @@ from arrangement.library.arguments import entries
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.exact import RationalVector, rational, rational_vector, shown, to_text
 
-from .contact import Contact, contact_of
+from .contact import VALUES, Contact, contact_of
 from .errors import GraspError
 from .grasp import Grasp, ask_contacts, chosen_places, wrench_of
 from .labels import Units
@@ -160,10 +160,7 @@ class BodyContact:
         if self.body_b is None:
             raise GraspError("body_b is the ground; expected a body to exchange with body_a")
         c = self.contact
-        values = c.friction, c.stiffness, c.preload
-        turned = Contact(
-            c.point, [-x for x in c.normal], *values, stiffness_given=c.stiffness_given
-        )
+        turned = replace(c, normal=tuple(-x for x in c.normal))
         return BodyContact(self.body_b, self.body_a, turned)
 
     def to_dict(self) -> dict[str, Any]:
@@ -279,7 +276,7 @@ class Assembly(HintsMixin):
 
             one = c.contact
             tangents = tuple(map(lifted, one.tangential_wrenches))
-            values = one.friction, one.stiffness, one.preload
+            values = (getattr(one, name) for name in VALUES)
             rows.append(ContactRow(lifted(one.normal_wrench), tangents, *values))
         points = tuple(c.contact.point for c in self.contacts)
         return ContactRows(tuple(rows), points, TURNS[2] * len(place), 1)

@@ -40,9 +40,9 @@ from equilibrium.model.unit_normal import unit_normal
 #: How many numbers a wrench or a motion of one body has, in the plane and in space.
 WRENCH_SIZES = {2: 3, 3: 6}
 #: What a contact has besides its place.
-VALUES = ("friction", "stiffness", "preload")
+VALUES = ("friction", "stiffness", "preload", "adhesion")
 _REQUIRED = ("point", "normal", "friction")
-_OPTIONAL = ("stiffness", "preload", "tangent", "share")
+_OPTIONAL = ("stiffness", "preload", "adhesion", "tangent", "share")
 
 #: Why a grasp in space is refused by what knows the plane only.
 IN_SPACE = (
@@ -72,6 +72,9 @@ class Contact(ReprMixin):
         share: of the preload of a pad, for one of its points: neighbours whose shares add up to 1
             are one contact, see `Grasp.groups`. The law is about points, so no comparison looks at
             it. 1, for a contact of its own.
+        adhesion: constant force that pulls the object against the normal, at least 0, such as
+            that of a suction cup. The force on the object is ``(c_n - adhesion) n + c_t``: spring
+            and friction cone are about c_n alone.
 
     Raises:
         GraspError: a normal that is not unit, or a number out of range.
@@ -89,6 +92,7 @@ class Contact(ReprMixin):
     tangent: RationalVector = ()
     stiffness_given: bool = field(default=False, compare=False)
     share: Fraction = field(default=Fraction(1), compare=False)
+    adhesion: Fraction = Fraction(0)
 
     def __init__(
         self,
@@ -100,6 +104,7 @@ class Contact(ReprMixin):
         tangent: Iterable[Any] | None = None,
         stiffness_given: bool | None = None,
         share: Any = 1,
+        adhesion: Any = 0,
     ) -> None:
         place, inward = coordinates(point, "point"), _unit(normal)
         if len(place) != len(inward):
@@ -123,12 +128,13 @@ class Contact(ReprMixin):
             # Copies with another stiffness repeat the mark of the contact that they come from.
             "stiffness_given": stiffness_given or spring != part,
             "share": part,
+            "adhesion": rational(adhesion, "adhesion"),
         }
         for name, value in values.items():
             object.__setattr__(self, name, value)
         if not 0 < part <= 1:
             raise GraspError(f"share is {shown(part)}; it must be above 0 and at most 1")
-        for name in ("friction", "preload"):
+        for name in ("friction", "preload", "adhesion"):
             if getattr(self, name) < 0:
                 raise GraspError(f"{name} is {shown(getattr(self, name))}; it must be at least 0")
         if self.stiffness < 0 or (self.dimension == 3 and not self.stiffness):
@@ -141,8 +147,13 @@ class Contact(ReprMixin):
     @property
     def words(self) -> str:
         """Place, normal and values, in short numbers."""
-        values = ", ".join(f"{name} {number_text(getattr(self, name))}" for name in VALUES)
+        values = ", ".join(f"{name} {number_text(getattr(self, name))}" for name in self.stated)
         return f"at {vector_text(self.point)}, normal {vector_text(self.normal)}, {values}"
+
+    @property
+    def stated(self) -> tuple[str, ...]:
+        """The names of its values; few contacts have adhesion."""
+        return VALUES if self.adhesion else VALUES[:-1]
 
     @property
     def dimension(self) -> int:
@@ -160,6 +171,11 @@ class Contact(ReprMixin):
         """Return the force with these components: along the normal, then the tangents."""
         frame = zip(self.normal, *self.tangents, strict=True)
         return tuple(Fraction(dot(shares, axis)) for axis in frame)
+
+    def total_force(self, shares: Sequence[Fraction]) -> RationalVector:
+        """Return what the contact does to the object in all: these forces, and its adhesion."""
+        normal, *friction = shares
+        return self.force((normal - self.adhesion, *friction))
 
     @cached_property
     def normal_wrench(self) -> RationalVector:
@@ -192,10 +208,25 @@ class Contact(ReprMixin):
             names.append("tangent")
         vectors = {name: list(map(to_text, getattr(self, name))) for name in names}
         left_out = () if self.stiffness_given else ("stiffness",)
-        values = {name: to_text(getattr(self, name)) for name in VALUES if name not in left_out}
+        stated = (name for name in self.stated if name not in left_out)
+        values = {name: to_text(getattr(self, name)) for name in stated}
         if self.share != 1:
             values["share"] = to_text(self.share)
         return vectors | values
+
+
+def adhesion_wrench(contacts: Iterable[Any], size: int) -> RationalVector:
+    """Return ``-sum adhesion N``, the constant part of what contacts do, of so many numbers.
+
+    Args:
+        contacts: with `adhesion` and `normal_wrench`.
+    """
+    total = (Fraction(0),) * size
+    for contact in contacts:
+        if contact.adhesion:
+            pairs = zip(total, contact.normal_wrench, strict=True)
+            total = tuple(x - contact.adhesion * n for x, n in pairs)
+    return total
 
 
 def contact_of(entry: Any, index: int) -> Contact:
@@ -300,6 +331,7 @@ def joined(points: Sequence[Contact]) -> Contact:
         point=tuple(Fraction(dot([c.share for c in points], column)) for column in columns),
         stiffness=sum((c.stiffness for c in points), Fraction(0)),
         preload=sum((c.preload for c in points), Fraction(0)),
+        adhesion=sum((c.adhesion for c in points), Fraction(0)),
         share=Fraction(1),
     )
 
@@ -326,6 +358,7 @@ def spread(points: Sequence[Contact], moved: Contact) -> tuple[Contact, ...]:
                 point=tuple(place),
                 stiffness=_shared(c, old, moved, "stiffness"),
                 preload=_shared(c, old, moved, "preload"),
+                adhesion=_shared(c, old, moved, "adhesion"),
                 share=c.share,
             )
         )

@@ -26,6 +26,7 @@ from .contact import (
     IN_SPACE,
     WRENCH_SIZES,
     Contact,
+    adhesion_wrench,
     contact_of,
     groups_of,
     joined,
@@ -216,6 +217,15 @@ class Grasp(HintsMixin):
         """How many numbers a wrench on it has: three in the plane, six in space."""
         return WRENCH_SIZES[self.dimension]
 
+    @cached_property
+    def adhesion_wrench(self) -> RationalVector:
+        """The wrench of all adhesion, ``-sum adhesion N``; it acts besides every load."""
+        return adhesion_wrench(self, self.wrench_size)
+
+    def total_load(self, wrench: Iterable[Fraction]) -> RationalVector:
+        """Return a wrench and that of the adhesion together: what springs and friction balance."""
+        return tuple(x + y for x, y in zip(wrench, self.adhesion_wrench, strict=True))
+
     def read_wrench(self, values: Iterable[Any]) -> RationalVector:
         """Return an applied wrench as rationals: ``(f_x, f_y, tau)``, or six numbers in space.
 
@@ -251,6 +261,7 @@ class Grasp(HintsMixin):
                     (*c.tangent, zero),
                     c.stiffness_given,
                     c.share,
+                    c.adhesion,
                 )
                 for c in self
             ),
@@ -291,15 +302,7 @@ class Grasp(HintsMixin):
         Raises:
             GraspError: no such contact.
         """
-        whole = rational(preload, "preload")
-        chosen = self.points_of(self.contact_numbers if contacts is None else contacts)
-        return replace(
-            self,
-            contacts=tuple(
-                replace(c, preload=c.share * whole) if i in chosen else c
-                for i, c in enumerate(self)
-            ),
-        )
+        return self._with_each("preload", preload, contacts)
 
     def with_friction(self, friction: Any, contacts: Iterable[int] | None = None) -> Grasp:
         """Return the same grasp with one friction coefficient at every contact.
@@ -313,6 +316,22 @@ class Grasp(HintsMixin):
         chosen = self.points_of(self.contact_numbers if contacts is None else contacts)
         changed = (replace(c, friction=friction) if i in chosen else c for i, c in enumerate(self))
         return replace(self, contacts=tuple(changed))
+
+    def with_adhesion(self, adhesion: Any) -> Grasp:
+        """Return the same grasp with one adhesion at every contact, which a pad shares out."""
+        return self._with_each("adhesion", adhesion)
+
+    def _with_each(self, name: str, value: Any, contacts: Iterable[int] | None = None) -> Grasp:
+        """Return the same grasp with one value at chosen contacts, of which points get shares."""
+        whole = rational(value, name)
+        chosen = self.points_of(self.contact_numbers if contacts is None else contacts)
+
+        def changed(c: Contact) -> Contact:
+            values: dict[str, Any] = {name: c.share * whole}
+            return replace(c, **values)
+
+        pairs = enumerate(self)
+        return replace(self, contacts=tuple(changed(c) if i in chosen else c for i, c in pairs))
 
     def with_units(self, length: str, force: str) -> Grasp:
         """Return the same grasp with its units stated; no number changes."""
@@ -373,8 +392,8 @@ class Grasp(HintsMixin):
     def from_dict(cls, document: Mapping[str, Any]) -> Grasp:
         """Return the grasp of a document with exactly the keys of `to_dict`.
 
-        In a contact, stiffness (1), preload (0) and share (1) may be omitted; in the grasp,
-        units, outline and data_error.
+        In a contact, stiffness (1), preload (0), adhesion (0) and share (1) may be omitted; in the
+        grasp, units, outline and data_error.
 
         Raises:
             InputError: unknown or missing keys, an unknown schema version, wrong types.
@@ -452,6 +471,7 @@ def in_plane(
             c.stiffness,
             c.preload,
             stiffness_given=c.stiffness_given,
+            adhesion=c.adhesion,
         )
         for c in grasp
     )

@@ -73,7 +73,9 @@ class _AssemblyPlan:
         self.centres = {body.name: self._centre(body) for body in assembly.bodies}
         self.middles = {name: self.frame.paper(c) for name, c in self.centres.items()}
         self.motions = {} if verdict is None else verdict.motions
-        self.forces = () if verdict is None else verdict.forces
+        shares = () if verdict is None else verdict.forces
+        pairs = zip(assembly.contacts, shares, strict=False)
+        self.forces = [(pressed - c.contact.adhesion, rubbed) for c, (pressed, rubbed) in pairs]
         loads = () if verdict is None else verdict.wrenches.values()
         sizes = [abs(x) for row in (*self.forces, *(w[:2] for w in loads)) for x in row]
         self.reference = max(sizes, default=Fraction(0))

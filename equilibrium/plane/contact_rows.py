@@ -120,21 +120,21 @@ def _never_pressed(program: Program, forces: list[Pair]) -> list[Pair]:
 
 
 def balance_rows(
-    contacts: Iterable[Contact], forces: Iterable[Pair], wrench: Sequence[Fraction], n: int = 3
+    grasp: Grasp, forces: Iterable[Pair], wrench: Sequence[Fraction], n: int = 3
 ) -> tuple[tuple[tuple[Any, ...], ...], int]:
-    """Return the three rows of ``sum (c_n N + c_t T) + w`` times a unit in integers, and the unit.
+    """Return the rows of ``sum ((c_n - adhesion) N + c_t T) + w`` times a unit, and the unit.
 
-    No fraction is reduced on the way, which takes long where numbers are.
+    They are integers: no fraction is reduced on the way, which takes long where numbers are.
     """
     parts = [
         (*over_unit(direction), *over_unit(force))
-        for contact, pair in zip(contacts, forces, strict=True)
+        for contact, pair in zip(grasp, forces, strict=True)
         for direction, force in zip(
             (contact.normal_wrench, contact.tangential_wrench), pair, strict=True
         )
         if any(force)
     ]
-    load, size = over_unit(wrench)
+    load, size = over_unit(grasp.total_load(wrench))
     unit = math.lcm(size, *(one * other for _, one, _, other in parts))
     rows = [[0] * n + [w * (unit // size)] for w in load]
     for direction, one, force, other in parts:

@@ -28,6 +28,9 @@ def decide_in_plane(
 ) -> Solution | dict[str, Any] | None:
     """Return an equilibrium or a proof, or None if no plane with rational axes has the question.
 
+    Args:
+        wrench: of the load, and of the adhesion of the contacts.
+
     With a largest displacement only where each contact has a tangent in the plane: then its
     displacements are those of space.
 

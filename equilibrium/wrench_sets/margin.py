@@ -3,7 +3,8 @@
 Both questions are intervals along one direction for each choice of contact states: of the wrench,
 or of the preload. The equations are homogeneous in motion, forces, wrench and preload together. So
 a grasp whose preloads are p times those of another resists w exactly when the other one resists
-w / p, if no range bounds motions and forces.
+w / p, if no range bounds motions and forces. Here w is the load with all adhesion; that is not
+scaled with the load where this is asked for factors.
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ from equilibrium.decide.state_choices import StateChoices
 from equilibrium.model.assembly import Wrenches
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.plane.contact_rows import negated
 from equilibrium.plane.states.contact_states import DETACHED, states_of_code
 from equilibrium.plane.states.state_system import States, state_system
 
@@ -163,10 +165,11 @@ def sufficient_preloads(grasp: Grasp | Solver, wrench: Any) -> Preloads:
     unloaded, loaded = (given.with_preload(p) for p in (0, 1))
     held = Solver(unloaded, bound).solve(w).stable
     parts: list[Interval] = [(Fraction(0), Fraction(0))] if held else []
-    # Without a range a preload of p resists w where one of 1 resists w / p.
+    # Without a range a preload of p resists a load, with the adhesion, where one of 1 resists the
+    # load over p.
     screen = StateChoices(loaded).screen
-    rest = (Fraction(0),) * 3
-    possible = screen.possible(rest, w) if any(w) else screen.possible(w)
+    load, none = given.total_load(w), negated(given.adhesion_wrench)
+    possible = screen.possible(none, load) if any(load) else screen.possible(w)
     tried = watched(screen.codes[possible].tolist(), "contact states")
     for states in map(states_of_code, tried):
         systems = (

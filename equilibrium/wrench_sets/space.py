@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import compress
 from math import lcm
+from operator import add
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -77,8 +78,11 @@ class StateImages:
             slipping = {state: [slip_edge(contact, state)] for state in ("slip+", "slip-")}
             edges.append({"stick": both, "attached": both, **slipping})
         first = lcm(*(x.denominator for row in springs for x in row))
-        second = lcm(*(x.denominator for e in edges for edge in e["stick"] for x in edge))
+        rows = [edge for e in edges for edge in e["stick"]]
+        second = lcm(*(x.denominator for row in (*rows, grasp.adhesion_wrench) for x in row))
         self._scale = first * second
+        #: What balances the adhesion, for a motion with 1 last.
+        self._constant = tuple(int(-x * self._scale) for x in grasp.adhesion_wrench)
         self._contacts = [
             _Integers(
                 tuple(int(x * first) for x in spring),
@@ -152,7 +156,7 @@ class StateImages:
         pulls one way or the other.
         """
         self._bounds_on(plane)
-        constant = self._scale * plane[3]
+        constant = self._constant_on(plane)
         lowest, highest = [0, 0, 0, constant], [0, 0, 0, constant]
         for contact, bounds, state in zip(self._contacts, self._bounds, states, strict=True):
             if state != "detached":
@@ -174,6 +178,10 @@ class StateImages:
                 self._bounds.append({state: (min(v), max(v)) for state, v in values.items()})
         return self._bounds
 
+    def _constant_on(self, plane: IntegerVector) -> int:
+        """Return ``a . w + b`` for the wrench that balances the adhesion alone."""
+        return int(self._scale * plane[3] + dot(plane[:3], self._constant))
+
     def may_reach(self, listed: Sequence[States], plane: IntegerVector) -> Booleans:
         """Return for each choice of contact states whether it may resist a wrench of a plane.
 
@@ -192,7 +200,7 @@ class StateImages:
         # For each contact and state what it adds at least, and less what it adds at most.
         both = [((0, 0), *(b[state] for state in _TOUCHING)) for b in bounds]
         ends = [sign * pair[k] for k, sign in ((0, 1), (1, -1)) for of in both for pair in of]
-        constant = self._scale * plane[3]
+        constant = self._constant_on(plane)
         factors = scaled([(*ends, constant, -constant)])[0][0]
         constants, factors = factors[-2:], factors[:-2].reshape(2, len(bounds), 4)
         codes = np.array([[_CODES[state] for state in states] for states in listed], np.intp)
@@ -221,7 +229,9 @@ class StateImages:
             if state != "detached" and (force := dot(contact.spring, motion)):
                 ends = contact.balances[state]
                 balancing.append([(force * b[0], force * b[1], force * b[2]) for b in ends])
-        homogeneous = ((*wrench, self._scale * motion[3]) for wrench in _extreme_sums(balancing))
+        at_rest = tuple(x * motion[3] for x in self._constant)
+        sums = (map(add, wrench, at_rest) for wrench in _extreme_sums(balancing))
+        homogeneous = ((*wrench, self._scale * motion[3]) for wrench in sums)
         yield from (reduced(wrench) for wrench in homogeneous if any(wrench))
 
 

@@ -25,7 +25,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.plane.contact_rows import sum_row
 
-#: Powers of two of the sampled magnitudes, times the largest preload or 1.
+#: Powers of two of the sampled magnitudes, times the largest preload or adhesion, or 1.
 _POWERS = range(-6, 9)
 #: The ends of what stays undecided are found to a share of one over this.
 _SHARP = 4
@@ -168,7 +168,7 @@ def spatial_magnitudes(
         raise GraspError(f"width is {shown(share)}; it must be at least 2^-100")
     loads = loads or KnownLoads(grasp, nodes, read_displacement(max_displacement))
     known = KnownMagnitudes(loads, along, start)
-    unit = max((c.preload for c in grasp), default=Fraction(0)) or Fraction(1)
+    unit = max((max(c.preload, c.adhesion) for c in grasp), default=Fraction(0)) or Fraction(1)
     tried = [Fraction(0), *(unit * Fraction(2) ** k for k in _POWERS[::every])]
     found = {k: known.verdict(tried[k]) for k in _ends_first(len(tried))}
     samples = [(t, found[k]) for k, t in enumerate(tried)]

@@ -14,10 +14,14 @@ from equilibrium.certificate.uncertain import Bounds
 from equilibrium.decide import NOT_RESISTED, RESISTED, corners
 from equilibrium.model.contact import VALUES, wrench_at
 
-BOUNDS = Bounds(degrees=2, length="1/50", friction="10%", stiffness="20%", preload="30%")
+BOUNDS = Bounds(
+    degrees=2, length="1/50", friction="10%", stiffness="20%", preload="30%", adhesion="40%"
+)
 FINGERS = {
-    2: Contact(("1/2", -1), ("3/5", "4/5"), "1/3", 5, 2, stiffness_given=True),
-    3: Contact((1, "-1/2", 2), ("2/7", "3/7", "6/7"), "1/3", 5, 2, stiffness_given=True),
+    2: Contact(("1/2", -1), ("3/5", "4/5"), "1/3", 5, 2, stiffness_given=True, adhesion=1),
+    3: Contact(
+        (1, "-1/2", 2), ("2/7", "3/7", "6/7"), "1/3", 5, 2, stiffness_given=True, adhesion=1
+    ),
 }
 #: A virtual motion and a motion.
 MOTIONS = {
@@ -30,7 +34,7 @@ MOTIONS = {
 def test_a_contact_moves_to_the_corner_that_its_signs_name(d):
     old, source = FINGERS[d], Random(d)
     for _ in range(12):
-        signs = [source.choice((-1, 1)) for _ in range(2 * d + 2)]
+        signs = [source.choice((-1, 1)) for _ in range(2 * d + 3)]
         new = corners.moved(old, signs, BOUNDS)
         angle = math.degrees(math.acos(dot(old.normal, new.normal)))
         assert 1.9 < angle <= 2
@@ -48,15 +52,15 @@ def test_a_contact_moves_to_the_corner_that_its_signs_name(d):
 def test_two_turns_together_stay_within_the_angle(normal, degrees):
     """The rational normals near those wanted are almost as far off as they may be."""
     old, way = Contact([0, 0, 0], normal, 0), 2 * (degrees > 1) - 1
-    new = corners.moved(old, [way, way, *[0] * 6], Bounds(degrees=degrees))
+    new = corners.moved(old, [way, way, *[0] * 7], Bounds(degrees=degrees))
     assert math.degrees(math.acos(dot(old.normal, new.normal))) <= degrees
 
 
 def test_a_contact_turns_about_one_axis_or_none():
-    turned = corners.moved(FINGERS[3], [0, 1, *[0] * 6], BOUNDS)
+    turned = corners.moved(FINGERS[3], [0, 1, *[0] * 7], BOUNDS)
     assert turned.normal != FINGERS[3].normal
     assert turned.point == FINGERS[3].point
-    assert corners.moved(FINGERS[3], [1] * 8, Bounds(length=1)).normal == FINGERS[3].normal
+    assert corners.moved(FINGERS[3], [1] * 9, Bounds(length=1)).normal == FINGERS[3].normal
 
 
 @pytest.mark.parametrize("d", FINGERS)
@@ -80,11 +84,12 @@ def test_each_sign_is_that_of_the_change_of_work(d, friction, slips):
         force = tuple(f + t * pressed - n * back for f, t, n in turned)
         spring = new.preload - new.stiffness * dot(old.normal_wrench, motion)
         assert spring > 0
-        return spring * dot(wrench_at(new.point, force), virtual)
+        pulled = new.adhesion * dot(wrench_at(new.point, new.normal), virtual)
+        return spring * dot(wrench_at(new.point, force), virtual) - pulled
 
     signs = []
-    for j in range(2 * d + 2):
-        one = corners.moved(old, [int(j == k) for k in range(2 * d + 2)], small)
+    for j in range(2 * d + 3):
+        one = corners.moved(old, [int(j == k) for k in range(2 * d + 3)], small)
         change = work(one) - work(old)
         signs.append(sign(change) if abs(change) > 1e-7 else 0)
     assert corners._working(old, virtual, motion, 1) == signs
@@ -126,7 +131,7 @@ def test_corners_come_in_order_and_none_twice(d, verdict, most, at_rest):
         return answers[len(asked) - 1]
 
     *first, one, two, three, four = corners.corners(found, BOUNDS, decide)
-    rows = [[[0] * (2 * d - 1) + [end] * 3 for _ in grasp] for end in (-most, most)]
+    rows = [[[0] * (2 * d - 1) + [end] * 3 + [-end] for _ in grasp] for end in (-most, most)]
     begun = [load, (0, 1, *load[2:])][::most]
     rows += [
         [corners._working(contact, virtual, motion, most) for contact in grasp]

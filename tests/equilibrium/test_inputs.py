@@ -520,7 +520,7 @@ def test_adhesion_pulls_besides_every_load(tmp_path, capsys):
     """A suction cup below holds a load up to its pull; its friction is that of its preload."""
     entry = {"point": [0, 0], "normal": [0, 1], "friction": "1/2"}
     path = str(written(tmp_path, "a.json", [{**entry, "adhesion": 2}]))
-    assert read_any(path).pull == (0, -2, 0)
+    assert read_any(path).grasp.adhesion_wrench == (0, -2, 0)
     for force, code in ((2, 0), (3, 1), (-5, 0)):
         assert main(["solve", path, "--wrench", "0", str(force), "0"]) == code
     assert "adhesion acts as the wrench (0, -2, 0)" in capsys.readouterr().err
@@ -530,10 +530,11 @@ def test_adhesion_pulls_besides_every_load(tmp_path, capsys):
     document = json.loads(capsys.readouterr().out)
     assert document["intervals"] == [["0", "2"]]
     for words in (["resisted", path], ["draw", path, "-o", str(tmp_path / "a.svg")]):
-        assert main(words) == 2
-        assert "adhesion" in capsys.readouterr().err
+        assert main(words) == 0
+    assert main(["lab", path, "-o", str(tmp_path / "a.html")]) == 2
+    assert "adhesion" in capsys.readouterr().err
     table = written(tmp_path, "a.csv", "x,y,nx,ny,mu,adhesion\n1,0,0,1,0.5,2\n")
-    assert read_csv(table).pull == (0, -2, -2)
+    assert read_csv(table).grasp.adhesion_wrench == (0, -2, -2)
 
 
 def test_report_of_data_and_a_load(tmp_path, capsys):

@@ -327,7 +327,7 @@ class TestRobust:
         assert found
         for k in range(6):
             ends = [lambda: source.choice([-1, 1]), lambda: source.uniform(-1, 1)][k % 2]
-            shares = [[ends() for _ in range(2 * grasp.dimension + 2)] for _ in grasp]
+            shares = [[ends() for _ in range(2 * grasp.dimension + 3)] for _ in grasp]
             pairs = zip(grasp, shares, strict=True)
             other = Grasp(moved(c, row, found.bounds) for c, row in pairs)
             assert solve(other, wrench, nodes=NODES).verdict != "not resisted"

@@ -130,8 +130,9 @@ class ContactProgram:
         self._springs: list[_Terms] = []
         for i, (state, (pressing, rubbing)) in enumerate(zip(states, forces, strict=True)):
             self._add_contact(i, state, pressing, rubbing)
+        load = question.rows.total_load(question.load)
         for j in range(n):
-            line: _Terms = {-1: question.load[j], self._t: question.load_slope[j]}
+            line: _Terms = {-1: load[j], self._t: question.load_slope[j]}
             for i, contact in enumerate(question.rows):
                 _add(line, self._normal[i], contact.normal_wrench[j])
                 _add(line, self._tangential[i], contact.tangential_wrenches[0][j])

@@ -64,9 +64,9 @@ class AssemblySolver:
 
     def magnitudes(self, base: Wrenches, along: Wrenches) -> tuple[Interval, ...]:
         """Return all t >= 0 with ``base + t along`` resisted."""
-        loaded = any(c.contact.preload for c in self.grasp.contacts)
+        loaded = any(c.contact.preload or c.contact.adhesion for c in self.grasp.contacts)
         if base == self.no_wrench and not loaded and self.max_displacement is None:
-            # Without preload the law scales: one verdict is that of all t > 0.
+            # Without preload and adhesion the law scales: one verdict is that of all t > 0.
             verdict = self.solve(along)
             if verdict.decided:
                 return ((Fraction(0), None if verdict else Fraction(0)),)
@@ -203,7 +203,8 @@ def _searched(
         return not (far or law_problem(rows, load, found.motion, found.forces))
 
     most = SETTINGS.max_nodes if limits.nodes is None else limits.nodes
-    question = FloatContacts(inside.rows), load, accept, limits.effort, most
+    total = inside.rows.total_load(load)
+    question = FloatContacts(inside.rows), total, accept, limits.effort, most
     search = SpatialSearch(*question, max_displacement=bound, cones=LineCones())
     found = search.decide()
     if isinstance(found, Open):

@@ -9,7 +9,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any, ClassVar
 
-from arrangement.console.number_form import counted, vector
+from arrangement.console.number_form import counted, number, vector
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from equilibrium.certificate.assemblies import AssemblyReport, check_assembly
 from equilibrium.certificate.document import Certificate
@@ -71,7 +71,10 @@ class AssemblyVerdict(AnswerMixin):
 
     @property
     def forces(self) -> tuple[RationalVector, ...]:
-        """At each contact the normal and the tangential force on body_a; empty without one."""
+        """At each contact the normal and the tangential force on body_a; empty without one.
+
+        The adhesion of the contact acts besides.
+        """
         return () if self.solution is None else self.solution.forces
 
     @cached_property
@@ -200,10 +203,12 @@ class AssemblyVerdict(AnswerMixin):
             return found
         found = [f"resisted{within}: an exact equilibrium"]
         found += [f"  {name} moves by {vector(moved)}" for name, moved in self.motions.items()]
-        pairs = [c.pair for c in self.assembly.contacts]
-        width = max(map(len, pairs), default=0)
-        for i, (pair, state, force) in enumerate(zip(pairs, self.states, self.forces, strict=True)):
-            found.append(f"    contact {i + 1}  {pair:<{width}}  {state:<8}  force {vector(force)}")
+        joints = self.assembly.contacts
+        width = max((len(c.pair) for c in joints), default=0)
+        for i, (c, state, force) in enumerate(zip(joints, self.states, self.forces, strict=True)):
+            line = f"    contact {i + 1}  {c.pair:<{width}}  {state:<8}  force {vector(force)}"
+            stuck = c.contact.adhesion
+            found.append(f"{line}  adhesion {number(stuck)}" if stuck else line)
         parts = self._all_equilibria if every else ()
         if isinstance(parts, str):
             return [*found, f"all equilibria: undecided, {parts}"]

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any, TypeAlias
 
 import numpy as np
 
 from arrangement.numbers.exact import shown
 from arrangement.numbers.float_filter import EXACT, Booleans, Floats
-from equilibrium.model.contact import WRENCH_SIZES
+from equilibrium.model.contact import VALUES, WRENCH_SIZES
 from equilibrium.model.errors import GraspError
 
-#: Points, normals, friction, stiffness, preload, wrenches; see `check_grasps`.
-Arrays: TypeAlias = tuple[Floats, Floats, Floats, Floats, Floats, Floats]
+#: Points, normals, the values of contacts, wrenches; see `check_grasps`.
+Arrays: TypeAlias = tuple[Floats, ...]
 
 
 def exact_floats(values: Any, name: str, form: str, remedy: str) -> Floats:
@@ -50,10 +51,12 @@ def exact_floats(values: Any, name: str, form: str, remedy: str) -> Floats:
     return floats
 
 
-def read_arrays(
-    points: Any, normals: Any, friction: Any, stiffness: Any, preload: Any, wrenches: Any
-) -> Arrays:
-    """Return the arrays in full, all of floats; missing contacts have NaN in all."""
+def read_arrays(points: Any, normals: Any, values: Mapping[str, Any], wrenches: Any) -> Arrays:
+    """Return the arrays in full, all of floats; missing contacts have NaN in all.
+
+    Args:
+        values: of contacts, by the names `VALUES`.
+    """
     remedy = "ask `equilibrium.solve`"
     places = exact_floats(points, "points", "(G, m, 2) or (G, m, 3) numbers", remedy)
     if places.ndim != 3 or places.shape[2] not in WRENCH_SIZES:
@@ -71,12 +74,13 @@ def read_arrays(
     loads = np.broadcast_to(loads, (count, *loads.shape[-2:]))
     missing: Booleans = np.all(np.isnan(places), axis=2)
     columns = [
-        _column(value, name, missing, least)
-        for name, value, least in (
-            ("friction", friction, "at least 0"),
-            ("stiffness", stiffness, "at least 0" if size == 3 else "above 0 in space"),
-            ("preload", preload, "at least 0"),
+        _column(
+            values[name],
+            name,
+            missing,
+            "above 0 in space" if name == "stiffness" and size == 6 else "at least 0",
         )
+        for name in VALUES
     ]
     absent = missing[..., None]
     _all(
@@ -85,7 +89,7 @@ def read_arrays(
     _all(absent | np.isfinite(ways), "normals", ways, "a finite number")
     _all(missing | np.any(ways != 0, axis=2), "normals", ways, "a direction other than 0")
     _all(np.isfinite(loads), "wrenches", loads, "a finite number")
-    return places, ways, columns[0], columns[1], columns[2], loads
+    return places, ways, *columns, loads
 
 
 def _column(value: Any, name: str, missing: Booleans, least: str) -> Floats:

@@ -16,6 +16,7 @@ from arrangement.numbers.exact import from_floats
 from arrangement.numbers.float_filter import Booleans
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs.floats import from_float_data
+from equilibrium.model.contact import VALUES
 from equilibrium.model.grasp import Grasp
 
 from .arrays import Arrays, read_arrays
@@ -69,6 +70,7 @@ def check_grasps(
     *,
     preload: Any = 0,
     stiffness: Any = 1,
+    adhesion: Any = 0,
     jobs: int = 1,
     dask: str | None = None,
 ) -> CheckedGrasps:
@@ -80,15 +82,16 @@ def check_grasps(
 
     "Resisted" and "not resisted" are proved in floats with a bound on their errors where that is
     possible: an equilibrium exists near one that was found, or virtual motions refute all, in space
-    one for all motions. The rest is decided by `equilibrium.solve`.
+    one for all motions. The rest is decided by `equilibrium.solve`, and all questions with
+    adhesion.
 
     Args:
         points: (G, m, 2), in space (G, m, 3), contact points. A contact whose coordinates are all
             NaN is missing, whatever its other numbers are: so grasps may have different numbers
             of contacts.
         normals: like points, directions into the object, of any length but 0.
-        friction, preload, stiffness: (G, m), or what NumPy broadcasts to it: a number, one for
-            each contact (m,), or one for each grasp (G, 1).
+        friction, preload, stiffness, adhesion: (G, m), or what NumPy broadcasts to it: a number,
+            one for each contact (m,), or one for each grasp (G, 1).
         wrenches: (G, w, 3), in space (G, w, 6), or (w, 3) and (w, 6) for the same loads on all.
         jobs: processes of this machine.
         dask: address of a Dask scheduler whose workers decide.
@@ -105,7 +108,9 @@ def check_grasps(
     >>> check_grasps(points, -points, 0.5, loads, preload=1).resisted.tolist()
     [[True, False], [True, True]]
     """
-    arrays = read_arrays(points, normals, friction, stiffness, preload, wrenches)
+    given = friction, stiffness, preload, adhesion
+    values = dict(zip(VALUES, given, strict=True))
+    arrays = read_arrays(points, normals, values, wrenches)
     shape = arrays[-1].shape[:2]
     screened, resisted, exact, undecided = (np.zeros(shape, dtype=bool) for _ in range(4))
     due(shape[0], (1, 1), jobs)
@@ -136,8 +141,7 @@ def _part(arrays: Arrays, rows: Any) -> Arrays:
     missing = np.isnan(arrays[0][rows, :, 0])
     most = np.count_nonzero(~missing, axis=1).max(initial=0)
     at = np.asarray(rows)[:, None], np.argsort(missing, axis=1, kind="stable")[:, :most]
-    points, normals, friction, stiffness, preload = (x[at] for x in arrays[:5])
-    return points, normals, friction, stiffness, preload, arrays[5][rows]
+    return *(x[at] for x in arrays[:-1]), arrays[-1][rows]
 
 
 def _screened(_: None, batch: tuple[Any, Arrays]) -> tuple[Any, Booleans, Booleans]:
@@ -146,14 +150,15 @@ def _screened(_: None, batch: tuple[Any, Arrays]) -> tuple[Any, Booleans, Boolea
     count, loads, size = wrenches.shape
     resisted, decided = (np.zeros(count * loads, dtype=bool) for _ in range(2))
     if points.shape[1] and loads:
-        friction, stiffness, preload = (np.repeat(x, loads, axis=0) for x in values)
+        friction, stiffness, preload, adhesion = (np.repeat(x, loads, axis=0) for x in values)
         asked, usable = questions(
             np.repeat(points, loads, axis=0),
             np.repeat(normals, loads, axis=0),
             (friction, stiffness, preload),
             wrenches.reshape(-1, size),
         )
-        left = np.flatnonzero(usable)
+        # The wrench of adhesion is not known in floats exactly, as loads are.
+        left = np.flatnonzero(usable & ~(adhesion > 0).any(axis=1))
         decided[left] = are_outside_cones(asked.take(left))
         left = left[~decided[left]]
         resisted[left] = have_equilibria(asked.take(left))
@@ -189,13 +194,11 @@ def _exactly(
 
 def _grasp(arrays: Arrays, number: int) -> Grasp:
     rows = ~np.isnan(arrays[0][number, :, 0])
-    points, normals, friction, stiffness, preload = (x[number, rows].tolist() for x in arrays[:5])
+    points, normals, *values = (x[number, rows].tolist() for x in arrays[:-1])
     return from_float_data(
         points,
         normals,
-        friction,
-        stiffness=stiffness,
-        preload=preload,
+        **dict(zip(VALUES, values, strict=True)),
         tolerance=0,
         angle_tolerance=ANGLE,
         as_given=True,

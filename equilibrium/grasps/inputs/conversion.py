@@ -73,10 +73,9 @@ class Conversion:
         point_errors: for each contact the largest change of a coordinate (length).
         angle_errors: for each contact the tangent of the angle from the given normal to the one
             used (radians, counter-clockwise); see `unit_normal`.
-        value_error: the largest change of a friction coefficient, stiffness or preload.
+        value_error: the largest change of a friction coefficient, stiffness, preload or adhesion.
         kept: what contacts have in common within the error of the data, and so exactly.
-        pull: the wrench of adhesion, which acts besides every load; empty where there is none.
-        remarks: what stands for contacts with a pad, and the pull, in words.
+        remarks: what stands for contacts with a pad, and the wrench of adhesion, in words.
     """
 
     grasp: Grasp
@@ -84,7 +83,6 @@ class Conversion:
     angle_errors: RationalVector
     value_error: Fraction = Fraction(0)
     kept: tuple[ContactIncidence, ...] = ()
-    pull: RationalVector = ()
     remarks: tuple[str, ...] = ()
 
     @property
@@ -118,7 +116,6 @@ class Conversion:
             "angle_errors": [to_text(x) for x in self.angle_errors],
             "value_error": to_text(self.value_error),
             "kept": [str(incidence) for incidence in self.kept],
-            **({"pull": [to_text(x) for x in self.pull]} if self.pull else {}),
             **({"remarks": list(self.remarks)} if self.remarks else {}),
         }
 
@@ -180,11 +177,11 @@ def assembled(
 
 
 #: What a contact may have in a file besides its values, see `completed`.
-EXTRAS = ("pad", "adhesion")
+EXTRAS = ("pad",)
 _OTHER_NAMES = {"position": "point", "force": "preload"}
-#: Points of a pad as shares of its radius along the tangents, with shares of stiffness and preload:
-#: while all touch, force and moment are those of an evenly pressed segment, or disc. Friction of a
-#: disc holds 2/3 of mu q r about the normal, these points 1/2 of it.
+#: Points of a pad as shares of its radius along the tangents, with shares of stiffness, preload and
+#: adhesion: while all touch, force and moment are those of an evenly pressed segment, or disc.
+#: Friction of a disc holds 2/3 of mu q r about the normal, these points 1/2 of it.
 _PADS: dict[int, dict[tuple[int, ...], str]] = {
     2: {(0,): "2/3", (1,): "1/6", (-1,): "1/6"},
     3: {(0, 0): "1/2", (1, 0): "1/8", (-1, 0): "1/8", (0, 1): "1/8", (0, -1): "1/8"},
@@ -217,7 +214,7 @@ def contact_entry(entry: Any, name: str) -> Any:
 
 
 def extras_of(entry: Any) -> dict[str, Any]:
-    """Take pad and adhesion out of an entry, and return them."""
+    """Take the pad out of an entry, and return it."""
     return {key: entry.pop(key) for key in EXTRAS if isinstance(entry, dict) and key in entry}
 
 
@@ -244,14 +241,13 @@ def direction_of(degrees: Fraction) -> tuple[Fraction, Fraction]:
 
 
 def completed(found: Conversion, extras: Sequence[Mapping[str, Any]]) -> Conversion:
-    """Return contacts with the pads and the adhesion that a file gives them.
+    """Return contacts with the pads that a file gives them, and what is to be said of them.
 
-    A ``pad`` is a flat patch of that radius: points along the tangents share stiffness and
-    preload, as in `_PADS`. ``adhesion`` is a force that pulls the object towards the contact: it
-    acts as a part of the load, and adds nothing to what friction may bear.
+    A ``pad`` is a flat patch of that radius: points along the tangents share stiffness, preload and
+    adhesion, as in `_PADS`.
 
     Args:
-        extras: for each contact its ``pad`` and ``adhesion``, where it has them.
+        extras: for each contact its ``pad``, where it has one.
 
     Raises:
         GraspError: a number that is not at least 0.
@@ -261,22 +257,17 @@ def completed(found: Conversion, extras: Sequence[Mapping[str, Any]]) -> Convers
         for i, entry in enumerate(extras, 1)
     ]
     if not any(any(entry.values()) for entry in values):
-        return replace(found, remarks=_pad_remarks(found.grasp))
-    parts: list[list[Contact]] = []
-    pull = [Fraction(0)] * found.grasp.wrench_size
-    for contact, entry in zip(found.grasp, values, strict=True):
-        radius, stuck = entry.get("pad", Fraction(0)), entry.get("adhesion", Fraction(0))
-        pull = [x - stuck * n for x, n in zip(pull, contact.normal_wrench, strict=True)]
-        parts.append([*_pad(contact, radius)] if radius else [contact])
+        return replace(found, remarks=_remarks(found.grasp))
+    parts = [
+        [*_pad(contact, entry["pad"])] if entry.get("pad") else [contact]
+        for contact, entry in zip(found.grasp, values, strict=True)
+    ]
     found = found.of_points(Grasp(chain.from_iterable(parts)), parts)
-    remarks = [*_pad_remarks(found.grasp)]
-    if any(pull):
-        remarks.append(f"adhesion acts as the wrench {vector_text(pull)} besides every load")
-    return replace(found, pull=tuple(pull) if any(pull) else (), remarks=tuple(remarks))
+    return replace(found, remarks=_remarks(found.grasp))
 
 
-def _pad_remarks(grasp: Grasp) -> tuple[str, ...]:
-    """Return what stands for each pad of a grasp, in words."""
+def _remarks(grasp: Grasp) -> tuple[str, ...]:
+    """Return what stands for each pad of a grasp, and what adhesion does, in words."""
     found = []
     for k, points in enumerate(grasp.parts, 1):
         if len(points) > 1:
@@ -288,6 +279,8 @@ def _pad_remarks(grasp: Grasp) -> tuple[str, ...]:
                 f"{number_text(whole.stiffness)}{assumed} and of the preload; each point has "
                 "friction of its own"
             )
+    if any(pull := grasp.adhesion_wrench):
+        found.append(f"adhesion acts as the wrench {vector_text(pull)} besides every load")
     return tuple(found)
 
 
@@ -304,6 +297,7 @@ def _pad(contact: Contact, radius: Fraction) -> Iterator[Contact]:
             point=point,
             stiffness=part * contact.stiffness,
             preload=part * contact.preload,
+            adhesion=part * contact.adhesion,
             share=part,
         )
 
@@ -320,6 +314,7 @@ def contact_values(
     friction: Any,
     stiffness: Any,
     preload: Any,
+    adhesion: Any = 0,
     read: Callable[[Any, str], Any] = rational,
 ) -> list[dict[str, Any]]:
     """Return the values of each contact by name, from one for all or a sequence of each kind.
@@ -328,7 +323,7 @@ def contact_values(
         stiffness: None where it is not given.
     """
     known = stiffness is not None
-    given = zip(VALUES, (friction, stiffness if known else 1, preload), strict=True)
+    given = zip(VALUES, (friction, stiffness if known else 1, preload, adhesion), strict=True)
     columns = [[read(x, y) for x, y in _for_each(value, number, name)] for name, value in given]
     rows = (dict(zip(VALUES, row, strict=True)) for row in zip(*columns, strict=True))
     return [{**row, "stiffness_given": known} for row in rows]
@@ -336,7 +331,7 @@ def contact_values(
 
 def value_columns(contacts: Sequence[Mapping[str, Any]]) -> dict[str, list[Any]]:
     """Return the columns of values of entries of a document; friction, and what some entry has."""
-    defaults = {"stiffness": 1, "preload": 0}
+    defaults = {"stiffness": 1, "preload": 0, "adhesion": 0}
     return {
         name: [entry.get(name, defaults.get(name)) for entry in contacts]
         for name in VALUES

@@ -1,13 +1,13 @@
 """Grasps from CSV files: one contact a line, strictly read.
 
 The first line names the columns: ``x``, ``y``, ``normal_x``, ``normal_y``, ``friction``, in space
-also ``z`` and ``normal_z``, and, if wanted, ``stiffness`` and ``preload``, in any order. They are
-separated by commas, semicolons or tabs; short names are ``nx``, ``ny``, ``nz``, ``mu``, ``k`` and
-``q``. In the plane ``angle`` may replace the normal: its direction in degrees, from the x axis
-towards the y axis. Engines print ``px``, ``py``, ``pz`` and ``force``, the normal force. ``pad``
-and ``adhesion`` are those of `conversion.completed`. Empty lines and lines that begin with ``#``
-are skipped. Numbers are decimals or ratios, as ``-0.25``, ``7/3``. A normal may have any length;
-one of irrational length is replaced by a near unit vector and the error reported.
+also ``z`` and ``normal_z``, and, if wanted, ``stiffness``, ``preload`` and ``adhesion``, in any
+order. They are separated by commas, semicolons or tabs; short names are ``nx``, ``ny``, ``nz``,
+``mu``, ``k`` and ``q``. In the plane ``angle`` may replace the normal: its direction in degrees,
+from the x axis towards the y axis. Engines print ``px``, ``py``, ``pz`` and ``force``, the normal
+force. ``pad`` is that of `conversion.completed`. Empty lines and lines that begin with ``#`` are
+skipped. Numbers are decimals or ratios, as ``-0.25``, ``7/3``. A normal may have any length; one of
+irrational length is replaced by a near unit vector and the error reported.
 
 A table of an assembly also has ``body_a``, into which the normal points, and ``body_b``; the ground
 is an empty entry or the word ``ground``.
@@ -122,8 +122,8 @@ def read_bodies(
 
     how = rounding(0, tolerance, angle_tolerance, as_given)
     found = each_line(text, read, _converting(how))
-    if found.remarks:
-        raise GraspError("pad and adhesion are for one body; leave the columns out")
+    if len(found.grasp) != len(pairs):
+        raise GraspError("pad is for one body; leave the column out")
     contacts = [BodyContact(*pair, c) for pair, c in zip(pairs, found.grasp, strict=True)]
     names = dict.fromkeys(name for pair in pairs for name in pair if name is not None)
     return Assembly(names, contacts), found

@@ -1,9 +1,10 @@
 """Contacts from measured or simulated data in floats, by exact snapping.
 
 The JSON form of a file is ``{"schema_version": 1, "points": [[-0.1, 0], ...], "normals": [[1, 0],
-...], "friction": 0.3}``, if wanted with ``stiffness`` and ``preload``; each of these three is one
-number for all contacts or a list. A grasp document with floats is read too. A CSV file has the
-columns of `csv_file`. Numbers are decimals, also with an exponent such as ``2.5e-3``, or ratios.
+...], "friction": 0.3}``, if wanted with ``stiffness``, ``preload`` and ``adhesion``; each of these
+is one number for all contacts or a list. A grasp document with floats is read too. A CSV file has
+the columns of `csv_file`. Numbers are decimals, also with an exponent such as ``2.5e-3``, or
+ratios.
 """
 
 from __future__ import annotations
@@ -60,6 +61,7 @@ def from_float_data(
     *,
     stiffness: Any = None,
     preload: Any = 0,
+    adhesion: Any = 0,
     tolerance: Any = DEFAULT_TOLERANCE,
     angle_tolerance: Any = DEFAULT_TOLERANCE,
     as_given: bool = False,
@@ -74,10 +76,10 @@ def from_float_data(
     Args:
         points: (m, 2) contact points, (m, 3) in space.
         normals: (m, 2) or (m, 3) directions into the object, of any length.
-        friction, stiffness, preload: one for all or one for each contact; a stiffness that is
-            not given is 1.
-        tolerance: largest change of a coordinate, and of a friction, stiffness or preload; where
-            all of one of these three are below 1, this share of the largest of them.
+        friction, stiffness, preload, adhesion: one for all or one for each contact; a stiffness
+            that is not given is 1.
+        tolerance: largest change of a coordinate, and of a friction, stiffness, preload or
+            adhesion; where all of one of these are below 1, this share of the largest of them.
         angle_tolerance: largest tangent of the change of a normal's direction.
         as_given: round each number on its own.
 
@@ -102,7 +104,8 @@ def from_float_data(
             f"the largest coordinate is {number_text(size)}, which is 0 within the tolerance "
             f"{number_text(bound)}; give a smaller tolerance, or another unit of length"
         )
-    found = contact_values(len(places), friction, stiffness, preload, _real)
+    values = friction, stiffness, preload, adhesion
+    found = contact_values(len(places), *values, read=_real)
     columns = {name: [entry[name] for entry in found] for name in VALUES}
     snap, worst = bound * _unit(columns.values()), Fraction(0)
     for name, given in columns.items():

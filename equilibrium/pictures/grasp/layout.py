@@ -91,7 +91,7 @@ class Layout:
         forces: list[RationalVector | None] = [None] * len(self.grasp)
         if self.found is not None:
             pairs = zip(self.grasp, self.found.forces, strict=True)
-            forces = [contact.force(shares) for contact, shares in pairs]
+            forces = [contact.total_force(shares) for contact, shares in pairs]
         forces.append(None if self.applied is None else self.applied[:2])
         every = [f for f in forces if f is not None]
         preloads = [c.preload for c in self.grasp]

@@ -111,13 +111,15 @@ def lab_page(
         first: what stands first: "contacts", or "forces", the map of those that are resisted.
 
     Raises:
-        InputError: a grasp in space, a constant force, too many contacts or digits, no wrench, or
-            no exercises in the file.
+        InputError: a grasp in space, a constant force, adhesion, too many contacts or digits, no
+            wrench, or no exercises in the file.
     """
     grasp = read_grasp(_EXAMPLES[0][1]) if grasp is None else grasp
     grasp.require_plane()
     if not all(contact.stiffness for contact in grasp):
         raise GraspError("a contact has stiffness 0; in the lab it must be above 0")
+    if any(contact.adhesion for contact in grasp):
+        raise GraspError("a contact has adhesion; the lab knows none, leave it out")
     budget.check_size(len(grasp), "contacts in the lab")
     heading = "The slip lab" if title is None else title
     applied = _EXAMPLES[0][2] if wrench is None else wrench

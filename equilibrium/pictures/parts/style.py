@@ -163,11 +163,12 @@ def symbol(kind: str) -> Symbol:
 
 def explain_grasp(legend: Legend, grasp: Grasp, wrench: RationalVector, forces: bool) -> None:
     """Explain the symbols of friction, preloads, a wrench and contact forces, if any."""
+    stuck = any(c.adhesion for c in grasp)
     shown = {
         ("cone", "friction cone"): any(c.friction for c in grasp),
         ("preload", "preload"): any(c.preload for c in grasp),
         ("wrench", wrench_text(wrench, grasp.units)): any(wrench),
-        ("force", "contact force"): forces,
+        ("force", "contact force with adhesion" if stuck else "contact force"): forces,
     }
     for (kind, text), is_shown in shown.items():
         if is_shown:

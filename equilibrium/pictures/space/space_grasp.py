@@ -68,7 +68,8 @@ def solved_in_space(
         answer = verdict.verdict + displacement_words(verdict.max_displacement)
         note = "; ".join(filter(None, (answer, verdict.doubt)))
         return SolidGrasp(grasp, wrench=verdict.wrench), note
-    forces = [contact.force(shares) for contact, shares in zip(grasp, found.forces, strict=True)]
+    pairs = zip(grasp, found.forces, strict=True)
+    forces = [contact.total_force(shares) for contact, shares in pairs]
     note = "; ".join(filter(None, (NOT_SMALL if verdict.warnings else "", verdict.doubt)))
     return SolidGrasp(grasp, list(found.motion), forces, verdict.wrench), note
 

@@ -18,7 +18,6 @@ from arrangement.drawing.solids.pieces import Arrow, head_of, open_edges
 from arrangement.drawing.solids.sight import picture_axes, view_direction
 from arrangement.drawing.solids.surface import Patch, rounded
 from arrangement.errors import InputError
-from equilibrium.model.contact import VALUES
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.style import CONE_EDGE, CONE_FILL, Wrench, wrench_text
 
@@ -91,7 +90,7 @@ def _told(solid: SolidGrasp, i: int) -> list[tuple[str, str]]:
     """Return what the page says of a contact."""
     contact = solid.grasp.contacts[i]
     facts = [("point", LABEL.vector(contact.point)), ("normal", LABEL.vector(contact.normal))]
-    facts += [(name, LABEL.number(getattr(contact, name))) for name in VALUES]
+    facts += [(name, LABEL.number(getattr(contact, name))) for name in contact.stated]
     if solid.forces:
         force = ", ".join(f"{float(x):.4g}" for x in solid.forces[i])
         facts.append(("force", f"({force})"))

@@ -71,6 +71,8 @@ class SearchUnits:
                 point=tuple(x / self.length for x in c.point),
                 stiffness=c.stiffness * self.step / self.force,
                 preload=c.preload / self.force,
+                # Its wrench is a part of the load.
+                adhesion=Fraction(0),
             )
             for c in grasp
         )

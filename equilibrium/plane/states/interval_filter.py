@@ -58,6 +58,7 @@ class Screen:
 
     def __init__(self, grasp: Grasp, codes: Codes) -> None:
         self.contacts, self.codes = FloatContacts(ContactRows.of_grasp(grasp)), codes
+        self._grasp = grasp
         self._batches: list[_Batch] = []
         if not self.contacts.moderate:
             return
@@ -102,7 +103,8 @@ class Screen:
         proven: no equilibrium with these states holds such a wrench.
         """
         possible = np.ones(len(self.codes), dtype=np.bool_)
-        wrenches = [base] if direction is None else [base, direction]
+        start = self._grasp.total_load(base)
+        wrenches = [start] if direction is None else [start, direction]
         if all(map(are_moderate, wrenches)):
             given = [np.array([nearest(x) for x in wrench]) for wrench in wrenches]
             for batch in watched(self._batches, "batches of states"):

@@ -188,6 +188,7 @@ def _bounds(grasp: Grasp, states: States) -> list[IntegerVector]:
         motion = cross(one.tangential_wrench, other.tangential_wrench)
         pull = sum(c.friction * c.preload * abs(dot(c.tangential_wrench, motion)) for c in sticking)
         push = sum(c.preload * dot(c.normal_wrench, motion) for c in sticking)
-        # The load, the preloads and at most all friction: no work is left over.
+        push += dot(grasp.adhesion_wrench, motion)
+        # The load, adhesion, preloads and at most all friction: no work is left over.
         rows += [primitive((*(s * x for x in motion), s * push + pull)) for s in (1, -1)]
     return rows

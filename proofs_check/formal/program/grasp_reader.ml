@@ -31,7 +31,7 @@ let usual_tangent n =
 let contact3 i value =
   let where = Printf.sprintf "contacts[%d]" i in
   let members = Reader.keys where [ "point"; "normal"; "friction" ]
-    [ "stiffness"; "preload"; "tangent" ] value in
+    [ "stiffness"; "preload"; "adhesion"; "tangent" ] value in
   let vector key = vector3 (where ^ ": " ^ key) (List.assoc key members) in
   let normal3 = vector "normal" in
   let product a b = qdot (entries a) (entries b) in

@@ -90,6 +90,8 @@ let version where due members =
   | Integer n when Z.equal n (Z.of_int due) -> ()
   | _ -> malformed "the schema_version of %s is not %d" where due
 
+let outside = "which is outside what is proved; omit --verified to have it checked"
+
 (* Friction, preload and stiffness of a contact, at least 0; the stiffness is above 0 where it must
    be a spring: in space and between bodies. *)
 let law ?(spring = true) where members =
@@ -100,6 +102,7 @@ let law ?(spring = true) where members =
   let friction = number "friction" 0 in
   let stiffness = number "stiffness" 1 in
   let preload = number "preload" 0 in
+  if Z.sign (number "adhesion" 0).qnum <> 0 then malformed "%s has adhesion, %s" where outside;
   if Z.sign friction.qnum < 0 then malformed "%s: the friction is below 0" where;
   if Z.sign stiffness.qnum < (if spring then 1 else 0) then
     malformed "%s: the stiffness is not %s 0" where (if spring then "above" else "at least");
@@ -109,7 +112,7 @@ let law ?(spring = true) where members =
 (* A contact in the plane, with a unit normal. *)
 let contact ?(spring = false) i value =
   let where = Printf.sprintf "contacts[%d]" i in
-  let members = keys where [ "point"; "normal"; "friction" ] [ "stiffness"; "preload" ] value in
+  let members = keys where [ "point"; "normal"; "friction" ] [ "stiffness"; "preload"; "adhesion" ] value in
   let point_x, point_y = pair (where ^ ": point") (List.assoc "point" members) in
   let normal_x, normal_y = pair (where ^ ": normal") (List.assoc "normal" members) in
   let values2 = law ~spring where members in
@@ -143,8 +146,6 @@ let grasp contact value =
   version "the grasp" 1 members;
   labels members;
   List.mapi contact (list "contacts" None (List.assoc "contacts" members))
-
-let outside = "which is outside what is proved; omit --verified to have it checked"
 
 (* What a certificate may have beside what is proved. *)
 let others =
