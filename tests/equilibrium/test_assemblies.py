@@ -111,10 +111,10 @@ class TestTextbook:
         schema = validator(assembly_certificate_schema())
         assert schema.is_valid(verdict.proof)
 
-    @pytest.mark.parametrize(("case", "question"), QUESTIONS)
+    @pytest.mark.parametrize(
+        ("case", "question"), [param for param in QUESTIONS if "example" in param.values[1]]
+    )
     def test_example_obeys_the_law(self, case, question):
-        if "example" not in question:
-            return
         assembly, wrenches = asked(case, question)
         moved = tuple(map(Fraction, question["example"]["motion"]))
         forces = [tuple(map(Fraction, row)) for row in question["example"]["forces"]]

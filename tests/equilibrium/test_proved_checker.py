@@ -66,7 +66,6 @@ def test_a_certificate_of_planes_is_none_of_a_grasp(folder):
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({}, ""),
         ({"enclosure": {}}, "Krawczyk"),
         ({"pyramid": 4}, "friction pyramids"),
         ({"max_displacement": "1"}, "a largest displacement"),
@@ -79,10 +78,9 @@ def test_a_certificate_of_planes_is_none_of_a_grasp(folder):
 def test_outside_the_spatial_theorems_refused_by_name(tmp_path, change, words):
     path = tmp_path / "certificate.json"
     document = solve(read_grasp("two-opposed-fingers"), (0, 0, -3, 0, 0, 0)).certificate.to_dict()
+    path.write_text(json.dumps(document))
+    assert verify_proved(path) == (True, "not resisted")
     path.write_text(json.dumps({**document, **change}))
-    if not words:
-        assert verify_proved(path) == (True, "not resisted")
-        return
     with pytest.raises(CertificateError, match=f"cannot read.*{words}"):
         verify_proved(path)
     if words == "children":
