@@ -264,21 +264,6 @@ def test_the_rest_counts_and_decides_without_each_part():
     assert result.returncode == 0, result.stderr
 
 
-def test_no_folder_holds_more_than_twelve():
-    """Files and folders; at the top level of a package not what Python asks for."""
-    asked = {"__init__.py", "__init__.pyi", "__main__.py", "py.typed"}
-    folders = [
-        folder
-        for package in PACKAGES
-        for folder in (ROOT / package, *(ROOT / package).rglob("*"))
-        if folder.is_dir() and not {"__pycache__", "_build"} & set(folder.parts)
-    ]
-    assert len(folders) > 50
-    for folder in folders:
-        inside = {path.name for path in folder.iterdir()} - {"__pycache__", "_build"}
-        assert len(inside - (asked if folder.parent == ROOT else set())) <= 12, folder
-
-
 #: Public in two packages: the answer for a grasp, and for a claim.
 PUBLIC_TWICE: set[str] = set()
 
