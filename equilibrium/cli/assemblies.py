@@ -37,6 +37,7 @@ _MAKERS = {
     "arch": "build a round arch of voussoirs",
     "ramp": "put a block on a ramp",
     "wedge": "put a wedge under a block at a smooth wall",
+    "wall": "build a wall of bricks in running bond",
     "cylinders": "put a cylinder on two others",
     "ladder": "lean a ladder on a block",
     "tongs": "lift a block with the jaws of tongs",

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from fractions import Fraction
+from itertools import pairwise
 from typing import Annotated, TypeAlias
 
 from arrangement.console.options.signature import Syntax
@@ -101,6 +102,46 @@ def arch(
     last = joints[-1]
     contacts += _along(name, None, last, (-last[1], last[0]), radii, friction)
     return Assembly(bodies, contacts), wrenches
+
+
+def wall(
+    *,
+    courses: int = 4,
+    bricks: int = 4,
+    friction: Number = "1/2",
+    overhang: bool = False,
+    density: Number = 2,
+) -> tuple[Assembly, Wrenches]:
+    """Return a wall of bricks of width 1 and height 1/2 on the ground, in running bond.
+
+    Args:
+        courses: how many.
+        bricks: in a course.
+        friction: of all contacts.
+        overhang: whether every other course hangs over by half a brick; else it has half bricks at
+            its ends.
+        density: weight by area.
+
+    >>> from equilibrium import solve
+    >>> solve(*wall(courses=3, bricks=2, friction="1/10")).verdict
+    'resisted'
+    """
+    _check_count(courses, "courses", 1)
+    _check_count(bricks, "bricks", 1)
+    _check_count(courses * bricks, "bricks in all", 1)
+    height, bodies = Fraction(1, 2), dict[str, list[tuple[Fraction, Fraction]]]()
+    for k in range(courses):
+        shift = Fraction(k % 2, 2)
+        joints = [shift + j for j in range(bricks + 1)]
+        if shift and not overhang:
+            joints = [Fraction(0), *joints[:-1], Fraction(bricks)]
+        low, high = k * height, (k + 1) * height
+        for j, (left, right) in enumerate(pairwise(joints), 1):
+            corners = [(left, low), (right, low), (right, high), (left, high)]
+            bodies[f"brick {k + 1}.{j}"] = corners
+    ground = [(-1, -1), (bricks + 1, -1), (bricks + 1, 0), (-1, 0)]
+    made = Assembly.from_polygons(bodies, friction=friction, ground=[ground], density=density)
+    return made, made.weights
 
 
 def wedge(
@@ -290,7 +331,9 @@ def tongs(
 
 
 #: All of them, by name.
-TEXTBOOK = {made.__name__: made for made in (stack, arch, ramp, wedge, cylinders, ladder, tongs)}
+TEXTBOOK = {
+    made.__name__: made for made in (stack, wall, arch, ramp, wedge, cylinders, ladder, tongs)
+}
 
 
 def _along(
