@@ -285,6 +285,11 @@ class LineCones(Pyramids):
         self.edges = self.normals = [slip.edges[0] for slip in self.all]
         self._corners = np.array(self.edges, dtype=float)
 
+    def below(self, room: int, mu: Fraction, b: Sequence[int], state: State) -> bool:
+        """Return whether ``room >= mu x b`` for all signs x that the state allows."""
+        most = int(state.edges[0][0]) * b[0] if isinstance(state, Slip) else abs(b[0])
+        return mu.denominator * room >= mu.numerator * most
+
     def directions(self, slip: Floats, eps: float) -> Floats:
         """Return the slips (m, 1) that the smooth friction shows: a sign, or none."""
         ratio, _ = self.smooth(slip, eps)

@@ -27,6 +27,7 @@ from .enclosures import enclosures
 from .exact_parts import ExactParts, PyramidParts
 from .relaxation import Point, Relaxation
 from .states import SpatialContinuation, StateBalance, States, rubbing_states, smooth_states
+from .tresca import tresca_point
 
 
 @dataclass(frozen=True)
@@ -37,6 +38,8 @@ class EquilibriumSettings:
     huge_friction: float = 100.0
     #: Forces of a relaxation, in its units, up to which a contact is detached, or does not slip.
     force_tolerance: float = 1e-6
+    #: The same at fixed points of Tresca friction, and how close to a limit friction may be.
+    tresca_tolerance: float = 1e-5
     #: Motions that balance leaves open are multiples of one over this.
     open_motion_denominator: int = 2**10
     #: Motions that agree to one over this lead to the same equilibrium, mostly.
@@ -124,6 +127,31 @@ class EquilibriumSearch:
         motion = point.motion * self.relaxation.scale
         near = self._with_states(motion, states)
         return near or self._rubbing(motion, point.forces * self.relaxation.force, states.slipping)
+
+    def at_fixed_limits(self) -> Solution | Node | None:
+        """Return an equilibrium with the states at a fixed point of Tresca friction, if reached.
+
+        If there is none, but contacts close to a change of state, return states with these open.
+        """
+        if not isinstance(self.exact, PyramidParts) or self.contacts.rows.tangents != 1:
+            return None
+        point = tresca_point(self.relaxation)
+        if point is None:
+            return None
+        r, near, friction = self.relaxation, SETTINGS.tresca_tolerance, self.contacts.friction
+        spring = r.preload - r.stiffness * (r.normal @ point.motion)
+        normal = np.where(spring > near, point.forces[:, 0], 0.0)
+        slips = r.tangents @ point.motion
+        still = r.stiffness * lengths(slips) <= near
+        sticks = np.abs(point.forces[:, 1]) < friction * normal - near
+        states = self.exact.near(normal, np.where(still[:, None], 0.0, slips))
+        self.effort.check(SETTINGS.proposal_steps * len(states))
+        solution = self._of_pyramids(self.exact, states)
+        open_ = [
+            "undecided" if grazes else "attached" if state == "stick" and not sure else state
+            for state, grazes, sure in zip(states, np.abs(spring) <= near, sticks, strict=True)
+        ]
+        return solution or (None if tuple(open_) == states else tuple(open_))
 
     def in_visited_states(self) -> Solution | None:
         """Return an equilibrium, by exact programs, of states visited since the last call."""

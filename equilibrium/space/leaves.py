@@ -42,6 +42,8 @@ class _WholeContact(NamedTuple):
     columns: tuple[IntegerVector, ...]
     preload: int
     friction: Fraction
+    at: tuple[int, ...]
+    short: tuple[IntegerVector, ...]
 
 
 class _Numbers(NamedTuple):
@@ -100,7 +102,11 @@ class Leaves:
                 for factor, row in zip(factors, (*whole, *whole), strict=True)
             ]
             preload = int(c.preload * unit)
-            self.each.append(_WholeContact(whole, own, tuple(columns), preload, c.friction))
+            at = tuple(j for j in range(len(whole[0])) if any(row[j] for row in whole))
+            short = tuple(tuple(row[j] for j in at) for row in whole)
+            self.each.append(
+                _WholeContact(whole, own, tuple(columns), preload, c.friction, at, short)
+            )
         # Turns are multiples of one over the length: the unit of length makes no difference.
         arm = 2.0 ** round(math.log2(contacts.length))
         self._arms, self._unit = contacts.arms(arm), max(1.0, arm)
@@ -190,7 +196,8 @@ class Leaves:
                 return False
             if state == "detached":
                 continue
-            a, *b = (dot(row, leaf.motion) for row in contact.frame)
+            moved = [leaf.motion[j] for j in contact.at]
+            a, *b = (dot(row, moved) for row in contact.short)
             room = a - alpha * contact.unit
             if not self.cones.below(room, contact.friction, b, state):
                 return False

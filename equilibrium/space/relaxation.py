@@ -43,6 +43,8 @@ _ROOM_ERROR = 1e-6
 _EVEN_RATIO = 100.0
 #: Whether a contact touches is asked before how it slips, by this factor.
 _LIFT_WEIGHT = 3.0
+#: Motions of a grasp have up to so many coordinates, those of several bodies more.
+_MAX_GRASP = 6
 #: Programs of unlike shapes that are kept to be changed in place, each of some 100 kB.
 _MAX_LAYOUTS = 256
 _CLARABEL_CONES = {
@@ -82,6 +84,7 @@ class _ConeShape(NamedTuple):
     Attributes:
         size: how many rows.
         rows: those with coefficients of the motion.
+        arms: coordinates of the motion that the contact feels.
         places, own: of coefficients of the forces their rows, and whether these are rows of the
             block, not of balance; columns: how many in each.
         cones: of the rows, with their sizes.
@@ -90,6 +93,7 @@ class _ConeShape(NamedTuple):
 
     size: int
     rows: tuple[int, ...]
+    arms: tuple[int, ...]
     places: tuple[int, ...]
     own: tuple[bool, ...]
     columns: tuple[int, ...]
@@ -102,7 +106,7 @@ class _Block(NamedTuple):
 
     Attributes:
         shape: its number.
-        motion: coefficients (k, n) of the motion.
+        motion: coefficients of the motion that are not 0 by shape, by columns.
         data: coefficients of the forces by columns.
         dual: (2 f, rows), what multipliers of the rows are of alpha, h and displacements.
         room: (rows,), where there has to be room in a leaf.
@@ -118,7 +122,7 @@ class _Block(NamedTuple):
     ends: Floats
 
 
-class _Columns(NamedTuple):
+class Columns(NamedTuple):
     """A sparse matrix by columns, what Clarabel reads of SciPy's, which is slow to load."""
 
     data: Floats
@@ -128,7 +132,7 @@ class _Columns(NamedTuple):
     has_canonical_format: bool = True
 
     @classmethod
-    def of(cls, table: Floats) -> _Columns:
+    def of(cls, table: Floats) -> Columns:
         """Return a matrix without its zeros."""
         column, row = np.nonzero(table.T)
         counts = np.bincount(column, minlength=table.shape[1])
@@ -147,17 +151,21 @@ class _ConeLayout:
 
     Attributes:
         starts: where the rows of each block begin, and the last ends; those of balance come first.
+        order: which coefficients of the motion, block after block, come first by columns.
         solver: of the last one, to be changed in place.
     """
 
     def __init__(self, n: int, shapes: Sequence[_ConeShape]) -> None:
         self.starts = list(accumulate((shape.size for shape in shapes), initial=n))
         places = list(zip(shapes, self.starts, strict=False))
-        felt = [row + start for shape, start in places for row in shape.rows]
-        index = felt * n
+        felt = [(j, k + start) for shape, start in places for j in shape.arms for k in shape.rows]
+        column, row = np.array(felt, dtype=int).reshape(-1, 2).T
+        self.order = np.argsort(column, kind="stable")
+        index = row[self.order].tolist()
         for shape, start in places:
             index += [i + start * own for i, own in zip(shape.places, shape.own, strict=True)]
-        counts = [len(felt)] * n + [count for shape in shapes for count in shape.columns]
+        counts = np.bincount(column, minlength=n).tolist()
+        counts += [count for shape in shapes for count in shape.columns]
         self.indices = np.array(index, dtype=int)
         self.pointer = np.append(0, np.cumsum(counts, dtype=int))
         self.shape = self.starts[-1], len(counts)
@@ -178,7 +186,7 @@ class _ConeProgram(NamedTuple):
     order: list[int]
     blocks: list[_Block]
     layout: _ConeLayout
-    matrix: _Columns
+    matrix: Columns
     right: Floats
 
     @property
@@ -258,11 +266,16 @@ class Relaxation:
         count = 0 if state == "detached" else f if self.friction[i] else 1
         along = np.array([self.normal[i], *self.tangents[i]])[:count]
         columns = np.concatenate([-along, table[:, n : n + count].T], axis=1)
-        # Zeros of balance are kept: with them the shapes of all contacts are alike.
-        column, place = np.nonzero((columns != 0) | (np.arange(columns.shape[1]) < n))
+        # Zeros of balance are kept, with which the shapes of all contacts are alike; but a contact
+        # of many bodies acts on two of them.
+        frame = np.array([self.normal[i], *self.tangents[i]])
+        acts = (frame != 0).any(axis=0) | (n <= _MAX_GRASP)
+        kept = np.append(acts, np.zeros(columns.shape[1] - n, dtype=bool))
+        column, place = np.nonzero((columns != 0) | kept)
         shape = _ConeShape(
             len(table),
             tuple(felt.tolist()),
+            tuple(np.flatnonzero(acts).tolist()),
             tuple((place - n * (place >= n)).tolist()),
             tuple((place >= n).tolist()),
             tuple(np.bincount(column, minlength=count).tolist()),
@@ -271,7 +284,7 @@ class Relaxation:
         )
         return _Block(
             self._shapes.setdefault(shape, len(self._shapes)),
-            table[felt, :n],
+            table[felt, :n][:, acts].T.ravel(),
             columns[column, place],
             table[:, end],
             table[:, alpha:-1].T,
@@ -288,10 +301,10 @@ class Relaxation:
         order = sorted(range(self.m), key=lambda i: every[i].shape)
         blocks = [every[i] for i in order]
         layout = self._layout(tuple(block.shape for block in blocks))
-        motion = np.concatenate([block.motion for block in blocks] or [np.zeros((0, self.n))])
-        data = np.concatenate([motion.T.ravel(), *(block.data for block in blocks)])
+        motion = np.concatenate([block.motion for block in blocks] or [np.zeros(0)])
+        data = np.concatenate([motion[layout.order], *(block.data for block in blocks)])
         right = np.concatenate([self.load, *(block.right for block in blocks)])
-        matrix = _Columns(data, layout.indices, layout.pointer, layout.shape)
+        matrix = Columns(data, layout.indices, layout.pointer, layout.shape)
         return _ConeProgram(order, blocks, layout, matrix, right)
 
     def solve(self, states: Sequence[State]) -> Ray | Point | None:
@@ -320,7 +333,7 @@ class Relaxation:
         data: list[Any] = [matrix.data, -change * self.arms / self.force, [-1.0, 1.0]]
         index = [matrix.indices, np.arange(self.n), [rows, rows + 1]]
         pointer = np.append(matrix.indptr, matrix.indptr[-1] + self.n + 2)
-        whole = _Columns(np.concatenate(data), np.concatenate(index), pointer, (rows + 2, n + 1))
+        whole = Columns(np.concatenate(data), np.concatenate(index), pointer, (rows + 2, n + 1))
         ends, kinds = (
             np.append(right, [0.0, 1.0]),
             [*node.layout.kinds, clarabel.NonnegativeConeT(2)],
@@ -398,7 +411,7 @@ class Relaxation:
             kept += [] if isinstance(kind, clarabel.ZeroConeT) else [kind]
             k += kind.dim
         table, ends = np.delete(table, free, axis=0), np.delete(ends, free)
-        question = (_squares(rows + 1, n, 0.0), -last, _Columns.of(table), ends, kept)
+        question = (_squares(rows + 1, n, 0.0), -last, Columns.of(table), ends, kept)
         found = np.array(clarabel.DefaultSolver(*question, self.settings).solve().x)
         return self._ray(states, program, found[:-1]) if found[-1] > -_ROOM_ERROR else None
 
@@ -419,6 +432,6 @@ class Relaxation:
 
 
 @cache
-def _squares(size: int, n: int, weight: float = _MOTION_WEIGHT) -> _Columns:
+def _squares(size: int, n: int, weight: float = _MOTION_WEIGHT) -> Columns:
     """Return the weights of squares: small motions are preferred."""
-    return _Columns.of(np.diag([weight] * n + [0.0] * (size - n)))
+    return Columns.of(np.diag([weight] * n + [0.0] * (size - n)))

@@ -55,6 +55,8 @@ class TreeSettings:
     thin_sector_sine: float = 0.3
     #: Sharpness of contacts where a search starts near an equilibrium.
     sharpness_near: float = 1e-3
+    #: With more coordinates of motions, of several bodies, Tresca friction comes first.
+    largest_grasp: int = 6
     #: An equilibrium of another load is near if the loads differ by this share of all forces.
     near_load_share: float = 1 / 8
     #: With more contacts exact programs take seconds, and come last.
@@ -144,6 +146,9 @@ class SpatialSearch:
         early: Solution | Tree | None = self._root_leaf() or self._near_another_load()
         if early is not None:
             return early
+        fixed = self._near_fixed_limits() if self.contacts.rows.n > SETTINGS.largest_grasp else None
+        if fixed is not None:
+            return fixed
         tree = OpenTree(self.root)
         if self.memory.promises(self.root, self.leaves):
             outcome = self._search(tree, SETTINGS.first_nodes)
@@ -177,6 +182,14 @@ class SpatialSearch:
         if motion is None:
             return None
         return self.equilibria.near_motion(motion, SETTINGS.sharpness_near)
+
+    def _near_fixed_limits(self) -> Solution | None:
+        """Return an equilibrium with the states at a fixed point of Tresca friction, or nearly."""
+        near = self.equilibria.at_fixed_limits()
+        if not isinstance(near, tuple):
+            return near
+        outcome = self._search(OpenTree(near), SETTINGS.first_nodes)
+        return outcome if isinstance(outcome, Solution) else None
 
     def _few_nodes(self, tree: OpenTree) -> Outcome:
         """Try the first nodes, the question in a plane, and exact programs of visited states."""
