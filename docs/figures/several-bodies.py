@@ -1,4 +1,4 @@
-"""The figures of the guide to several bodies; the stack is read from the guide itself."""
+"""The stack that the guide to several bodies writes down, read from the guide itself."""
 
 import json
 import re
@@ -6,7 +6,6 @@ import textwrap
 from pathlib import Path
 
 from equilibrium import Assembly, solve
-from equilibrium.grasps.textbook import wall
 from equilibrium.pictures import OF_ASSEMBLIES
 
 PAGE = Path(__file__).parents[1] / "howto" / "several-bodies.rst"
@@ -15,6 +14,3 @@ block = re.search(r":caption: stack\.json\n\n((?:   .*\n)+)", PAGE.read_text(enc
 document = json.loads(textwrap.dedent(block[1]))
 wrenches = {**document["wrench"], "upper": ["1/5", -1, "-3/10"]}
 OF_ASSEMBLIES.write(solve(Assembly.from_dict(document), wrenches), "several-bodies.svg")
-
-bricks = solve(*wall(courses=3, bricks=3, friction="1/10", overhang=True))
-OF_ASSEMBLIES.write(bricks, "wall.svg", width=150, font_size="5pt")
