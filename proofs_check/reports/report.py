@@ -231,6 +231,8 @@ def _contact_text(contact: Mapping[str, Any]) -> str:
         rest.append(f"preload={value_text(contact['preload'])}")
     if contact.get("stiffness", "1") != "1":
         rest.append(f"k={value_text(contact['stiffness'])}")
+    if contact.get("adhesion", "0") != "0":
+        rest.append(f"adhesion={value_text(contact['adhesion'])}")
     return f"contact at {point} normal {normal} {' '.join(rest)}"
 
 

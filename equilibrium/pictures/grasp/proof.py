@@ -166,7 +166,10 @@ def _example(
     drawn = _grasp(scene, layout, scale, middle, name)
     done = works(verdict.grasp, verdict.wrench, together, verdict.max_displacement)
     load, least, both = map(LABEL.number, (done.load, done.least, done.load + done.least))
-    for k, text in enumerate((f"{i + 1}: load {load}, contacts ≥ {least}", f"together ≥ {both}")):
+    loads = "load and adhesion" if any(verdict.grasp.adhesion_wrench) else "load"
+    for k, text in enumerate(
+        (f"{i + 1}: {loads} {load}, contacts ≥ {least}", f"together ≥ {both}")
+    ):
         place = middle[0], middle[1] + size / 2 + 12 - 9 * k
         scene.text(place, text, weight="normal" if k else "bold")
     shifts = [shift_at((x, y, r), c.point) for c in verdict.grasp]

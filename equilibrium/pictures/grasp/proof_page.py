@@ -65,6 +65,7 @@ def proof_page(
         "title": heading,
         "summary": "; ".join(summary_lines(maps, len(maps.ranks))),
         "load": {"force": force, "turn": sign(maps.verdict.wrench[2])},
+        "stuck": any(maps.verdict.grasp.adhesion_wrench),
         "colours": [pale(plane_colour(i), 0.35) for i in range(len(maps.ranks))],
         "maps": [
             {

@@ -86,10 +86,10 @@ function describe() {
   const [load, least, total] = part.works;
   at("part").value = shown();
   at("said").textContent = `Part ${shown() + 1} of ${data.parts.length}. The virtual motion λ = ${motion.text} `
-    + `${motion.words}. On it the load does work ${load}, the contacts at least ${least}: `
+    + `${motion.words}. On it ${data.stuck ? "the load and adhesion do" : "the load does"} work ${load}, the contacts at least ${least}: `
     + `together at least ${total}, above 0. Forces in balance would do no work, so there are none.`;
   ["load", "contacts", "total"].forEach((id, k) => {
-    at(id).textContent = [`load ${load}`, `+ contacts ≥ ${least}`, `= at least ${total} > 0`][k];
+    at(id).textContent = [`${data.stuck ? "load and adhesion" : "load"} ${load}`, `+ contacts ≥ ${least}`, `= at least ${total} > 0`][k];
     at(id).title = part.exact[k];
   });
   facts(at("facts"), [
