@@ -79,6 +79,7 @@ def _load(grasp: Grasp, load: RationalVector, document: dict[str, Any]) -> tuple
     """Return the verdict on a load and its margin, as rows; add them to the document."""
     from equilibrium.wrench_sets import ResistedSet
 
+    from .resisted import end_lines
     from .verdict_words import verdict_lines
 
     resisted = ResistedSet(grasp)
@@ -93,10 +94,12 @@ def _load(grasp: Grasp, load: RationalVector, document: dict[str, Any]) -> tuple
     if grasp.dimension == 2 and any(load):
         factors = resisted.margin(load)
         least = factors.preloads.least
-        document |= {**factors.magnitudes.to_dict(), "least_preload": least}
+        gives, ends = end_lines(resisted, factors.magnitudes)
+        document |= {**factors.magnitudes.to_dict(), **gives, "least_preload": least}
         force = f" {grasp.units.force}" if grasp.units else ""
+        scaled = "resisted when scaled by a factor"
         rows += [
-            ("margin", f"resisted when scaled by a factor {within_text(factors.intervals)}"),
+            ("margin", "\n".join([f"{scaled} {within_text(factors.intervals)}", *ends])),
             ("least preload", "none is enough" if least is None else f"{number(least)}{force}"),
         ]
     return yes, rows

@@ -172,8 +172,10 @@ def _of_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> 
         magnitudes: Any = resisted.along(arguments.along, wrenches)
     except UndecidedError as unknown:
         return show(arguments, undecided(unknown), [f"undecided: {unknown}"], None, assembly)
-    lines = [f"resisted for t {within_text(magnitudes.intervals, '=')}"]
-    return show(arguments, magnitudes.to_dict(), lines, bool(magnitudes.intervals), assembly)
+    more, ends = end_lines(resisted, magnitudes)
+    lines = [f"resisted for t {within_text(magnitudes.intervals, '=')}", *ends]
+    found = bool(magnitudes.intervals)
+    return show(arguments, magnitudes.to_dict() | more, lines, found, assembly)
 
 
 def _form(arguments: argparse.Namespace) -> str:
@@ -199,8 +201,10 @@ def _along(arguments: argparse.Namespace, grasp: Grasp) -> int:
     magnitudes: Any = resisted.along(applied(arguments, grasp), arguments.base or 0)
     if grasp.dimension == 3:
         return _show_in_space(arguments, magnitudes)
+    gives, ends = end_lines(resisted, magnitudes)
     more, again = _rounded(resisted, magnitudes)
-    lines = [f"resisted for t {within_text(magnitudes.intervals, '=')}", *again]
+    more |= gives
+    lines = [f"resisted for t {within_text(magnitudes.intervals, '=')}", *ends, *again]
     return show(arguments, magnitudes.to_dict() | more, lines, bool(magnitudes.intervals), grasp)
 
 
@@ -251,6 +255,18 @@ def _smallest_lines(found: SmallestUnresisted, grasp: Grasp) -> Iterator[str]:
     else:
         yield f"{load}no size is resisted in every direction"
     yield f"not resisted: {vector(found.beyond)}"
+
+
+def end_lines(resisted: ResistedSet, found: Magnitudes) -> tuple[dict[str, Any], list[str]]:
+    """Return what gives at the ends of magnitudes: JSON form and lines."""
+    ends = resisted.what_gives(found)
+    lines = [
+        f"  at {number(end)}: {given.words}"
+        for interval, pair in zip(found.intervals, ends, strict=True)
+        for end, given in zip(interval, pair, strict=True)
+        if end is not None and given is not None
+    ]
+    return {"gives": [[x and x.to_dict() for x in pair] for pair in ends]}, lines
 
 
 def _rounded(resisted: ResistedSet, found: Magnitudes) -> tuple[dict[str, Any], list[str]]:
@@ -359,18 +375,19 @@ def _margin(arguments: argparse.Namespace, grasp: Grasp) -> int:
 
 def _show_margin(arguments: argparse.Namespace, resisted: ResistedSet, factors: Margin) -> int:
     """Print a margin, with the preload and the friction that resist the wrench."""
+    from equilibrium.decide.assemblies.ends import listed_contacts
     from equilibrium.wrench_sets.friction import rough_contacts
 
     grasp, chosen = resisted.grasp, arguments.contacts
     whose, rubbing = "a uniform preload", "uniform friction"
     if chosen is not None:
-        named = _contacts(chosen)
+        named = listed_contacts(chosen)
         whose, rubbing = f"this preload of {named}", f"friction of {named}"
         rubbing += ", for the load alone" if arguments.also else ""
     elif arguments.also is not None:
         raise GraspError("--also goes with --contacts")
     elif smooth := sorted({*grasp.contact_numbers} - {*rough_contacts(grasp)}):
-        rubbing += f" with {_contacts(smooth)} smooth"
+        rubbing += f" with {listed_contacts(smooth)} smooth"
     loads = [factors.wrench, *(arguments.also or ())]
     tolerance = Fraction(1, 2**20) if arguments.tolerance is None else arguments.tolerance
     preload, in_preloads = or_undecided(
@@ -382,6 +399,7 @@ def _show_margin(arguments: argparse.Namespace, resisted: ResistedSet, factors: 
         lambda found: f": {_friction(found.low, found.high)}",
     )
     more, again = _rounded(resisted, factors.magnitudes) if any(factors.wrench) else ({}, [])
+    gives, ends = end_lines(resisted, factors.magnitudes)
     doubt = "within_error" in more and resisted.solve(factors.wrench).doubt
     word = "yes" if factors.resisted else "no"
     word += f", for the rounded data; it {doubt}" if doubt else ""
@@ -389,12 +407,13 @@ def _show_margin(arguments: argparse.Namespace, resisted: ResistedSet, factors: 
     lines = [
         f"resisted: {word}",
         f"resisted when scaled by a factor {within_text(factors.intervals)}",
+        *ends,
         *again,
         f"resisted with {whose}{in_preloads}",
         f"least {rubbing}{coefficient}",
     ]
     remedies = {"preload": preload, "friction": friction}
-    return show(arguments, factors.to_dict() | more | remedies, lines, yes, grasp)
+    return show(arguments, factors.to_dict() | gives | more | remedies, lines, yes, grasp)
 
 
 def _search(arguments: argparse.Namespace, grasp: Grasp) -> int:
@@ -424,11 +443,6 @@ def _force(grasp: Grasp | Assembly) -> str:
 
 def _between(low: Any, high: Any) -> str:
     return number(high) if low == high else bracket(low, high)
-
-
-def _contacts(numbers: Iterable[int]) -> str:
-    listed = sorted({*numbers})
-    return f"contact{'s' * (len(listed) > 1)} {', '.join(map(str, listed))}"
 
 
 def _friction(low: Fraction | None, high: Fraction | None) -> str:

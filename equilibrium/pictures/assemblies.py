@@ -17,11 +17,13 @@ from arrangement.drawing.scene.labels import Labels
 from arrangement.drawing.scene.places import near
 from arrangement.drawing.scene.scene import AROUND, Scene, arrow, fitted, turning_arrow
 from arrangement.numbers.exact import RationalVector
+from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.assemblies.verdict import AssemblyVerdict
 from equilibrium.model.assembly import Assembly, RigidBody
 from equilibrium.model.outline import Polygon
 from equilibrium.pictures.parts.body import Frame, stated_body
 from equilibrium.pictures.parts.style import bar, mark, nice_near, symbol
+from equilibrium.wrench_sets.margin import limit_words
 
 #: Lengths on paper, where the bodies fill [-1, 1]: the largest force, the arc of a torque, the
 #: largest displacement, half a pad.
@@ -266,6 +268,10 @@ def _describe(plan: _AssemblyPlan, scene: Scene, scale: float) -> None:
         unit = f" {units.force}" if units else ""
         length = float(force / plan.reference) * _FORCE * scale
         legend.key(bar(length), f"force {LABEL.number(force)}{unit}")
+    for line in limit_words(
+        AssemblySolver(plan.assembly, verdict.max_displacement), verdict.wrenches
+    ):
+        legend.line(line)
 
 
 def _frame(points: list[RationalVector]) -> Frame:

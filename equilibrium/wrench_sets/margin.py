@@ -16,17 +16,19 @@ from functools import cached_property
 from typing import Any
 
 from arrangement import Arrangement
-from arrangement.console.number_form import JsonMixin
+from arrangement.console.number_form import LABEL, JsonMixin
 from arrangement.console.progress import watched
 from arrangement.enumeration.choose import most_faces
+from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, shown
 from arrangement.numbers.linear.intervals import Interval, common, holds, union
+from equilibrium.decide.assemblies.ends import ends_of
 from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.decide.state_choices import StateChoices
 from equilibrium.model.assembly import Wrenches
-from equilibrium.model.errors import GraspError
+from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.contact_rows import negated
 from equilibrium.plane.states.contact_states import DETACHED, states_of_code
@@ -100,6 +102,8 @@ class Margin(JsonMixin):
         return least_friction(self._solver, self.wrench, tolerance, contacts)
 
 
+#: Up to this many contacts pictures state what gives at the limit of a load.
+_MAX_CONTACTS_IN_WORDS = 12
 #: How often a margin tries all states, about: for the wrench, for preloads, for friction.
 _QUERIES = 6
 
@@ -125,6 +129,39 @@ def margin(grasp: Grasp | Solver | AssemblySolver, wrench: Any) -> Margin:
     else:
         found = (ALL,) if solver.solve(w).stable else ()
     return Margin(w, holds(found, Fraction(1)), found, solver)
+
+
+def limit_words(solver: Solver | AssemblySolver, wrench: Any) -> list[str]:
+    """Return at which multiples of a load, next to it, its resistance ends, and what gives there.
+
+    Empty where that is not established, and of many contacts, for which it takes long.
+    """
+    is_assembly = isinstance(solver, AssemblySolver)
+    loads = wrench.values() if is_assembly else [wrench]
+    if len(solver.grasp) > _MAX_CONTACTS_IN_WORDS or not any(map(any, loads)):
+        return []
+    try:
+        if isinstance(solver, AssemblySolver):
+            factors = solver.magnitudes(solver.no_wrench, wrench)
+        else:
+            factors = resisted_magnitudes(solver, wrench).intervals
+    except (OutOfReachError, UndecidedError):
+        return []
+    near = min(factors, key=_distance, default=None)
+    if near is None:
+        return []
+    given = ends_of(solver.grasp, solver.no_wrench, wrench, [near], solver.max_displacement)
+    return [
+        f"{word} {LABEL.number(end)} times the load: {what.words}"
+        for word, end, what in zip(("from", "up to"), near, *given, strict=True)
+        if end is not None and what is not None
+    ]
+
+
+def _distance(factors: Interval) -> Fraction:
+    """Return how far 1 is from an interval of factors."""
+    low, high = factors
+    return max((low or Fraction(0)) - 1, Fraction(0) if high is None else 1 - high, Fraction(0))
 
 
 @dataclass(frozen=True)

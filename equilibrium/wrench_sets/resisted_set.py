@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 from arrangement.console.number_form import JsonMixin
 from arrangement.errors import HintsMixin
 from arrangement.numbers.exact import vector_text
+from equilibrium.decide.assemblies.ends import Giving, ends_of
 from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
@@ -244,6 +245,25 @@ class ResistedSet(HintsMixin, JsonMixin):
         if isinstance(self._solver, AssemblySolver):
             return None
         return ends_within_error(self._solver, magnitudes)
+
+    def what_gives(self, magnitudes: Magnitudes) -> tuple[tuple[Giving | None, ...], ...]:
+        """Return which contacts slip or lift off at both ends of each interval of magnitudes.
+
+        A contact is named if it is at its friction limit, or without force, in all equilibria at
+        the end, and not in all just inside. None stands where nothing is established, and where
+        an interval starts at 0 or is unbounded.
+
+        Args:
+            magnitudes: what `along` returned, in the plane or of an assembly.
+
+        >>> from equilibrium import ResistedSet, read_grasp
+        >>> resisted = ResistedSet(read_grasp("paper-four-contacts-preload-1"))
+        >>> [(start, end)] = resisted.what_gives(resisted.along([0, 1, 0]))
+        >>> end.words
+        'slips at contacts 1, 2, 3, 4'
+        """
+        ends = magnitudes.base, magnitudes.direction, magnitudes.intervals
+        return ends_of(self.grasp, *ends, self.max_displacement)
 
     def slice(
         self,

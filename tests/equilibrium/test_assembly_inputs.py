@@ -116,7 +116,9 @@ class TestWeight:
         assert "a moves by (0, -1, 0)" in capsys.readouterr().out
         push = ["--along", "a", "1", "0", "-1/2"]
         assert main(["resisted", str(tmp_path / "a.json"), *push]) == 0
-        assert capsys.readouterr().out == "resisted for t in [0, 1]\n"
+        assert (
+            capsys.readouterr().out == "resisted for t in [0, 1]\n  at 1: slips at contacts 1, 2\n"
+        )
 
     def test_certificate_has_no_weights(self):
         made = Assembly.from_polygons({"a": box(0, 0)}, "1/2", ground=[FLOOR], density=1)

@@ -22,17 +22,20 @@ def answer(capsys, *argv):
 def test_magnitudes_print_the_agreed_document(capsys):
     assert answer(capsys, "resisted", THREE, "--wrench", "0", "1", "0") == (
         0,
-        {"intervals": [["0", "1"]]},
+        {
+            "intervals": [["0", "1"]],
+            "gives": [[None, {"slips": [], "lifts_off": [2], "tips": []}]],
+        },
     )
     assert answer(capsys, "resisted", THREE, "--wrench", "0", "-1/2", "0") == (
         0,
-        {"intervals": [["0", None]]},
+        {"intervals": [["0", None]], "gives": [[None, None]]},
     )
 
 
 def test_no_magnitude_exits_with_one(capsys):
     arguments = ("--wrench", "0", "1", "0", "--base", "0", "1", "0", "--preload", "0")
-    assert answer(capsys, "resisted", THREE, *arguments) == (1, {"intervals": []})
+    assert answer(capsys, "resisted", THREE, *arguments) == (1, {"intervals": [], "gives": []})
 
 
 def test_smallest_unresisted_wrench(capsys):

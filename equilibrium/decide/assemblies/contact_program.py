@@ -16,7 +16,7 @@ With all contacts decided this is the law itself, else a relaxation: it has ever
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -63,6 +63,22 @@ class LinearQuestion:
     def is_chosen(self, i: int) -> bool:
         """Return whether the preload or the friction of a contact is not its own."""
         return self.chosen is None or i in self.chosen
+
+    def at(self, t: Fraction) -> LinearQuestion:
+        """Return the question of one magnitude, which does not change with t."""
+        load = tuple(x + t * y for x, y in zip(self.load, self.load_slope, strict=True))
+        contacts = tuple(
+            c._replace(preload=c.preload + t * self.preload_slope) if self.is_chosen(i) else c
+            for i, c in enumerate(self.rows)
+        )
+        still = (Fraction(0),) * len(load)
+        return replace(
+            self,
+            rows=replace(self.rows, contacts=contacts),
+            load=load,
+            load_slope=still,
+            preload_slope=Fraction(0),
+        )
 
     def coefficients(self, i: int) -> tuple[Fraction, Fraction | None]:
         """Return the least and the largest friction coefficient of a contact."""
@@ -282,6 +298,26 @@ class ContactProgram:
         forces = (*self._normal, *self._tangential)
         ends = ((self._least_of(terms), self._least_of(_times(terms, -1))) for terms in forces)
         return all(low is not None and high == -low for low, high in ends)
+
+    def is_unloaded(self, i: int) -> bool:
+        """Return whether a contact has no force in any solution, of which there are some."""
+        return self._always_zero(self._normal[i])
+
+    def is_at_limit(self, i: int) -> bool:
+        """Return whether a contact with friction is at its limit in all solutions.
+
+        Their set is convex, so they are all at one of its two limits then.
+        """
+        if not (friction := self.question.coefficients(i)[0]):
+            return False
+        most, rubbed = _times(self._normal[i], friction), self._tangential[i]
+        return any(self._always_zero(_sum(most, rubbed, sign)) for sign in (1, -1))
+
+    def _always_zero(self, terms: _Terms) -> bool:
+        """Return whether an expression that is at least 0 is 0 in all solutions."""
+        point = self._point()
+        assert point is not None
+        return not _value(terms, point) and self._least_of(_times(terms, -1)) == 0
 
     def _terms(self, row: RationalVector, into: ContactProgram) -> _Terms:
         """Return a row as an expression in the unknowns of another program."""

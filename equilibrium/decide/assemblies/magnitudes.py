@@ -68,7 +68,7 @@ def assembly_magnitudes(
         rows = [(sign * x, sign * y) for x, y in zip(slope, total, strict=True) for sign in (1, -1)]
         still = where_positive(rows)
         found = common(found, () if still is None else (still,))
-    for _, question in _questions(assembly, base, along, chosen):
+    for _, question in part_questions(assembly, base, along, chosen):
         if found:
             changed = replace(
                 question, preload_slope=preload_slope, max_displacement=max_displacement
@@ -99,7 +99,7 @@ def surviving_states(
         UndecidedError: a part takes more nodes or steps than the limits allow.
     """
     found = []
-    pairs = _questions(assembly, wrenches, assembly.read_wrenches({}), chosen)
+    pairs = part_questions(assembly, wrenches, assembly.read_wrenches({}), chosen)
     questions = [question for _, question in pairs]
     if any(any(total) for _, total in parts_of(assembly, wrenches)[1]):
         return None
@@ -153,10 +153,10 @@ def part_equilibria(
     """
     none = assembly.read_wrenches({})
     found = []
-    for part, question in _questions(assembly, wrenches, none):
+    for part, question in part_questions(assembly, wrenches, none):
         bounded = replace(question, max_displacement=max_displacement)
         with _limited(bounded) as tree:
-            complete = list(_complete(tree))
+            complete = list(complete_programs(tree))
             # Of equal sets the one with most detached, then most sticking contacts stays.
             complete.sort(key=lambda x: (-x.states.count("detached"), -x.states.count("stick")))
             kept: list[ContactProgram] = []
@@ -173,7 +173,7 @@ def part_equilibria(
     return tuple(found)
 
 
-def _complete(tree: _Tree) -> Iterator[ContactProgram]:
+def complete_programs(tree: StateTree) -> Iterator[ContactProgram]:
     """Yield the programs of all complete choices of states that have a solution."""
     for program in tree:
         start = program.start()
@@ -183,7 +183,7 @@ def _complete(tree: _Tree) -> Iterator[ContactProgram]:
             tree.waiting += program.split(start.violations)
 
 
-def _questions(
+def part_questions(
     assembly: Assembly, base: Wrenches, along: Wrenches, chosen: frozenset[int] | None = None
 ) -> Iterator[tuple[AssemblyPart, LinearQuestion]]:
     """Yield each part with its question, those of few contacts first."""
@@ -198,37 +198,47 @@ def _questions(
         yield part, LinearQuestion(rows, load, change, chosen=own)
 
 
-class _Tree:
+class StateTree:
     """The nodes of a tree of contact states, depth first, within the limits on their number.
+
+    Iteration raises TimeoutError where a limit is reached.
+
+    Args:
+        effort, max_nodes: the limits; if omitted, the usual ones.
 
     Attributes:
         waiting: states that are still to be looked at.
         nodes: those that were.
     """
 
-    def __init__(self, question: LinearQuestion) -> None:
+    def __init__(
+        self,
+        question: LinearQuestion,
+        effort: Effort | None = None,
+        max_nodes: float | None = None,
+    ) -> None:
         self.question = question
-        self.effort = Effort.usual(STEPS[3])
+        self.effort = effort or Effort.usual(STEPS[3])
+        self.max_nodes = MAX_NODES * budget.times() if max_nodes is None else max_nodes
         self.nodes = 0
         self.waiting: list[Node] = [("undecided",) * len(question.rows)]
 
     def __iter__(self) -> Iterator[ContactProgram]:
-        most = MAX_NODES * budget.times()
         while self.waiting:
-            if self.nodes >= most:
+            if self.nodes >= self.max_nodes:
                 raise TimeoutError
             self.nodes += 1
             yield ContactProgram(self.question, self.waiting.pop(), self.effort)
 
 
 @contextmanager
-def _limited(question: LinearQuestion) -> Iterator[_Tree]:
+def _limited(question: LinearQuestion) -> Iterator[StateTree]:
     """Give a tree, whose limits leave the question undecided.
 
     Raises:
         UndecidedError: one is passed.
     """
-    tree = _Tree(question)
+    tree = StateTree(question)
     try:
         yield tree
     except TimeoutError as late:

@@ -33,6 +33,7 @@ from equilibrium.pictures.parts.style import (
     symbol,
 )
 from equilibrium.pictures.space.space_grasp import drawn_in_space, solved_in_space
+from equilibrium.wrench_sets.margin import limit_words
 
 from .layout import ARC, FORCE, Layout, displaced
 
@@ -86,8 +87,12 @@ def draw_grasp(
         raise GraspError("camera, azimuth, .gif and .mp4 are for grasps in space; leave them out")
     if wrench is None and equilibrium != 1:
         raise GraspError("without a wrench nothing is solved; give one with the equilibrium")
-    verdict = None if wrench is None else Solver(grasp, max_displacement).solve(wrench)
-    return drawn(Layout(grasp, verdict, outline, equilibrium), width)
+    solver = Solver(grasp, max_displacement)
+    verdict = None if wrench is None else solver.solve(wrench)
+    scene = drawn(Layout(grasp, verdict, outline, equilibrium), width)
+    for line in () if verdict is None else limit_words(solver, verdict.wrench):
+        scene.legend.line(line)
+    return scene
 
 
 def _content(layout: Layout) -> Floats:

@@ -1,0 +1,211 @@
+"""What gives at an end of the resisted magnitudes: which contacts slip or lift off there.
+
+The equilibria at the end are those of all choices of contact states that have one there; each is a
+polyhedron. A contact *slips* if it is at its friction limit in all of them, and *lifts off* if it
+has no force in any; a pad *tips* if one of its outermost points has all of its force. It gives at
+the end if that is not so in all equilibria just inside. A choice of states has equilibria for an
+interval of magnitudes, and what holds for all of one magnitude inside holds for all of its
+magnitudes: slacks are concave. So the equilibria just inside are those of the choices whose
+interval goes on there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any, NamedTuple, TypeAlias
+
+from arrangement.console.number_form import JsonMixin
+from arrangement.numbers import budget
+from arrangement.numbers.linear.intervals import Interval
+from equilibrium.model.assembly import Assembly
+from equilibrium.model.effort import Effort
+from equilibrium.model.grasp import Grasp
+from equilibrium.model.rows import ContactRows
+
+from .contact_program import ContactProgram, LinearQuestion
+from .magnitudes import StateTree, complete_programs, part_questions
+
+#: The places of the points of each contact: one, of a pad several.
+Groups: TypeAlias = Sequence[Sequence[int]]
+#: Nodes and steps for one end: what takes more is not reported.
+_NODES, _STEPS = 200, 5_000_000
+
+
+@dataclass(frozen=True)
+class Giving(JsonMixin):
+    """What gives at an end, by numbers of contacts from 1.
+
+    Attributes:
+        slips: those that reach their friction limit.
+        lifts_off: those that lose their force.
+        tips: pads whose force reaches their edge.
+    """
+
+    json_fields = ("slips", "lifts_off", "tips")
+
+    slips: tuple[int, ...] = ()
+    lifts_off: tuple[int, ...] = ()
+    tips: tuple[int, ...] = ()
+
+    def __bool__(self) -> bool:
+        """Return whether anything was established."""
+        return any((self.slips, self.lifts_off, self.tips))
+
+    @property
+    def words(self) -> str:
+        """All that gives, such as "slips at contact 2, contact 1 lifts off"."""
+        parts = [f"slips at {listed_contacts(self.slips)}"] if self.slips else []
+        if self.lifts_off:
+            verb = "lift" if len(self.lifts_off) > 1 else "lifts"
+            parts.append(f"{listed_contacts(self.lifts_off)} {verb} off")
+        if self.tips:
+            pads = "pads" if len(self.tips) > 1 else "pad"
+            parts.append(f"the force leaves the {pads} of {listed_contacts(self.tips)}")
+        return ", ".join(parts)
+
+
+def listed_contacts(numbers: Iterable[int]) -> str:
+    """Return numbers of contacts in words: "contact 2", "contacts 1, 3"."""
+    listed = sorted({*numbers})
+    return f"contact{'s' * (len(listed) > 1)} {', '.join(map(str, listed))}"
+
+
+class _Loaded(NamedTuple):
+    """What all equilibria of a set have in common, for each point.
+
+    Attributes:
+        unloaded: it has no force in any.
+        at_limit: it is at its friction limit in all; a smooth one is not.
+    """
+
+    unloaded: list[bool]
+    at_limit: list[bool]
+
+
+class _PartQuestion(NamedTuple):
+    """What is asked about one part.
+
+    Attributes:
+        numbers: of its contacts in the whole, from 1.
+    """
+
+    question: LinearQuestion
+    groups: Groups
+    numbers: Sequence[int]
+
+
+def ends_of(
+    grasp: Grasp | Assembly,
+    base: Any,
+    along: Any,
+    intervals: Iterable[Interval],
+    max_displacement: Fraction | None = None,
+) -> tuple[tuple[Giving | None, Giving | None], ...]:
+    """Return what gives at both ends of each interval of magnitudes.
+
+    Args:
+        base, along: wrenches on the grasp in the plane, or on the bodies.
+        intervals: the t >= 0 with ``base + t along`` resisted.
+
+    Returns:
+        None where an interval starts at 0 or is unbounded, and where nothing is established.
+    """
+    parts = list(_parts(grasp, base, along, max_displacement))
+    return tuple(
+        (
+            _given_by_parts(parts, low, -1) if low else None,
+            None if high is None else _given_by_parts(parts, high, 1),
+        )
+        for low, high in intervals
+    )
+
+
+def _parts(
+    grasp: Grasp | Assembly, base: Any, along: Any, bound: Fraction | None
+) -> Iterator[_PartQuestion]:
+    if isinstance(grasp, Assembly):
+        for part, question in part_questions(grasp, base, along):
+            groups = [(k,) for k in range(len(part.contacts))]
+            numbers = [i + 1 for i in part.contacts]
+            yield _PartQuestion(replace(question, max_displacement=bound), groups, numbers)
+        return
+    rows = ContactRows.of_grasp(grasp)
+    question = LinearQuestion(rows, base, along, max_displacement=bound)
+    yield _PartQuestion(question, grasp.groups, grasp.contact_numbers)
+
+
+def _given_by_parts(parts: Iterable[_PartQuestion], end: Fraction, way: int) -> Giving | None:
+    """Return what gives at an end of the common magnitudes of all parts; None if unknown."""
+    slips, lifts, tips = [], [], []
+    for part in parts:
+        if (found := what_gives(part.question, part.groups, end, way)) is not None:
+            slips += [part.numbers[k - 1] for k in found.slips]
+            lifts += [part.numbers[k - 1] for k in found.lifts_off]
+            tips += [part.numbers[k - 1] for k in found.tips]
+    return Giving(*(tuple(sorted(numbers)) for numbers in (slips, lifts, tips))) or None
+
+
+def what_gives(question: LinearQuestion, groups: Groups, end: Fraction, way: int) -> Giving | None:
+    """Return what gives at an end of the magnitudes of a question; None if nothing is established.
+
+    Args:
+        groups: by contacts, places in the rows of the question.
+        way: 1 at an upper end, -1 at a lower one.
+    """
+    tree = StateTree(question.at(end), Effort.usual(_STEPS), _NODES * budget.times())
+    at_end, inside = [], []
+    try:
+        for program in complete_programs(tree):
+            at_end.append(_common(program))
+            whole = ContactProgram(question, program.states, tree.effort)
+            low, high = (x.t for x in whole.ends())
+            last, first = (high, low) if way > 0 else (low, high)
+            if last != end:
+                return None  # The end is not one of this question: of another part.
+            if first != end:
+                inside.append(_common(whole))
+    except TimeoutError:
+        return None
+    if not inside:
+        return None
+    before, after = (_given(some, groups) for some in (inside, at_end))
+    gone = {*after.lifts_off}
+    found = Giving(
+        tuple(k for k in after.slips if k not in before.slips),
+        tuple(k for k in after.lifts_off if k not in before.lifts_off),
+        tuple(k for k in after.tips if k not in before.tips and k not in gone),
+    )
+    return found or None
+
+
+def _common(program: ContactProgram) -> _Loaded:
+    """Return what all solutions of a complete program have in common."""
+    points = range(len(program.states))
+    return _Loaded(
+        [program.is_unloaded(i) for i in points], [program.is_at_limit(i) for i in points]
+    )
+
+
+def _given(sets: Sequence[_Loaded], groups: Groups) -> Giving:
+    """Return which contacts slip, have no force, or have it at an edge, in all equilibria."""
+    unloaded = [all(column) for column in zip(*(x.unloaded for x in sets), strict=True)]
+    slipping = [
+        all(a or b for a, b in zip(*columns, strict=True))
+        for columns in zip(
+            zip(*(x.unloaded for x in sets), strict=True),
+            zip(*(x.at_limit for x in sets), strict=True),
+            strict=True,
+        )
+    ]
+    slips, lifts, tips = [], [], []
+    for number, points in enumerate(groups, 1):
+        loaded = [i for i in points if not unloaded[i]]
+        if not loaded:
+            lifts.append(number)
+        elif all(slipping[i] for i in loaded):
+            slips.append(number)
+        if len(points) > 1 and len(loaded) == 1 and loaded[0] in (points[0], points[-1]):
+            tips.append(number)
+    return Giving(tuple(slips), tuple(lifts), tuple(tips))
