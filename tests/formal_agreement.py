@@ -163,7 +163,9 @@ def forms() -> Iterator[bytes]:
     changes: list[dict[str, Any]] = [{}]
     for number in NUMBERS:
         changes += [{"wrench": ["0", number, "0"]}, {"tree": [number, "1", "0"]}]
-        changes += [of_contact(key, number) for key in ("friction", "preload", "stiffness")]
+        changes += [
+            of_contact(key, number) for key in ("friction", "preload", "stiffness", "adhesion")
+        ]
         changes.append(of_contact("normal", [number, "4/5"]))
     for key in ("00", "+0", "0.", "1", "-1", " 0", "", "\u0660", "0" * 12):
         changes.append({"tree": {**leaf, "multipliers": {key: ["1"]}}})
@@ -219,6 +221,7 @@ def assembly_forms() -> Iterator[bytes]:
         changes.append({"assembly": named, "wrench": wrench, "tree": {"virtual_motion": {}}})
     changes += [of_joint(body_b=name) for name in ("b", "c", None, 1)]
     changes += [of_joint(body_a=name) for name in (None, "c", "a")]
+    changes += [of_joint(adhesion=x) for x in ("0", "1/2", "-1")]
     changes += [of_joint(tangent=["1", "0"]), of_joint(normal=["0", "0", "1"])]
     keys = {"schema_version": 2, "description": 3, "units": {}, "wrench": {}, "outline": {}}
     changes += [{"assembly": {**assembly, key: value}} for key, value in keys.items()]
@@ -290,6 +293,12 @@ def _new_answer(path: Path) -> tuple[str, Any]:
         rows, wrench = asked(document)
     except InputError:
         return "malformed", None
+    if "assembly" in document:
+        contacts = [joint.contact for joint in report.assembly.contacts]
+    else:
+        contacts = list(report.grasp)
+    if any(c.adhesion for c in contacts):
+        return "malformed", None  # outside what is proved
     content = {"contacts": [list(map(to_text, row)) for row in rows]}
     return ("accepted" if report else "refused"), {**content, "wrench": list(map(to_text, wrench))}
 

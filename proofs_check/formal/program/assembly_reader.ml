@@ -45,7 +45,7 @@ let joint names i value =
     if not (List.mem_assoc key members) then malformed "%s has no key %S" where key)
     [ "body_a"; "body_b" ];
   let is_body (key, _) = key = "body_a" || key = "body_b" in
-  let touch = Reader.contact ~spring:true i (Object (List.filter (fun m -> not (is_body m)) members)) in
+  let touch = Reader.contact i (Object (List.filter (fun m -> not (is_body m)) members)) in
   let a = body "body_a" in
   let b = if List.assoc "body_b" members = Null then None else Some (body "body_b") in
   if b = Some a then malformed "%s: body_a and body_b are one body" where;

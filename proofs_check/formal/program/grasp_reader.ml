@@ -41,7 +41,7 @@ let contact3 i value =
     if List.mem_assoc "tangent" members then vector "tangent" else usual_tangent normal3 in
   if not (is_one (product tangent3 tangent3) && qzero (product normal3 tangent3)) then
     malformed "%s: the tangent is not exactly unit and at a right angle to the normal" where;
-  { point3 = vector "point"; normal3; tangent3; values3 = Reader.law where members }
+  { point3 = vector "point"; normal3; tangent3; values3 = Reader.law ~spring:true where members }
 
 (* Whether a grasp is in space: its first contact has three coordinates. *)
 let in_space = function
@@ -70,7 +70,7 @@ let document value =
       let contacts = Reader.grasp contact3 grasp in
       (InSpace (contacts, wrench ()), List.length contacts)
     else
-      let contacts = Reader.grasp (fun i -> Reader.contact i) grasp in
+      let contacts = Reader.grasp Reader.contact grasp in
       (InPlane (contacts, wrench ()), List.length contacts) in
   let motion where value = Reader.vector where size value in
   let subject =

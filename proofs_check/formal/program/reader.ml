@@ -92,9 +92,8 @@ let version where due members =
 
 let outside = "which is outside what is proved; omit --verified to have it checked"
 
-(* Friction, preload and stiffness of a contact, at least 0; the stiffness is above 0 where it must
-   be a spring: in space and between bodies. *)
-let law ?(spring = true) where members =
+(* Friction, preload and stiffness of a contact, at least 0; in space the stiffness is above 0. *)
+let law ~spring where members =
   let number key missing =
     match List.assoc_opt key members with
     | Some value -> rational (where ^ ": " ^ key) value
@@ -110,12 +109,12 @@ let law ?(spring = true) where members =
   { friction; stiffness; preload }
 
 (* A contact in the plane, with a unit normal. *)
-let contact ?(spring = false) i value =
+let contact i value =
   let where = Printf.sprintf "contacts[%d]" i in
   let members = keys where [ "point"; "normal"; "friction" ] [ "stiffness"; "preload"; "adhesion" ] value in
   let point_x, point_y = pair (where ^ ": point") (List.assoc "point" members) in
   let normal_x, normal_y = pair (where ^ ": normal") (List.assoc "normal" members) in
-  let values2 = law ~spring where members in
+  let values2 = law ~spring:false where members in
   let common = Z.lcm normal_x.qden normal_y.qden in
   let square q = let n = Z.mul q.qnum (Z.divexact common q.qden) in Z.mul n n in
   if not (Z.equal (Z.add (square normal_x) (square normal_y)) (Z.mul common common)) then
