@@ -8,6 +8,7 @@ from __future__ import annotations
 import argparse
 import math
 import re
+import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -152,29 +153,31 @@ def _solve(arguments: argparse.Namespace) -> int:
 def _many(arguments: argparse.Namespace) -> int:
     """Decide the questions of a file of many grasps."""
     from equilibrium.decide.many_grasps import tables
-    from equilibrium.decide.many_grasps.check import check_grasps
+    from equilibrium.decide.many_grasps.check import check_as_written
 
     alone = "on", "methods", "as_printed", "cone", "round_normals", "as_given"
     _refuse(arguments, "a file of many grasps", (*_OF_THE_VERDICT, *alone))
-    names, arrays = tables.read_grasps(arguments.grasp)
-    stated = arrays.pop("wrenches", None)
+    many = tables.read_grasps(arguments.grasp)
     if arguments.wrenches is not None:
-        stated = tables.read_loads(arguments.wrenches, names)
-    elif (given := _one_load(arguments, arrays["points"])) is not None:
-        stated = given
-    if stated is None:
+        many = many.with_loads_of(arguments.wrenches)
+    elif load := force_given(arguments, many.dimension) or arguments.wrench:
+        many = many.with_loads([load])
+    if not many.has_loads:
         raise GraspError("the grasps have no loads; give --wrenches FILE or --wrench F_X F_Y TAU")
     if arguments.preload is not None:
-        arrays["preload"] = float(arguments.preload)
+        many = many.with_preload(arguments.preload)
+    for note in many.notes():
+        print(f"note: {note}", file=sys.stderr)
     budget.allow(math.inf)  # it reports its progress
-    checked = check_grasps(**arrays, wrenches=stated, jobs=arguments.jobs, dask=arguments.dask)
+    checked = check_as_written(many.source, many.loads, jobs=arguments.jobs, dask=arguments.dask)
     if arguments.output is not None:
-        tables.write_answers(arguments.output, names, checked)
+        tables.write_answers(arguments.output, many.names, checked)
     yes = None if checked.undecided.any() else True
-    if not (checked.resisted | checked.undecided).all():
+    if (checked.asked & ~checked.resisted & ~checked.undecided).any():
         yes = False
-    document = {"grasps": names, **{x: getattr(checked, x).tolist() for x in tables.ANSWERS}}
-    lines = tables.answers_csv(names, checked).splitlines()
+    document: dict[str, Any] = {"grasps": many.names} | tables.answers_lists(checked)
+    document |= {"as_rounded": True} if many.rounded else {}
+    lines = tables.answers_csv(many.names, checked).splitlines()
     return show(arguments, document, [repr(checked)[1:-1]] if arguments.output else lines, yes)
 
 
@@ -193,13 +196,6 @@ def _has_many(path: str) -> bool:
         return False  # what reads the grasp says why
     header = next((x for x in lines if x.strip() and not x.lstrip().startswith("#")), "")
     return "grasp" in re.split(r"[\s,;]+", header)
-
-
-def _one_load(arguments: argparse.Namespace, points: Any) -> list[list[float]] | None:
-    """Return the load that is given for all grasps, if there is one."""
-    dimension = points.shape[-1] if points.ndim == 3 else 2
-    load = force_given(arguments, dimension) or arguments.wrench
-    return None if load is None else [list(map(float, load))]
 
 
 def _refuse(arguments: argparse.Namespace, form: str, options: tuple[str, ...]) -> None:

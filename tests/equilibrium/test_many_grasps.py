@@ -10,7 +10,7 @@ from arrangement.errors import InputError, OutOfReachError
 from arrangement.numbers.exact import from_floats
 from equilibrium import Grasp, ResistedSet, check_grasps, solve
 from equilibrium.decide.many_grasps import check as module, equilibria
-from equilibrium.decide.many_grasps.questions import questions
+from equilibrium.decide.many_grasps.questions import Questions, questions
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.model.errors import GraspError
 
@@ -132,9 +132,9 @@ def test_no_equilibrium_is_proved_where_rounding_is_larger(monkeypatch):
         return equilibria.have_equilibria(asked).any(), at_rest.any()
 
     assert (proved(3), proved(4)) == ((True, False), (True, True))
-    monkeypatch.setattr(equilibria, "ROUNDING", 0.01)
+    monkeypatch.setattr(Questions, "rounding", 0.01)
     assert not any(proved(3))
-    monkeypatch.setattr(equilibria, "ROUNDING", 0.1)
+    monkeypatch.setattr(Questions, "rounding", 0.1)
     assert not any(proved(4))
 
 

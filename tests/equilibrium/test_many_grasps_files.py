@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from equilibrium.cli.program import main
+from equilibrium.decide.many_grasps.arrays import near_floats
 from equilibrium.decide.many_grasps.tables import read_grasps
 
 GRASPS = """# two jaws, and a third finger
@@ -88,13 +89,74 @@ def test_loads_of_each_grasp(files, capsys):
 def test_first_grasp_may_have_one_contact(files):
     path = files / "few.csv"
     path.write_text("grasp,x,y,nx,ny,mu\na,-1,0,1,0,1/2\nb,1,0,-1,0,0\nb,0,1,0,-1,1\n")
-    names, arrays = read_grasps(str(path))
-    assert names == ["a", "b"]
-    assert arrays["points"][1].tolist() == [[1, 0], [0, 1]]
-    assert np.isnan(arrays["friction"]).tolist() == [[False, True], [False, False]]
+    many = read_grasps(str(path))
+    assert many.names == ["a", "b"]
+    assert [len(grasp) for grasp in many.source] == [1, 2]
+    (points, _, friction, *_), rounded = near_floats(many.source, [[(0, 0, 0)]] * 2)
+    assert points[1].tolist() == [[1, 0], [0, 1]]
+    assert np.isnan(friction).tolist() == [[False, True], [False, False]]
+    assert not rounded
     path.write_text("grasp,x,y,nx,ny,mu\n")
-    names, arrays = read_grasps(str(path))
-    assert (names, arrays["points"].shape) == ([], (0, 0, 2))
+    assert read_grasps(str(path)).names == []
+    assert solved(path, "--weight", 1) == 0
+
+
+#: Grasps at their limit of friction, alone and as a line of loads: 2 mu q in all.
+LIMITS = [
+    ("0.3", "5", "0 3 0"),
+    ("1/3", "3", "0 2 0"),
+    ("0.1", "0.7", "0 0.14 0"),
+    ("1/7", "0.1", "0 1/35 0"),
+    ("3/10", "1e-3", "0 6e-4 0"),
+]
+
+
+@pytest.mark.parametrize("column", ["", "angle", "adhesion", "pad"])
+def test_table_answers_as_each_grasp_alone(column, files, capsys):
+    """Whatever floats make of the numbers: at the limit resisted, a little beyond it not."""
+    header = {"angle": "x,y,angle,mu,q"}.get(column, "x,y,nx,ny,mu,q")
+    more = {"adhesion": [",adhesion", ",0.3", ",0.3"], "pad": [",pad", ",1/3", ",0"]}
+    ends = more.get(column, ["", "", ""])
+    ways = ("0", "180") if column == "angle" else ("1,0", "-1,0")
+    rows, loads, answers = [f"grasp,{header}{ends[0]}"], ["grasp,f_x,f_y,tau"], []
+    for k, (mu, q, load) in enumerate(LIMITS):
+        own = [f"{x},1,{way},{mu},{q}" for x, way in zip((-4, 4), ways, strict=True)]
+        own = [line + end for line, end in zip(own, ends[1:], strict=True)]
+        rows += [f"g{k},{line}" for line in own]
+        (files / "alone.csv").write_text("\n".join([f"{header}{ends[0]}", *own]))
+        beyond = f"{load.split()[1]}00000000000000000001" if "." in load else "3"
+        for force in (load.split()[1], beyond, "0")[: 1 + k % 3]:
+            loads.append(f"g{k},0,{force},0")
+            code = solved("alone.csv", "--wrench", "0", force, "0")
+            answers.append([f"g{k}", "resisted" if code == 0 else "not resisted"])
+    (files / "all.csv").write_text("\n".join(rows))
+    (files / "own.csv").write_text("\n".join(loads))
+    capsys.readouterr()
+    assert solved("all.csv", "--wrenches", "own.csv") == 1
+    lines = list(csv.reader(capsys.readouterr().out.splitlines()))[1:]
+    assert [[name, answer] for name, _, answer, _ in lines] == answers
+    assert {"resisted", "not resisted"} == {answer for _, answer in answers}
+    assert [line[1] for line in lines] == list("112123112")
+
+
+def test_typed_numbers_are_exact_for_arrays(files, capsys):
+    """Floats of a file are binary fractions, and what is typed is what is written."""
+    jaws = {"points": [[[-1, 0], [1, 0]]], "normals": [[[1, 0], [-1, 0]]], "friction": 0.5}
+    np.savez("jaws.npz", **jaws, preload=1)
+    (files / "third.csv").write_text("f_x,f_y,tau\n0,1/3,0\n0,0.33333333333333333334,0\n")
+    assert solved("jaws.npz", "--preload", "1/3", "--wrenches", "third.csv") == 1
+    answers = [line.split(",")[2] for line in capsys.readouterr().out.splitlines()[1:]]
+    assert answers == ["resisted", "not resisted"]
+    assert solved("jaws.npz", "--preload", "1/3", "--wrench", 0, "1/3", 0) == 0
+    assert solved("jaws.npz", "--wrench", 0, "1.00000000000000000001", 0) == 1
+
+
+def test_rounded_normals_are_said(files, capsys):
+    (files / "tilted.csv").write_text("grasp,x,y,nx,ny,mu,q\na,-1,0,1,1,1,1\na,1,0,-1,0,1,1\n")
+    assert solved("tilted.csv", "--wrench", 0, -1, 0, "--json") in (0, 1)
+    found = capsys.readouterr()
+    assert json.loads(found.out)["as_rounded"]
+    assert "normals were rounded; answers are for the rounded data" in found.err
 
 
 def test_grasps_in_space_read(files, capsys):
@@ -121,13 +183,16 @@ def test_grasps_in_space_read(files, capsys):
         (["other.npz", "--weight", "1"], "other.npz has no array points"),
         (["more.npz", "--weight", "1"], "more.npz has the array 'extra'"),
         (["letters.csv", "--weight", "1"], "line 2: x is 'left'"),
-        (["grasps.csv", "--wrenches", "half.csv"], "half.csv has 0 loads of the grasp 'b, 2'"),
+        (["grasps.csv", "--wrenches", "half.csv"], "half.csv has no loads of the grasp 'b, 2'"),
+        (["grasps.csv", "--wrench", "0", "0", "1", "0", "0", "0"], "wrench has 6 entries"),
+        (["bodies.csv", "--weight", "1"], "the column 'body_a' is unknown"),
         (["grasps.csv", "--wrenches", "third.csv"], "loads of 'c'; expected names of grasps"),
     ],
 )
 def test_bad_files_refused(words, message, files, capsys):
     (files / "one.csv").write_text("x,y,nx,ny,mu\n-1,0,1,0,0.5\n")
     (files / "text.npz").write_text("points")
+    (files / "bodies.csv").write_text("grasp,body_a,body_b,x,y,nx,ny,mu\n")
     np.savez("objects.npz", points=np.array([{}]), normals=1, friction=1)
     np.savez("other.npz", normals=1, friction=1)
     np.savez("more.npz", **ARRAYS, extra=1)

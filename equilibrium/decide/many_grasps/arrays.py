@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from itertools import chain
 from typing import Any, TypeAlias
 
 import numpy as np
 
-from arrangement.numbers.exact import shown
+from arrangement.numbers.exact import RationalVector, shown
 from arrangement.numbers.float_filter import EXACT, Booleans, Floats
-from equilibrium.model.contact import VALUES, WRENCH_SIZES
+from equilibrium.model.contact import VALUES, WRENCH_SIZES, Contact
 from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp
 
 #: Points, normals, the values of contacts, wrenches; see `check_grasps`.
 Arrays: TypeAlias = tuple[Floats, ...]
+#: Floats below this have fewer digits.
+_SMALLEST = 2.0**-1000
 
 
 def exact_floats(values: Any, name: str, form: str, remedy: str) -> Floats:
@@ -65,13 +71,7 @@ def read_arrays(points: Any, normals: Any, values: Mapping[str, Any], wrenches: 
     if ways.shape != places.shape:
         raise GraspError(f"normals is an array {ways.shape}; expected {places.shape}, as points is")
     count, size = len(places), WRENCH_SIZES[places.shape[2]]
-    loads = exact_floats(wrenches, "wrenches", f"({count}, w, {size}) numbers", remedy)
-    if loads.shape[-1:] != (size,) or loads.ndim == 1 or loads.shape[:-2] not in ((), (count,)):
-        raise GraspError(
-            f"wrenches is an array {loads.shape}; expected ({count}, w, {size}), or (w, {size}) "
-            "for the same loads on all grasps"
-        )
-    loads = np.broadcast_to(loads, (count, *loads.shape[-2:]))
+    loads = read_wrenches(wrenches, count, places.shape[2])
     missing: Booleans = np.all(np.isnan(places), axis=2)
     columns = [
         _column(
@@ -88,8 +88,80 @@ def read_arrays(points: Any, normals: Any, values: Mapping[str, Any], wrenches: 
     )
     _all(absent | np.isfinite(ways), "normals", ways, "a finite number")
     _all(missing | np.any(ways != 0, axis=2), "normals", ways, "a direction other than 0")
-    _all(np.isfinite(loads), "wrenches", loads, "a finite number")
     return places, ways, *columns, loads
+
+
+def read_wrenches(wrenches: Any, count: int, dimension: int) -> Floats:
+    """Return the loads of grasps as an array (G, w, 3), in space (G, w, 6)."""
+    size, remedy = WRENCH_SIZES[dimension], "ask `equilibrium.solve`"
+    loads = exact_floats(wrenches, "wrenches", f"({count}, w, {size}) numbers", remedy)
+    if loads.shape[-1:] != (size,) or loads.ndim == 1 or loads.shape[:-2] not in ((), (count,)):
+        raise GraspError(
+            f"wrenches is an array {loads.shape}; expected ({count}, w, {size}), or (w, {size}) "
+            "for the same loads on all grasps"
+        )
+    loads = np.broadcast_to(loads, (count, *loads.shape[-2:]))
+    _all(np.isfinite(loads), "wrenches", loads, "a finite number")
+    return loads
+
+
+def near_floats(
+    grasps: Sequence[Grasp],
+    loads: Sequence[Sequence[RationalVector]],
+    dimension: int | None = None,
+) -> tuple[Arrays, bool]:
+    """Return exact grasps and loads as the nearest floats, and whether any of them is another one.
+
+    The loads have the wrench of the adhesion in them, and there is no adhesion then. What is
+    missing is NaN, and infinite what floats do not have about as exactly as others.
+    """
+    if dimension is None:
+        dimension = next((grasp.dimension for grasp in grasps if len(grasp)), 2)
+    sizes = {"point": dimension, "normal": dimension, **dict.fromkeys(VALUES, 1)}
+    rounded = False
+
+    def filled(rows: Sequence[Sequence[RationalVector]], size: int) -> Floats:
+        nonlocal rounded
+        most = max(map(len, rows), default=0)
+        found = np.full((len(rows), most, size), np.nan)
+        for i, row in enumerate(rows):
+            if i and row is rows[i - 1]:  # the same loads
+                found[i] = found[i - 1]
+            elif row:
+                near = [list(map(_near, numbers)) for numbers in row]
+                found[i, : len(row)] = near
+                pairs = zip(chain(*near), chain(*row), strict=True)
+                rounded |= any(not math.isfinite(x) or Fraction(x) != y for x, y in pairs)
+        return found
+
+    columns = {
+        name: filled([[_entry(c, name) for c in grasp] for grasp in grasps], size)
+        for name, size in sizes.items()
+    }
+    totals = [
+        [grasp.total_load(load) for load in own] if any(c.adhesion for c in grasp) else own
+        for grasp, own in zip(grasps, loads, strict=True)
+    ]
+    places, ways = columns["point"], columns["normal"]
+    places[np.isinf(ways).any(axis=2)] = np.inf
+    values = [columns[name][..., 0] for name in VALUES]
+    return (places, ways, *values, filled(totals, WRENCH_SIZES[dimension])), rounded
+
+
+def _entry(contact: Contact, name: str) -> RationalVector:
+    found: Any = getattr(contact, name)
+    if name == "adhesion":
+        return (Fraction(0),)
+    return found if isinstance(found, tuple) else (found,)
+
+
+def _near(value: Fraction) -> float:
+    """Return the nearest float, which is off by half a unit of its last digit; else infinity."""
+    try:
+        found = float(value)
+    except OverflowError:
+        return math.inf
+    return found if not value or abs(found) > _SMALLEST else math.inf
 
 
 def _column(value: Any, name: str, missing: Booleans, least: str) -> Floats:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -12,14 +13,14 @@ from arrangement.console.progress import watched
 from arrangement.console.workers import done, due
 from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
-from arrangement.numbers.exact import from_floats
+from arrangement.numbers.exact import RationalVector, from_floats
 from arrangement.numbers.float_filter import Booleans
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs.floats import from_float_data
 from equilibrium.model.contact import VALUES
 from equilibrium.model.grasp import Grasp
 
-from .arrays import Arrays, read_arrays
+from .arrays import Arrays, near_floats, read_arrays
 from .equilibria import have_equilibria
 from .questions import ANGLE, questions
 from .refutations import are_outside_cones, have_no_equilibria
@@ -28,38 +29,45 @@ from .refutations import are_outside_cones, have_no_equilibria
 _NUMBERS = 2**18
 #: Cones of motions of a question that is not resisted, first few: an open one may have a solution.
 _NODES = 200, 1500
+#: Where grasps are exactly: themselves, or in float arrays.
+Source: TypeAlias = list[Grasp] | Arrays
+#: A grasp by its number, and its open loads by theirs.
+_Task: TypeAlias = tuple[int, Grasp | Arrays, list[tuple[int, RationalVector]]]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class CheckedGrasps(ReprMixin):
-    """The answers to w loads on each of G grasps, arrays (G, w) of truth values.
+    """The answers to up to w loads on each of G grasps, arrays (G, w) of truth values.
 
     Each question is screened, exact or undecided.
 
     Attributes:
+        asked: where there is a load; all answers are false elsewhere.
         resisted: whether the load is proved to be resisted.
         screened: decided in floats, by a bound on their errors.
         exact: decided by `equilibrium.solve`, because floats were inconclusive.
         undecided: neither; not resisted then says nothing.
     """
 
+    asked: Booleans
     resisted: Booleans
     screened: Booleans
     exact: Booleans
     undecided: Booleans
-    _arrays: Arrays = field(repr=False)
+    _source: Source = field(repr=False)
 
     def __repr__(self) -> str:
         names = "resisted", "screened", "exact", "undecided"
         counts = ", ".join(f"{np.count_nonzero(getattr(self, name))} {name}" for name in names)
         grasps, loads = self.resisted.shape
-        return (
-            f"<CheckedGrasps: {counted(grasps, 'grasp')}, {counted(loads, 'load')} each: {counts}>"
-        )
+        many = f"{counted(loads, 'load')} each"
+        if not self.asked.all():
+            many = counted(int(np.count_nonzero(self.asked)), "load")
+        return f"<CheckedGrasps: {counted(grasps, 'grasp')}, {many}: {counts}>"
 
     def grasp(self, number: int) -> Grasp:
         """Return one of the grasps exactly, as the answers are about it; `solve` proves them."""
-        return _grasp(self._arrays, range(len(self.resisted))[number])
+        return exact_grasp(self._source, range(len(self.resisted))[number])
 
 
 def check_grasps(
@@ -111,25 +119,80 @@ def check_grasps(
     given = friction, stiffness, preload, adhesion
     values = dict(zip(VALUES, given, strict=True))
     arrays = read_arrays(points, normals, values, wrenches)
+    return _checked(arrays, arrays, None, False, jobs, dask)
+
+
+def check_as_written(
+    source: Source,
+    loads: Sequence[Sequence[RationalVector]] | None,
+    *,
+    jobs: int = 1,
+    dask: str | None = None,
+) -> CheckedGrasps:
+    """Decide which grasps resist their loads, all in exact numbers that floats may round.
+
+    As in `check_grasps`, the bounds on errors of floats include that of rounding to them.
+
+    Args:
+        source: grasps, or the arrays of `read_arrays`.
+        loads: those of each grasp, which may be of different numbers; None: those of the arrays.
+    """
+    if loads is None:
+        assert not isinstance(source, list)
+        return _checked(source, source, None, False, jobs, dask)
+    if isinstance(source, list):
+        arrays, rounded = near_floats(source, loads)
+    else:
+        empty = [Grasp()] * len(loads)
+        (*_, wrenches), rounded = near_floats(empty, loads, source[0].shape[2])
+        arrays = *source[:-1], wrenches
+    return _checked(arrays, source, loads, rounded, jobs, dask)
+
+
+def _checked(
+    arrays: Arrays,
+    source: Source,
+    loads: Sequence[Sequence[RationalVector]] | None,
+    rounded: bool,
+    jobs: int,
+    dask: str | None,
+) -> CheckedGrasps:
+    """Return the answers to loads: from floats where they prove one, else exactly.
+
+    Args:
+        arrays: the nearest floats of grasps and loads, or these themselves if not `rounded`.
+        loads: those of each grasp; None: those of the arrays.
+    """
     shape = arrays[-1].shape[:2]
     screened, resisted, exact, undecided = (np.zeros(shape, dtype=bool) for _ in range(4))
+    asked: Booleans = np.all(~np.isnan(arrays[-1]), axis=2)
     due(shape[0], (1, 1), jobs)
     # Those of as many contacts together: arrays are small then.
     present = ~np.isnan(arrays[0][..., 0])
     order = np.argsort(np.count_nonzero(present, axis=1), kind="stable")
     size = max(1, _NUMBERS // ((3 + present.shape[1]) ** 2 * max(shape[1], 1)))
-    batches = [(rows, _part(arrays, rows)) for rows in _batches(order, size)]
+    batches = [(rows, rounded, _part(arrays, rows)) for rows in _batches(order, size)]
     parts = done(_screened, None, batches, jobs, dask)
     for rows, holds, decided in watched(parts, "batches of grasps", len(batches)):
         resisted[rows], screened[rows] = holds, decided
-    rest = np.flatnonzero(~screened.all(axis=1))
-    tasks = [(i, _part(arrays, [i]), np.flatnonzero(~screened[i])) for i in rest.tolist()]
+    left = asked & ~screened
+    tasks: list[_Task] = [
+        (
+            i,
+            source[i] if isinstance(source, list) else _part(source, [i]),
+            [
+                (k, loads[i][k] if loads else from_floats(arrays[-1][i, k].tolist()))
+                for k in np.flatnonzero(left[i]).tolist()
+            ],
+        )
+        for i in np.flatnonzero(left.any(axis=1)).tolist()
+    ]
     found = done(_exactly, budget.times(), tasks, jobs, dask)
     for number, answers in watched(found, "grasps", len(tasks)):
         for load, answer in answers:
             (undecided if answer is None else exact)[number, load] = True
             resisted[number, load] = bool(answer)
-    return CheckedGrasps(resisted, screened, exact, undecided, arrays)
+    return CheckedGrasps(asked, resisted, screened, exact, undecided, source)
 
 
 def _batches(order: Any, size: int) -> list[Any]:
@@ -144,9 +207,9 @@ def _part(arrays: Arrays, rows: Any) -> Arrays:
     return *(x[at] for x in arrays[:-1]), arrays[-1][rows]
 
 
-def _screened(_: None, batch: tuple[Any, Arrays]) -> tuple[Any, Booleans, Booleans]:
+def _screened(_: None, batch: tuple[Any, bool, Arrays]) -> tuple[Any, Booleans, Booleans]:
     """Return which questions on some grasps are resisted, as far as floats prove it, or not."""
-    rows, (points, normals, *values, wrenches) = batch
+    rows, rounded, (points, normals, *values, wrenches) = batch
     count, loads, size = wrenches.shape
     resisted, decided = (np.zeros(count * loads, dtype=bool) for _ in range(2))
     if points.shape[1] and loads:
@@ -156,6 +219,7 @@ def _screened(_: None, batch: tuple[Any, Arrays]) -> tuple[Any, Booleans, Boolea
             np.repeat(normals, loads, axis=0),
             (friction, stiffness, preload),
             wrenches.reshape(-1, size),
+            rounded,
         )
         # The wrench of adhesion is not known in floats exactly, as loads are.
         left = np.flatnonzero(usable & ~(adhesion > 0).any(axis=1))
@@ -172,29 +236,30 @@ def _screened(_: None, batch: tuple[Any, Arrays]) -> tuple[Any, Booleans, Boolea
     return rows, resisted.reshape(shape), (decided | resisted).reshape(shape)
 
 
-def _exactly(
-    times: float, task: tuple[int, Arrays, Any]
-) -> tuple[int, list[tuple[int, bool | None]]]:
+def _exactly(times: float, task: _Task) -> tuple[int, list[tuple[int, bool | None]]]:
     """Return the number of a grasp, and its open loads with their answers; None: undecided."""
-    number, arrays, open_loads = task
-    loads = arrays[-1][0]
-    if not arrays[0].shape[1]:
-        return number, [(k, not loads[k].any()) for k in open_loads.tolist()]
+    number, source, loads = task
+    grasp = source if isinstance(source, Grasp) else exact_grasp(source, 0)
+    if not len(grasp):
+        return number, [(k, not any(load)) for k, load in loads]
     answers: list[tuple[int, bool | None]] = []
-    solver = Solver(_grasp(arrays, 0))
+    solver = Solver(grasp)
     with budget.limit(times):
-        for load in open_loads.tolist():
+        for k, load in loads:
             try:
-                verdict = next(solver.solve_many([from_floats(loads[load])]))
-                answers.append((load, verdict.stable if verdict.decided else None))
+                verdict = next(solver.solve_many([load]))
+                answers.append((k, verdict.stable if verdict.decided else None))
             except OutOfReachError:
-                answers.append((load, None))
+                answers.append((k, None))
     return number, answers
 
 
-def _grasp(arrays: Arrays, number: int) -> Grasp:
-    rows = ~np.isnan(arrays[0][number, :, 0])
-    points, normals, *values = (x[number, rows].tolist() for x in arrays[:-1])
+def exact_grasp(source: Source, number: int) -> Grasp:
+    """Return one of the grasps; of arrays with a rational unit vector in place of each normal."""
+    if isinstance(source, list):
+        return source[number]
+    rows = ~np.isnan(source[0][number, :, 0])
+    points, normals, *values = (x[number, rows].tolist() for x in source[:-1])
     return from_float_data(
         points,
         normals,

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from arrangement.numbers.float_filter import UNIT, Booleans, Floats
+from arrangement.numbers.float_filter import Booleans, Floats
 from equilibrium.plane.search.continuation import (
     MAX_PATH_STEPS,
     MAX_SMOOTHING_FACTOR,
@@ -28,7 +28,7 @@ from equilibrium.plane.search.continuation import (
     SMOOTHING_FACTOR,
 )
 
-from .questions import ROUNDING, Questions, along
+from .questions import Questions, along
 
 #: Where a path starts that starts near an equilibrium.
 _NEAR = 1e-2
@@ -230,7 +230,7 @@ class _FixedStates:
         except np.linalg.LinAlgError:
             inverse = np.linalg.pinv(np.nan_to_num(jacobian))
         magnitude = np.abs(inverse)
-        reach, tilt, mu = q.reach, q.tilt + ROUNDING, q.friction
+        reach, tilt, mu = q.reach, q.tilt + q.rounding, q.friction
         way, width = along(reach, np.abs(z[:, :k])), reach.sum(axis=2)
         # Errors at z' itself: of springs, directions of slips, and so of the balance.
         spring, missed = self._errors(way)
@@ -240,7 +240,7 @@ class _FixedStates:
         held = np.zeros_like(tilt)
         pulled = _length(z[:, k:].reshape(self.n, -1, self.t)) * self.real
         np.put_along_axis(held, self.stuck, pulled, axis=1)
-        rounding = (m + 16) * UNIT
+        rounding = (m + 16) * q.unit
         share += held * tilt + rounding * (np.abs(self.spring) * self.on * (1 + mu) + held)
         error = np.zeros_like(z)
         error[:, :k] = (share[:, None] @ reach)[:, 0] + rounding * np.abs(q.load)
@@ -265,11 +265,11 @@ class _FixedStates:
         rows = np.repeat(rows * self.real[..., None], self.t, axis=1)
         errors[:, k:, :k], errors[:, :k, k:] = rows, rows.transpose(0, 2, 1)
         far = np.abs(np.eye(z.shape[1]) - inverse @ jacobian)
-        far += magnitude @ (errors + (z.shape[1] + 4) * UNIT * np.abs(jacobian))
+        far += magnitude @ (errors + (z.shape[1] + 4) * q.unit * np.abs(jacobian))
         proved = _MARGIN * far.sum(axis=2).max(axis=1) < 0.5
         sure = np.where(self.on, self.spring > _MARGIN * spring, self.spring < -_MARGIN * spring)
         sure &= ~self.slides | (self.size > _MARGIN * missed)
-        most = (1 - 8 * UNIT) * mu * (self.spring - _MARGIN * spring)
+        most = (1 - 8 * q.unit) * mu * (self.spring - _MARGIN * spring)
         sure &= ~self.sticks | (held + 1.5 * radius < most)
         holds: Booleans = proved & (sure | ~q.present).all(axis=1) & np.isfinite(radius[:, 0])
         return holds
@@ -277,14 +277,14 @@ class _FixedStates:
     def _errors(self, way: Floats) -> tuple[Floats, Floats]:
         """Return errors of springs and of slips (lengths) that go this far in each wrench."""
         q = self.q
-        tilted = _MARGIN * (q.tilt + ROUNDING) * way
-        return q.stiffness * tilted + 5 * UNIT * (q.preload + np.abs(self.spring)), 1.5 * tilted
+        tilted = _MARGIN * (q.tilt + q.rounding) * way
+        return q.stiffness * tilted + 5 * q.unit * (q.preload + np.abs(self.spring)), 1.5 * tilted
 
     def _turned(self, missed: Floats) -> Floats:
         """Return how far unit vectors along slips are off where slips are off so far."""
         if self.t == 1:
             return np.zeros_like(missed)
-        return np.where(self.slides, missed / (self.size - missed) + 8 * UNIT, 0.0)
+        return np.where(self.slides, missed / (self.size - missed) + 8 * self.q.unit, 0.0)
 
 
 def _at_rest(q: Questions, ratio: Floats) -> Booleans:
@@ -293,10 +293,10 @@ def _at_rest(q: Questions, ratio: Floats) -> Booleans:
     most = q.friction * q.preload
     rows = (most[..., None, None] * q.tangents).reshape(n, m * t, k)
     reach = np.repeat(most[..., None] * q.reach, t, axis=1)
-    spread = (np.repeat(q.tilt, t, axis=1) + ROUNDING)[..., None] * reach
+    spread = (np.repeat(q.tilt, t, axis=1) + q.rounding)[..., None] * reach
     right = -q.load - (q.preload[:, None] @ q.normal)[:, 0]
-    wide = (q.preload * (q.tilt + ROUNDING + m * UNIT))[:, None] @ q.reach
-    right_error = wide[:, 0] + (m + 8) * UNIT * np.abs(q.load)
+    wide = (q.preload * (q.tilt + q.rounding + m * q.unit))[:, None] @ q.reach
+    right_error = wide[:, 0] + (m + 8) * q.unit * np.abs(q.load)
     square = rows.transpose(0, 2, 1) @ rows
     size = np.trace(square, axis1=1, axis2=2) + 1e-300
     square += 1e-15 * size[:, None, None] * np.eye(k)
@@ -307,14 +307,14 @@ def _at_rest(q: Questions, ratio: Floats) -> Booleans:
     share = np.clip(ratio, -_SLIP_SHARE, _SLIP_SHARE).reshape(n, m * t)
     for _ in range(3):
         share = share + along(inverse, right - (share[:, None] @ rows)[:, 0])
-    rounding = (m * t + 6) * UNIT
+    rounding = (m * t + 6) * q.unit
     off = np.abs(right - (share[:, None] @ rows)[:, 0]) + right_error
     off += (np.abs(share)[:, None] @ (spread + rounding * reach))[:, 0]
     size = np.abs(inverse)
     far = np.abs(np.eye(k) - rows.transpose(0, 2, 1) @ inverse)
     far += (spread + rounding * reach).transpose(0, 2, 1) @ size
-    beta = _MARGIN * far.sum(axis=2).max(axis=1) + k * k * UNIT
+    beta = _MARGIN * far.sum(axis=2).max(axis=1) + k * k * q.unit
     change = _MARGIN * size.sum(axis=2) * (off.max(axis=1) / (1 - beta))[:, None]
-    room = 1 - 8 * UNIT - _length(np.abs(share).reshape(n, m, t) + change.reshape(n, m, t))
+    room = 1 - 8 * q.unit - _length(np.abs(share).reshape(n, m, t) + change.reshape(n, m, t))
     proved: Booleans = (beta < 0.9) & np.all((room > 0) | (most == 0), axis=1)
     return proved

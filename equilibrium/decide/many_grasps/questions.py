@@ -8,7 +8,7 @@ Rows are wrenches in R^k, k = 3 in the plane and 6 in space, where a contact has
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from fractions import Fraction
 from typing import Any
 
@@ -20,8 +20,12 @@ from arrangement.numbers.float_filter import UNIT, Booleans, Floats
 ANGLE = Fraction(1, 10**12)
 #: How far normals and tangents in floats are off at most, their rounding included.
 _TILT = 1.1e-12
-#: Relative error by rounding of wrenches, and of their scalar products with motions.
-ROUNDING = 10 * UNIT
+#: Relative error by rounding of wrenches, and of their scalar products with motions, in units.
+_ROUNDING = 10
+#: How much larger errors are where the numbers of the question were rounded to floats, too. Each is
+#: off by a share of one unit then; every bound counts five units or more for a product of at most
+#: four of them (of point, normal, friction and spring), and 5 + 4 is at most 4 * 5.
+_ROUNDED = 4
 #: Numbers but 0 below this, or above its inverse, in the units of the question: no screening.
 _SMALLEST = 2.0**-100
 
@@ -34,6 +38,8 @@ class Questions:
     tangents turn along. So N and the wrench of a unit vector among the tangents are off by at most
     `tilt` times `reach` in each entry, beside what computing them rounds.
 
+    Numbers that are called exact, but 0, are off by a share of `UNIT` where `unit` is larger.
+
     Attributes:
         load: (n, k), exact.
         normal: (n, m, k), N.
@@ -41,6 +47,7 @@ class Questions:
         tilt: (n, m), the angle at most; 0 where the normal is along an axis.
         reach: (n, m, k), not below the absolute entries of wrenches of unit forces.
         friction, stiffness, preload: (n, m), exact.
+        unit: relative error of one operation, in all bounds.
     """
 
     load: Floats
@@ -51,13 +58,19 @@ class Questions:
     friction: Floats
     stiffness: Floats
     preload: Floats
+    unit: float = UNIT
+
+    @property
+    def rounding(self) -> float:
+        """Relative error of wrenches, and of their scalar products with motions."""
+        return _ROUNDING * self.unit
 
     def __len__(self) -> int:
         return len(self.load)
 
     def take(self, rows: Any) -> Questions:
         """Return some of the questions."""
-        return Questions(*(getattr(self, name)[rows] for name in _FIELDS))
+        return replace(self, **{name: getattr(self, name)[rows] for name in _FIELDS})
 
     @property
     def present(self) -> Booleans:
@@ -66,7 +79,7 @@ class Questions:
         return present
 
 
-_FIELDS = [entry.name for entry in fields(Questions)]
+_FIELDS = [entry.name for entry in fields(Questions) if entry.name != "unit"]
 
 
 def along(rows: Floats, motion: Floats) -> Floats:
@@ -78,7 +91,11 @@ def along(rows: Floats, motion: Floats) -> Floats:
 
 @np.errstate(all="ignore")  # questions with extreme numbers are not used
 def questions(
-    points: Floats, normals: Floats, values: tuple[Floats, Floats, Floats], loads: Floats
+    points: Floats,
+    normals: Floats,
+    values: tuple[Floats, Floats, Floats],
+    loads: Floats,
+    rounded: bool = False,
 ) -> tuple[Questions, Booleans]:
     """Return the questions, and which of them may be screened: no number is extreme.
 
@@ -86,6 +103,7 @@ def questions(
         points, normals: (n, m, 2) or (n, m, 3); NaN for contacts that are missing.
         values: friction, stiffness and preload, (n, m).
         loads: (n, k).
+        rounded: whether these are the nearest floats of other numbers, 0 of 0 alone.
     """
     size = points.shape[2]
     friction, stiffness, preload = values
@@ -129,6 +147,7 @@ def questions(
             friction,
             stiffness,
             preload,
+            _ROUNDED * UNIT if rounded else UNIT,
         ),
         usable,
     )

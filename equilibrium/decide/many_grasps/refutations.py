@@ -20,9 +20,9 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.numbers.float_filter import UNIT, Booleans, Floats
+from arrangement.numbers.float_filter import Booleans, Floats
 
-from .questions import ROUNDING, Questions, along
+from .questions import Questions, along
 
 #: Spring forces at once.
 _NUMBERS = 2**18
@@ -73,9 +73,9 @@ def _works_against_cones(q: Questions, motion: Floats) -> tuple[Booleans, Floats
     length, far = np.sqrt((rub * rub).sum(axis=2)), along(q.reach, np.abs(motion))
     scale = 1 / np.sqrt(1 + q.friction * q.friction)
     work = np.where(q.present, (push - q.friction * length) * scale, np.inf)
-    doubt = (1 + 1.5 * q.friction) * (q.tilt + 2 * ROUNDING) * far * scale
+    doubt = (1 + 1.5 * q.friction) * (q.tilt + 2 * q.rounding) * far * scale
     load = along(q.load[:, None], motion)[:, 0]
-    sure = load > 20 * UNIT * along(np.abs(q.load)[:, None], np.abs(motion))[:, 0]
+    sure = load > 20 * q.unit * along(np.abs(q.load)[:, None], np.abs(motion))[:, 0]
     works: Booleans = sure & np.all(work >= doubt, axis=1)
     i = np.arange(len(work)), work.argmin(axis=1)
     way = rub[i] / np.where(length[i] > 0, length[i], 1.0)[:, None]
@@ -178,15 +178,16 @@ class _Cones:
     def __init__(self, q: Questions, cones: Floats) -> None:
         self.load, self.normal, self.tangent = q.load, q.normal, q.tangents[:, :, 0]
         self.friction, self.spread = q.friction, q.tilt[..., None] * q.reach
+        self.unit, self.rounding = q.unit, q.rounding
         self.start, motions = cones[:, :, 0], cones[:, :, 1:].transpose(0, 2, 1)
         sizes, slips = np.abs(motions), self.tangent @ motions
         # What is exactly 0 stays so.
         unsure, error = (
-            (self.spread + ROUNDING * np.abs(row)) @ sizes for row in (self.tangent, self.normal)
+            (self.spread + q.rounding * np.abs(row)) @ sizes for row in (self.tangent, self.normal)
         )
         push = q.preload[:, :, None] * self.start[:, None, :]
         force = push - q.stiffness[:, :, None] * (q.normal @ motions)
-        error = q.stiffness[:, :, None] * error + ROUNDING * push
+        error = q.stiffness[:, :, None] * error + q.rounding * push
         self.low = (force - error).transpose(0, 2, 1)
         self.high = (force + error).transpose(0, 2, 1)
         self.on: Booleans = np.all(self.low >= 0, axis=1)
@@ -200,7 +201,7 @@ class _Cones:
     def take(self, rows: Any) -> _Cones:
         part = object.__new__(_Cones)
         for name, value in vars(self).items():
-            setattr(part, name, value[rows])
+            setattr(part, name, value if isinstance(value, float) else value[rows])
         return part
 
     def closed(self, motion: Floats) -> tuple[Booleans, Floats]:
@@ -262,14 +263,14 @@ class _Cones:
         size = np.abs(motion)
         rubs = self.friction[..., None]
         doubt = (1 + rubs) * self.spread
-        doubt = doubt + ROUNDING * (np.abs(self.normal) + rubs * np.abs(self.tangent))
+        doubt = doubt + self.rounding * (np.abs(self.normal) + rubs * np.abs(self.tangent))
         low = kappa - along(doubt, size)
         pressing = np.minimum(low[:, None] * self.low, low[:, None] * self.high)
         loose = np.minimum(low, 0.0)[:, None] * self.pressed
         terms = np.where(self.on[:, None], pressing, loose)
         total = terms.sum(axis=2) + self.start * along(self.load[:, None], motion)
         sizes = np.abs(terms).sum(axis=2) + self.start * along(np.abs(self.load)[:, None], size)
-        total -= (terms.shape[2] + 10) * UNIT * sizes
+        total -= (terms.shape[2] + 10) * self.unit * sizes
         holds: Booleans = np.all(np.where(self.start > 0, total > 0, total >= 0), axis=1)
         return holds
 

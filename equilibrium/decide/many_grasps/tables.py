@@ -3,8 +3,9 @@
 A CSV file of grasps has a contact a line, with the columns of `csv_file` and the column ``grasp``,
 a name; without it the contacts are one grasp. A file of loads has a wrench a line: ``f_x``,
 ``f_y``, ``tau``, in space ``f_x``, ``f_y``, ``f_z``, ``tau_x``, ``tau_y``, ``tau_z``; with the
-column ``grasp`` those of each grasp, as many of each, else the same for all. An NPZ file of grasps
-has the arrays that `check_grasps` takes, by their names. Numbers are read as the nearest floats.
+column ``grasp`` those of each grasp, else the same for all. Tables are text, and read as `csv_file`
+reads them: 0.3 is 3/10 and 1/3 is 1/3. An NPZ file of grasps has the arrays that `check_grasps`
+takes, by their names; its floats are the binary fractions that they are.
 """
 
 from __future__ import annotations
@@ -13,22 +14,25 @@ import csv
 import io
 import os
 import zipfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
 from arrangement.console.writing import write_bytes_atomically
 from arrangement.library.files.json_files import read_bytes, read_text
 from arrangement.numbers import budget
-from arrangement.numbers.exact import rational, shown
-from arrangement.numbers.float_filter import Floats
-from equilibrium.grasps.inputs.csv_file import check_header, table_rows
-from equilibrium.model.contact import VALUES
+from arrangement.numbers.exact import RationalVector, from_floats, rational, shown
+from equilibrium.grasps.inputs.csv_file import check_header, read_rows, table_rows
+from equilibrium.model.contact import VALUES, WRENCH_SIZES
 from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import read_wrench
+from equilibrium.model.labels import AS_ROUNDED
 
-from .check import CheckedGrasps
+from .arrays import read_arrays, read_wrenches
+from .check import CheckedGrasps, Source, exact_grasp
 
 _GRASP = "grasp"
 _AXES = ("x", "y", "z")
@@ -40,9 +44,102 @@ _WRENCHES = {
     3: ("f_x", "f_y", "tau"),
     6: (*(f"f_{x}" for x in _AXES), *(f"tau_{x}" for x in _AXES)),
 }
+#: Remarks on grasps that are printed.
+_MOST_REMARKS = 3
 _REQUIRED = ("points", "normals", VALUES[0])
-#: The lines of each grasp, by its name.
-_Groups: TypeAlias = dict[str, list[Mapping[str, str]]]
+#: The lines of each grasp by its name, with the numbers of the lines.
+_Groups: TypeAlias = dict[str, list[tuple[int, dict[str, str]]]]
+
+
+class ManyGrasps(NamedTuple):
+    """What a file of many grasps has.
+
+    Attributes:
+        names: of the grasps.
+        source: the grasps, or of an NPZ file its arrays.
+        loads: of each grasp; None: those of the arrays, if these have some.
+        rounded: whether normals of some grasp had to be rounded.
+        remarks: on the pads and the adhesion of grasps.
+    """
+
+    names: list[str]
+    source: Source
+    loads: list[list[RationalVector]] | None = None
+    rounded: bool = False
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def dimension(self) -> int:
+        """Two in the plane, three in space."""
+        if isinstance(self.source, list):
+            return self.source[0].dimension if self.source else 2
+        return int(self.source[0].shape[2])
+
+    @property
+    def has_loads(self) -> bool:
+        """Whether there is a load for each grasp, or there are no grasps."""
+        if self.loads is not None or isinstance(self.source, list):
+            return self.loads is not None
+        return bool(self.source[-1].shape[1])
+
+    def notes(self) -> Iterator[str]:
+        """Yield what the answers are about: rounded data, pads and adhesion of the first grasps."""
+        if self.rounded:
+            yield f"normals were rounded; answers are {AS_ROUNDED}"
+        yield from self.remarks[:_MOST_REMARKS]
+        if len(self.remarks) > _MOST_REMARKS:
+            yield f"... and {len(self.remarks) - _MOST_REMARKS} more on pads and adhesion"
+
+    def with_loads(self, loads: Iterable[Iterable[Any]]) -> ManyGrasps:
+        """Return the same grasps with the same loads for all."""
+        listed = [read_wrench(load, self.dimension) for load in loads]
+        return self._replace(loads=[listed] * len(self.names))
+
+    def with_loads_of(self, path: str) -> ManyGrasps:
+        """Return the same grasps with the loads of a file.
+
+        Raises:
+            InputError: the file cannot be read, or does not have loads for all grasps.
+        """
+        if is_npz(path):
+            given = _read_arrays(path, ("wrenches",), ("wrenches",))["wrenches"]
+            wrenches = read_wrenches(given, len(self.names), self.dimension)
+            if not isinstance(self.source, list):
+                return self._replace(source=(*self.source[:-1], wrenches), loads=None)
+            return self._replace(loads=[list(from_floats(x.tolist())) for x in wrenches])
+        groups = _groups(path, _check_wrenches)
+        axes = _WRENCHES[6 if any("f_z" in rows[0][1] for rows in groups.values()) else 3]
+        tables = {
+            name: [
+                read_wrench([_number(line, row[x], x) for x in axes], self.dimension)
+                for line, row in rows
+            ]
+            for name, rows in groups.items()
+        }
+        if list(tables) == [""]:
+            return self._replace(loads=[tables[""]] * len(self.names))
+        if missing := [name for name in self.names if name not in tables]:
+            raise GraspError(
+                f"{path} has no loads of the grasp {shown(missing[0])}; expected some of each"
+            )
+        if unknown := [name for name in tables if name not in {*self.names}]:
+            raise GraspError(f"{path} has loads of {shown(unknown[0])}; expected names of grasps")
+        return self._replace(loads=[tables[name] for name in self.names])
+
+    def with_preload(self, preload: Fraction) -> ManyGrasps:
+        """Return the same grasps with one preload at every contact, exactly."""
+        listed = self.source
+        if not isinstance(listed, list):
+            places, ways, *values, wrenches = listed
+            near = float(preload)
+            if Fraction(near) == preload:
+                missing = np.isnan(places[..., 0])
+                values[VALUES.index("preload")] = np.where(missing, np.nan, near)
+                return self._replace(source=(places, ways, *values, wrenches))
+            listed = [exact_grasp(listed, i) for i in range(len(self.names))]
+            if self.loads is None:
+                self = self._replace(loads=[list(from_floats(x.tolist())) for x in wrenches])
+        return self._replace(source=[grasp.with_preload(preload) for grasp in listed])
 
 
 def is_npz(path: str | os.PathLike[str]) -> bool:
@@ -50,53 +147,35 @@ def is_npz(path: str | os.PathLike[str]) -> bool:
     return os.fspath(path).lower().endswith(".npz")
 
 
-def read_grasps(path: str) -> tuple[list[str], dict[str, Any]]:
-    """Return names of the grasps of a file, and arrays for `check_grasps`.
+def read_grasps(path: str) -> ManyGrasps:
+    """Return the grasps of a file.
 
     Raises:
         InputError: the file cannot be read, or is no such table.
     """
     if is_npz(path):
-        arrays = _read_arrays(path, (*_REQUIRED, *VALUES[1:], "wrenches"), _REQUIRED)
-        points = arrays["points"]
-        return [str(i) for i in range(1, 1 + (len(points) if points.ndim else 0))], arrays
+        given = _read_arrays(path, (*_REQUIRED, *VALUES[1:], "wrenches"), _REQUIRED)
+        size = WRENCH_SIZES.get((given["points"].shape or (0,))[-1], 3)
+        values = {name: given.get(name, int(name == "stiffness")) for name in VALUES}
+        wrenches = given.get("wrenches", np.zeros((0, size)))
+        arrays = read_arrays(given["points"], given["normals"], values, wrenches)
+        return ManyGrasps([str(i + 1) for i in range(len(arrays[0]))], arrays)
     groups = _groups(path, lambda header: check_header(header, (_GRASP,)))
-    first = next((rows[0] for rows in groups.values()), {})
-    axes = _AXES[: 3 if "z" in first else 2]
-    columns = {
-        "points": axes,
-        "normals": [f"normal_{x}" for x in axes],
-        **{name: [name] for name in VALUES if name in first},
-    }
-    most = max(map(len, groups.values()), default=0)
-    found = {k: np.full((len(groups), most, len(names)), np.nan) for k, names in columns.items()}
-    for i, rows in enumerate(groups.values()):
-        for key, names in columns.items():
-            found[key][i, : len(rows)] = [[float(row[name]) for name in names] for row in rows]
-    return list(groups), {k: x[..., 0] if k in VALUES else x for k, x in found.items()}
+    found = {name: read_rows(rows) for name, rows in groups.items()}
+    remarks = ((name, x) for name, conversion in found.items() for x in conversion.remarks)
+    return ManyGrasps(
+        list(found),
+        [conversion.grasp for conversion in found.values()],
+        rounded=not all(conversion.exact for conversion in found.values()),
+        remarks=tuple(f"{f'grasp {shown(name)}: ' * bool(name)}{x}" for name, x in remarks),
+    )
 
 
-def read_loads(path: str, names: Sequence[str]) -> Floats:
-    """Return the loads of a file: (w, k) for all grasps, or (G, w, k)."""
-    if is_npz(path):
-        loads: Floats = _read_arrays(path, ("wrenches",), ("wrenches",))["wrenches"]
-        return loads
-    groups = _groups(path, _check_wrenches)
-    axes = _WRENCHES[6 if any("f_z" in rows[0] for rows in groups.values()) else 3]
-    tables = {
-        name: [[float(row[axis]) for axis in axes] for row in rows] for name, rows in groups.items()
-    }
-    if list(tables) == [""]:
-        return np.array(tables[""])
-    for name in names:
-        if len(tables.get(name, ())) != len(tables.get(names[0], ())):
-            raise GraspError(
-                f"{path} has {len(tables.get(name, ()))} loads of the grasp {shown(name)}; "
-                "expected as many of each grasp"
-            )
-    if unknown := [name for name in tables if name not in set(names)]:
-        raise GraspError(f"{path} has loads of {shown(unknown[0])}; expected names of grasps")
-    return np.array([tables[name] for name in names])
+def _number(line: int, text: str, name: str) -> Fraction:
+    try:
+        return rational(text, name)
+    except ValueError as error:
+        raise GraspError(f"line {line}: {error}") from None
 
 
 def _check_wrenches(header: list[str]) -> None:
@@ -109,20 +188,10 @@ def _check_wrenches(header: list[str]) -> None:
 
 
 def _groups(path: str, check: Any) -> _Groups:
-    """Return the lines of a CSV file by their grasps, numbers as decimals of floats."""
+    """Return the lines of a CSV file by their grasps, with their numbers."""
     groups: _Groups = {}
     for line, row in table_rows(read_text(Path(path), _KIND)[0], check):
-        name = row.pop(_GRASP, "")
-        for key, entry in row.items():
-            try:
-                float(entry)
-            except ValueError:
-                # Fractions, such as 1/3; anything else is an error.
-                try:
-                    row[key] = repr(float(rational(entry, key)))
-                except (ValueError, OverflowError) as error:
-                    raise GraspError(f"line {line}: {error}") from None
-        groups.setdefault(name, []).append(row)
+        groups.setdefault(row.pop(_GRASP, ""), []).append((line, row))
     return groups
 
 
@@ -151,11 +220,20 @@ def answers_csv(names: Sequence[str], checked: CheckedGrasps) -> str:
     table = csv.writer(text, lineterminator="\n")
     table.writerow([_GRASP, "load", "answer", "decided"])
     for i, name in enumerate(names):
-        for j, resisted in enumerate(checked.resisted[i].tolist()):
+        for j in np.flatnonzero(checked.asked[i]).tolist():
             way = "screened" if checked.screened[i, j] else "exact" if checked.exact[i, j] else ""
-            answer = "undecided" if not way else "resisted" if resisted else "not resisted"
+            yes = checked.resisted[i, j]
+            answer = "undecided" if not way else "resisted" if yes else "not resisted"
             table.writerow([name, j + 1, answer, way])
     return text.getvalue()
+
+
+def answers_lists(checked: CheckedGrasps) -> dict[str, list[list[bool]]]:
+    """Return the answers by their names, for each grasp those to its loads."""
+    return {
+        name: [row[own].tolist() for row, own in zip(answers, checked.asked, strict=True)]
+        for name, answers in ((name, getattr(checked, name)) for name in ANSWERS)
+    }
 
 
 def write_answers(path: str, names: Sequence[str], checked: CheckedGrasps) -> None:

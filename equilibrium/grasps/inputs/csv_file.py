@@ -19,7 +19,7 @@ import csv
 import io
 import os
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
@@ -186,9 +186,22 @@ def each_line(
         convert: makes contacts of them; each alone first, then all together.
     """
     ask_contacts(text.count("\n"))
+    return _contacts(table_rows(text, check_header), read, convert)
+
+
+def read_rows(rows: Iterable[tuple[int, dict[str, str]]]) -> Conversion:
+    """Return the contacts of some lines, as `table_rows` yields them; errors name the line."""
+    return _contacts(rows, _exact_parts, _converting(None))
+
+
+def _contacts(
+    rows: Iterable[tuple[int, dict[str, str]]],
+    read: Callable[[dict[str, str]], tuple[Any, Any, dict[str, Any]]],
+    convert: Convert,
+) -> Conversion:
     parts: list[tuple[Any, Any, dict[str, Any]]] = []
     extras: list[dict[str, Fraction]] = []
-    for line, row in table_rows(text, check_header):
+    for line, row in rows:
         try:
             if _ANGLE in row:
                 normal = direction_of(rational(row[_ANGLE], _ANGLE))
@@ -233,7 +246,7 @@ def check_header(header: list[str], keys: tuple[str, ...] = ()) -> None:
     """Refuse missing, unknown and repeated columns.
 
     Args:
-        keys: that lines may have in a table of many grasps, which has floats alone.
+        keys: that lines may have besides in a table of many grasps, which are of one body each.
     """
     in_space = any(name in header for name in _IN_SPACE)
     required: tuple[str, ...] = (*_REQUIRED, *_IN_SPACE) if in_space else _REQUIRED
@@ -250,7 +263,7 @@ def check_header(header: list[str], keys: tuple[str, ...] = ()) -> None:
             f"the first line must name the columns {', '.join(required)}{where}; {missing[0]} is "
             "missing"
         )
-    allowed = (*keys, *_REQUIRED, *_IN_SPACE, *VALUES[1:]) if keys else _KNOWN
+    allowed = (*keys, *(x for x in _KNOWN if x not in _BODIES)) if keys else _KNOWN
     for name in header:
         if name not in allowed:
             raise GraspError(
