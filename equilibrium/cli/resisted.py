@@ -6,7 +6,7 @@ Two of them, magnitudes of a load and its margin, are for assemblies of several 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -39,6 +39,7 @@ from .assemblies import (
 )
 
 if TYPE_CHECKING:
+    from equilibrium.decide.assemblies.ends import Giving
     from equilibrium.model.assembly import Assembly
     from equilibrium.model.grasp import Grasp
     from equilibrium.wrench_sets import (
@@ -288,7 +289,9 @@ def _rounded(resisted: ResistedSet, found: Magnitudes) -> tuple[dict[str, Any], 
 
 def _show_in_space(arguments: argparse.Namespace, magnitudes: SpatialMagnitudes) -> int:
     yes = {"resisted": True, "not resisted": False}.get(magnitudes.verdict)
-    lines, document = list(_border_lines(magnitudes)), magnitudes.to_dict()
+    gives = magnitudes.what_gives()
+    lines, document = list(_border_lines(magnitudes, gives)), magnitudes.to_dict()
+    document["gives"] = [given and given.to_dict() for given in gives]
     if (nearby := magnitudes.within_error()) is not None:
         document["within_error"] = [near.to_dict() for near in nearby]
         for near in nearby:
@@ -297,19 +300,21 @@ def _show_in_space(arguments: argparse.Namespace, magnitudes: SpatialMagnitudes)
     return show(arguments, document, lines, yes, magnitudes.grasp)
 
 
-def _border_lines(found: SpatialMagnitudes) -> Iterator[str]:
+def _border_lines(found: SpatialMagnitudes, gives: Sequence[Giving | None]) -> Iterator[str]:
     first, last = found.samples[0], found.samples[-1]
     tried = counted(len(found.samples), "magnitude")
     yield f"{tried} from 0 to {number(last[0])} tried; at 0: {first[1]}"
     if found.zero_only:
         yield "resisted at 0 only"
         return
-    for border in found.borders:
+    for border, given in zip(found.borders, gives, strict=True):
         order = "resisted, then not" if border.resisted < border.refused else "not, then resisted"
         place = f"{number(border.resisted)} exactly" if border.exact else bracket(*border.ends)
         line = f"{order}: the boundary is {place}"
         left = len(border.undecided)
         yield line + (f"; {left} undecided between them" if left else "")
+        if given is not None:
+            yield f"  in an equilibrium at {number(border.resisted)}: {given.words}"
     for a, b in found.gaps:
         yield f"a gap: not resisted from {number(a.refused)} to {number(b.refused)}"
     if last[1] != "not resisted":

@@ -254,7 +254,8 @@ class ResistedSet(HintsMixin, JsonMixin):
         an interval starts at 0 or is unbounded.
 
         Args:
-            magnitudes: what `along` returned, in the plane or of an assembly.
+            magnitudes: what `along` returned, in the plane or of an assembly; in space
+                `SpatialMagnitudes.what_gives` answers.
 
         >>> from equilibrium import ResistedSet, read_grasp
         >>> resisted = ResistedSet(read_grasp("paper-four-contacts-preload-1"))

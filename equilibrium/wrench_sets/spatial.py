@@ -16,8 +16,10 @@ from typing import Any, NamedTuple
 
 from arrangement.numbers.exact import RationalVector, rational, shown, to_text
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
+from equilibrium.decide.assemblies.ends import Giving
 from equilibrium.decide.known_loads import Border, KnownLoads, KnownMagnitudes
 from equilibrium.decide.solver import Solver
+from equilibrium.decide.verdict import Verdict
 from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.displacement import read_displacement
 from equilibrium.model.effort import Effort
@@ -49,6 +51,8 @@ _LEAST_WIDTH = Fraction(1, 2**100)
 #: Of converted data: about how many boundaries other roundings are asked, at which share before
 #: them, and with how many steps.
 _ASKED = 2
+#: A contact is close to slipping or lifting off within this share.
+_CLOSE = Fraction(1, 1000)
 _NEAR = Fraction(1, 1000)
 _STEPS = 50_000_000
 
@@ -119,6 +123,21 @@ class SpatialMagnitudes:
             nearby.append(Nearby(t, verdict.answer, verdict.doubt or ""))
         return tuple(nearby)
 
+    def what_gives(self) -> tuple[Giving | None, ...]:
+        """Return for each boundary which contacts are about to slip or lift off there.
+
+        A boundary is a bracket, so this is read off one equilibrium, at its resisted end: a contact
+        slips if it is within 1/1000 of its friction limit, and lifts off if it has less than 1/1000
+        of the largest normal force. None where no equilibrium is found, and at 0.
+        """
+        solver = Solver(self.grasp, self.max_displacement)
+        loads = (sum_row(self.base, self.direction, border.resisted) for border in self.borders)
+        pairs = zip(self.borders, loads, strict=True)
+        return tuple(
+            _read_off(self.grasp, solver.solve(load, nodes=_NODES)) if border.resisted else None
+            for border, load in pairs
+        )
+
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; numbers are strings of rationals."""
         return {
@@ -182,6 +201,23 @@ def spatial_magnitudes(
     alone = found[0] == RESISTED and known.refutes_between(Fraction(0), None)
     results = tuple(samples), tuple(borders), loads.max_displacement, alone
     return SpatialMagnitudes(grasp, along, start, *results)
+
+
+def _read_off(grasp: Grasp, verdict: Verdict) -> Giving | None:
+    """Return which contacts are close to slipping or lifting off in an equilibrium."""
+    if verdict.solution is None:
+        return None
+    forces = verdict.solution.forces
+    least = _CLOSE * max((normal for normal, *_ in forces), default=Fraction(0))
+    slips, lifts = [], []
+    for number, points in enumerate(grasp.groups, 1):
+        loaded = [i for i in points if forces[i][0] > least]
+        limits = (((1 - _CLOSE) * grasp.contacts[i].friction * forces[i][0], i) for i in loaded)
+        if not loaded:
+            lifts.append(number)
+        elif all(limit and sum(x * x for x in forces[i][1:]) >= limit**2 for limit, i in limits):
+            slips.append(number)
+    return Giving(tuple(slips), tuple(lifts)) or None
 
 
 def _ends_first(count: int) -> list[int]:

@@ -1,11 +1,13 @@
 """What gives at an end of the resisted magnitudes: contacts that slip or lift off, and pads."""
 
+import json
 from fractions import Fraction
 
 import pytest
 from hypothesis import given, settings
 
 from equilibrium import Assembly, BodyContact, Contact, Grasp, ResistedSet, read_grasp, solve
+from equilibrium.cli import main
 from equilibrium.decide.assemblies import ends
 from equilibrium.decide.assemblies.ends import Giving
 from equilibrium.decide.solver import Solver
@@ -132,6 +134,36 @@ def test_what_gives_is_so_in_every_equilibrium_at_the_end(grasp, wrench):
                 normal, tangential = equilibrium.forces[k - 1]
                 assert abs(tangential) == grasp.contacts[k - 1].friction * normal
                 assert grasp.contacts[k - 1].friction
+
+
+class TestInSpace:
+    @pytest.mark.parametrize(
+        ("push", "end", "gives"),
+        [
+            ((1, 0, 0, 0, -1, 0), 1, Giving(slips=(1, 2, 3, 4))),
+            ((1, 0, 0, 0, 3, 0), "1/2", Giving(lifts_off=(1, 2))),
+        ],
+    )
+    def test_box_slides_or_tips(self, push, end, gives):
+        resisted = ResistedSet(read_grasp("box-on-a-table"))
+        found = resisted.along(push, (0, 0, -2, 0, 0, 0))
+        (border,) = found.borders
+        assert (border.resisted, border.exact) == (Fraction(end), True)
+        assert found.what_gives() == (gives,)
+
+    def test_what_is_read_off_one_equilibrium_is_called_so(self, capsys):
+        asked = ["resisted", "two-opposed-fingers", "--wrench", *"011000"]
+        assert main(asked) == 0
+        line = "  in an equilibrium at 4587/6487: slips at contacts 1, 2"
+        assert line in capsys.readouterr().out.splitlines()
+        assert main([*asked, "--json"]) == 0
+        gives = {"slips": [1, 2], "lifts_off": [], "tips": []}
+        assert json.loads(capsys.readouterr().out)["gives"] == [gives]
+
+    def test_at_0_nothing_is_read_off(self):
+        found = ResistedSet(read_grasp("box-on-a-table")).along((0, 0, 1, 0, 0, 0))
+        assert found.zero_only
+        assert found.what_gives() == (None,)
 
 
 class TestPictures:
