@@ -341,8 +341,12 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "equilibrium.methods.grasp_robustness",
         "equilibrium.methods.grasp_wrench_space",
         "equilibrium.methods.method",
-        "equilibrium.methods.printed_model",
         "equilibrium.methods.springs",
+    ),
+    ("tests/equilibrium/test_force_closure.py", "tests/equilibrium/test_methods.py"): (
+        "equilibrium.methods.closure.force_closure",
+        "equilibrium.methods.closure.round_cones",
+        "equilibrium.methods.closure.search",
     ),
     (
         "tests/equilibrium/test_methods.py",

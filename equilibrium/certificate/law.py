@@ -1,4 +1,4 @@
-"""The law of contacts, evaluated at a motion and forces.
+"""The law of contacts, evaluated at a motion and forces; and the proofs of force closure.
 
 Written a second time on purpose, from the contact data alone: the checker must not inherit a
 mistake of the solver.
@@ -11,8 +11,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from arrangement.numbers.exact import RationalVector, number_text
+from arrangement.numbers.exact import RationalVector, number_text, primitive
+from arrangement.numbers.linear.rank import rank
 from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
 
 
 class LawRow(NamedTuple):
@@ -151,6 +153,53 @@ def displacement_work(
         return "the question has no largest displacement", Fraction(0)
     total = sum((abs(u) for row in displacements.values() for u in row), Fraction(0))
     return "", total * (max_displacement or 0)
+
+
+def closure_problem(grasp: Grasp, forces: Sequence[RationalVector]) -> str:
+    """Return why forces (normal, along the tangents) do not show force closure; empty if they do.
+
+    They balance each other, each strictly inside its cone, and the wrenches of their contacts span
+    all: then 0 is in the relative interior of the sum of the cones, a convex cone, which is the
+    space that it spans.
+
+    Args:
+        forces: at each contact; all numbers are 0 at a contact that is not needed.
+    """
+    rows = law_rows(grasp)
+    if [len(force) for force in forces] != [len(row.wrenches) for row in rows]:
+        return "there is not one force with all its components for each contact"
+    total = [Fraction(0)] * grasp.wrench_size
+    spanned: list[RationalVector] = []
+    for i, (row, force) in enumerate(zip(rows, forces, strict=True), 1):
+        if not any(force):
+            continue
+        normal, *friction = force
+        limit = row.friction * normal
+        inside = _dot(friction, friction) < limit * limit if limit else not any(friction)
+        if normal <= 0 or not inside:
+            return f"contact {i}: the force is not strictly inside its cone"
+        spanned += row.wrenches if row.friction else row.wrenches[:1]
+        for size, wrench in zip(force, row.wrenches, strict=True):
+            total = [x + size * w for x, w in zip(total, wrench, strict=True)]
+    if any(total):
+        return f"the forces add up to {_shown(total)}, not 0"
+    axes = rank([primitive(wrench) for wrench in spanned])
+    return "" if axes == len(total) else f"their wrenches span {axes} of {len(total)} axes"
+
+
+def escape_problem(grasp: Grasp, motion: RationalVector) -> str:
+    """Return why a motion does not show that there is no force closure; empty if it does.
+
+    It is not 0, and no force inside any cone does negative work on it, so no forces balance the
+    wrench that has its numbers.
+    """
+    if len(motion) != grasp.wrench_size or not any(motion):
+        return f"not a motion other than 0 with {grasp.wrench_size} numbers"
+    for i, row in enumerate(law_rows(grasp), 1):
+        along, *across = (_dot(wrench, motion) for wrench in row.wrenches)
+        if along < 0 or along**2 < row.friction**2 * _dot(across, across):
+            return f"contact {i}: a force inside its cone opposes the motion"
+    return ""
 
 
 def short(value: Fraction | int) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import base64
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from html import escape
 from itertools import chain
@@ -15,6 +15,7 @@ from arrangement.console.number_form import number, vector
 from arrangement.console.writing import write_text_atomically
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.exact import RationalVector
+from equilibrium.model.contact import pyramid_words
 
 from .arguments import show, within_text
 
@@ -31,7 +32,7 @@ def give_report(
     grasp: Grasp,
     wrench: RationalVector | None,
     document: dict[str, Any],
-    lines: Iterator[str],
+    lines: Sequence[str],
 ) -> int:
     """Print the report, and write it as a page where one is wanted; return the exit code.
 
@@ -48,15 +49,14 @@ def give_report(
         yes, more = _load(grasp, wrench, document)
         rows += more
     rows += [("remark", remark) for remark in arguments.remarks]
-    described = list(lines)
     if arguments.output is not None:
-        write_text_atomically(arguments.output, _page(grasp, wrench, described, rows))
+        write_text_atomically(arguments.output, _page(grasp, wrench, lines, rows))
     printed = (
         f"{title if k == 0 else '':<16} {line}"
         for title, text in rows
         for k, line in enumerate(text.splitlines())
     )
-    return show(arguments, document, [*described, *printed], yes, grasp)
+    return show(arguments, document, [*lines, *printed], yes, grasp)
 
 
 def _closure(grasp: Grasp, document: dict[str, Any]) -> Rows:
@@ -69,7 +69,8 @@ def _closure(grasp: Grasp, document: dict[str, Any]) -> Rows:
     try:
         space = GraspWrenchSpace(grasp)
         document["epsilon_squared"] = space.epsilon_squared
-        rows.append(("epsilon", f"{space.epsilon:.6g} (L1, torques over 1)"))
+        cones = pyramid_words(space.pyramid, before="; of ") if grasp.dimension == 3 else ""
+        rows.append(("epsilon", f"{space.epsilon:.6g} (L1, torques over 1{cones})"))
     except OutOfReachError:
         rows.append(("epsilon", "not computed: too many contacts"))
     return rows
@@ -105,7 +106,9 @@ def _load(grasp: Grasp, load: RationalVector, document: dict[str, Any]) -> tuple
     return yes, rows
 
 
-def _page(grasp: Grasp, wrench: Sequence[Fraction] | None, described: list[str], rows: Rows) -> str:
+def _page(
+    grasp: Grasp, wrench: Sequence[Fraction] | None, described: Sequence[str], rows: Rows
+) -> str:
     """Return the report as one HTML page, with the picture where matplotlib is installed."""
     from arrangement.drawing.pages.html_page import BASE_STYLE, framed
     from equilibrium.pictures.views import drawings_of

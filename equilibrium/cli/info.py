@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import counted, number, sign_text, vector
 from arrangement.console.progress import shown
+from arrangement.errors import OutOfReachError
 from equilibrium.model.contact import contact_entry, contact_words, pyramid_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.solution import numbering_words
@@ -29,11 +30,12 @@ from .arguments import (
 from .assemblies import asked_assembly, assembly_document, refuse_one_body
 
 if TYPE_CHECKING:
+    from equilibrium.methods.closure.force_closure import ForceClosure
     from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
     from equilibrium.model.grasp import Grasp
     from equilibrium.modes import ContactModes, Slips
 
-_WORDS = {True: "yes", False: "no"}
+_WORDS = {True: "yes", False: "no", None: "undecided"}
 #: Options with the form that they go with.
 _GOES_WITH = {
     "norm": "force_closure",
@@ -105,23 +107,22 @@ def _description(arguments: argparse.Namespace, load: bool) -> int:
     """
     from arrangement.numbers.exact import primitive
     from arrangement.numbers.linear.rank import rank
-    from equilibrium.methods.form_closure import form_closure
+    from equilibrium.methods.closure.force_closure import force_closure
 
     assembly = assembly_document(arguments)
     if assembly is not None:
         return _of_assembly(arguments, assembly)
     grasp = grasp_of(arguments)
     rows = [primitive(row) for contact in grasp for row in contact.tangential_wrenches]
-    closed = form_closure(grasp, friction=True).accepts is True
+    closed = force_closure(grasp)
     document: dict[str, Any] = {
         "contacts": [contact_entry(points) for points in grasp.parts],
         "dimension": grasp.dimension,
         "stiffness_given": any(contact.stiffness_given for contact in grasp),
         "tangential_hyperplanes": len(rows),
         "rank": rank(rows) if rows else 0,
-        "force_closure": closed,
-    }
-    lines = _description_lines(grasp, document)
+    } | closed.to_dict()
+    lines = [*_description_lines(grasp, document), _closure_line(grasp, closed)]
     force_given(arguments, grasp.dimension)  # refuses a place without a force
     if load or arguments.output is not None:
         from .grasp_report import give_report
@@ -165,44 +166,47 @@ def _description_lines(grasp: Grasp, document: dict[str, Any]) -> Iterator[str]:
     yield f"stiffness        {'given' if document['stiffness_given'] else '1 (default)'}"
     planes = counted(document["tangential_hyperplanes"], "tangential hyperplane")
     yield f"rank             {document['rank']} of {planes}"
-    # A pyramid lies inside the round cone: a yes holds for both.
-    certain = grasp.dimension == 2 or document["force_closure"]
-    inside = "" if certain else pyramid_words(4, before=", with ")
-    yield f"force closure    {_WORDS[document['force_closure']]}{inside}"
+
+
+def _closure_line(grasp: Grasp, closed: ForceClosure) -> str:
+    """Return the answer, in space with the cones that it is about."""
+    proof = "close to the boundary" if closed.accepts is None else "proved"
+    about = f" (round cones, {proof})" if grasp.dimension == 3 else ""
+    return f"force closure    {_WORDS[closed.accepts]}{about}"
 
 
 def _force_closure(arguments: argparse.Namespace) -> int:
-    """Print the Grasp Wrench Space: force closure, epsilon, slice, facets."""
+    """Print force closure, and the Grasp Wrench Space: epsilon, slice, facets."""
+    from equilibrium.methods.closure.force_closure import force_closure
     from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
 
     grasp = grasp_of(arguments)
     edges = _edges(arguments, grasp)
     length = Fraction(1) if arguments.torque_length is None else arguments.torque_length
     space = GraspWrenchSpace(grasp, arguments.norm or "L1", length, edges)
-    document: dict[str, Any] = {
-        "norm": space.norm,
-        "length": space.length,
-        "force_closure": space.force_closure,
-        "epsilon_squared": space.epsilon_squared,
-        "vertices": sorted(space.polytope.points),
-        # (normal, constant) with the normal outward and of coprime integers.
-        "facets": sorted([Fraction(-x, gcd(*row[:-1])) for x in row] for row in space.facets),
-    }
-    lines = list(_space_lines(space))
+    closed = force_closure(grasp)
+    document = closed.to_dict() | {"norm": space.norm, "length": space.length}
+    lines = [_closure_line(grasp, closed)]
+    if closed.free_motion is not None:
+        lines.append(f"free motion      {vector(closed.free_motion)}: no contact force opposes it")
+    if grasp.dimension == 3:
+        document["pyramid"] = edges
+        lines.append(f"linearised space {pyramid_words(edges)}, inside the round cones:")
+    try:
+        document |= _hull_document(space)
+        lines += _hull_lines(space)
+    except OutOfReachError as error:
+        if arguments.cone is not None:
+            raise
+        lines.append(f"epsilon          not computed: {error}")
     if grasp.dimension == 2:
         torque = arguments.torque or Fraction(0)
         corners = space.slice(origin=(0, 0, torque))
         document |= {"volume": space.volume, "slice": {"torque": torque, "corners": corners}}
-        cube, turn = (
-            (f" {grasp.units.force}^3", f" {grasp.units.torque}") if grasp.units else ("", "")
-        )
-        lines.insert(3, f"volume           {number(space.volume)}{cube}")
+        turn = f" {grasp.units.torque}" if grasp.units else ""
         lines.append(f"resisted forces at torque {number(torque)}{turn}:")
         lines += (f"  {vector(c)}" for c in corners)
-    else:
-        document["pyramid"] = edges
-        lines.append(f"cones            {pyramid_words(edges)}, inside the round ones")
-    return show(arguments, document, lines, space.force_closure, grasp)
+    return show(arguments, document, lines, closed.accepts, grasp)
 
 
 def _edges(arguments: argparse.Namespace, grasp: Grasp) -> int:
@@ -217,16 +221,28 @@ def _edges(arguments: argparse.Namespace, grasp: Grasp) -> int:
     return edges
 
 
-def _space_lines(space: GraspWrenchSpace) -> Iterator[str]:
+def _hull_document(space: GraspWrenchSpace) -> dict[str, Any]:
+    return {
+        "epsilon_squared": space.epsilon_squared,
+        "vertices": sorted(space.polytope.points),
+        # (normal, constant) with the normal outward and of coprime integers.
+        "facets": sorted([Fraction(-x, gcd(*row[:-1])) for x in row] for row in space.facets),
+    }
+
+
+def _hull_lines(space: GraspWrenchSpace) -> Iterator[str]:
     units = space.grasp.units
     # With torques divided by a length all axes are forces.
-    force, square = (f" {units.force}", f" {units.force}^2") if units else ("", "")
+    force = f" {units.force}" if units else ""
+    square, cube = (f"{force}^2", f"{force}^3") if units else ("", "")
     root = number(space.epsilon_squared) + square
-    yield f"force closure    {_WORDS[space.force_closure]}"
-    length = f"{number(space.length)} {units.length}" if units else number(space.length)
     yield f"epsilon          {space.epsilon:.6g}{force}  (its square is {root})"
-    what = "epsilon and volume depend" if space.grasp.dimension == 2 else "epsilon depends"
+    length = f"{number(space.length)} {units.length}" if units else number(space.length)
+    flat = space.grasp.dimension == 2
+    what = "epsilon and volume depend" if flat else "epsilon depends"
     yield f"torques over     {length}  ({what} on it; --torque-length)"
+    if flat:
+        yield f"volume           {number(space.volume)}{cube}"
     yield f"facets           {len(space.facets)}"
 
 

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from equilibrium.decide.verdict import Verdict
     from equilibrium.model.assembly import Assembly
 
-#: The names of `printed_model.OPTIONS`, kept here so that ``--help`` loads no solver.
+#: The names of `decide.as_printed.OPTIONS`, kept here so that ``--help`` loads no solver.
 AS_PRINTED = (
     "detachment",
     "preload",

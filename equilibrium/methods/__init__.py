@@ -5,6 +5,7 @@ Signs follow the package: the grasp resists the wrench w when contact forces c e
 is their table, `compare` asks all of them.
 """
 
+from .closure.force_closure import ForceClosure as ForceClosure, force_closure as force_closure
 from .compare import (
     Answer as Answer,
     Comparison as Comparison,

@@ -5,8 +5,8 @@ equivalently the origin lies strictly inside the convex hull of the normal wrenc
 by ray shooting: with the centroid P of the wrenches, maximise ``-P . v`` over all v with
 ``(w_i - P) . v <= 1``. The optimum z says where the ray from P through the origin leaves the hull:
 at the distance 1/z, counted in units of the distance to the origin. So the origin is strictly
-inside exactly when ``z < 1``. With friction the same test on the edges of the cones decides force
-closure.
+inside exactly when ``z < 1``. In the plane the same test on the edges of the cones decides force
+closure, see `equilibrium.methods.closure.force_closure` for both.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.programs import Infeasible, Optimal, Row, feasible_point, minimize
 from arrangement.numbers.linear.rank import rank
 from equilibrium.methods.method import Accepting, Method, Outcome
+from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.plane.contact_rows import friction_edges
 
@@ -44,7 +45,10 @@ class FormClosure(Accepting):
 
 
 def form_closure(grasp: Grasp, *, friction: bool = False) -> FormClosure:
-    """Decide form closure (or force closure, `friction`) exactly.
+    """Decide form closure exactly; in the plane also force closure, `friction`.
+
+    Raises:
+        GraspError: `friction` in space, where cones have no edges; see `force_closure`.
 
     >>> from equilibrium.model.contact import Contact
     >>> from equilibrium.model.grasp import Grasp
@@ -53,6 +57,8 @@ def form_closure(grasp: Grasp, *, friction: bool = False) -> FormClosure:
     (Fraction(0, 1), Fraction(0, 1), Fraction(1, 1))
     """
     if friction:
+        if grasp.dimension == 3:
+            raise GraspError("friction cones are round in space; call force_closure(grasp)")
         wrenches = [edge for contact in grasp for edge in friction_edges(contact)]
     else:
         wrenches = [contact.normal_wrench for contact in grasp]

@@ -9,11 +9,9 @@ the sense of this method, when a multiple of the space holds ``-w``. Springs, pr
 no part: this is the set of weakly stable loads. Adhesion is a constant wrench besides w; it is no
 part of the space, its volume and epsilon.
 
-Whether forces inside round cones balance a wrench in space is proved either way (`round_cones`). A
-pyramid inside each cone gives exact forces; a pyramid around each gives, where it has none, a
-motion d with ``w . d > 0`` along which no force of the cones does negative work: ``N . d >= 0`` and
-``(N . d)^2 >= friction^2 |T d|^2`` for each contact. Both are linear programs. Loads between the
-finest two pyramids stay undecided.
+The linearised space lies inside that of the round cones, so what it holds is proved, and what it
+misses is not: force closure is decided with round cones, see
+`equilibrium.methods.closure.force_closure`.
 """
 
 from __future__ import annotations
@@ -22,7 +20,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from itertools import pairwise, product
+from itertools import product
 from math import sqrt
 from typing import Any, Literal
 
@@ -43,17 +41,16 @@ from arrangement.numbers.linear.programs import (
     Infeasible,
     Optimal,
     Row,
-    feasible_point,
     minimize,
 )
 from arrangement.numbers.linear.rank import cross
+from equilibrium.methods.closure.force_closure import force_closure
+from equilibrium.methods.closure.round_cones import round_cones
 from equilibrium.methods.method import Accepting, Method, Outcome, cut
 from equilibrium.methods.springs import Forces
-from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.plane.contact_rows import (
-    cone_edge,
     edge_directions,
     friction_edges,
     sum_row,
@@ -71,7 +68,7 @@ class WrenchSpaceVerdict(Accepting):
     """Whether forces inside the cones can balance a wrench.
 
     Attributes:
-        accepts: some multiple of the space holds the opposite wrench; None if that is not known.
+        accepts: some multiple of the space holds the opposite wrench.
         least_force: the least such multiple: the least sum (L1) or least maximum (Linf) of normal
             forces, where it is asked for; None if refused.
         forces: normal and tangential force at each contact that reach it; None if refused.
@@ -79,7 +76,7 @@ class WrenchSpaceVerdict(Accepting):
             any cone does negative work.
     """
 
-    accepts: bool | None
+    accepts: bool
     least_force: Fraction | None = None
     forces: Forces | None = None
     separating_motion: RationalVector | None = None
@@ -149,14 +146,25 @@ class GraspWrenchSpace:
         return self.polytope.inequalities if self.polytope.dimension == self._axes else ()
 
     @property
-    def force_closure(self) -> bool:
-        """Whether every wrench is resisted: the origin lies strictly inside."""
+    def force_closure(self) -> bool | None:
+        """Whether forces inside the cones, in space the round ones, balance every wrench.
+
+        None where that is undecided, in space; see `force_closure` for the proof.
+        """
+        return force_closure(self.grasp).accepts
+
+    @property
+    def surrounds_origin(self) -> bool:
+        """Whether the origin lies strictly inside this space, in space the linearised one."""
         return bool(self.facets) and all(row[-1] > 0 for row in self.facets)
 
     @property
     def epsilon_squared(self) -> Fraction:
-        """The squared radius of the largest ball about the origin inside the space, exact."""
-        if not self.force_closure:
+        """The squared radius of the largest ball about the origin inside the space, exact.
+
+        In space it is that of the linearised space, and a lower bound for round cones.
+        """
+        if not self.surrounds_origin:
             return Fraction(0)
         return min(Fraction(row[-1] ** 2, dot(row[:-1], row[:-1])) for row in self.facets)
 
@@ -256,59 +264,6 @@ def _hull(points: Iterable[RationalVector]) -> Polyhedron:
     return found
 
 
-#: Edges of the pyramids, tried in this order.
-PYRAMIDS = (4, 8, 16, 32)
-
-
-def round_cones(grasp: Grasp, wrench: Iterable[Any]) -> WrenchSpaceVerdict:
-    """Decide with exact linear programs; neither yes nor no where the pyramids are inconclusive.
-
-    >>> from equilibrium.grasps.files import read_grasp
-    >>> fingers = read_grasp("two-opposed-fingers")
-    >>> round_cones(fingers, [0, 3, 4, 0, 0, 0]).accepts
-    True
-    >>> round_cones(fingers, [0, 0, 0, 1, 0, 0]).accepts
-    False
-    """
-    load = grasp.read_wrench(wrench)
-    for pyramid in PYRAMIDS:
-        inside = GraspWrenchSpace(grasp, pyramid=pyramid).verdict(load)
-        if inside.accepts:
-            return WrenchSpaceVerdict(True, forces=inside.forces)
-        for motion in (inside.separating_motion, _refused_around(grasp, load, pyramid)):
-            if motion is not None and separates(grasp, load, motion):
-                return WrenchSpaceVerdict(False, separating_motion=motion)
-    return WrenchSpaceVerdict(None)
-
-
-def separates(grasp: Grasp, wrench: RationalVector, motion: RationalVector) -> bool:
-    """Return whether a motion proves that no forces inside the round cones balance the wrench."""
-    return dot(grasp.total_load(wrench), motion) > 0 and all(
-        (push := dot(contact.normal_wrench, motion)) >= 0
-        and push**2
-        >= contact.friction**2 * sum(dot(t, motion) ** 2 for t in contact.tangential_wrenches)
-        for contact in grasp
-    )
-
-
-def _refused_around(grasp: Grasp, load: RationalVector, pyramid: int) -> RationalVector | None:
-    """Return the motion that refuses the load to pyramids around the cones, if they refuse it."""
-    edges = pyramid_edges(pyramid)
-    # Two tangents of the unit circle, at unit vectors u and v, meet at (u + v) / (1 + u . v).
-    corners = [
-        tuple((x + y) / (1 + dot(u, v)) for x, y in zip(u, v, strict=True))
-        for u, v in pairwise((*edges, edges[0]))
-    ]
-    columns = [cone_edge(contact, corner) for contact in grasp for corner in corners]
-    n = len(columns)
-    rows = enumerate(grasp.total_load(load))
-    balance: list[Row] = [[*(c[i] for c in columns), x] for i, x in rows]
-    found = feasible_point(n, [unit_row(j, n) for j in range(n)], balance)
-    if not isinstance(found, Infeasible):
-        return None
-    return tuple(-x for x in found.equality_multipliers)
-
-
 def _decide(grasp: Grasp, wrench: RationalVector, pyramid: int = 4) -> Outcome:
     found = GraspWrenchSpace(grasp, pyramid=pyramid).verdict(wrench)
     if found.least_force is None:
@@ -320,9 +275,12 @@ def _decide_in_space(grasp: Grasp, wrench: RationalVector, pyramid: int | None) 
     edges = pyramid or 4
     accepts, remark = _decide(grasp, wrench, edges)
     if edges * len(grasp) <= MAX_EDGES_IN_HULL:
-        space = GraspWrenchSpace(grasp, pyramid=edges)
-        remark += f"; epsilon {space.epsilon:.4g}" if space.force_closure else "; no force closure"
-    return accepts, f"pyramids of {edges} edges: {remark}"
+        remark += f"; epsilon {GraspWrenchSpace(grasp, pyramid=edges).epsilon:.4g}"
+    remark = f"pyramids of {edges} edges: {remark}"
+    if pyramid is not None:
+        return accepts, remark
+    verdict = round_cones(grasp, wrench)
+    return verdict.accepts, f"{verdict.words}; {force_closure(grasp).words}; {remark}"
 
 
 #: Without a bound of the forces.

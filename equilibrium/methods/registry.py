@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from arrangement.errors import refusal
 from arrangement.numbers.exact import RationalVector, shown
+from equilibrium.decide.as_printed import OPTIONS, solve_as_printed
 from equilibrium.decide.solver import solve
 from equilibrium.methods.cones import CONES
 from equilibrium.methods.form_closure import FORM_CLOSURE
@@ -14,7 +15,6 @@ from equilibrium.methods.grasp_wrench_space import (
     WRENCH_SPACE_LINF,
 )
 from equilibrium.methods.method import Method, Outcome
-from equilibrium.methods.printed_model import PRINTED
 from equilibrium.methods.springs import FRICTIONLESS_SLIP, LINEAR_COMPLIANCE
 from equilibrium.methods.weak_strong import FRICTIONLESS, STRONG, WEAK
 from equilibrium.model.assembly import Assembly, Wrenches
@@ -51,6 +51,12 @@ COMPLETE = Method(
     decide_assembly=_decide_assembly,
 )
 
+
+def _decide_as_printed(grasp: Grasp, wrench: RationalVector) -> Outcome:
+    return solve_as_printed(grasp, wrench, OPTIONS).stable, "all deviations of the text at once"
+
+
+PRINTED = Method("printed", "the paper as printed", "the paper as printed", _decide_as_printed)
 
 #: By key. The first one is the measure of the others.
 METHODS: dict[str, Method] = {

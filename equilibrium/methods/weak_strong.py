@@ -51,7 +51,8 @@ from equilibrium.plane.contact_rows import (
     unit_row,
 )
 
-from .grasp_wrench_space import GraspWrenchSpace, round_cones
+from .closure.round_cones import round_cones
+from .grasp_wrench_space import GraspWrenchSpace
 
 
 @dataclass(frozen=True)
@@ -202,11 +203,8 @@ def _decide_weak_in_space(grasp: Grasp, wrench: RationalVector, pyramid: int | N
     if pyramid is not None:
         held = GraspWrenchSpace(grasp, pyramid=pyramid).verdict(wrench).accepts
         return held, f"{'' if held else 'no '}forces inside {pyramid_words(pyramid)}"
-    accepts = round_cones(grasp, wrench).accepts
-    if accepts is None:
-        return None, "undecided: the load is at the boundary of what round cones give"
-    verb = "exist" if accepts else "do not exist"
-    return accepts, f"forces inside the round cones {verb}, proved"
+    verdict = round_cones(grasp, wrench)
+    return verdict.accepts, verdict.words
 
 
 def _decide_weak_assembly(assembly: Assembly, wrenches: Wrenches) -> Outcome:

@@ -74,8 +74,8 @@ class Grasp(HintsMixin):
 
     _synonyms: ClassVar[Mapping[str, str]] = {
         "epsilon": "GraspWrenchSpace(grasp).epsilon",
-        "force_closure": "GraspWrenchSpace(grasp).force_closure",
-        "is_force_closure": "GraspWrenchSpace(grasp).force_closure",
+        "force_closure": "methods.force_closure(grasp)",
+        "is_force_closure": "methods.force_closure(grasp)",
         "is_stable": "solve(grasp, wrench).stable",
         "margin": "ResistedSet(grasp).margin(wrench)",
         "modes": "ContactModes.of_grasp(grasp)",

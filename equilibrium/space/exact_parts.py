@@ -110,8 +110,9 @@ class StateProgram:
         if state == "detached":
             self._add(False, self._row(i, gap, none, -contact.preload), i, first)
             return
-        row = self._row(i, gap, first, -contact.preload)
-        self._add(state != "undecided", row, i, first)
+        if state != "loose":
+            row = self._row(i, gap, first, -contact.preload)
+            self._add(state != "undecided", row, i, first)
         self.least.append(self._row(i, zero, first, 0))
         for equal, force in cone:
             (self.equal if equal else self.least).append(self._row(i, zero, force, 0))

@@ -87,14 +87,14 @@ class Leaves:
         bound = max_displacement or Fraction(0)
         given = [*wrench, bound, *(c.preload for c in rows)]
         unit = self.unit = math.lcm(*(x.denominator for x in given))
-        self.load, self.bound = _whole(wrench, unit), int(bound * unit)
+        self.load, self.bound = integers_over(wrench, unit), int(bound * unit)
         frames = [(c.normal_wrench, *c.tangential_wrenches) for c in rows]
         units = [math.lcm(*(x.denominator for row in frame for x in row)) for frame in frames]
         pairs = list(zip(rows, units, strict=True))
         self.motions = math.lcm(*(c.stiffness.denominator * unit for c, unit in pairs))
         self.each = []
         for (c, own), frame in zip(pairs, frames, strict=True):
-            whole = tuple(_whole(row, own) for row in frame)
+            whole = tuple(integers_over(row, own) for row in frame)
             more = [self.motions // own] * (2 * self.size - 1)
             factors = int(-c.stiffness * (self.motions // own)), *more
             columns = [
@@ -130,7 +130,7 @@ class Leaves:
                 pinned = self._pinned(states, ray, kept, nothing)
             unit = fine / largest * self._unit
             motion = _rounded(pinned, [x * unit for x in ray.virtual.tolist()], self._steps)
-            values, scale = _cancelled(columns, [round(x * unit) for x in listed], len(motion))
+            values, scale = cancelled(columns, [round(x * unit) for x in listed], len(motion))
             given: dict[int, list[int]] = {}
             pins: dict[int, list[int]] = {}
             for (i, j), value in zip(places, values, strict=True):
@@ -204,7 +204,8 @@ class Leaves:
         return True
 
 
-def _whole(row: Sequence[Fraction], unit: int) -> IntegerVector:
+def integers_over(row: Sequence[Fraction], unit: int) -> IntegerVector:
+    """Return a row times a common denominator."""
     return tuple([x.numerator * (unit // x.denominator) for x in row])
 
 
@@ -214,9 +215,7 @@ def _common(row: Sequence[Fraction | int]) -> tuple[list[int], int]:
     return [x.numerator * (unit // x.denominator) for x in row], unit
 
 
-def _cancelled(
-    columns: Sequence[IntegerVector], values: list[int], n: int
-) -> tuple[list[int], int]:
+def cancelled(columns: Sequence[IntegerVector], values: list[int], n: int) -> tuple[list[int], int]:
     """Return multiples of columns near given ones that add up to 0, and the scale of both.
 
     Those that come first are changed.

@@ -280,7 +280,7 @@ class Relaxation:
             tuple((place >= n).tolist()),
             tuple(np.bincount(column, minlength=count).tolist()),
             tuple((kind, len(rows)) for kind, rows in cones),
-            float(state == "undecided"),
+            float(state in ("undecided", "loose")),
         )
         return _Block(
             self._shapes.setdefault(shape, len(self._shapes)),

@@ -162,13 +162,13 @@ class StateBalance:
             if states.touching[i] and not states.slipping[i] and contact.friction
         ]
         still = [row for i in self.sticking for row in rows[i].tangential_wrenches]
-        self.basis = _null_space(still, rows.n)
+        self.basis = null_space(still, rows.n)
         self.pillars = self._pillars(rows.n - len(self.basis))
         # Motions that no touching contact feels; balance does not determine them.
         touching = [c for c, near in zip(rows, states.touching, strict=True) if near]
         felt = [c.normal_wrench for c in touching]
         felt += [row for c in touching if c.friction for row in c.tangential_wrenches]
-        self.unfelt = _null_space(felt, rows.n)
+        self.unfelt = null_space(felt, rows.n)
 
     def _pillars(self, count: int) -> tuple[tuple[int, int], ...]:
         """Return tangents of sticking contacts that span all of them; strong contacts first."""
@@ -180,16 +180,7 @@ class StateBalance:
             [x * (c.friction[i] + 1e-9) for x, (i, _) in zip(spare, places, strict=True)]
         )
         left = tangents * weight[:, None] if places else tangents
-        chosen: list[tuple[int, int]] = []
-        for _ in range(count):
-            size = np.linalg.norm(left, axis=1)
-            best = int(np.argmax(size))
-            if not size[best] > 0:
-                break
-            chosen.append(places[best])
-            unit = left[best] / size[best]
-            left = left - np.outer(left @ unit, unit)
-        return tuple(chosen)
+        return tuple(places[k] for k in spanning_rows(left, count))
 
     def share(self, i: int) -> list[Fraction]:
         """Return the share of a contact, without what pillars carry."""
@@ -212,7 +203,21 @@ class StateBalance:
         return nearest_one
 
 
-def _null_space(rows: list[RationalVector], n: int) -> list[RationalVector]:
+def spanning_rows(rows: Floats, count: int) -> list[int]:
+    """Return at most a number of independent rows, each the one furthest from those before."""
+    left, chosen = rows, list[int]()
+    for _ in range(count):
+        size = np.linalg.norm(left, axis=1)
+        best = int(np.argmax(size))
+        if not size[best] > 0:
+            break
+        chosen.append(best)
+        unit = left[best] / size[best]
+        left = left - np.outer(left @ unit, unit)
+    return chosen
+
+
+def null_space(rows: list[RationalVector], n: int) -> list[RationalVector]:
     """Return a basis of the motions in R^n on which all rows are 0."""
     reduced, pivots, scale = gauss_jordan([list(row) for row in rows])
     basis = []

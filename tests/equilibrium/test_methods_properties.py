@@ -8,6 +8,7 @@ from scipy.optimize import linprog
 
 from arrangement.numbers.exact import dot
 from equilibrium.decide.solver import solve
+from equilibrium.methods.closure.force_closure import force_closure
 from equilibrium.methods.cones import cones
 from equilibrium.methods.form_closure import form_closure
 from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace, _hull
@@ -92,9 +93,10 @@ class TestWrenchSpace:
         assert GraspWrenchSpace(grasp, "Linf").polytope == _hull(p for (p,) in corners)
 
     @given(grasps())
-    def test_force_closure_has_three_equal_tests(self, grasp):
-        expected = GraspWrenchSpace(grasp).force_closure
-        assert GraspWrenchSpace(grasp, "Linf").force_closure == expected
+    def test_force_closure_has_four_equal_tests(self, grasp):
+        expected = force_closure(grasp).accepts
+        assert GraspWrenchSpace(grasp).surrounds_origin == expected
+        assert GraspWrenchSpace(grasp, "Linf").surrounds_origin == expected
         assert (form_closure(grasp, friction=True).accepts is True) == expected
         units = [tuple(s * (i == k) for i in range(3)) for k in range(3) for s in (1, -1)]
         space = GraspWrenchSpace(grasp)

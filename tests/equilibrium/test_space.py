@@ -35,7 +35,7 @@ from equilibrium.model.rows import ContactRows
 from equilibrium.plane.contacts import FloatContacts
 from equilibrium.space.cones import Pyramids, RoundCones
 from equilibrium.space.exact_parts import ExactParts
-from equilibrium.space.leaves import Leaves, _cancelled
+from equilibrium.space.leaves import Leaves, cancelled
 from equilibrium.space.plane import decide_in_plane
 from equilibrium.space.relaxation import Relaxation
 from equilibrium.space.tree import SpatialSearch
@@ -143,7 +143,7 @@ class TestKnownLeaves:
     ],
 )
 def test_changed_multiples_of_columns_cancel(columns, values):
-    found, scale = _cancelled(columns, values, 2)
+    found, scale = cancelled(columns, values, 2)
     assert scale > 0
     assert all(dot(row, found) == 0 for row in zip(*columns, strict=True))
     assert any(found)
