@@ -104,6 +104,12 @@ def test_no_contacts_have_no_force_closure():
     assert check(Grasp([])) is False
 
 
+@pytest.mark.parametrize("friction", ["0.35", "0.6"])
+def test_adhesion_changes_no_cone(friction):
+    grasp = fingers(TRIANGLE, friction)
+    assert check(grasp.with_adhesion(100)) is check(grasp)
+
+
 def test_the_boundary_is_narrow_and_monotone():
     low, high = Fraction(0), Fraction(4)
     grasp = fingers(TRIANGLE)
