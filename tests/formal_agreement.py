@@ -14,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
@@ -34,6 +34,7 @@ from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.certificate.reading import read_question
 from equilibrium.grasps.inputs.random import random_grasp
+from equilibrium.model.contact import VALUES
 from proofs_check.instances.bodies import textbook_questions
 from tests.equilibrium.degenerate import question
 from tests.equilibrium.mutations import mutants
@@ -92,6 +93,7 @@ def documents(seed: int) -> Iterator[dict[str, Any]]:
         asked = question(k)
         verdict = solve(asked.grasp, asked.wrench)
         yield verdict.certificate.to_dict()
+        yield solve(_pulling(asked.grasp, k), asked.wrench).certificate.to_dict()
         for shape in range(0 if verdict.stable else SHAPES):
             try:
                 tree = refutation(asked.grasp, asked.wrench, shape, NODES)
@@ -100,14 +102,22 @@ def documents(seed: int) -> Iterator[dict[str, Any]]:
             yield refuted_certificate(asked.grasp, asked.wrench, tree).to_dict()
 
 
+def _pulling(contacts: Iterable[Contact], seed: int) -> Grasp:
+    """Return contacts with random adhesion."""
+    source = Random(f"adhesion {seed}")
+    pulls = (Fraction(source.randint(0, 6), source.randint(1, 3)) for _ in iter(int, 1))
+    return Grasp(replace(c, adhesion=pull) for c, pull in zip(contacts, pulls, strict=False))
+
+
 def spatial_documents(seed: int) -> Iterator[dict[str, Any]]:
     """Yield certificates of grasps in space; those with enclosures are left out."""
     source = Random(f"space {seed}")
     contacts = [_turned(c, source) for c in random_grasp(2 + seed % 3, seed, dimension=3)]
     wrench = [Fraction(source.randint(-8, 8), 4) for _ in range(6)]
-    verdict = solve(Grasp(contacts), wrench)
-    if verdict.stable is not None and "enclosure" not in verdict.certificate.text:
-        yield verdict.certificate.to_dict()
+    for grasp in (Grasp(contacts), _pulling(contacts, seed)):
+        verdict = solve(grasp, wrench)
+        if verdict.stable is not None and "enclosure" not in verdict.certificate.text:
+            yield verdict.certificate.to_dict()
     # Equilibria in the plane z = 0, as rational ones are rare otherwise.
     asked = question(seed)
     flat = solve(asked.grasp, asked.wrench)
@@ -126,9 +136,13 @@ def assembly_documents(seed: int) -> Iterator[dict[str, Any]]:
     textbook = textbook_questions()[-1 - seed % len(textbook_questions())]
     asked_of = (random_question(seed, 3 + seed % 5), (textbook.document, textbook.wrench))
     for document, wrench in asked_of:
-        verdict = solve(Assembly.from_dict(document), wrench)
-        if verdict.decided:
-            yield verdict.proof
+        assembly = Assembly.from_dict(document)
+        pulling = _pulling((joint.contact for joint in assembly.contacts), seed)
+        pairs = zip(assembly.contacts, pulling, strict=True)
+        pulled = replace(assembly, contacts=tuple(replace(j, contact=c) for j, c in pairs))
+        for verdict in (solve(assembly, wrench), solve(pulled, wrench)):
+            if verdict.decided:
+                yield verdict.proof
 
 
 def _turned(contact: Contact, source: Random) -> Contact:
@@ -293,12 +307,6 @@ def _new_answer(path: Path) -> tuple[str, Any]:
         rows, wrench = asked(document)
     except InputError:
         return "malformed", None
-    if "assembly" in document:
-        contacts = [joint.contact for joint in report.assembly.contacts]
-    else:
-        contacts = list(report.grasp)
-    if any(c.adhesion for c in contacts):
-        return "malformed", None  # outside what is proved
     content = {"contacts": [list(map(to_text, row)) for row in rows]}
     return ("accepted" if report else "refused"), {**content, "wrench": list(map(to_text, wrench))}
 
@@ -319,7 +327,7 @@ def asked(document: dict[str, Any]) -> tuple[list[list[Fraction]], list[Fraction
 
 def _values(contact: Contact) -> list[Fraction]:
     given = (*contact.point, *contact.normal, *contact.tangent * (contact.dimension == 3))
-    return [*given, contact.friction, contact.stiffness, contact.preload]
+    return [*given, *(getattr(contact, name) for name in VALUES)]
 
 
 def program_answers(program: Path, paths: list[Path], *options: str) -> list[str]:

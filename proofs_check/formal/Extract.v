@@ -1,20 +1,20 @@
 (** The checkers and the counts as an OCaml program, its integers those of zarith. *)
 
 Require Import ZArith Extraction ExtrOcamlZBigInt.
-Require Import Checker Soundness Forest Counting Whitney Bounded Claims FinalPolynomials.
+Require Import Checker Soundness Adhesion Forest Counting Whitney Bounded Claims FinalPolynomials.
 Require Import Rationals Inscribed Weights.
 
 (** One line beyond the standard library's: without it, gcd counts down bits one by one. *)
 Extract Constant Z.gcd => "Big_int_Z.gcd_big_int".
 
-Extraction "checker.ml" check
+Extraction "checker.ml" check_pulled
   count_regions count_faces characteristic_polynomial code complete_regions complete_faces
   final contradicts satisfies.
 
 (** What all theorems rest on, printed once: each printing goes through the proofs and the real numbers. *)
 
 Definition theorems := (
-  not_resisted, resisted, forest_by_bodies, regions_counted, faces_counted, all_faces_counted, zaslavsky,
+  not_resisted, resisted, not_resisted_pulled, resisted_pulled, forest_by_bodies, regions_counted, faces_counted, all_faces_counted, zaslavsky,
   faces_alternating, regions_complete, faces_complete, whitney, bounded_counted, no_half_line,
   central_unbounded,
 

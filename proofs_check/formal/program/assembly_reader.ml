@@ -60,8 +60,9 @@ let assembly value =
   let names = List.mapi body (Reader.list "bodies" None (List.assoc "bodies" members)) in
   if List.length (List.sort_uniq compare names) < List.length names then
     malformed "a body is there twice";
-  let joints = List.mapi (joint names) (Reader.list "contacts" None (List.assoc "contacts" members)) in
-  (names, joints)
+  let contacts = Reader.list "contacts" None (List.assoc "contacts" members) in
+  let joints = List.mapi (joint names) contacts in
+  (names, joints, List.mapi Reader.adhesion contacts)
 
 (* Three numbers for each body, in the order of the bodies. *)
 let rows where names value =
@@ -115,7 +116,7 @@ let tree names joints value =
 
 let document value =
   let kind, members = Reader.certificate "assembly" value in
-  let names, joints = assembly (List.assoc "assembly" members) in
+  let names, joints, adhesion = assembly (List.assoc "assembly" members) in
   let load = rows "wrench" names (List.assoc "wrench" members) in
   let question = OfBodies (Tree_reader.natural (List.length names), List.map fst joints, load) in
   let proof =
@@ -124,4 +125,4 @@ let document value =
         List.map (Grasp_reader.force 1)
           (Reader.list "forces" (Some (List.length joints)) (List.assoc "forces" members)))
     else tree names joints (List.assoc "tree" members) in
-  (kind, question, proof)
+  (kind, question, adhesion, proof)

@@ -82,4 +82,4 @@ let document value =
         List.map (force tangents)
           (Reader.list "forces" (Some contacts) (List.assoc "forces" members)))
     else NotResisted (Tree_reader.tree subject (List.assoc "tree" members)) in
-  (kind, question, proof)
+  (kind, question, Reader.grasp Reader.adhesion grasp, proof)

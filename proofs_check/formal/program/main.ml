@@ -48,12 +48,13 @@ let joint j =
   let second = match j.body_b with Some b -> [ body b ] | None -> [] in
   (body j.body_a :: second) @ contact2 j.touch
 
-let question g =
+let question g adhesion =
   let rows, load =
     match g with
     | InPlane (contacts, load) -> (List.map contact2 contacts, load)
     | InSpace (contacts, load) -> (List.map contact3 contacts, load)
     | OfBodies (_, joints, load) -> (List.map joint joints, load) in
+  let rows = List.map2 (fun row pull -> row @ [ pull ]) rows adhesion in
   Printf.sprintf "{\"contacts\":[%s],\"wrench\":%s}" (String.concat "," (List.map texts rows))
     (texts load)
 
@@ -103,8 +104,9 @@ let work task document =
   | _ ->
     let read =
       if Assembly_reader.about document then Assembly_reader.document else Grasp_reader.document in
-    let kind, asked, proof = read document in
-    if task = Question then (0, question asked) else answer (check asked proof) kind
+    let kind, asked, adhesion, proof = read document in
+    if task = Question then (0, question asked adhesion)
+    else answer (check_pulled asked adhesion proof) kind
 
 let verdict task text =
   match work task (Json.parse text) with

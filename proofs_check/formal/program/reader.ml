@@ -90,8 +90,6 @@ let version where due members =
   | Integer n when Z.equal n (Z.of_int due) -> ()
   | _ -> malformed "the schema_version of %s is not %d" where due
 
-let outside = "which is outside what is proved; omit --verified to have it checked"
-
 (* Friction, preload and stiffness of a contact, at least 0; in space the stiffness is above 0. *)
 let law ~spring where members =
   let number key missing =
@@ -101,7 +99,6 @@ let law ~spring where members =
   let friction = number "friction" 0 in
   let stiffness = number "stiffness" 1 in
   let preload = number "preload" 0 in
-  if Z.sign (number "adhesion" 0).qnum <> 0 then malformed "%s has adhesion, %s" where outside;
   if Z.sign friction.qnum < 0 then malformed "%s: the friction is below 0" where;
   if Z.sign stiffness.qnum < (if spring then 1 else 0) then
     malformed "%s: the stiffness is not %s 0" where (if spring then "above" else "at least");
@@ -120,6 +117,16 @@ let contact i value =
   if not (Z.equal (Z.add (square normal_x) (square normal_y)) (Z.mul common common)) then
     malformed "%s: the normal is not exactly unit" where;
   { point_x; point_y; normal_x; normal_y; values2 }
+
+(* How strongly a contact, which has been read, pulls. *)
+let adhesion i value =
+  let where = Printf.sprintf "contacts[%d]" i in
+  match value with
+  | Object members when List.mem_assoc "adhesion" members ->
+    let pull = rational (where ^ ": adhesion") (List.assoc "adhesion" members) in
+    if Z.sign pull.qnum < 0 then malformed "%s: the adhesion is below 0" where;
+    pull
+  | _ -> fraction Z.zero Z.one
 
 (* A label; what it says does not matter here. *)
 let unit_of_measure where value =
@@ -145,6 +152,8 @@ let grasp contact value =
   version "the grasp" 1 members;
   labels members;
   List.mapi contact (list "contacts" None (List.assoc "contacts" members))
+
+let outside = "which is outside what is proved; omit --verified to have it checked"
 
 (* What a certificate may have beside what is proved. *)
 let others =
