@@ -80,10 +80,14 @@ class TestBlock:
         assert resisted.what_gives(resisted.along(pushed(1), WEIGHT)) == ((None, None),)
 
 
+#: A pad of three points, whose middle comes first.
+PLACES, SHARES = (0, -1, 1), ("1/2", "1/4", "1/4")
+
+
 class TestPad:
     def test_force_leaves_the_pad(self):
-        halves = [Contact([x, 0], [0, 1], "1/2", share="1/2") for x in (-1, 1)]
-        resisted = ResistedSet(Grasp(halves))
+        pad = [Contact([x, 0], [0, 1], "1/2", share=s) for x, s in zip(PLACES, SHARES, strict=True)]
+        resisted = ResistedSet(Grasp(pad))
         found = resisted.along((0, 0, 1), WEIGHT)
         assert found.intervals == ((0, 1),)
         ((_, last),) = resisted.what_gives(found)

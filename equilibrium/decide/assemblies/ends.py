@@ -18,8 +18,10 @@ from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.console.number_form import JsonMixin
 from arrangement.numbers import budget
+from arrangement.numbers.exact import dot
 from arrangement.numbers.linear.intervals import Interval
 from equilibrium.model.assembly import Assembly
+from equilibrium.model.contact import Contact
 from equilibrium.model.effort import Effort
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
@@ -27,7 +29,7 @@ from equilibrium.model.rows import ContactRows
 from .contact_program import ContactProgram, LinearQuestion
 from .magnitudes import StateTree, complete_programs, part_questions
 
-#: The places of the points of each contact: one, of a pad several.
+#: The places of the points of each contact: one, of a pad several, from one end to the other.
 Groups: TypeAlias = Sequence[Sequence[int]]
 #: Nodes and steps for one end: what takes more is not reported.
 _NODES, _STEPS = 200, 5_000_000
@@ -133,7 +135,14 @@ def _parts(
         return
     rows = ContactRows.of_grasp(grasp)
     question = LinearQuestion(rows, base, along, max_displacement=bound)
-    yield _PartQuestion(question, grasp.groups, grasp.contact_numbers)
+    groups = [
+        sorted(points, key=lambda i: _along_pad(grasp.contacts[i])) for points in grasp.groups
+    ]
+    yield _PartQuestion(question, groups, grasp.contact_numbers)
+
+
+def _along_pad(contact: Contact) -> Fraction:
+    return dot(contact.tangential_wrench[:2], contact.point)
 
 
 def _given_by_parts(parts: Iterable[_PartQuestion], end: Fraction, way: int) -> Giving | None:
