@@ -129,20 +129,19 @@ def _parts(
 ) -> Iterator[_PartQuestion]:
     if isinstance(grasp, Assembly):
         for part, question in part_questions(grasp, base, along):
-            groups = [(k,) for k in range(len(part.contacts))]
+            groups = [[k] for k in range(len(part.contacts))]
             numbers = [i + 1 for i in part.contacts]
             yield _PartQuestion(replace(question, max_displacement=bound), groups, numbers)
         return
     rows = ContactRows.of_grasp(grasp)
     question = LinearQuestion(rows, base, along, max_displacement=bound)
-    groups = [
-        sorted(points, key=lambda i: _along_pad(grasp.contacts[i])) for points in grasp.groups
-    ]
+    places = [_along_pad(contact) for contact in grasp]
+    groups = [sorted(points, key=places.__getitem__) for points in grasp.groups]
     yield _PartQuestion(question, groups, grasp.contact_numbers)
 
 
 def _along_pad(contact: Contact) -> Fraction:
-    return dot(contact.tangential_wrench[:2], contact.point)
+    return Fraction(dot(contact.tangential_wrench[:2], contact.point))
 
 
 def _given_by_parts(parts: Iterable[_PartQuestion], end: Fraction, way: int) -> Giving | None:
