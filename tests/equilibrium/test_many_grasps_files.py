@@ -149,6 +149,11 @@ def test_typed_numbers_are_exact_for_arrays(files, capsys):
     assert answers == ["resisted", "not resisted"]
     assert solved("jaws.npz", "--preload", "1/3", "--wrench", 0, "1/3", 0) == 0
     assert solved("jaws.npz", "--wrench", 0, "1.00000000000000000001", 0) == 1
+    for size in ("1e-400", "1e400"):
+        assert solved("jaws.npz", "--preload", size, "--wrench", 0, size, 0) == 0
+        (files / "far.csv").write_text(f"grasp,x,y,nx,ny,mu,q\na,0,0,{size},0,0.5,{size}\n")
+        assert solved("far.csv", "--wrench", f"-{size}", 0, 0) == 0
+        assert solved("far.csv", "--wrench", f"-{size}", size, 0) == 1
 
 
 def test_rounded_normals_are_said(files, capsys):

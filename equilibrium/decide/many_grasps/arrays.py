@@ -128,7 +128,7 @@ def near_floats(
             if i and row is rows[i - 1]:  # the same loads
                 found[i] = found[i - 1]
             elif row:
-                near = [list(map(_near, numbers)) for numbers in row]
+                near = [list(map(near_float, numbers)) for numbers in row]
                 found[i, : len(row)] = near
                 pairs = zip(chain(*near), chain(*row), strict=True)
                 rounded |= any(not math.isfinite(x) or Fraction(x) != y for x, y in pairs)
@@ -155,7 +155,7 @@ def _entry(contact: Contact, name: str) -> RationalVector:
     return found if isinstance(found, tuple) else (found,)
 
 
-def _near(value: Fraction) -> float:
+def near_float(value: Fraction) -> float:
     """Return the nearest float, which is off by half a unit of its last digit; else infinity."""
     try:
         found = float(value)

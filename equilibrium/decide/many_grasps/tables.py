@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 import os
 import zipfile
 from collections.abc import Iterable, Iterator, Sequence
@@ -31,7 +32,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import read_wrench
 from equilibrium.model.labels import AS_ROUNDED
 
-from .arrays import read_arrays, read_wrenches
+from .arrays import near_float, read_arrays, read_wrenches
 from .check import CheckedGrasps, Source, exact_grasp
 
 _GRASP = "grasp"
@@ -131,8 +132,8 @@ class ManyGrasps(NamedTuple):
         listed = self.source
         if not isinstance(listed, list):
             places, ways, *values, wrenches = listed
-            near = float(preload)
-            if Fraction(near) == preload:
+            near = near_float(preload)
+            if math.isfinite(near) and Fraction(near) == preload:
                 missing = np.isnan(places[..., 0])
                 values[VALUES.index("preload")] = np.where(missing, np.nan, near)
                 return self._replace(source=(places, ways, *values, wrenches))

@@ -19,7 +19,7 @@ import csv
 import io
 import os
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
@@ -189,8 +189,9 @@ def each_line(
     return _contacts(table_rows(text, check_header), read, convert)
 
 
-def read_rows(rows: Iterable[tuple[int, dict[str, str]]]) -> Conversion:
+def read_rows(rows: Sequence[tuple[int, dict[str, str]]]) -> Conversion:
     """Return the contacts of some lines, as `table_rows` yields them; errors name the line."""
+    ask_contacts(len(rows))
     return _contacts(rows, _exact_parts, _converting(None))
 
 
