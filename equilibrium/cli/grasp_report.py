@@ -70,7 +70,8 @@ def _closure(grasp: Grasp, document: dict[str, Any]) -> Rows:
         space = GraspWrenchSpace(grasp)
         document["epsilon_squared"] = space.epsilon_squared
         cones = pyramid_words(space.pyramid, before="; of ") if grasp.dimension == 3 else ""
-        rows.append(("epsilon", f"{space.epsilon:.6g} (L1, torques over 1{cones})"))
+        stuck = "; without adhesion" if any(grasp.adhesion_wrench) else ""
+        rows.append(("epsilon", f"{space.epsilon:.6g} (L1, torques over 1{cones}{stuck})"))
     except OutOfReachError:
         rows.append(("epsilon", "not computed: too many contacts"))
     return rows

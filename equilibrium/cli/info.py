@@ -236,7 +236,8 @@ def _hull_lines(space: GraspWrenchSpace) -> Iterator[str]:
     force = f" {units.force}" if units else ""
     square, cube = (f"{force}^2", f"{force}^3") if units else ("", "")
     root = number(space.epsilon_squared) + square
-    yield f"epsilon          {space.epsilon:.6g}{force}  (its square is {root})"
+    stuck = "; without adhesion" if any(space.grasp.adhesion_wrench) else ""
+    yield f"epsilon          {space.epsilon:.6g}{force}  (its square is {root}{stuck})"
     length = f"{number(space.length)} {units.length}" if units else number(space.length)
     flat = space.grasp.dimension == 2
     what = "epsilon and volume depend" if flat else "epsilon depends"

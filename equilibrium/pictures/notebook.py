@@ -52,7 +52,9 @@ def verdict_html(verdict: Verdict) -> str:
         if verdict.solution.box is not None:
             note = "exactly one equilibrium lies in a box around this one"
         tables = _table(names, verdict.states, verdict.solution)
-    answer = f"<b>{verdict.verdict}</b> under w = {_vector(verdict.wrench)}: {note}"
+    pull = verdict.grasp.adhesion_wrench
+    stuck = f" and the adhesion {_vector(pull)}" if any(pull) else ""
+    answer = f"<b>{verdict.verdict}</b> under w = {_vector(verdict.wrench)}{stuck}: {note}"
     return f"<div>{head}<p>{answer}</p>{tables}</div>"
 
 

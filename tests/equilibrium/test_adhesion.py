@@ -333,6 +333,17 @@ def test_adhesion_is_exact_and_not_negative(value):
         Contact([0, 0], [0, 1], 0, adhesion=value)
 
 
+def test_answers_in_a_notebook_and_a_report_name_it(tmp_path, capsys):
+    html = solve(HANGING, (0, -99, 0))._repr_html_()
+    assert "under w = (0, -99, 0) and the adhesion (0, 100, 0)" in html
+    path = tmp_path / "a.csv"
+    path.write_text(CUPS)
+    assert main(["info", str(path), "--weight", "99"]) == 0
+    out = capsys.readouterr().out
+    for words in ("without adhesion", "force (1/2, 0)  adhesion 50", "in [0, 100/99]"):
+        assert words in out
+
+
 def test_grasps_without_adhesion_are_written_as_before():
     contact = Contact([0, 0], [0, 1], 0)
     assert "adhesion" not in contact.to_dict()
