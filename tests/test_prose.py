@@ -50,7 +50,7 @@ WORDS = {
     r"literal reading": "as printed",
     r"goes on where": "continues where",
     r"(two|both|the|second|third) routes? (that|to|which|disagree)": "independent implementation",
-    r"others within the error": "other grasps within the rounding error",
+    r"others within the error": "other data within the rounding error",
     r"asked was": "expected",
     r"place for": "unexpected argument",
     r"as it was rounded": "for the rounded data",

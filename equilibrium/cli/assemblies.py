@@ -16,6 +16,7 @@ from arrangement.numbers import budget
 from equilibrium.model.errors import GraspError, UndecidedError
 
 from .arguments import add_command, show, tell_rounding
+from .verdict_words import with_rounding
 
 if TYPE_CHECKING:
     from equilibrium.model.assembly import Assembly
@@ -139,8 +140,10 @@ def solve_assembly(arguments: argparse.Namespace, given: Mapping[str, Any]) -> i
     verdict = solve(assembly, wrenches, time_limit=seconds, max_displacement=bound)
     if arguments.certificate is not None and verdict.certificate is not None:
         verdict.certificate.save(arguments.certificate)
-    yes = verdict.stable if verdict.decided else None
-    document, lines = verdict.to_dict(arguments.all), verdict.lines(arguments.all)
+    document, (lines, yes) = (
+        verdict.to_dict(arguments.all),
+        with_rounding(verdict, verdict.lines(arguments.all)),
+    )
     if isinstance(document.get("equilibria"), dict):
         yes = None
     return show(arguments, document, lines, yes, assembly)

@@ -89,9 +89,10 @@ def _load(grasp: Grasp, load: RationalVector, document: dict[str, Any]) -> tuple
     document |= {"wrench": load, "verdict": verdict.verdict}
     said = list(verdict_lines(verdict))
     yes = verdict.stable if verdict.decided else None
-    if verdict.decided and verdict.doubt:
-        said.append(f"for the rounded data; it {verdict.doubt}")
-        yes = None
+    if verdict.rounding is not None:
+        document["within_error"] = verdict.rounding.to_dict()
+        said.insert(0, verdict.rounding.words)
+        yes = None if verdict.depends else yes
     rows = [("load", vector(load)), ("verdict", "\n".join(said))]
     if grasp.dimension == 2 and any(load):
         factors = resisted.margin(load)

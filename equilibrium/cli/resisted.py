@@ -15,6 +15,7 @@ from arrangement.console.options import values
 from arrangement.numbers.exact import number_text
 from equilibrium.model.contact import contact_entry, contact_words
 from equilibrium.model.errors import GraspError, UndecidedError
+from equilibrium.model.labels import AS_ROUNDED
 
 from .arguments import (
     add_applied,
@@ -272,18 +273,18 @@ def end_lines(resisted: ResistedSet, found: Magnitudes) -> tuple[dict[str, Any],
 
 def _rounded(resisted: ResistedSet, found: Magnitudes) -> tuple[dict[str, Any], list[str]]:
     """Return the ends for other roundings of converted data: JSON form and lines."""
-    from equilibrium.decide.robustness import DEPENDS
+    from equilibrium.decide.nearby import DEPENDS
 
     again = resisted.within_error(found)
     if again is None:
         return {}, []
     if again.turned is None:
         ends = ["unbounded" if x is None else _between(*x) for x in again.ends]
-        line = f"ends for {again.asked} other grasps within the rounding error: "
+        line = f"ends for {again.asked} other data within the rounding error: "
         line += ", ".join(ends) or "none"
     else:
         turned = intervals_text(again.turned)
-        line = f"{DEPENDS}: {turned} for other grasps within the rounding error"
+        line = f"{DEPENDS}: {turned} for other data within the rounding error"
     return {"within_error": again.to_dict()}, [line]
 
 
@@ -295,8 +296,7 @@ def _show_in_space(arguments: argparse.Namespace, magnitudes: SpatialMagnitudes)
     if (nearby := magnitudes.within_error()) is not None:
         document["within_error"] = [near.to_dict() for near in nearby]
         for near in nearby:
-            same = f"{near.verdict}, also for other grasps within the rounding error"
-            lines.append(f"at {number(near.t)}: {near.doubt or same}")
+            lines.append(f"at {number(near.t)}: {near.rounding.words}")
     return show(arguments, document, lines, yes, magnitudes.grasp)
 
 
@@ -405,10 +405,13 @@ def _show_margin(arguments: argparse.Namespace, resisted: ResistedSet, factors: 
     )
     more, again = _rounded(resisted, factors.magnitudes) if any(factors.wrench) else ({}, [])
     gives, ends = end_lines(resisted, factors.magnitudes)
-    doubt = "within_error" in more and resisted.solve(factors.wrench).doubt
+    known = None if grasp.data_error is None else resisted.solve(factors.wrench).rounding
     word = "yes" if factors.resisted else "no"
-    word += f", for the rounded data; it {doubt}" if doubt else ""
-    yes = None if doubt or "verdict" in {*preload, *friction} else factors.resisted
+    depends = known is not None and known.turned is not None
+    if known is not None and not known.proved:
+        word += f", for the data as rounded; it {known.words}" if depends else f", {AS_ROUNDED}"
+    unknown = depends or "verdict" in {*preload, *friction}
+    yes = None if unknown else factors.resisted
     lines = [
         f"resisted: {word}",
         f"resisted when scaled by a factor {within_text(factors.intervals)}",

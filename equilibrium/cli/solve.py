@@ -30,7 +30,7 @@ from .arguments import (
     show,
 )
 from .assemblies import add_on_body, assembly_document, assembly_question, solve_assembly
-from .verdict_words import piece_lines, verdict_lines
+from .verdict_words import piece_lines, verdict_lines, with_rounding
 
 if TYPE_CHECKING:
     from equilibrium.decide.verdict import Verdict
@@ -268,16 +268,10 @@ def _by_full_model(arguments: argparse.Namespace) -> int:
         list(verdict_lines(verdict, every, arguments.certificate)),
         verdict.to_dict(every),
     )
-    yes = verdict.stable if verdict.decided else None
     if arguments.robust is not None:
         yes = _robustly(arguments, verdict, document, lines, deadline)
-    elif verdict.grasp.data_error is not None:
-        rounding = verdict.within_error()
-        if rounding.turned is not None:
-            lines = [*rounding.lines(), f"for the rounded data: {lines[0]}", *lines[1:]]
-            yes = None
-        else:
-            lines += rounding.lines()
+    else:
+        lines, yes = with_rounding(verdict, lines)
     return show(arguments, document, lines, yes, verdict.grasp)
 
 

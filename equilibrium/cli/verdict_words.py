@@ -17,6 +17,7 @@ from equilibrium.model.solution import PadForce, numbering_words
 
 if TYPE_CHECKING:
     from equilibrium.certificate.leaves import ClosedPart
+    from equilibrium.decide.answer import AnswerMixin
     from equilibrium.decide.verdict import Verdict
     from equilibrium.model.grasp import Grasp
     from equilibrium.model.solution import Solution
@@ -25,6 +26,20 @@ if TYPE_CHECKING:
 #: Longer proofs are only counted.
 _MOST = 3
 _UNFELT = "that no attached contact feels"
+
+
+def with_rounding(verdict: AnswerMixin, lines: list[str]) -> tuple[list[str], bool | None]:
+    """Return the lines of an answer, with what is known of rounded data; and yes, no or neither.
+
+    What is not proved for all data within the rounding error comes first.
+    """
+    yes, known = verdict.stable if verdict.decided else None, verdict.rounding
+    if known is None:
+        return lines, yes
+    if known.proved or not verdict.decided:
+        return [*lines, *known.lines()], yes
+    stated = [*known.lines(), f"for the data as rounded: {lines[0]}", *lines[1:]]
+    return stated, yes if known.turned is None else None
 
 
 def verdict_lines(

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Any
 
 from arrangement.errors import HintsMixin
+from arrangement.numbers.deadline import Deadline
+from arrangement.numbers.exact import RationalVector
 from equilibrium.certificate.document import Certificate
+from equilibrium.certificate.uncertain import Bounds
+from equilibrium.model.effort import Effort
 from equilibrium.model.errors import UndecidedError
+from equilibrium.model.subject import Subject
 
-from . import RESISTED, UNDECIDED
+from . import RESISTED, UNDECIDED, robustness
+from .nearby import Robustness, WithinError
 
 
 def undecided(reason: object) -> dict[str, str]:
@@ -26,6 +33,7 @@ class AnswerMixin(HintsMixin):
 
     verdict: str
     reason: str
+    _deadline: Deadline
 
     @property
     def decided(self) -> bool:
@@ -69,3 +77,74 @@ class AnswerMixin(HintsMixin):
     def _load(self) -> str:
         """Return the load as the subject of a sentence, with its verb."""
         raise NotImplementedError
+
+    @property
+    def subject(self) -> Subject:
+        """The grasp or the assembly."""
+        raise NotImplementedError
+
+    @property
+    def load(self) -> RationalVector:
+        """The wrench; of an assembly those on its bodies in a row."""
+        raise NotImplementedError
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Lines on displacements that are not small; none of assemblies."""
+        return ()
+
+    def flat(self, motion: Any) -> RationalVector:
+        """Return a motion as it stands in a certificate, as one vector."""
+        raise NotImplementedError
+
+    def again(self, subject: Any, load: RationalVector, effort: Effort) -> Any:
+        """Decide another question in the same way, with the effort that is left."""
+        raise NotImplementedError
+
+    @cached_property
+    def rounding(self) -> WithinError | None:
+        """What is known for all data within the error of converted ones; None of exact data."""
+        if self.subject.data_error is None:
+            return None
+        return robustness.within_error(self, self._deadline)
+
+    @property
+    def answer(self) -> str:
+        """The verdict, in words as strong as what is known.
+
+        Of exact data, and where it is proved for all data within the rounding error, that is the
+        verdict; else "depends on the rounding", or "... for the data as rounded; not proved for all
+        within the rounding error".
+        """
+        return self.verdict if self.rounding is None else self.rounding.answer
+
+    @property
+    def depends(self) -> bool:
+        """Whether other data within the rounding error have another verdict, as was found."""
+        return self.rounding is not None and self.rounding.turned is not None
+
+    @property
+    def doubt(self) -> str:
+        """What is added to a verdict that is not proved for all data within the rounding error."""
+        if self.rounding is None or self.rounding.proved or not self.decided:
+            return ""
+        return self.rounding.words
+
+    def robust(self, *, time_limit: float | None = None, **bounds: Any) -> Robustness:
+        """Decide whether the verdict holds for all data within the given bounds.
+
+        Args:
+            time_limit: in seconds; none by default. It is undecided when that is over.
+            bounds: of `Bounds`: degrees, length, friction, stiffness, preload.
+        """
+        return robustness.robust(self, Bounds(**bounds), Deadline(time_limit))
+
+    def within_error(self) -> WithinError:
+        """Decide other data within the error of those that this verdict was converted from.
+
+        A time limit of `solve` counts for this, too.
+
+        Raises:
+            GraspError: they were not converted.
+        """
+        return self.rounding or robustness.within_error(self)

@@ -11,7 +11,7 @@ from typing import Any
 from arrangement.numbers.exact import RationalVector, dot, sign
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.model.contact import VALUES, Contact, wrench_at
-from equilibrium.model.grasp import Grasp
+from equilibrium.model.subject import Subject, contacts_of, seen_by, with_contacts
 from equilibrium.model.unit_normal import unit_normal
 
 from . import NOT_RESISTED, RESISTED
@@ -42,8 +42,8 @@ def moved(contact: Contact, signs: Iterable[float], bounds: Bounds) -> Contact:
     return Contact(place, normal, **values, stiffness_given=contact.stiffness_given)
 
 
-def corners(found: Any, bounds: Bounds, decide: Any) -> Iterator[Grasp]:
-    """Yield grasps within bounds that may have another verdict than the one found.
+def corners(found: Any, bounds: Bounds, decide: Any) -> Iterator[Subject]:
+    """Yield grasps, or assemblies, within bounds that may have another verdict than the one found.
 
     First those where friction, stiffness and preload all are least and adhesion largest, or the
     other way round; then those where each contact does the most on a virtual motion (for a no the
@@ -51,27 +51,31 @@ def corners(found: Any, bounds: Bounds, decide: Any) -> Iterator[Grasp]:
     None comes twice.
 
     Args:
-        decide: returns the verdict on a grasp and a wrench, None where it is undecided.
+        decide: returns the verdict on a subject and a load, None where it is undecided.
     """
-    known = {found.grasp}
-    whole = found.grasp.joined()
-    for shares in _shares(found, whole, decide):
-        pairs = zip(whole, shares, strict=True)
-        grasp = found.grasp.spread(moved(contact, row, bounds) for contact, row in pairs)
-        if grasp not in known:
-            known.add(grasp)
-            yield grasp
+    known = {found.subject}
+    for shares in _shares(found, decide):
+        pairs = zip(contacts_of(found.subject), shares, strict=True)
+        subject = with_contacts(found.subject, (moved(c, row, bounds) for c, row in pairs))
+        if subject not in known:
+            known.add(subject)
+            yield subject
 
 
-def _shares(found: Any, grasp: Grasp, decide: Any) -> Iterator[list[list[float]]]:
+def _shares(found: Any, decide: Any) -> Iterator[list[list[float]]]:
     """Yield the shares for `moved` of all contacts, of which a pad is one."""
-    most = 1 if found.verdict == RESISTED else -1
-    turns, values = 2 * grasp.dimension - 1, len(VALUES) - 1
+    subject, most = found.subject, 1 if found.verdict == RESISTED else -1
+    contacts = contacts_of(subject)
+    dimension = contacts[0].dimension if contacts else 2
+    turns, values = 2 * dimension - 1, len(VALUES) - 1
     for end in (-most, most):
-        yield [[0.0] * turns + [end] * values + [-end] for _ in grasp]
-    motion = found.solution.motion if found.solution else (Fraction(0),) * len(found.wrench)
+        yield [[0.0] * turns + [end] * values + [-end] for _ in contacts]
+    motion = found.solution.motion if found.solution else (Fraction(0),) * len(found.load)
     for virtual in _virtual_motions(found, decide):
-        yield [_working(contact, virtual, motion, most) for contact in grasp]
+        yield [
+            _working(contact, seen_by(subject, i, virtual), seen_by(subject, i, motion), most)
+            for i, contact in enumerate(contacts)
+        ]
     source = Random("robust")
     for _ in range(MAX_INNER_GRASPS):
         yield [
@@ -79,20 +83,20 @@ def _shares(found: Any, grasp: Grasp, decide: Any) -> Iterator[list[list[float]]
                 source.uniform(-1, 1) if k < turns + values or c.adhesion else 0.0
                 for k in range(turns + values + 1)
             ]
-            for c in grasp
+            for c in contacts
         ]
 
 
 def _virtual_motions(found: Any, decide: Any) -> Iterator[RationalVector]:
     """Yield virtual motions on which the load does work."""
-    loads = [found.wrench]
+    loads = [found.load]
     if found.verdict == RESISTED:
-        yield found.wrench
-        loads = [tuple(x * (1 + more) for x in found.wrench) for more in LARGER_LOAD_SHARES]
+        yield found.load
+        loads = [tuple(x * (1 + more) for x in found.load) for more in LARGER_LOAD_SHARES]
     for load in loads:
-        proof = found if load == found.wrench else decide(found.grasp, load)
+        proof = found if load == found.load else decide(found.subject, load)
         if proof is not None and proof.verdict == NOT_RESISTED:
-            yield from islice(_leaves(proof.proof["tree"], len(load)), MAX_MOTIONS_PER_PROOF)
+            yield from islice(_leaves(proof.proof["tree"], found), MAX_MOTIONS_PER_PROOF)
 
 
 def _working(
@@ -125,12 +129,13 @@ def _working(
     return [most * sign(x) for x in (*turns, *shifts, -size * spring, pressed, work, -along)]
 
 
-def _leaves(node: Any, n: int) -> Iterator[RationalVector]:
-    """Yield the virtual motions of a tree, of n numbers each."""
-    if isinstance(node, list) and len(node) == n and not isinstance(node[0], (dict, list)):
+def _leaves(node: Any, found: Any) -> Iterator[RationalVector]:
+    """Yield the virtual motions of a tree of a verdict, each with as many numbers as its load."""
+    n = len(found.load)
+    if isinstance(node, dict) and "virtual_motion" in node:
+        node = found.flat(node["virtual_motion"])
+    if isinstance(node, (list, tuple)) and len(node) == n and not isinstance(node[0], (dict, list)):
         yield tuple(map(Fraction, node))
-    elif isinstance(node, dict) and "virtual_motion" in node:
-        yield tuple(map(Fraction, node["virtual_motion"]))
     elif isinstance(node, (dict, list)):
         for child in node.values() if isinstance(node, dict) else node:
-            yield from _leaves(child, n)
+            yield from _leaves(child, found)

@@ -1,41 +1,37 @@
-"""Whether a verdict holds for all grasps near the one that was asked about.
+"""Whether a verdict holds for all grasps, or assemblies, near the one that was asked about.
 
 For bounds that a user gives there are three answers: it holds, proved (`equilibrium.certificate.
 robust`); a grasp within the bounds for which it does not, with a proof of its own; undecided. For
-data that were converted (`Grasp.data_error`) the error of the data is such a bound. Where that is
-not proved some grasps within the error are asked about, and what turns the verdict is shown.
+data that were converted (their `data_error`) the error of the data is such a bound. Where that is
+not proved some data within the error are asked about, and what turns the verdict is shown.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import partial
 from typing import Any
 
-from arrangement.console.number_form import ReprMixin, near
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.deadline import Deadline
-from arrangement.numbers.exact import RationalVector, number_text, to_text
+from arrangement.numbers.exact import RationalVector
 from equilibrium.certificate.document import Certificate
-from equilibrium.certificate.robust import read_bounds
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.grasps.inputs.incidences import other_rounding
+from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import GraspError, TimeLimitError
-from equilibrium.model.grasp import Grasp
+from equilibrium.model.subject import Subject, contacts_of, known_error, with_contacts
 from equilibrium.model.unit_normal import unit_normal
 
-from . import RESISTED, UNDECIDED
+from . import RESISTED
 from .corners import corners
+from .meeting import meeting
+from .nearby import DEPENDS, FAILS, HOLDS, OPEN, Robustness, WithinError
 from .proofs_for_all import NO_DEADLINE, proof_for_all, standing_proof
 
-HOLDS = "holds"
-FAILS = "does not hold"
-OPEN = UNDECIDED
-DEPENDS = "depends on the rounding"
 #: Other roundings of the data that are decided.
 MAX_ROUNDINGS = 4
 #: Steps for each other grasp that is decided.
@@ -51,129 +47,6 @@ _MAX_SMALLER_BOUNDS = 3
 _MIN_SECONDS = 0.01
 
 
-@dataclass(frozen=True, repr=False, kw_only=True)
-class _OtherGrasps(ReprMixin):
-    """What became of a verdict when other grasps were asked about.
-
-    Attributes:
-        verdict: that of the grasp itself, or "depends on the rounding".
-        turned: the verdict on a grasp asked about, if it is another one, and how far that grasp is:
-            `change`, see `_nearest`.
-        inner: where it is, a proof of the verdict for all grasps within smaller bounds, if found.
-        certificate: of the verdict for all grasps asked about, if it holds.
-        reason: why the search ended early, if the time limit was over; else empty.
-    """
-
-    verdict: str
-    reason: str = ""
-    turned: Any = field(default=None, repr=False)
-    change: dict[str, Fraction] = field(default_factory=dict, repr=False)
-    inner: Certificate | None = field(default=None, repr=False)
-    certificate: Certificate | None = field(default=None, repr=False)
-
-    def _turned_document(self, name: str) -> dict[str, Any]:
-        """Return the JSON form of a verdict that is another one, under a name; empty without."""
-        if self.turned is None:
-            return {}
-        sizes = {key: to_text(x) for key, x in self.change.items()}
-        proof = {} if self.inner is None else {"holds_within": self.inner.to_dict()}
-        return {name: self.turned.to_dict(), "change": sizes} | proof
-
-    def _turned_lines(self) -> Iterator[str]:
-        for i, c in enumerate(self.turned.grasp.joined(), 1):
-            point, normal = (", ".join(number_text(x, 10) for x in v) for v in (c.point, c.normal))
-            friction = number_text(c.friction)
-            yield f"    contact {i}  point ({point})  normal ({normal})  friction {friction}"
-        sizes = ", ".join(f"{k} by {near(x, 2)}" for k, x in self.change.items() if x)
-        yield f"    largest changes of one number: {sizes}"
-        yield "    found by search: a smaller change may turn it, too"
-        yield from (f"    {line}" for line in self.turned.warnings)
-        if self.inner is not None:
-            document = self.inner.to_dict()
-            yield f"{document['certificate']} for all {read_bounds(document)}: proved"
-
-
-@dataclass(frozen=True, repr=False, kw_only=True)
-class Robustness(_OtherGrasps):
-    """Whether a verdict holds within bounds; true when that is proved.
-
-    Attributes:
-        answer: "holds", "does not hold" or "undecided".
-        bounds: of the grasps looked at.
-    """
-
-    repr_fields = ("answer", "verdict", "bounds")
-
-    answer: str
-    bounds: Bounds
-
-    def __bool__(self) -> bool:
-        return self.answer == HOLDS
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form."""
-        document: dict[str, Any] = {"answer": self.answer, "bounds": self.bounds.to_dict()}
-        if self.certificate is not None:
-            document["certificate"] = self.certificate.to_dict()
-        if self.reason:
-            document["reason"] = self.reason
-        return document | self._turned_document("counterexample")
-
-    def lines(self) -> Iterator[str]:
-        """Yield the answer in words."""
-        if self.answer == HOLDS:
-            yield f"{self.verdict} for all {self.bounds}: proved"
-        elif self.turned is None:
-            reason = self.reason or "no proof and no counterexample was found"
-            yield f"for all {self.bounds}: undecided; {reason}"
-        else:
-            yield f"not for all {self.bounds}: {self.turned.verdict} for"
-            yield from self._turned_lines()
-
-
-@dataclass(frozen=True, repr=False, kw_only=True)
-class WithinError(_OtherGrasps):
-    """What became of a verdict when grasps within the error of the data were asked about.
-
-    Where it is proved for all of them, friction and preload that are 0 stay 0, and none was asked.
-
-    Attributes:
-        asked: how many others were asked about; `open`: how many of them were undecided.
-    """
-
-    repr_fields = ("verdict", "asked", "open", "proved")
-
-    asked: int = 0
-    open: int = 0
-
-    @property
-    def proved(self) -> bool:
-        """Whether the verdict is proved for all grasps within the error."""
-        return self.certificate is not None
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form."""
-        document: dict[str, Any] = {"verdict": self.verdict, "proved": self.proved}
-        document |= {"asked": self.asked, "undecided": self.open}
-        if self.reason:
-            document["reason"] = self.reason
-        return document | self._turned_document("turned")
-
-    def lines(self) -> Iterator[str]:
-        """Yield the answer in words."""
-        if self.proved:
-            yield f"{self.verdict} for all grasps within the rounding error: proved"
-            return
-        if self.turned is None:
-            left = f", {self.open} of them undecided" if self.open else ""
-            late = f"; {self.reason}" if self.reason else ""
-            same = f"{self.asked} other grasps within the rounding error: no other verdict"
-            yield f"{same}{left}{late}"
-            return
-        yield f"{DEPENDS}: {self.turned.verdict} for, within the error of the data,"
-        yield from self._turned_lines()
-
-
 def _nearest(
     found: Any, turned: Any, bounds: Bounds, deadline: Deadline = NO_DEADLINE
 ) -> dict[str, Any]:
@@ -184,19 +57,19 @@ def _nearest(
     come the largest changes of a coordinate, an entry of a normal and the values, and a proof for
     smaller bounds, if found.
     """
-    ends, effort = (found.grasp, turned.grasp), effort_within(deadline)
+    ends, effort = (found.subject, turned.subject), effort_within(deadline)
     low, high = Fraction(0), Fraction(1)
     for _ in range(_MAX_GRASPS_BETWEEN):
         if effort.passed or 4 * low > 3 * high or (not low and high <= _SMALL_SHARE):
             break
         share = (low + high) / 2 if low else high / 8
-        other = _soon(found, effort, _between(*ends, share), found.wrench)
+        other = _soon(found, effort, _between(*ends, share), found.load)
         if other is not None and other.verdict == turned.verdict:
             turned, high = other, share
         else:
             low = share
     change = dict.fromkeys(("point", "normal", *VALUES), Fraction(0))
-    for old, new in zip(found.grasp.joined(), turned.grasp.joined(), strict=True):
+    for old, new in zip(*(map(contacts_of, (found.subject, turned.subject))), strict=True):
         for name in change:
             one, two = (getattr(c, name) for c in (old, new))
             pairs = [(one, two)] if name in VALUES else zip(one, two, strict=True)
@@ -213,14 +86,14 @@ def _inner(found: Any, bounds: Bounds, share: Fraction, deadline: Deadline) -> C
     return None
 
 
-def _between(one: Grasp, two: Grasp, share: Fraction) -> Grasp:
-    """Return a grasp on the way from one to another of as many contacts."""
+def _between(one: Subject, two: Subject, share: Fraction) -> Subject:
+    """Return what is on the way from one grasp, or assembly, to another of as many contacts."""
 
     def mixed(x: RationalVector, y: RationalVector) -> RationalVector:
         return tuple(a + share * (b - a) for a, b in zip(x, y, strict=True))
 
     contacts = []
-    for old, new in zip(one.joined(), two.joined(), strict=True):
+    for old, new in zip(contacts_of(one), contacts_of(two), strict=True):
         normal = old.normal
         if far := max(abs(x - y) for x, y in zip(old.normal, new.normal, strict=True)):
             normal = unit_normal(mixed(old.normal, new.normal), share * far / 1000).normal
@@ -228,27 +101,27 @@ def _between(one: Grasp, two: Grasp, share: Fraction) -> Grasp:
         values = {k: x + share * (y - x) for k, (x, y) in zip(VALUES, pairs, strict=True)}
         place, given = mixed(old.point, new.point), old.stiffness_given
         contacts.append(Contact(place, normal, **values, stiffness_given=given))
-    return one.spread(contacts)
+    return with_contacts(one, contacts)
 
 
 def within_error(found: Any, deadline: Deadline = NO_DEADLINE) -> WithinError:
-    """Decide a converted grasp again: prove the verdict for all, or decide `others`.
+    """Decide converted data again: prove the verdict for all, or decide `others`.
 
     Raises:
-        GraspError: the grasp was not converted.
+        GraspError: the data were not converted.
     """
-    bounds, every = _error_bounds(found.grasp)
+    bounds, every = _error_bounds(found.subject)
     if every and found.verdict != OPEN and _may_be_proved(found) and _fits_floats(found):
         proof = proof_for_all(found, bounds, deadline)
         if proof is not None:
             return WithinError(verdict=found.verdict, certificate=proof)
     asked, left, reason = 0, 0, ""
-    for grasp in others(found, deadline):
+    for subject in others(found, deadline):
         if deadline.passed:
             reason = str(deadline)
             break
         asked += 1
-        other = _soon(found, effort_within(deadline), grasp, found.wrench)
+        other = _soon(found, effort_within(deadline), subject, found.load)
         if other is None:
             left += 1
         elif found.verdict not in (OPEN, other.verdict):
@@ -257,34 +130,49 @@ def within_error(found: Any, deadline: Deadline = NO_DEADLINE) -> WithinError:
     return WithinError(verdict=found.verdict, asked=asked, open=left, reason=reason)
 
 
-def others(found: Any, deadline: Deadline = NO_DEADLINE) -> Iterator[Grasp]:
-    """Yield grasps within the error of data: other roundings, and what is most against a yes.
+def others(found: Any, deadline: Deadline = NO_DEADLINE) -> Iterator[Subject]:
+    """Yield data within the error: other roundings, and what is most against a verdict.
 
     A no is about data whose incidences hold, so what breaks them does not speak against it, unless
-    the data were taken as given.
+    the data were taken as given; what has one more incidence, with the load, does.
 
     Raises:
-        GraspError: the grasp was not converted.
+        GraspError: the data were not converted.
     """
     for seed in range(MAX_ROUNDINGS):
-        yield other_rounding(found.grasp, seed)
-    against = found.verdict == RESISTED or found.grasp.data_error.as_given
-    if against and _fits_floats(found):
-        bounds, _ = _error_bounds(found.grasp)
+        yield other_rounding(found.subject, seed)
+    yield from met_within_error(found, deadline)
+    if not _fits_floats(found):
+        return
 
-        def decide(*asked: Any) -> Any:
-            return _soon(found, effort_within(deadline), *asked)
+    def decide(*asked: Any) -> Any:
+        return _soon(found, effort_within(deadline), *asked)
 
+    if found.verdict == RESISTED or known_error(found.subject).as_given:
+        bounds, _ = _error_bounds(found.subject)
         yield from corners(found, bounds, decide)
 
 
-def _error_bounds(grasp: Grasp) -> tuple[Bounds, bool]:
-    """Return bounds of the error of data, and whether they have all grasps within it."""
-    error = grasp.data_error
-    if error is None:
-        raise GraspError("the grasp was not rounded: it has no data_error")
-    whole = grasp.joined()
-    least = {name: min((x for c in whole if (x := getattr(c, name))), default=1) for name in VALUES}
+def met_within_error(found: Any, deadline: Deadline = NO_DEADLINE) -> Iterator[Subject]:
+    """Yield data within the error that resist the load of a no by one more incidence, if found.
+
+    Raises:
+        GraspError: the data were not converted.
+    """
+
+    def decide(*asked: Any) -> Any:
+        return _soon(found, effort_within(deadline), *asked)
+
+    if _fits_floats(found) and (subject := meeting(found, decide)) is not None:
+        yield subject
+
+
+def _error_bounds(subject: Subject) -> tuple[Bounds, bool]:
+    """Return bounds of the error of data, and whether they have all data within it."""
+    error, contacts = known_error(subject), contacts_of(subject)
+    least = {
+        name: min((x for c in contacts if (x := getattr(c, name))), default=1) for name in VALUES
+    }
     wanted = {"degrees": error.angle * 113 * 180 / 355, "length": error.length}
     wanted |= {name: error.value / x for name, x in least.items()}
     given = {
@@ -301,10 +189,10 @@ def effort_within(deadline: Deadline) -> Effort:
     return Effort(STEPS_PER_GRASP, max(deadline.remaining, _MIN_SECONDS))
 
 
-def _soon(asked: Any, effort: Effort, grasp: Grasp, wrench: RationalVector) -> Any:
+def _soon(asked: Any, effort: Effort, subject: Subject, load: RationalVector) -> Any:
     """Return a verdict that is decided with the effort that is left; else None."""
     try:
-        found = asked.again(grasp, wrench, effort)
+        found = asked.again(subject, load, effort)
     except (OutOfReachError, TimeLimitError):
         return None
     return None if found.verdict == OPEN else found
@@ -322,7 +210,7 @@ def robust(found: Any, bounds: Bounds, deadline: Deadline = NO_DEADLINE) -> Robu
             "whether a verdict holds for all grasps is decided for displacements of any size, "
             "and in space for round cones; leave max_displacement and pyramid out"
         )
-    if not all(contact.stiffness for contact in found.grasp):
+    if not all(contact.stiffness for contact in contacts_of(found.subject)):
         raise GraspError(
             "whether a verdict holds for all grasps is decided for springs, and a contact has "
             "stiffness 0; give it a small one, or leave the bounds out"
@@ -339,14 +227,14 @@ def robust(found: Any, bounds: Bounds, deadline: Deadline = NO_DEADLINE) -> Robu
     if proof := proof_for_all(found, bounds, deadline):
         return answer(answer=HOLDS, certificate=proof)
 
-    def decide(grasp: Grasp, wrench: RationalVector) -> Any:
-        return _soon(found, effort_within(deadline), grasp, wrench)
+    def decide(subject: Subject, load: RationalVector) -> Any:
+        return _soon(found, effort_within(deadline), subject, load)
 
     # Bounds that leave a load at its limit, such as those of preloads that are 0.
     if proof := standing_proof(found, bounds, found):
         return answer(answer=HOLDS, certificate=proof)
     for other in corners(found, bounds, decide):
-        turned = decide(other, found.wrench)
+        turned = decide(other, found.load)
         if turned is not None and turned.verdict != name:
             return answer(answer=FAILS, **_nearest(found, turned, bounds, deadline))
         # At the limit: what the weakest grasp balances without room, all of them may.
@@ -358,15 +246,18 @@ def robust(found: Any, bounds: Bounds, deadline: Deadline = NO_DEADLINE) -> Robu
 
 
 def _may_be_proved(found: Any) -> bool:
-    """Return whether there are proofs for all grasps about such a question."""
+    """Return whether there are proofs for all data about such a question."""
+    if isinstance(found.subject, Assembly):
+        return False
     return found.max_displacement is None and found.pyramid is None
 
 
 def _fits_floats(found: Any) -> bool:
     """Return whether products of some numbers of the question and its solution fit floats."""
-    columns = [found.wrench, [x for c in found.grasp for x in c.point]]
-    columns += [[getattr(c, name) for c in found.grasp] for name in VALUES]
-    columns += [[1 / c.stiffness] for c in found.grasp if c.stiffness]
+    contacts = contacts_of(found.subject)
+    columns = [found.load, [x for c in contacts for x in c.point]]
+    columns += [[getattr(c, name) for c in contacts] for name in VALUES]
+    columns += [[1 / c.stiffness] for c in contacts if c.stiffness]
     if found.solution is not None:
         columns += [found.solution.motion, [x for f in found.solution.forces for x in f]]
     sizes = [max(map(abs, column), default=0) for column in columns]

@@ -22,7 +22,6 @@ from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, dot, to_text, vector_text
 from equilibrium.certificate.checker import Report, check, proof_problem
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
-from equilibrium.certificate.uncertain import Bounds
 from equilibrium.model.contact import pyramid_edges, pyramid_words
 from equilibrium.model.displacement import (
     displacement,
@@ -44,7 +43,6 @@ from equilibrium.plane.states.equilibrium import Equilibrium
 from . import NOT_RESISTED, RESISTED, UNDECIDED, robustness
 from .answer import AnswerMixin
 from .proofs_for_all import NO_DEADLINE
-from .robustness import DEPENDS, Robustness, WithinError
 
 if TYPE_CHECKING:
     from .solver import Solver
@@ -222,7 +220,7 @@ class Verdict(AnswerMixin):
         """
         listed = self._listed(every) if self.grasp.dimension == 2 else self._found()
         return {
-            "verdict": self.answer,
+            "verdict": self.verdict if self.rounding is None else self.rounding.verdict,
             **listed,
             **({"warnings": list(self.warnings)} if self.warnings else {}),
             "wrench": [to_text(x) for x in self.wrench],
@@ -266,6 +264,20 @@ class Verdict(AnswerMixin):
             }
         )
 
+    @property
+    def subject(self) -> Grasp:
+        """The grasp."""
+        return self.grasp
+
+    @property
+    def load(self) -> RationalVector:
+        """The wrench."""
+        return self.wrench
+
+    def flat(self, motion: Any) -> RationalVector:
+        """Return a motion as it stands in a certificate, as one vector."""
+        return tuple(motion)
+
     def again(self, grasp: Grasp, wrench: Iterable[Any], effort: Effort) -> Verdict:
         """Decide another question in the same way, with the effort that is left."""
         found = self._solver.for_grasp(grasp).decide(wrench, effort)
@@ -296,46 +308,6 @@ class Verdict(AnswerMixin):
             return solver.decide(self.wrench, effort).verdict
         except (OutOfReachError, TimeLimitError):
             return UNDECIDED
-
-    @cached_property
-    def rounding(self) -> WithinError | None:
-        """What other grasps within the error of converted data say; None of exact data."""
-        if self.grasp.data_error is None:
-            return None
-        return robustness.within_error(self, self._deadline)
-
-    @property
-    def answer(self) -> str:
-        """The verdict, or "depends on the rounding" where the data were converted."""
-        return self.verdict if self.rounding is None else self.rounding.verdict
-
-    @property
-    def doubt(self) -> str:
-        """What is added to a verdict that depends on the rounding; else empty."""
-        if self.rounding is None or self.rounding.turned is None:
-            return ""
-        return (
-            f"{DEPENDS}: {self.rounding.turned.verdict} for other grasps within the rounding error"
-        )
-
-    def robust(self, *, time_limit: float | None = None, **bounds: Any) -> Robustness:
-        """Decide whether the verdict holds for every grasp within the given bounds.
-
-        Args:
-            time_limit: in seconds; none by default. It is undecided when that is over.
-            bounds: of `Bounds`: degrees, length, friction, stiffness, preload.
-        """
-        return robustness.robust(self, Bounds(**bounds), Deadline(time_limit))
-
-    def within_error(self) -> WithinError:
-        """Decide other grasps within the error of the data that this one was converted from.
-
-        A time limit of `solve` counts for this, too.
-
-        Raises:
-            GraspError: it was not converted.
-        """
-        return self.rounding or robustness.within_error(self)
 
     def _repr_html_(self) -> str | None:
         """Return what a notebook shows: every equilibrium with its forces."""

@@ -28,7 +28,7 @@ from arrangement.numbers.exact import RationalVector, rational, rational_vector,
 from .contact import VALUES, Contact, contact_of
 from .errors import GraspError
 from .grasp import Grasp, ask_contacts, chosen_places, wrench_of
-from .labels import Units
+from .labels import DataError, Units
 from .outline import Circle, Polygon, centroid, coordinates, read_outline
 from .rows import TURNS, ContactRow, ContactRows
 
@@ -196,6 +196,8 @@ class Assembly(HintsMixin):
         bodies: names or `RigidBody` values, each name once.
         contacts: `BodyContact` values; none need touch a body.
         units: what the numbers are measured in, if stated.
+        data_error: of the data that were rounded to these contacts, if any; no comparison looks at
+            it.
 
     Raises:
         GraspError: a name twice, or a contact of a body that is not one of them.
@@ -208,6 +210,7 @@ class Assembly(HintsMixin):
     bodies: tuple[RigidBody, ...]
     contacts: tuple[BodyContact, ...]
     units: Units | None = field(default=None, compare=False)
+    data_error: DataError | None = field(default=None, compare=False)
 
     _synonyms: ClassVar[Mapping[str, str]] = {
         "along": "ResistedSet(assembly).along(wrenches)",
@@ -222,6 +225,7 @@ class Assembly(HintsMixin):
         bodies: Iterable[str | RigidBody],
         contacts: Iterable[BodyContact] = (),
         units: Units | None = None,
+        data_error: DataError | None = None,
     ) -> None:
         listed = tuple(
             body if isinstance(body, RigidBody) else RigidBody(body)
@@ -247,6 +251,7 @@ class Assembly(HintsMixin):
         object.__setattr__(self, "bodies", listed)
         object.__setattr__(self, "contacts", touching)
         object.__setattr__(self, "units", units)
+        object.__setattr__(self, "data_error", data_error)
 
     def __repr__(self) -> str:
         bodies = counted(len(self.bodies), "body", "bodies")
@@ -320,7 +325,10 @@ class Assembly(HintsMixin):
         grasp.require_plane()
         outline: Any = grasp.outline
         return cls(
-            [RigidBody(name, outline)], [BodyContact(name, None, c) for c in grasp], grasp.units
+            [RigidBody(name, outline)],
+            [BodyContact(name, None, c) for c in grasp],
+            grasp.units,
+            grasp.data_error,
         )
 
     @property
@@ -362,10 +370,10 @@ class Assembly(HintsMixin):
 
     def to_dict(self, wrenches: Any = None) -> dict[str, Any]:
         """Return the file form, with wrenches on the bodies if given; every number is a string."""
-        units = {} if self.units is None else {"units": self.units.to_dict()}
+        labels = {name: getattr(self, name) for name in ("units", "data_error")}
         document = {
             "schema_version": 1,
-            **units,
+            **{name: label.to_dict() for name, label in labels.items() if label is not None},
             "bodies": [body.to_dict() for body in self.bodies],
             "contacts": [contact.to_dict() for contact in self.contacts],
         }
@@ -396,7 +404,7 @@ class Assembly(HintsMixin):
         Raises:
             InputError: unknown or missing keys, an unknown schema version, wrong types.
         """
-        optional = ("schema_version", "description", "units", "wrench")
+        optional = ("schema_version", "description", "units", "data_error", "wrench")
         check_keys(document, ("bodies", "contacts"), optional, "the assembly")
         version = document.get("schema_version", 1)
         if type(version) is not int or version != 1:
@@ -407,7 +415,8 @@ class Assembly(HintsMixin):
         ask_contacts(len(bodies) + len(rows))
         contacts = [BodyContact.from_dict(entry, i) for i, entry in enumerate(rows)]
         units = Units.from_dict(document["units"]) if "units" in document else None
-        return cls(bodies, contacts, units)
+        error = DataError.from_dict(document["data_error"]) if "data_error" in document else None
+        return cls(bodies, contacts, units, error)
 
     def read_wrenches(self, wrenches: Any) -> Wrenches:
         """Return a wrench for each body, zero where none is given.

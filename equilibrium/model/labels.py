@@ -64,7 +64,7 @@ class Units(JsonMixin):
 
 
 #: What is said of answers about one grasp, where its data were converted.
-AS_ROUNDED = "for the rounded data, not for all data within the rounding error"
+AS_ROUNDED = "for the data as rounded; not proved for all within the rounding error"
 
 
 @dataclass(frozen=True, repr=False)

@@ -34,7 +34,7 @@ def verdict_html(verdict: Verdict) -> str:
     stated = verdict.grasp.units
     head = f"<p>{escape(str(stated))}</p>" if stated else ""
     if verdict.doubt:
-        head += f"<p><b>{escape(verdict.doubt)}</b>; for the rounded data:</p>"
+        head += f"<p><b>{escape(verdict.doubt)}</b>; for the data as rounded:</p>"
     tables = ""
     names = [name.removeprefix("contact ") for name in verdict.grasp.point_names]
     if not verdict.decided:

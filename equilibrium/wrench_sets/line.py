@@ -27,7 +27,8 @@ from arrangement.numbers.linear.intervals import (
 )
 from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.decide.assemblies.solver import AssemblySolver
-from equilibrium.decide.robustness import DEPENDS, MAX_ROUNDINGS, others
+from equilibrium.decide.nearby import DEPENDS
+from equilibrium.decide.robustness import MAX_ROUNDINGS, met_within_error, others
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.model.assembly import Wrenches
 from equilibrium.model.errors import GraspError
@@ -147,8 +148,8 @@ class RoundedEnds(ReprMixin):
 def ends_within_error(solver: Solver, found: Magnitudes) -> RoundedEnds | None:
     """Return the ends for others within the error of converted data; None for exact data.
 
-    Those asked about are those of the verdict at the last end. What breaks incidences of the data
-    speaks against a yes only.
+    Those asked about are those of the verdict at the last end, and what resists a load beyond it.
+    What breaks incidences of the data speaks against a yes only.
     """
     if solver.grasp.data_error is None:
         return None
@@ -156,11 +157,16 @@ def ends_within_error(solver: Solver, found: Magnitudes) -> RoundedEnds | None:
     base: Any = found.base
     along: Any = found.direction
     at = sum_row(base, along, (low or Fraction(0)) + 1 if high is None else high)
-    verdict, ends = solver.solve(at), [_ends(found.intervals)]
-    for k, grasp in enumerate(others(verdict)):
+    verdict, ends, breaking = solver.solve(at), [_ends(found.intervals)], range(0)
+    asked = [*others(verdict)]
+    if verdict.stable:
+        breaking = range(MAX_ROUNDINGS, 0 if solver.grasp.data_error.as_given else len(asked))
+        asked += met_within_error(solver.solve(sum_row(at, along, 1)))
+    for k, grasp in enumerate(asked):
+        assert isinstance(grasp, Grasp)
         prepared = Solver(grasp, solver.max_displacement)
         other = resisted_magnitudes(prepared, along, base).intervals
-        if k >= MAX_ROUNDINGS and not solver.grasp.data_error.as_given:
+        if k in breaking:
             other = common(other, found.intervals)
         ends.append(_ends(other))
         if [end is None for end in ends[0]] != [end is None for end in ends[-1]]:

@@ -153,15 +153,18 @@ class ResistedSet(HintsMixin, JsonMixin):
     def contains(self, wrench: Load) -> bool:
         """Return whether a wrench is resisted; ``wrench in resisted`` is the same.
 
+        Of converted data it is the answer for the data as rounded; `solve(wrench).answer` says
+        whether that is proved for all data within the rounding error.
+
         Raises:
-            UndecidedError: in space there is no proof of either answer; or the grasp was converted
-                from float data and the answer depends on the rounding.
+            UndecidedError: in space there is no proof of either answer; or the data were converted
+                and the answer depends on the rounding.
         """
         verdict = self.solve(wrench)
-        if isinstance(verdict, Verdict) and verdict.decided and verdict.doubt:
+        if verdict.decided and verdict.depends:
             raise UndecidedError(
-                f"whether the wrench {vector_text(verdict.wrench)} is resisted {verdict.doubt}; "
-                "`solve(wrench).stable` is the answer for the rounded data"
+                f"whether the load {vector_text(verdict.load)} is resisted {verdict.doubt}; "
+                "`solve(wrench).stable` is the answer for the data as rounded"
             )
         return bool(verdict)
 

@@ -18,6 +18,7 @@ from arrangement.numbers.exact import RationalVector, rational, shown, to_text
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
 from equilibrium.decide.assemblies.ends import Giving
 from equilibrium.decide.known_loads import Border, KnownLoads, KnownMagnitudes
+from equilibrium.decide.nearby import WithinError
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
 from equilibrium.grasps.inputs.conversion import simplest_between
@@ -61,16 +62,21 @@ class Nearby(NamedTuple):
     """The verdict a little before a boundary, for converted data.
 
     Attributes:
-        doubt: what other grasps within the error of the data answer, "" if the same.
+        rounding: what is known for all data within the error.
     """
 
     t: Fraction
-    verdict: str
-    doubt: str
+    rounding: WithinError
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form."""
-        return {"t": to_text(self.t), "verdict": self.verdict}
+        known = self.rounding
+        return {
+            "t": to_text(self.t),
+            "verdict": known.verdict,
+            "answer": known.answer,
+            "proved": known.proved,
+        }
 
 
 @dataclass(frozen=True)
@@ -120,7 +126,7 @@ class SpatialMagnitudes:
             t = border.resisted * (1 + way * _NEAR)
             wrench = sum_row(self.base, self.direction, t)
             verdict = solver.decide(wrench, Effort(_STEPS))
-            nearby.append(Nearby(t, verdict.answer, verdict.doubt or ""))
+            nearby.append(Nearby(t, verdict.within_error()))
         return tuple(nearby)
 
     def what_gives(self) -> tuple[Giving | None, ...]:

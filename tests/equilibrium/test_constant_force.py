@@ -27,7 +27,7 @@ def test_rounded_constant_force_is_decided(table, wrench, tmp_path, capsys):
     grasp = parse_csv(table).grasp
     verdict = solve(grasp, wrench)
     assert verdict.verdict == solve(Grasp(grasp.contacts), wrench).verdict
-    assert verdict.answer == verdict.to_dict()["within_error"]["verdict"]
+    assert verdict.answer.startswith(verdict.to_dict()["verdict"])
     assert (wrench in ResistedSet(grasp)) == verdict.stable
     path = tmp_path / "a.csv"
     path.write_text(table)

@@ -21,7 +21,7 @@ from equilibrium.decide.corners import moved
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs import from_float_data, read_csv
 from equilibrium.grasps.inputs.incidences import other_rounding
-from equilibrium.model.labels import DataError
+from equilibrium.model.labels import AS_ROUNDED, DataError
 from equilibrium.wrench_sets.line import ends_within_error, resisted_magnitudes
 
 from .converted_grasps import SHAPES, converted, original
@@ -122,7 +122,7 @@ def test_the_error_of_the_data_goes_along_in_files(tmp_path, capsys):
     path.write_text(json.dumps(on_round().grasp.to_dict()))
     assert read_grasp(path).data_error.length == Fraction(1, 10**6)
     assert main(["solve", str(path), "--wrench", "0", "0", "1"]) == 1
-    assert "no other verdict" in capsys.readouterr().out
+    assert "not proved for all within the rounding error (4 oth" in capsys.readouterr().out
     assert main(["solve", str(path), "--wrench", "1", "-2", "0", "--json"]) == 3
     document = json.loads(capsys.readouterr().out)
     assert document["verdict"] == "depends on the rounding"
@@ -136,12 +136,12 @@ def test_the_error_of_the_data_goes_along_in_files(tmp_path, capsys):
         (
             ["resisted", "--wrench", "0", "0", "1", "--margin", "--tolerance", "1/4"],
             3,
-            "yes, for the rounded data; it depends on",
+            "yes, for the data as rounded; it depends on",
         ),
         (
             ["resisted", "--slice", "fx", "fy"],
             0,
-            "for the rounded data, not for all data",
+            "for the data as rounded; not proved for all",
         ),
     ],
 )
@@ -380,9 +380,7 @@ class TestRobust:
         pads, load = two_pads(), (0, -20, 0)
         error = DataError(*[Fraction(1, 10**6)] * 3)
         found = solve(replace(pads, data_error=error), load).within_error()
-        assert list(found.lines()) == [
-            "resisted for all grasps within the rounding error: proved"
-        ]  # fmt: skip
+        assert list(found.lines()) == ["resisted for all data within the rounding error: proved"]
         bounds = check(found.certificate.to_dict(), question=(pads, load)).bounds
         assert bounds == robustness._error_bounds(replace(pads, data_error=error))[0]
         assert (bounds.length, bounds.friction) == (error.length, 2 * error.value)
@@ -441,11 +439,11 @@ class TestRobust:
         late = solve(read_grasp(path), (0, 0, 1), time_limit=10**6)
         next_look = next(now)
         now = itertools.count(next_look + 10**6)
-        assert (late.verdict, late.answer) == ("not resisted", "not resisted")
+        assert late.answer == f"not resisted {AS_ROUNDED}"
         assert late.within_error().asked == 0
         assert late.within_error().reason == "time limit of 1e+06 s"
         lines = list(late.within_error().lines())
-        assert lines[0].endswith("no other verdict; time limit of 1e+06 s")
+        assert lines[0].endswith("(0 others tried; time limit of 1e+06 s)")
         assert late.to_dict()["within_error"]["reason"] == "time limit of 1e+06 s"
 
     @pytest.mark.parametrize("pace", [Fraction(1, 100), 100])

@@ -54,13 +54,17 @@ class AssemblySolver:
         nodes: int | None = None,
     ) -> AssemblyVerdict:
         """Decide one set of wrenches; see `solve_assembly`."""
-        return solve_assembly(
-            self.grasp,
-            wrenches,
-            time_limit=time_limit,
-            nodes=nodes,
-            max_displacement=self.max_displacement,
-        )
+        effort = Effort.usual(STEPS[3]) if time_limit is None else Effort(seconds=time_limit)
+        verdict = self.decide(wrenches, effort, nodes)
+        return verdict if time_limit is None else replace(verdict, _deadline=effort)
+
+    def decide(
+        self, wrenches: Mapping[str, Any], effort: Effort, nodes: int | None = None
+    ) -> AssemblyVerdict:
+        """Decide one set of wrenches with the effort that is left."""
+        read, bound = self.grasp.read_wrenches(wrenches), self.max_displacement
+        verdict = _decided(self.grasp, read, _Limits(effort, nodes, bound))
+        return _checked(replace(verdict, max_displacement=bound, _solver=self))
 
     def magnitudes(self, base: Wrenches, along: Wrenches) -> tuple[Interval, ...]:
         """Return all t >= 0 with ``base + t along`` resisted."""
@@ -100,7 +104,8 @@ def solve_assembly(
     Args:
         wrenches: by the names of bodies, ``(f_x, f_y, tau)``, the torque about the one origin; zero
             for bodies that are left out.
-        time_limit: in seconds, by a clock on the wall; undecided when it is over.
+        time_limit: in seconds, by a clock on the wall; undecided when it is over. Other data within
+            the rounding error are not asked about then, either.
         nodes: of one tree, at most; see `equilibrium.space.tree`.
         max_displacement: only equilibria count in which no body moves by more than that relative
             to another one along the normal and the tangent of a contact of them.
@@ -114,11 +119,8 @@ def solve_assembly(
     >>> solve_assembly(Assembly(["block"], feet), {"block": [0, -1, 0]}).verdict
     'resisted'
     """
-    read = assembly.read_wrenches(wrenches)
-    effort = Effort.usual(STEPS[3]) if time_limit is None else Effort(seconds=time_limit)
-    bound = read_displacement(max_displacement)
-    verdict = _decided(assembly, read, _Limits(effort, nodes, bound))
-    return _checked(replace(verdict, max_displacement=bound))
+    solver = AssemblySolver(assembly, read_displacement(max_displacement))
+    return solver.solve(wrenches, time_limit=time_limit, nodes=nodes)
 
 
 class _Limits(NamedTuple):

@@ -3,25 +3,31 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from arrangement.console.number_form import counted, number, vector
+from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from equilibrium.certificate.assemblies import AssemblyReport, check_assembly
 from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.reading import SCHEMA_VERSION
 from equilibrium.decide.answer import AnswerMixin, undecided
+from equilibrium.decide.proofs_for_all import NO_DEADLINE
 from equilibrium.model.assembly import SIZE, Assembly, Wrenches
 from equilibrium.model.displacement import displacement_entry, displacement_words
+from equilibrium.model.effort import Effort
 from equilibrium.model.errors import UndecidedError
 from equilibrium.model.solution import Solution
 
 from .magnitudes import PartEquilibrium, part_equilibria
 from .rigid import rigid_forces
+
+if TYPE_CHECKING:
+    from .solver import AssemblySolver
 
 #: Why rigid bodies hold, and springs do not.
 _SQUEEZED = "forces in the friction cones balance the wrenches, and no displacement gives them"
@@ -47,6 +53,8 @@ class AssemblyVerdict(AnswerMixin):
     reason: str = ""
     max_displacement: Fraction | None = None
     _tree: Any = field(default=None, repr=False, compare=False)
+    _solver: AssemblySolver | None = field(default=None, repr=False, compare=False)
+    _deadline: Deadline = field(default=NO_DEADLINE, repr=False, compare=False)
 
     _synonyms: ClassVar[Mapping[str, str]] = {
         "check": "verify()",
@@ -60,6 +68,28 @@ class AssemblyVerdict(AnswerMixin):
 
     def _load(self) -> str:
         return "the wrenches are"
+
+    @property
+    def subject(self) -> Assembly:
+        """The assembly."""
+        return self.assembly
+
+    @property
+    def load(self) -> RationalVector:
+        """The wrenches on the bodies in a row."""
+        return self.flat(self.wrenches)
+
+    def flat(self, motion: Mapping[str, Iterable[Any]]) -> RationalVector:
+        """Return a motion, or wrenches, by the names of bodies, as one vector."""
+        rows = (motion.get(name, (0,) * SIZE) for name in self.assembly.names)
+        return tuple(Fraction(x) for row in rows for x in row)
+
+    def again(self, assembly: Assembly, load: RationalVector, effort: Effort) -> AssemblyVerdict:
+        """Decide another question in the same way, with the effort that is left."""
+        assert self._solver is not None
+        rows = {name: load[SIZE * k : SIZE * (k + 1)] for k, name in enumerate(assembly.names)}
+        found = replace(self._solver, grasp=assembly).decide(rows, effort)
+        return replace(found, _deadline=self._deadline)
 
     @cached_property
     def motions(self) -> dict[str, RationalVector]:
@@ -178,11 +208,12 @@ class AssemblyVerdict(AnswerMixin):
                 else [[one.to_dict() for one in part] for part in parts]
             )
         return {
-            "verdict": self.verdict,
+            "verdict": self.verdict if self.rounding is None else self.rounding.verdict,
             **found,
             "wrench": _texts(self.wrenches),
             **displacement_entry(self.max_displacement),
             "assembly": self.assembly.to_dict(),
+            **({} if self.rounding is None else {"within_error": self.rounding.to_dict()}),
         }
 
     def lines(self, every: bool = False) -> list[str]:

@@ -126,7 +126,7 @@ def read_bodies(
         raise GraspError("pad is for one body; leave the column out")
     contacts = [BodyContact(*pair, c) for pair, c in zip(pairs, found.grasp, strict=True)]
     names = dict.fromkeys(name for pair in pairs for name in pair if name is not None)
-    return Assembly(names, contacts), found
+    return Assembly(names, contacts, data_error=found.grasp.data_error), found
 
 
 def _exact_parts(row: dict[str, str]) -> tuple[Any, Any, dict[str, Any]]:

@@ -29,9 +29,9 @@ from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import difference
 from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp
 from equilibrium.model.labels import DataError
 from equilibrium.model.outline import Outline
+from equilibrium.model.subject import Subject, contacts_of, known_error, with_contacts
 from equilibrium.model.unit_normal import UnitNormal, angle_error
 
 from .conversion import ContactIncidence, Conversion, assembled, unit_normals
@@ -96,9 +96,12 @@ def converted(
         (new, error + max(map(abs, difference(new, old))))
         for new, old, (_, error) in zip(moved, points, places, strict=True)
     ]
-    error = DataError(how.error if how.keep else how.snap, how.angle, value_bound, not how.keep)
     found = assembled(changed, normals, values, value_error, outline)
     if not found.exact:
+        # Incidences may have moved numbers by more than the rounding alone does.
+        length = max(how.error if how.keep else how.snap, *found.point_errors)
+        angle = max(how.angle, *map(abs, found.angle_errors))
+        error = DataError(length, angle, value_bound, not how.keep)
         found = replace(found, grasp=replace(found.grasp, data_error=error), kept=kept)
     return found
 
@@ -109,20 +112,17 @@ def check_number(normals: int, points: int) -> None:
         raise GraspError(f"{normals} normals for {points} points; give one for each")
 
 
-def other_rounding(grasp: Grasp, seed: int) -> Grasp:
-    """Return another grasp within the error of the data of a converted one.
+def other_rounding(subject: Subject, seed: int) -> Subject:
+    """Return another grasp, or assembly, within the error of the data of a converted one.
 
-    Incidences of the grasp stay, unless its data were taken as given; so do numbers that are 0
-    among friction and preload. A pad is one contact, whose points move with it.
+    Incidences of the contacts stay, unless their data were taken as given; so do numbers that are 0
+    among friction, stiffness, preload and adhesion. A pad is one contact: its points move with it.
 
     Raises:
-        GraspError: the grasp has no `data_error`.
+        GraspError: it has no `data_error`.
     """
-    error = grasp.data_error
-    if error is None:
-        raise GraspError("the grasp was not rounded: it has no data_error")
-    whole = grasp.joined()
-    points, normals = [c.point for c in whole], [c.normal for c in whole]
+    error, contacts = known_error(subject), contacts_of(subject)
+    points, normals = [c.point for c in contacts], [c.normal for c in contacts]
     # What holds exactly is found again within the error of floats.
     size = max((abs(x) for point in points for x in point), default=Fraction(0))
     least = size / 10**12
@@ -137,18 +137,19 @@ def other_rounding(grasp: Grasp, seed: int) -> Grasp:
     places, units, _ = rounded_contacts(points, normals, how)
     columns = {}
     for name in VALUES:
-        given = [getattr(contact, name) for contact in whole]
+        given = [getattr(contact, name) for contact in contacts]
         near = equal_numbers(given, error.value, replace(how, key=name))
         columns[name] = [max(x, y / 2) if y else y for x, y in zip(near, given, strict=True)]
-    return grasp.spread(
+    changed = (
         Contact(
             places[i],
             units[i].normal,
             **{name: column[i] for name, column in columns.items()},
             stiffness_given=contact.stiffness_given,
         )
-        for i, contact in enumerate(whole)
+        for i, contact in enumerate(contacts)
     )
+    return with_contacts(subject, changed)
 
 
 class _Work:

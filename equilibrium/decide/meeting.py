@@ -1,0 +1,284 @@
+"""The load passes where the normals of smooth contacts meet, within the error of the data.
+
+A body on smooth contacts stands under its weight only if the weight passes through the point where
+their normals meet, in space through a line that all of them meet, and the like between bodies. No
+open set of data has that, so rounded data miss it by a little. Here contacts are moved within the
+error, so that it holds exactly, as follows.
+
+1. With a tiny friction at the smooth contacts the load is resisted, at a motion d.
+2. Turns of the normals and shifts of the points along the surface, the least ones, add what is
+   missing to the balance. The turns are rounded.
+3. A shift s along a tangent t changes the row N of a contact by s P with ``P = (0, t x n)``. Where
+   ``P . d = 0`` it leaves all forces as they are. So motion and shifts with an exact balance are a
+   solution of linear equations. As many shifts are taken as there are motions that no contact
+   resists: those on which they do the most work.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from arrangement.numbers.exact import RationalVector, dot
+from arrangement.numbers.float_filter import Floats
+from arrangement.numbers.linear.rank import gauss_jordan
+from equilibrium.model.contact import Contact
+from equilibrium.model.labels import DataError
+from equilibrium.model.rows import ContactRow
+from equilibrium.model.subject import Subject, contacts_of, rows_of, with_contacts
+from equilibrium.model.unit_normal import unit_normal
+from equilibrium.plane.contacts import nearest
+
+from . import NOT_RESISTED, RESISTED
+
+#: The tiny friction, in units of the errors.
+_FRICTION = 16
+#: Motions that contacts resist by a smaller share are those that none does.
+_FELT = 1e-4
+
+
+def meeting(found: Any, decide: Any) -> Subject | None:
+    """Return what resists the load of a no within the error of the data, if it is found so.
+
+    Args:
+        found: the verdict.
+        decide: returns the verdict on a subject and a load, None where it is undecided.
+    """
+    subject, error = found.subject, found.subject.data_error
+    contacts = contacts_of(subject)
+    smooth = [i for i, contact in enumerate(contacts) if not contact.friction]
+    if found.verdict != NOT_RESISTED or not smooth or not error.length:
+        return None
+    if len(contacts) < len(rows_of(subject)):
+        return None  # the points of a pad do not move one by one
+    size = max(max(x) - min(x) for x in zip(*(c.point for c in contacts), strict=True))
+    tiny = _FRICTION * max(error.angle, error.length / (size or 1))
+    rubbed = (replace(c, friction=c.friction or tiny) for c in contacts)
+    near = decide(with_contacts(subject, rubbed), found.load)
+    if near is None or near.verdict != RESISTED:
+        return None
+    try:
+        return _moved(subject, found.load, near.solution, smooth, error, size)
+    except (np.linalg.LinAlgError, OverflowError):
+        return None
+
+
+def _moved(
+    subject: Subject,
+    load: RationalVector,
+    near: Any,
+    smooth: Sequence[int],
+    error: DataError,
+    size: Fraction,
+) -> Subject | None:
+    contacts, fine = list(contacts_of(subject)), error.length / (64 * size or 1)
+    question = load, near, smooth, error, size
+    balance = _Balance(subject, *question)
+    if error.angle:
+        for i, angles in balance.turns().items():
+            across = zip(*contacts[i].tangents, strict=True)
+            aim = [x + dot(angles, y) for x, y in zip(contacts[i].normal, across, strict=True)]
+            normal = unit_normal(aim, min(error.angle, fine)).normal
+            contacts[i] = _with(contacts[i], contacts[i].point, normal)
+        balance = _Balance(with_contacts(subject, contacts), *question)
+    shifts = balance.shifts()
+    for i, lengths in (shifts or {}).items():
+        old, tangents = contacts[i], zip(*contacts[i].tangents, strict=True)
+        point = [x + dot(lengths, y) for x, y in zip(old.point, tangents, strict=True)]
+        contacts[i] = _with(old, point, old.normal)
+    pairs = list(zip(contacts, contacts_of(subject), strict=True))
+    if shifts is None or any(_far(new, old, error) for new, old in pairs):
+        return None
+    return with_contacts(subject, contacts)
+
+
+def _with(contact: Contact, point: Any, normal: Any) -> Contact:
+    # Tangents of a smooth contact have no meaning: they follow the normal.
+    return replace(contact, point=point, normal=normal, tangent=None)  # type: ignore[arg-type]
+
+
+def _far(new: Contact, old: Contact, error: DataError) -> bool:
+    """Return whether a contact is beyond the error of another one."""
+    moved = max(abs(x - y) for x, y in zip(new.point, old.point, strict=True))
+    turned = sum((x - y) ** 2 for x, y in zip(new.normal, old.normal, strict=True))
+    return moved > error.length or turned > error.angle**2
+
+
+class _Column(NamedTuple):
+    """One unknown besides the motion: what a unit of it adds to the balance, and its size.
+
+    Attributes:
+        contact, tangent, kind: of which contact, along which of its tangents, and whether it is a
+            "shift", a "turn" or a "friction".
+    """
+
+    contact: int
+    tangent: int
+    kind: str
+    wrench: RationalVector
+    size: Fraction
+
+
+class _Balance:
+    """The balance of a load as linear equations, for the states of an equilibrium near."""
+
+    def __init__(
+        self,
+        subject: Subject,
+        load: RationalVector,
+        near: Any,
+        smooth: Sequence[int],
+        error: DataError,
+        size: Fraction,
+    ) -> None:
+        self.rows, self.near = rows_of(subject), near
+        self.load = self.rows.total_load(load)
+        self.size = nearest(size or Fraction(1))
+        self.motion = [nearest(x) for x in near.motion]
+        self.pressed = {i: f[0] for i, f in enumerate(near.forces) if f[0] > 0}
+        self.force = max([*self.pressed.values(), *map(abs, load)])
+        self.columns: list[_Column] = []
+        self.spring: dict[int, RationalVector] = {}
+        shifted = [self._shifted(subject, k) for k in range(self.rows.tangents)]
+        for i, pressed in self.pressed.items():
+            row, along = self.rows[i], self.rows[i].normal_wrench
+            if i in smooth:
+                for k in range(self.rows.tangents):
+                    one = tuple(
+                        x - y for x, y in zip(shifted[k][i].normal_wrench, along, strict=True)
+                    )
+                    self.columns.append(_Column(i, k, "shift", one, error.length * pressed))
+                    turn = row.tangential_wrenches[k]
+                    self.columns.append(_Column(i, k, "turn", turn, error.angle * pressed))
+                self.spring[i] = along
+            else:
+                self.spring[i] = self._rubbing(i, row)
+
+    def _shifted(self, subject: Subject, k: int) -> Sequence[ContactRow]:
+        """Return the rows of contacts whose points are one further along a tangent."""
+        moved = [
+            _with(c, [x + y for x, y in zip(c.point, c.tangents[k], strict=True)], c.normal)
+            for c in contacts_of(subject)
+        ]
+        return rows_of(with_contacts(subject, moved)).contacts
+
+    def _rubbing(self, i: int, row: ContactRow) -> RationalVector:
+        """Return what a contact with friction adds for each unit of its normal force."""
+        slips = [dot(tangent, self.near.motion) for tangent in row.tangential_wrenches]
+        if not any(slips) or len(slips) > 1:
+            for k, tangent in enumerate(row.tangential_wrenches):
+                self.columns.append(_Column(i, k, "friction", tangent, self.pressed[i]))
+            return row.normal_wrench
+        pull = -row.friction if slips[0] > 0 else row.friction
+        pairs = zip(row.normal_wrench, row.tangential_wrenches[0], strict=True)
+        return tuple(x + pull * y for x, y in pairs)
+
+    def _chosen(self) -> list[_Column]:
+        """Return shifts, as many as there are motions that no contact resists, and frictions."""
+        frictions = [column for column in self.columns if column.kind == "friction"]
+        shifts = [column for column in self.columns if column.kind == "shift"]
+        felt = [self.rows[i].normal_wrench for i in self.pressed]
+        felt += [column.wrench for column in frictions]
+        arms = np.where(self.rows.turns, 1 / self.size, 1.0)
+        _, sizes, axes = np.linalg.svd(np.array(felt, float) * arms)
+        rank = np.count_nonzero(sizes > _FELT * sizes.max(initial=0.0))
+        table = [[nearest(x * column.size) for x in column.wrench] for column in shifts]
+        works = np.array(table).reshape(len(shifts), self.rows.n) * arms @ axes[rank:].T
+        found = []
+        for _ in range(min(works.shape)):
+            # The one that does the most; of the others, what they do on further motions.
+            lengths = np.linalg.norm(works, axis=1)
+            best = int(lengths.argmax())
+            if not lengths[best] > 0:
+                break
+            found.append(shifts[best])
+            way = works[best] / lengths[best]
+            works = works - np.outer(works @ way, way)
+            works[best] = 0.0
+        return [*found, *frictions]
+
+    def _equations(self, chosen: Sequence[_Column]) -> list[list[Fraction]]:
+        """Return equations for the motion and columns, the constant last."""
+        n, right = self.rows.n, [*self.load]
+        left = [[Fraction(0)] * n for _ in range(n)]
+        for i, arm in self.spring.items():
+            row = self.rows[i]
+            for j, x in enumerate(arm):
+                right[j] += row.preload * x
+                for k, y in enumerate(row.normal_wrench):
+                    left[j][k] -= row.stiffness * x * y
+        balance = [
+            [*left[j], *(column.wrench[j] for column in chosen), -right[j]] for j in range(n)
+        ]
+        none = [Fraction(0)] * (len(chosen) + 1)
+        still = (column.wrench for column in chosen if column.kind in ("shift", "friction"))
+        return [*balance, *([*row, *none] for row in still)]
+
+    def _sizes(self, chosen: Sequence[_Column]) -> list[Fraction]:
+        """Return typical sizes of the unknowns: in these units the least ones are taken."""
+        soft = max((row.stiffness for row in self.rows), default=Fraction(1)) or 1
+        step = max([*map(abs, self.near.motion), self.force / soft])
+        return [step] * self.rows.n + [column.size for column in chosen]
+
+    def turns(self) -> dict[int, list[Fraction]]:
+        """Return angles along the tangents by contact, from floats."""
+        chosen = [*self._chosen(), *(column for column in self.columns if column.kind == "turn")]
+        rows = self._equations(chosen)
+        table = np.array([[nearest(x) for x in row] for row in rows])
+        sizes: Floats = np.array([nearest(x) for x in self._sizes(chosen)])
+        start = np.array([*self.motion, *[0.0] * len(chosen)])
+        matrix, right = table[:, :-1] * sizes, table[:, -1] - table[:, :-1] @ start
+        weights = 1 / np.maximum(np.abs(table).max(axis=1), 1e-300)
+        change = np.linalg.lstsq(matrix * weights[:, None], right * weights, rcond=1e-13)[0] * sizes
+        return self._by_contact(chosen, "turn", [Fraction(x) for x in start + change])
+
+    def shifts(self) -> dict[int, list[Fraction]] | None:
+        """Return lengths along the tangents with an exact balance, by contact; None without."""
+        chosen = self._chosen()
+        rows = self._equations(chosen)
+        start = [Fraction(x) for x in self.motion] + [Fraction(0)] * len(chosen)
+        found = _least(rows, start, self._sizes(chosen))
+        return None if found is None else self._by_contact(chosen, "shift", found)
+
+    def _by_contact(
+        self, chosen: Sequence[_Column], kind: str, values: Sequence[Fraction]
+    ) -> dict[int, list[Fraction]]:
+        """Return what forces along columns are for each unit of the normal force.
+
+        Args:
+            values: of the motion and the columns.
+        """
+        n, found = self.rows.n, dict[int, list[Fraction]]()
+        for column, x in zip(chosen, values[n:], strict=True):
+            row = self.rows[column.contact]
+            pressed = row.preload - row.stiffness * dot(row.normal_wrench, values[:n])
+            # Adhesion pulls along the row that changes, too.
+            pressed -= row.adhesion
+            if column.kind == kind and x and pressed:
+                shares = found.setdefault(column.contact, [Fraction(0)] * self.rows.tangents)
+                shares[column.tangent] = x / pressed
+        return found
+
+
+def _least(
+    rows: Sequence[Sequence[Fraction]], start: Sequence[Fraction], sizes: Sequence[Fraction]
+) -> list[Fraction] | None:
+    """Return the solution of equations that is nearest to a start, in given units; if any."""
+    scaled = [[x * size for x, size in zip(row, sizes, strict=False)] for row in rows]
+    rest = [row[-1] - dot(row[:-1], start) for row in rows]
+    square = [
+        [dot(one, other) for other in scaled] + [x] for one, x in zip(scaled, rest, strict=True)
+    ]
+    reduced, pivots, scale = gauss_jordan(square)
+    if len(rows) in pivots:
+        return None
+    factors = [Fraction(0)] * len(rows)
+    for row, pivot in zip(reduced, pivots, strict=False):
+        factors[pivot] = Fraction(row[-1], scale)
+    columns = zip(*scaled, strict=True)
+    changes = (size * dot(column, factors) for size, column in zip(sizes, columns, strict=True))
+    return [x + change for x, change in zip(start, changes, strict=True)]

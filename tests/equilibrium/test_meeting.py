@@ -1,0 +1,125 @@
+"""Smooth contacts typed in decimals: what the exact data do is never firmly denied."""
+
+import json
+from fractions import Fraction as F
+from random import Random
+
+import pytest
+
+from equilibrium import Contact, Grasp, ResistedSet, solve
+from equilibrium.cli.program import main
+from equilibrium.grasps.inputs.csv_file import parse_csv
+from equilibrium.model.labels import AS_ROUNDED
+
+DISC = """x,y,nx,ny,mu
+-0.573576436,-0.819152044,0.573576436,0.819152044,0
+0.882947593,-0.469471563,-0.882947593,0.469471563,0
+"""
+
+
+def decimal(x, digits=9):
+    whole, rest = divmod(abs(round(x * 10**digits)), 10**digits)
+    return f"{'-' * (x < 0)}{whole}.{rest:0{digits}d}"
+
+
+def typed(grasp):
+    """Return a table of the contacts in decimals."""
+    names = "x,y,nx,ny,mu" if grasp.dimension == 2 else "x,y,z,nx,ny,nz,mu"
+    rows = (",".join([*map(decimal, (*c.point, *c.normal)), str(c.friction)]) for c in grasp)
+    return "\n".join([names, *rows])
+
+
+def on_sphere(unit, centre, radius):
+    """Return a smooth contact whose normal passes a centre."""
+    return Contact([x - radius * n for x, n in zip(centre, unit, strict=True)], unit, 0)
+
+
+def unit2(source):
+    u = F(source.randint(-40, 40), source.randint(7, 41))
+    x, y = (1 - u * u) / (1 + u * u), 2 * u / (1 + u * u)
+    return source.choice([(x, y), (y, x), (-x, y), (y, -x)])
+
+
+def unit3(source):
+    u, v = (F(source.randint(-40, 40), source.randint(7, 41)) for _ in "uv")
+    square = 1 + u * u + v * v
+    return (2 * u / square, (1 - u * u - v * v) / square, 2 * v / square)
+
+
+def smooth_question(seed):
+    """Return smooth contacts, whose normals meet in the plane and in space, and a load there."""
+    source = Random(seed)
+    space, size = seed % 3 == 2, source.choice([1, 30, F(1, 20)])
+    centre = [F(source.randint(-99, 99), 97) * size for _ in range(3 if space else 2)]
+    many = source.choice([3, 4]) if space else source.choice([2, 2, 3, 4])
+    units = [unit3(source) if space else unit2(source) for _ in range(many)]
+    radii = [size if seed % 2 else size * F(source.randint(1, 9), 7) for _ in units]
+    grasp = Grasp(on_sphere(*one) for one in zip(units, [centre] * many, radii, strict=True))
+    shares = [source.randint(0, 3) for _ in units]
+    pairs = list(zip(shares, grasp, strict=True))
+    load = [-sum(x * c.normal_wrench[j] for x, c in pairs) for j in range(grasp.wrench_size)]
+    if seed % 5 == 4:
+        load[-1] += 1
+    return grasp, load
+
+
+def test_disc_in_a_groove_depends_on_the_rounding(tmp_path, capsys):
+    verdict = solve(parse_csv(DISC).grasp, (0, -1, 0))
+    found = verdict.rounding
+    assert (verdict.verdict, verdict.answer) == ("not resisted", "depends on the rounding")
+    assert found.turned.verdict == "resisted"
+    assert found.turned.verify()
+    error = verdict.grasp.data_error
+    assert found.change["point"] <= error.length
+    assert found.change["normal"] <= error.angle
+    path = tmp_path / "disc.csv"
+    path.write_text(DISC)
+    assert main(["solve", str(path), "--weight", "1"]) == 3
+    assert capsys.readouterr().out.startswith("depends on the rounding: resisted for")
+    assert main(["resisted", str(path), "--weight", "1"]) == 0
+    assert "depends on the rounding: [0, oo) for other data" in capsys.readouterr().out
+
+
+SEEDS = [*range(8), *(pytest.param(k, marks=pytest.mark.slow) for k in range(8, 300))]
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_exact_data_never_contradict_a_proved_answer(seed):
+    exact, load = smooth_question(seed)
+    expected = solve(exact, load).verdict
+    verdict = solve(parse_csv(typed(exact)).grasp, load)
+    if verdict.rounding is None or verdict.rounding.proved:
+        assert verdict.answer == expected
+    else:
+        assert verdict.answer != verdict.verdict
+
+
+def test_grooves_in_the_plane_are_met():
+    """Wherever the exact body stands the answer says so, or that it is not proved."""
+    met = 0
+    for seed in range(0, 24, 3):
+        exact, load = smooth_question(seed)
+        verdict = solve(parse_csv(typed(exact)).grasp, load)
+        if verdict.verdict == "not resisted" and solve(exact, load):
+            met += verdict.answer == "depends on the rounding"
+    assert met >= 2
+
+
+def test_answer_that_is_not_proved_says_so(tmp_path, capsys):
+    """One smooth contact under a load along its normal, whose length is irrational."""
+    grasp = parse_csv("x,y,nx,ny,mu\n0,0,1,2,0\n").grasp
+    verdict = solve(grasp, (-1, -2, 0))
+    assert verdict.answer == f"not resisted {AS_ROUNDED}"
+    assert verdict.to_dict()["verdict"] == "not resisted"
+    assert verdict.to_dict()["within_error"]["answer"] == verdict.answer
+    assert (-1, -2, 0) not in ResistedSet(grasp)
+    path = tmp_path / "a.json"
+    grasp.save(path)
+    words = [str(path), "--wrench", "-1", "-2", "0"]
+    for command, code in (("solve", 1), ("info", 1)):
+        assert main([command, *words]) == code
+        assert verdict.answer in capsys.readouterr().out
+    assert main(["resisted", *words, "--margin"]) == 1
+    assert f"resisted: no, {AS_ROUNDED}" in capsys.readouterr().out
+    assert main(["solve", *words, "--json"]) == 1
+    assert json.loads(capsys.readouterr().out)["within_error"]["answer"] == verdict.answer
