@@ -43,6 +43,7 @@ GOOD = [
     grasp(outline=[["0", 0], ["4", "0"], ["0", "3"]]),
     grasp(outline={"centre": ["0", "1/2"], "radius": "1"}),
     contact(stiffness="2", preload=0),
+    *(contact(adhesion=x) for x in ("5/2", 0, "-0")),
     *(contact(stiffness=x) for x in ("0", "0.00", 0)),
     grasp(contacts=[SPATIAL, SPATIAL | {"tangent": ["4/5", 0, "-3/5"]}]),
     grasp(
@@ -77,6 +78,7 @@ BAD = [
     *(contact(friction=x) for x in ("-1/2", -1)),
     contact(stiffness="-1"),
     contact(preload="-1/10"),
+    contact(adhesion="-1/10"),
     contact(colour="red"),
 ]
 
