@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from equilibrium.wrench_sets import (
         Magnitudes,
         Margin,
+        Preloads,
         Region,
         ResistedSet,
         SearchMap,
@@ -259,8 +260,10 @@ def _smallest_lines(found: SmallestUnresisted, grasp: Grasp) -> Iterator[str]:
     yield f"not resisted: {vector(found.beyond)}"
 
 
-def end_lines(resisted: ResistedSet, found: Magnitudes) -> tuple[dict[str, Any], list[str]]:
-    """Return what gives at the ends of magnitudes: JSON form and lines."""
+def end_lines(
+    resisted: ResistedSet, found: Magnitudes | Preloads
+) -> tuple[dict[str, Any], list[str]]:
+    """Return what gives at the ends of magnitudes or preloads: JSON form and lines."""
     ends = resisted.what_gives(found)
     lines = [
         f"  at {number(end)}: {given.words}"
@@ -395,9 +398,16 @@ def _show_margin(arguments: argparse.Namespace, resisted: ResistedSet, factors: 
         rubbing += f" with {listed_contacts(smooth)} smooth"
     loads = [factors.wrench, *(arguments.also or ())]
     tolerance = Fraction(1, 2**20) if arguments.tolerance is None else arguments.tolerance
+    at_preloads: dict[str, Any] = {}
+
+    def preload_text(found: Preloads) -> str:
+        gives, ends = end_lines(resisted, found)
+        at_preloads.update(gives)
+        return "\n".join([f" {within_text(found.intervals)}{_force(grasp)}", *ends])
+
     preload, in_preloads = or_undecided(
         lambda: factors.preloads if chosen is None else resisted.preloads(loads, chosen),
-        lambda found: f" {within_text(found.intervals)}{_force(grasp)}",
+        preload_text,
     )
     friction, coefficient = or_undecided(
         lambda: factors.friction(tolerance, chosen),
@@ -420,7 +430,7 @@ def _show_margin(arguments: argparse.Namespace, resisted: ResistedSet, factors: 
         f"resisted with {whose}{in_preloads}",
         f"least {rubbing}{coefficient}",
     ]
-    remedies = {"preload": preload, "friction": friction}
+    remedies = {"preload": preload | at_preloads, "friction": friction}
     return show(arguments, factors.to_dict() | gives | more | remedies, lines, yes, grasp)
 
 

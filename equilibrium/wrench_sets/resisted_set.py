@@ -249,7 +249,9 @@ class ResistedSet(HintsMixin, JsonMixin):
             return None
         return ends_within_error(self._solver, magnitudes)
 
-    def what_gives(self, magnitudes: Magnitudes) -> tuple[tuple[Giving | None, ...], ...]:
+    def what_gives(
+        self, magnitudes: Magnitudes | Preloads
+    ) -> tuple[tuple[Giving | None, ...], ...]:
         """Return which contacts slip or lift off at both ends of each interval of magnitudes.
 
         A contact is named if it is at its friction limit, or without force, in all equilibria at
@@ -258,7 +260,8 @@ class ResistedSet(HintsMixin, JsonMixin):
 
         Args:
             magnitudes: what `along` returned, in the plane or of an assembly; in space
-                `SpatialMagnitudes.what_gives` answers.
+                `SpatialMagnitudes.what_gives` answers. Or preloads that resist one wrench, of a
+                grasp without pads or of an assembly.
 
         >>> from equilibrium import ResistedSet, read_grasp
         >>> resisted = ResistedSet(read_grasp("paper-four-contacts-preload-1"))
@@ -266,8 +269,16 @@ class ResistedSet(HintsMixin, JsonMixin):
         >>> end.words
         'slips at contacts 1, 2, 3, 4'
         """
-        ends = magnitudes.base, magnitudes.direction, magnitudes.intervals
-        return ends_of(self.grasp, *ends, self.max_displacement)
+        bound = self.max_displacement
+        if isinstance(magnitudes, Magnitudes):
+            ends = magnitudes.base, magnitudes.direction, magnitudes.intervals
+            return ends_of(self.grasp, *ends, bound)
+        if len(magnitudes.wrenches) > 1 or getattr(self.grasp, "has_pads", False):
+            return ((None, None),) * len(magnitudes.intervals)
+        bare = self.grasp.with_preload(0, magnitudes.contacts)
+        still, chosen = self._solver.no_wrench, self.grasp.points_of(magnitudes.contacts)
+        question = bare, magnitudes.wrenches[0], still, magnitudes.intervals, bound
+        return ends_of(*question, preload_slope=Fraction(1), chosen=chosen)
 
     def slice(
         self,

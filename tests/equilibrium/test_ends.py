@@ -140,6 +140,28 @@ def test_what_gives_is_so_in_every_equilibrium_at_the_end(grasp, wrench):
                 assert grasp.contacts[k - 1].friction
 
 
+class TestPreloads:
+    @pytest.mark.parametrize("bodies", [False, True])
+    def test_too_little_preload_slips(self, bodies):
+        grasp, load = read_grasp("paper-four-contacts"), (0, 1, 0)
+        if bodies:
+            grasp, load = Assembly.of_grasp(grasp), {"object": load}
+        resisted = ResistedSet(grasp)
+        found = resisted.margin(load).preloads
+        assert found.intervals == ((Fraction(1, 2), None),)
+        assert resisted.what_gives(found) == ((Giving((1, 2, 3, 4)), None),)
+
+    def test_of_chosen_contacts_and_one_load(self, capsys):
+        asked = ["resisted", "paper-three-contacts", "--wrench", "0", "1", "0", "--margin"]
+        assert main([*asked, "--contacts", "1", "3"]) == 1
+        line = (
+            "resisted with this preload of contacts 1, 3 in [1, oo)\n  at 1: slips at contacts 1, 3"
+        )
+        assert line in capsys.readouterr().out
+        assert main([*asked, "--contacts", "1", "3", "--also", "0", "3", "0", "--json"]) == 1
+        assert json.loads(capsys.readouterr().out)["preload"]["gives"] == [[None, None]]
+
+
 class TestInSpace:
     @pytest.mark.parametrize(
         ("push", "end", "gives"),

@@ -104,17 +104,20 @@ def ends_of(
     along: Any,
     intervals: Iterable[Interval],
     max_displacement: Fraction | None = None,
+    **preloads: Any,
 ) -> tuple[tuple[Giving | None, Giving | None], ...]:
     """Return what gives at both ends of each interval of magnitudes.
 
     Args:
         base, along: wrenches on the grasp in the plane, or on the bodies.
         intervals: the t >= 0 with ``base + t along`` resisted.
+        preloads: `preload_slope` and `chosen`, see `LinearQuestion`: what t adds to preloads.
 
     Returns:
         None where an interval starts at 0 or is unbounded, and where nothing is established.
     """
-    parts = list(_parts(grasp, base, along, max_displacement))
+    changes = {"max_displacement": max_displacement, **preloads}
+    parts = list(_parts(grasp, base, along, changes))
     return tuple(
         (
             _given_by_parts(parts, low, -1) if low else None,
@@ -125,16 +128,17 @@ def ends_of(
 
 
 def _parts(
-    grasp: Grasp | Assembly, base: Any, along: Any, bound: Fraction | None
+    grasp: Grasp | Assembly, base: Any, along: Any, changes: dict[str, Any]
 ) -> Iterator[_PartQuestion]:
     if isinstance(grasp, Assembly):
-        for part, question in part_questions(grasp, base, along):
+        chosen = changes.pop("chosen", None)
+        for part, question in part_questions(grasp, base, along, chosen):
             groups = [[k] for k in range(len(part.contacts))]
             numbers = [i + 1 for i in part.contacts]
-            yield _PartQuestion(replace(question, max_displacement=bound), groups, numbers)
+            yield _PartQuestion(replace(question, **changes), groups, numbers)
         return
     rows = ContactRows.of_grasp(grasp)
-    question = LinearQuestion(rows, base, along, max_displacement=bound)
+    question = LinearQuestion(rows, base, along, **changes)
     places = [_along_pad(contact) for contact in grasp]
     groups = [sorted(points, key=places.__getitem__) for points in grasp.groups]
     yield _PartQuestion(question, groups, grasp.contact_numbers)
