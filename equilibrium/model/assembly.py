@@ -360,6 +360,10 @@ class Assembly(HintsMixin):
         """
         return self._with_each(contacts, friction=friction)
 
+    def with_adhesion(self, adhesion: Any) -> Assembly:
+        """Return the same assembly with one adhesion at every contact."""
+        return self._with_each(None, adhesion=adhesion)
+
     def _with_each(self, contacts: Iterable[int] | None, **values: Any) -> Assembly:
         chosen = self.points_of(self.contact_numbers if contacts is None else contacts)
         changed = [

@@ -307,6 +307,13 @@ def test_pad_shares_its_adhesion(tmp_path):
         assert grasp.adhesion_wrench == pull(Contact(point, normal, 0, adhesion=7))
 
 
+def test_places_on_a_polygon_may_have_adhesion():
+    square = [[0, 0], [2, 0], [2, 2], [0, 2]]
+    place = {"edge": 2, "at": "1/2", "friction": "1/2", "adhesion": 3}
+    document = {"schema_version": 1, "polygon": square, "places": [place]}
+    assert inputs.read_polygon(document).grasp.adhesion_wrench == (0, 3, 3)
+
+
 def test_works_of_a_leaf_count_adhesion():
     found = solve(HANGING, (0, -110, 0))
     (part,) = parts(found.proof)

@@ -121,6 +121,7 @@ def from_polygon(
     *,
     stiffness: Any = None,
     preload: Any = 0,
+    adhesion: Any = 0,
     angle_tolerance: Any = DEFAULT_TOLERANCE,
     tolerance: Any = DEFAULT_TOLERANCE,
     as_given: bool = False,
@@ -131,8 +132,8 @@ def from_polygon(
         vertices: at least three corners in either orientation, exact (see `from_floats`).
         places: for each contact an `OnEdge`, or its coordinates, which must lie exactly on the
             boundary and not in a corner (in one where the boundary is straight they may).
-        friction, stiffness, preload: one for all or one for each contact; a stiffness that is
-            not given is 1.
+        friction, stiffness, preload, adhesion: one for all or one for each contact; a stiffness
+            that is not given is 1.
         angle_tolerance: an edge whose length is not rational has no exactly unit rational normal;
             the nearest simple one within this is taken and the error reported.
         tolerance, as_given: as in `read_csv`, where normals are rounded.
@@ -159,7 +160,7 @@ def from_polygon(
     return converted(
         [(point, Fraction(0)) for _, point in found],
         directions,
-        contact_values(len(found), friction, stiffness, preload),
+        contact_values(len(found), friction, stiffness, preload, adhesion),
         rounding(0, tolerance, angle_tolerance, as_given),
         outline=Polygon(corners),
     )
