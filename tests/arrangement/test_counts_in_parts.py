@@ -18,6 +18,7 @@ from arrangement.counts.orbits import in_parts as counts_in_parts, symmetric
 from arrangement.counts.orbits.symmetric import forecast
 from arrangement.errors import OutOfTimeError, UnfinishedError
 from arrangement.numbers import deadline
+from tests.archives import mutants
 
 RESONANCE = families.resonance(5)
 NUMBERS = (1, -31, 375, -2130, 5270, -3485)
@@ -193,6 +194,18 @@ def test_a_damaged_part_is_named(tmp_path, damage):
         in_parts(RESONANCE, tmp_path)
     part.unlink()
     assert in_parts(RESONANCE, tmp_path) == NUMBERS
+
+
+@pytest.mark.parametrize("count", [8, pytest.param(2000, marks=pytest.mark.slow)])
+def test_damaged_archives_are_named(count, tmp_path):
+    in_parts(RESONANCE, tmp_path)
+    part = tmp_path / "rank-04" / "part-01.npz"
+    for number, content in enumerate(mutants(part.read_bytes(), count, 2)):
+        part.write_bytes(content)
+        try:  # what only other ranks need, or nobody, may be damaged
+            assert in_parts(RESONANCE, tmp_path) == NUMBERS, number
+        except InputError as error:
+            assert "part-01.npz cannot be read (" in str(error)  # noqa: PT017
 
 
 def refused(folder: Path, place: str = "") -> None:

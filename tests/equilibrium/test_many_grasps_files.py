@@ -11,6 +11,7 @@ import pytest
 from equilibrium.cli.program import main
 from equilibrium.decide.many_grasps.arrays import near_floats
 from equilibrium.decide.many_grasps.tables import read_grasps
+from tests.archives import HEADERS, mutants
 
 GRASPS = """# two jaws, and a third finger
 grasp,x,y,nx,ny,mu,q
@@ -217,3 +218,17 @@ def test_array_larger_than_its_file_refused(files, count, capsys):
         archive.writestr("points.npy", header.getvalue())
     assert solved("large.npz", "--weight", "1") == 2
     assert "an array claims more than is in the file" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("count", [20, pytest.param(2000, marks=pytest.mark.slow)])
+def test_damaged_archives_are_bad_input(count, files, capsys):
+    np.savez_compressed("whole.npz", **ARRAYS)
+    kinds = len(HEADERS) + 4
+    for number, content in enumerate(mutants((files / "whole.npz").read_bytes(), count, 1)):
+        (files / "damaged.npz").write_bytes(content)
+        code = solved("damaged.npz", "--weight", "1")
+        assert code == 2 or (number >= kinds and code in (0, 1)), number
+        if code == 2:
+            message = capsys.readouterr().err
+            assert message.startswith("error: ")
+            assert message.count("\n") == 1

@@ -17,7 +17,6 @@ from __future__ import annotations
 import io
 import json
 import math
-import zlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -25,7 +24,7 @@ from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
-from zipfile import BadZipFile, ZipFile
+from zipfile import ZipFile
 
 import numpy as np
 from numpy.lib import format as npy
@@ -58,11 +57,6 @@ _LAYOUT = 2
 _FACTOR = np.uint64(0xD6E8FEB86659FD93)
 #: Bytes that one byte of an archive can stand for: 1,032 by the format of its compression.
 _MAX_EXPANSION = 1100
-#: What archives and their arrays raise, whatever is in them.
-_UNREADABLE = (
-    *(OSError, ValueError, OverflowError, EOFError, RuntimeError),
-    *(BadZipFile, zlib.error),
-)
 #: Arrays of a file: what is added up, with how many flats come up to which parts of the rank after,
 #: and these flats, for each of the parts.
 _SUMS = ("residues", "counts")
@@ -335,8 +329,9 @@ def _read(root: str, rank: int, part: int, above: int | None = None) -> dict[str
             return checked(file, *names)
     except (AttributeError, KeyError, TypeError):
         why = "it is not part of a count"
-    except _UNREADABLE as error:
-        why = reason(error)
+    except Exception as error:
+        # zipfile, its decompressors and the parser of NumPy's headers raise errors of many kinds.
+        why = reason(error) or type(error).__name__
     raise InputError(f"{place} cannot be read ({why}); delete it and run the command again")
 
 

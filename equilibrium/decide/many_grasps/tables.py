@@ -23,6 +23,7 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from arrangement.console.writing import write_bytes_atomically
+from arrangement.errors import InputError
 from arrangement.library.files.json_files import read_bytes, read_text
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, from_floats, rational, shown
@@ -206,8 +207,12 @@ def _read_arrays(path: str, known: Sequence[str], required: Sequence[str]) -> di
             arrays = {name: archive[name] for name in archive.files}
     except (OverflowError, MemoryError):
         raise GraspError(f"{path} is damaged: an array claims more than is in the file") from None
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
-        raise GraspError(f"{path} is not an NPZ file of arrays: {error}") from None
+    except InputError:
+        raise
+    except Exception as error:
+        # zipfile, its decompressors and the parser of NumPy's headers raise errors of many kinds.
+        text = shown(str(error) or type(error).__name__)
+        raise GraspError(f"{path} is not an NPZ file of arrays: {text}") from None
     if missing := [name for name in required if name not in arrays]:
         raise GraspError(f"{path} has no array {missing[0]}; expected {', '.join(required)}")
     if unknown := [name for name in arrays if name not in known]:
