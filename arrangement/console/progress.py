@@ -31,10 +31,11 @@ _FIRST, _LONGEST = 2.0, 60.0
 
 
 class _Watch:
-    """The line of `shown`: whether loops are counted, and whether none reports it now."""
+    """The line of `shown`: whether loops are counted, none reports it now, notes are printed."""
 
-    def __init__(self, wanted: bool) -> None:
+    def __init__(self, wanted: bool, notes: bool = True) -> None:
         self.counted = self.free = wanted
+        self.notes = notes
 
 
 #: Where `watched` loops show their line. One that is given up may end after `shown`, and then
@@ -49,9 +50,13 @@ def on_terminal() -> bool:
 
 
 @contextmanager
-def shown(wanted: bool = True) -> Iterator[None]:
-    """Let the loops over `watched` items inside show their line, or keep them quiet."""
-    token = _line.set(_Watch(wanted))
+def shown(wanted: bool = True, notes: bool = True) -> Iterator[None]:
+    """Let the loops over `watched` items inside show their line, or keep them quiet.
+
+    Args:
+        notes: whether `note` prints as well.
+    """
+    token = _line.set(_Watch(wanted, notes))
     try:
         yield
     finally:
@@ -60,7 +65,8 @@ def shown(wanted: bool = True) -> Iterator[None]:
 
 def note(text: str) -> None:
     """Report on stderr, inside `shown`, what was left out or replaced."""
-    if _line.get().free:
+    line = _line.get()
+    if line.free and line.notes:
         print(safe_lines(text), file=sys.stderr)
 
 

@@ -180,7 +180,8 @@ def _result(asked: _Request, number: int) -> tuple[int, dict[str, Any]]:
 
 
 def _record(claim: Claim, seed: int, tick: Callable[[int], None] | None = None) -> dict[str, Any]:
-    with shown(False):  # the bar of the command reports
+    # The bar of the command counts cases; in a long one the loops inside report, in this process.
+    with shown(tick is not None, notes=False):
         try:
             return report.result_record(evaluate(claim, seed, tick))
         except OwnClaimError as error:

@@ -12,6 +12,7 @@ import pytest
 from hypothesis import assume, given, settings, strategies as st
 
 from arrangement import Arrangement, read_arrangement
+from arrangement.console import progress
 from arrangement.library.census import census, identify
 from equilibrium.grasps.files import read_grasp
 from proofs_check import ClaimVerdict, claim, evaluate
@@ -302,6 +303,21 @@ def test_comparisons_outside_of_claims_stay_what_they_are(write, capsys):
         "    return small(p) is False and type(inner()) is bool\n"
     )
     assert main(["run", path]) == 0
+
+
+def test_a_long_case_shows_the_loops_inside(write, monkeypatch, capsys):
+    monkeypatch.setattr(progress, "_FIRST", 0.0)
+    path = write(
+        "from arrangement.console.progress import note, watched\n"
+        '@claim("s", of=[1])\n'
+        "def f(_):\n"
+        "    note('not for every case')\n"
+        "    return len(list(watched(range(5), 'things'))) == 5\n"
+    )
+    assert main(["run", path]) == 0
+    err = capsys.readouterr().err
+    assert "1/5 things" in err
+    assert "not for every case" not in err
 
 
 def claim_in(folder: Path, helper: str) -> str:
