@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.errors import InputError
 
+from . import budget
 from .exact import IntegerVector, RationalVector, shown
 from .real import Irrational, field_of
 
@@ -92,6 +93,7 @@ def planes_of(
     else:
         variables = listed(symbols, "symbols")
         _check_symbols(variables)
+    budget.check_size(len(variables), "coordinates")
     rows = [_coefficients(e, variables, f"equations[{i}]") for i, e in enumerate(given)]
     return [row[:-1] for row in rows], [-row[-1] for row in rows], len(variables)
 

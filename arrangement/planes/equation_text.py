@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 
 from arrangement.errors import InputError
+from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, rational, shown
 
 #: A line with one equality sign and at least one name.
@@ -70,6 +71,7 @@ def planes_of_text(
     ordered = named_coordinates(used) if coordinates is None else list(coordinates)
     if others := sorted({*used} - {*ordered}):
         raise InputError(f"{others[0]} is not one of the coordinates {', '.join(ordered)}")
+    budget.check_size(len(ordered), "coordinates")
     normals = [tuple(Fraction(row[name]) for name in ordered) for row in rows]
     return normals, [Fraction(-row[""]) for row in rows], ordered
 

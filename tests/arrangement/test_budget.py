@@ -12,8 +12,9 @@ from random import Random
 from typing import Any
 
 import pytest
+import sympy
 
-from arrangement import Arrangement, OutOfReachError, counts, families
+from arrangement import Arrangement, InputError, OutOfReachError, counts, families
 from arrangement.cli import main as arrangement_main
 from arrangement.counts import whitney
 from arrangement.counts.configuration import configuration, is_generic
@@ -475,3 +476,21 @@ def test_planes_are_counted_or_refused_from_their_flats(planes, code, tmp_path, 
     path.write_text(json.dumps({"schema_version": 1, "planes": planes}))
     assert arrangement_main(["count", str(path)]) == code
     assert (code == 2) == ("this would take about" in capsys.readouterr().err)
+
+
+def test_more_coordinates_than_a_file_may_name_are_refused(tmp_path):
+    equations = [f"x{i} - 2*x{i + 1} = 1" for i in range(1, 1001)]
+    symbols = sympy.symbols("a:1001")
+    wide = {"schema_version": 1, "planes": [["1"] * 1001]}
+    matrix = tmp_path / "matrix.txt"
+    matrix.write_text(" ".join(["1"] * 1001))
+    for make in (
+        lambda: table.read_arrangement(wide),
+        lambda: table.read_arrangement(str(matrix)),
+        lambda: Arrangement.from_equations(equations),
+        lambda: Arrangement.from_equations([sympy.Eq(symbols[0], 1)], symbols),
+    ):
+        with pytest.raises(InputError, match=r"1,001 coordinates; at most 1,000 .*limit\(2\)"):
+            make()
+    with budget.limit(2):
+        assert table.read_arrangement(wide).dimension == 1001

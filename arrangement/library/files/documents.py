@@ -32,7 +32,7 @@ from arrangement.library.files.json_files import (
     parse_json,
 )
 from arrangement.numbers import budget
-from arrangement.numbers.exact import IntegerVector, rational_vector
+from arrangement.numbers.exact import IntegerVector, bit_size, rational_vector
 
 if TYPE_CHECKING:
     from arrangement.numbers.fields import NumberField
@@ -68,6 +68,8 @@ def _planes(document: Mapping[str, Any]) -> Arrangement:
         ]
 
     planes = check_list(document["planes"], "planes")
+    lengths = (len(row) for row in planes if isinstance(row, (list, tuple)))
+    budget.check_size(max(lengths, default=0), "coordinates", "planes")
     return Arrangement(
         [numbers(row, f"planes[{i}]") for i, row in enumerate(planes)],
         numbers(document["offsets"], "offsets") if "offsets" in document else None,
@@ -95,7 +97,9 @@ def _of_field(value: Any, field: NumberField | None, where: str) -> Any:
         raise InputError(
             f"{where} has {len(value)} coefficients; a number of this field has 1 to {field.degree}"
         )
-    for c in reversed(rational_vector(value, where)):
+    coefficients = rational_vector(value, where)
+    budget.spend(sum(bit_size(c) for c in coefficients) ** 1.5 / 500)
+    for c in reversed(coefficients):
         found = found * field.root + c
     return found
 

@@ -15,6 +15,7 @@ from arrangement.console.writing import document_text
 from arrangement.errors import InputError
 from arrangement.library.files.documents import Format
 from arrangement.library.files.json_files import Source, parse_json, read_text
+from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
 
 from . import documents
@@ -120,7 +121,9 @@ class Entries:
         if not 1 <= number <= len(self):
             raise InputError(f"the number is {number}; {self._where} has 1 to {len(self)}")
         try:
-            return self._read(self._texts[number - 1])
+            found = self._read(self._texts[number - 1])
+            budget.check_size(found.dimension, "coordinates")
+            return found
         except InputError as error:
             which = f", entry {number}" if len(self) > 1 else ""
             raise InputError(f"{self._where}{which}: {error}") from None
