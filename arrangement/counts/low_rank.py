@@ -46,6 +46,7 @@ from numpy.typing import NDArray
 
 from arrangement.console.progress import watched
 from arrangement.numbers import budget
+from arrangement.numbers.deadline import check_time
 from arrangement.numbers.exact import all_reduced, fast_integers, largest, one_way, work_factor
 
 from .configuration import Configuration
@@ -127,6 +128,7 @@ def _rank_two_parts(config: Configuration, bytes: float) -> Iterator[Groups]:
         parts = _chunks(m, len(vectors))
         groups = (_group(_contract_by_one(vectors, rows), rows) for rows in parts)
     for group in groups:
+        check_time()
         # A plane is in no group of its own row, so the first one is never equal to it.
         yield _keep(_flats_only(group, m), lambda g: g.first > g.row)
 
@@ -202,6 +204,7 @@ def _with_later(vectors: Integers, m: int) -> Iterator[list[Integers]]:
     ]
     for pivot, rows in watched(chunks, "chunks of planes"):
         budget.spend(len(rows) * m * _SORT_STEPS)
+        check_time()
         later = columns[:, rows[0] :]
         here = later[:, : len(rows), None]
         not_later = np.tri(len(rows), dtype=np.bool_)
@@ -282,6 +285,7 @@ def _rank_three_sums(config: Configuration, lines: Groups) -> tuple[int, int, in
     points = point_planes = pairs = triples = 0
     members = lines.members()
     for rows in _chunks(len(lines.row), m):
+        check_time()
         first, second = lines.row[rows], lines.first[rows]
         if isinstance(vectors, ModularVectors):
             inside = np.zeros((len(rows), vectors.count), dtype=np.bool_)
@@ -314,8 +318,9 @@ def _about_rank_two(config: Configuration) -> float:
 
 def _check_cost(what: str, config: Configuration, pairs: float, bytes: float) -> None:
     """Refuse to compare too many planes with too many flats."""
-    slow = 10 if largest(config.vectors) == math.inf else 1
-    steps = pairs * 2.5 * slow * work_factor(config.vectors)
+    # Irrational ones are seen modulo primes, whose number is checked there.
+    irrational = largest(config.vectors) == math.inf
+    steps = pairs * 2.5 * (30 if irrational else work_factor(config.vectors))
     budget.check_cost(what, "leave out planes", steps=steps, bytes=bytes)
 
 

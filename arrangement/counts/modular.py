@@ -26,12 +26,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.numbers import budget
+from arrangement.numbers.deadline import check_time
 from arrangement.numbers.exact import IntegerVector
 from arrangement.numbers.real import field_of, residues
 
 Integers = NDArray[np.int64]
 #: Sums of this many bits are exact in int64, and in doubles.
 _INT64_BITS, _DOUBLE_BITS = 63, 53
+#: Steps to a prime; to one that has an image of a field.
+_PRIME_STEPS = 1000
+_FIELD_PRIME_STEPS = 10_000
+#: Bits of a long number whose remainder takes a step.
+_BITS_A_STEP = 500
 
 
 class _BadPrimeError(Exception):
@@ -111,13 +118,25 @@ class ModularVectors:
             prime = nextprime(prime)
         if prime < largest:
             yield [prime]
+        bits = self.hadamard_bound.bit_length()
+        # Of each prime, the residues of all entries, and the product of all primes so far.
+        divisions = (self.count + 1) * bits / _BITS_A_STEP
+        of_each = divisions + (_PRIME_STEPS if self._field is None else _FIELD_PRIME_STEPS)
+        budget.check_cost(
+            f"the minors of {self.count:,} planes, of up to {budget.about(bits)} bits",
+            "round the entries",
+            steps=bits / largest.bit_length() * of_each,
+        )
         prime = largest
         while True:
             primes: list[int] = []
-            while prod(primes) <= self.hadamard_bound:
+            product = 1
+            while product <= self.hadamard_bound:
+                check_time()
                 prime = prevprime(prime)
                 if self._has_image(prime):
                     primes.append(prime)
+                    product *= prime
             yield primes
 
     def _has_image(self, prime: int) -> bool:
@@ -128,6 +147,7 @@ class ModularVectors:
         labels = np.zeros(members.shape, dtype=np.int64)
         radix = 1
         for prime in primes:
+            check_time()
             images = self._quotients(bases, prime)
             for place, coordinate in enumerate(_normalised(images, members, prime)):
                 size = prime if place else 2

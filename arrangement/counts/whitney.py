@@ -13,7 +13,7 @@ from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from arrangement.console.number_form import table
-from arrangement.errors import InputError
+from arrangement.errors import InputError, OutOfTimeError
 from arrangement.numbers.deadline import Deadline
 from arrangement.planes.planes import Planes
 
@@ -106,7 +106,7 @@ def first_whitney_numbers(
 
     Raises:
         InputError: a permutation that no linear map makes of the planes.
-        TimeLimitError: the time is over; its `known` has the numbers that are final.
+        OutOfTimeError: the time is over; its `known` has the numbers that are final.
 
     Complexity: with m planes and c orbits of flats of rank at most r - 2 (affine: r - 1), O(c m)
     operations modulo primes, and as many images of sets as classes have covers.
@@ -117,7 +117,15 @@ def first_whitney_numbers(
     >>> first_whitney_numbers(families.resonance(6))
     (1, -63, 1652, -22435, 159460, -510524, 371909)
     """
-    return _first_numbers(arrangement, symmetry, Deadline(time_limit))
+    deadline = Deadline(time_limit)
+    try:
+        with deadline.kept():
+            return _first_numbers(arrangement, symmetry, deadline)
+    except TimeoutError:
+        message = (
+            f"{deadline}: the first Whitney numbers 1 are final; give more time for the others"
+        )
+        raise OutOfTimeError(message, (1,)) from None
 
 
 def _first_numbers(

@@ -33,6 +33,7 @@ class Engine:
         can: the same in words.
         steps, bytes: that a face takes.
         order: it takes as much as m^order faces in any case, for m distinct planes.
+        long: how much longer it takes with long numbers, as in `work_factor`.
         affine: how many times the bytes it takes where planes miss the origin.
     """
 
@@ -41,6 +42,7 @@ class Engine:
     can: str
     steps: float
     bytes: float
+    long: float
     order: int = 0
     affine: float = 1
 
@@ -58,6 +60,7 @@ ENGINES = {
         "rank up to 3, or up to 2 with planes that miss the origin",
         1,
         20,
+        4,
         2,
         affine=3,
     ),
@@ -67,9 +70,12 @@ ENGINES = {
         "rank 3, or 4 if all planes contain the origin",
         10,
         120,
+        25,
         2,
     ),
-    "any-dimension": Engine(any_dimension.list_faces, lambda planes: True, "every rank", 40, 300),
+    "any-dimension": Engine(
+        any_dimension.list_faces, lambda planes: True, "every rank", 40, 300, 3
+    ),
 }
 
 
@@ -212,7 +218,7 @@ def _check_cost(
     planes: Planes, engine: Engine, count: Callable[[Planes], Sequence[int]] | None
 ) -> None:
     """Refuse a list that is out of reach, by a bound where that is enough."""
-    factor = work_factor(planes.integer_planes)
+    factor = work_factor(planes.integer_planes, engine.long)
     faces = most_faces(len(planes.distinct), planes.rank, planes.is_central)
 
     bytes = engine.bytes * (1 if planes.is_central else engine.affine)

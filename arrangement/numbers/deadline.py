@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 
 from arrangement.errors import InputError
 
@@ -12,6 +14,10 @@ from .budget import spend
 
 #: The clock of every time limit, in seconds; tests replace it.
 clock: Callable[[], float] = time.monotonic
+
+
+#: The time limit of the work that is done now, for loops far below it.
+_kept: ContextVar[Deadline | None] = ContextVar("_kept", default=None)
 
 
 class Deadline:
@@ -53,5 +59,21 @@ class Deadline:
         if self.passed:
             raise TimeoutError(str(self))
 
+    @contextmanager
+    def kept(self) -> Iterator[None]:
+        """Let `check_time` inside raise `TimeoutError` when the time limit is over."""
+        token = _kept.set(self)
+        try:
+            yield
+        finally:
+            _kept.reset(token)
+
     def __str__(self) -> str:
         return "no time limit" if self.seconds is None else f"time limit of {self.seconds:g} s"
+
+
+def check_time() -> None:
+    """Raise `TimeoutError` when the time limit of the work that is done now is over."""
+    deadline = _kept.get()
+    if deadline is not None and deadline.passed:
+        raise TimeoutError(str(deadline))

@@ -251,17 +251,30 @@ def reduced(vector: Sequence[int]) -> IntegerVector:
 
 def all_reduced(rows: Sequence[Sequence[int]]) -> list[IntegerVector]:
     """Return `reduced` of each row."""
-    size, divisors = largest(rows), starmap(math.gcd, rows)
+    size = largest(rows)
     if size == math.inf:
         return list(map(reduced, rows))
-    if size > 2**_VERY_LONG:
-        from flint import fmpz
-
-        divisors = starmap(lambda *row: int(reduce(fmpz.gcd, map(fmpz, row))), rows)
+    divisors = starmap(common_divisor if size > 2**_VERY_LONG else math.gcd, rows)
     return [
         tuple(row) if divisor <= 1 else tuple([x // divisor for x in row])
         for row, divisor in zip(rows, divisors, strict=True)
     ]
+
+
+def common_divisor(*values: int) -> int:
+    """Return the greatest common divisor of integers that may be very long."""
+    if max(value.bit_length() for value in values) <= _VERY_LONG:
+        return math.gcd(*values)
+    from flint import fmpz
+
+    return int(reduce(fmpz.gcd, map(fmpz, values)))
+
+
+def common_multiple(*values: int) -> int:
+    """Return the least common multiple of positive integers that may be very long."""
+    if max(value.bit_length() for value in values) <= _VERY_LONG:
+        return math.lcm(*values)
+    return reduce(lambda a, b: a // common_divisor(a, b) * b, values)
 
 
 def are_integers(vector: Iterable[Any]) -> bool:
@@ -275,9 +288,9 @@ def _reduced_in_field(vector: Sequence[Any]) -> tuple[Any, ...]:
     if not isinstance(first, int):
         inverse = 1 / abs(first)
         vector = [x * inverse for x in vector]
-    scale = math.lcm(*(x.denominator for x in vector))
+    scale = common_multiple(*(x.denominator for x in vector))
     whole = [x.numerator * (scale // x.denominator) for x in vector]
-    divisor = math.gcd(*(x if isinstance(x, int) else x.content for x in whole))
+    divisor = common_divisor(*(x if isinstance(x, int) else x.content for x in whole))
     return tuple(x // divisor for x in whole)
 
 
@@ -303,11 +316,27 @@ def largest(rows: Iterable[Iterable[int]]) -> float:
     return max(max(entries, default=0), -min(entries, default=0))
 
 
-def work_factor(rows: Iterable[Iterable[int]]) -> float:
-    """Return how many times as long products of these numbers take as those of machine words."""
-    size = largest(rows)
-    bits = 60 if size == math.inf else int(size).bit_length()
-    return 1.0 if bits <= 20 else 3 + (bits / 500) ** 1.6
+def work_factor(rows: Iterable[Iterable[Any]], long: float = 1) -> float:
+    """Return how many times as long products of these numbers take as those of machine words.
+
+    Args:
+        long: how much longer than a product it takes where numbers have more than 500 bits; of
+            numbers of a field of degree c, c^3 times that.
+    """
+    entries = list(chain.from_iterable(rows))
+    bits, degree = max(map(bit_size, entries), default=0), 1
+    if not are_integers(entries):
+        bits, degree = max(bits, 60), max(len(getattr(x, "coefficients", "1")) for x in entries)
+    more = (long * degree**3 - 1) * max(0.0, bits / 500 - 1) ** 1.6
+    return 1.0 if bits <= 20 else 3 + (bits / 500) ** 1.6 + more
+
+
+def bit_size(x: Any) -> int:
+    """Return the bits of the longest integer in an exact number."""
+    if isinstance(x, int):
+        return x.bit_length()
+    parts = getattr(x, "coefficients", None) or (x.numerator,)  # of a field, or a fraction
+    return max([int(part).bit_length() for part in (*parts, x.denominator)])
 
 
 def fast_integers(rows: Sequence[Sequence[int]]) -> list[list[Any]]:

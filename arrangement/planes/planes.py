@@ -20,6 +20,7 @@ from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
     all_reduced,
+    bit_size,
     dot,
     fraction,
     one_way,
@@ -41,6 +42,10 @@ if TYPE_CHECKING:
     from sympy.polys.matrices import DomainMatrix
 
     from arrangement.numbers.fields import NumberField
+
+
+#: Bits of a number that takes longer than others.
+_LONG_BITS = 1000
 
 
 class Planes:
@@ -100,17 +105,8 @@ class Planes:
             raise InputError(
                 f"normals[{i}] is the zero vector, which defines no plane; remove plane {i}"
             )
-        bits = [
-            x.numerator.bit_length()
-            for row in (() if whole else rows)
-            for x in row
-            if isinstance(x, (int, Fraction)) and x.numerator.bit_length() > 1000
-        ]
-        budget.check_cost(
-            f"planes of {len(bits)} numbers of up to {max(bits, default=0)} bits",
-            "round them",
-            steps=sum(n * n for n in bits) / 10_000,
-        )
+        if not whole:
+            _check_digits(chain.from_iterable(rows))
         joined = [(*row, b) for row, b in zip(rows, constants, strict=True)]
         planes = tuple(all_reduced(joined if whole else list(map(without_denominators, joined))))
         self.__dict__.update(dimension=d, axes=tuple(axes), _integer_planes=planes)
@@ -323,6 +319,19 @@ class Planes:
         if not self._integer_planes:
             document["dimension"] = self.dimension
         return document
+
+
+def _check_digits(numbers: Iterable[Any]) -> None:
+    """Refuse numbers so long that to divide by common divisors takes too many steps."""
+    bits, steps = [], 0.0
+    for x in numbers:
+        is_rational = isinstance(x, (int, Fraction))
+        n = x.numerator.bit_length() if is_rational else bit_size(x)
+        if n > _LONG_BITS:
+            bits.append(n)
+            steps += n * n / 10_000 if is_rational else n**1.5 / 500
+    what = f"planes of {len(bits)} numbers of up to {max(bits, default=0)} bits"
+    budget.check_cost(what, "round them", steps=steps)
 
 
 def _listed(normals: Any) -> list[Any]:

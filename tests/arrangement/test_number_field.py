@@ -1,5 +1,6 @@
 """Numbers of one real field against SymPy's, and planes that have them as entries."""
 
+import itertools
 import json
 import pickle
 import random
@@ -13,9 +14,18 @@ import sympy
 from sympy import CRootOf, GoldenRatio, Rational, cos, pi, sqrt
 from sympy.abc import x
 
-from arrangement import Arrangement, InputError, NumberField, counts, read_arrangement
+from arrangement import (
+    Arrangement,
+    InputError,
+    NumberField,
+    OutOfReachError,
+    counts,
+    read_arrangement,
+)
 from arrangement.cli import main
+from arrangement.errors import OutOfTimeError
 from arrangement.library import families
+from arrangement.numbers import budget, deadline
 from arrangement.numbers.fields import number_field
 from arrangement.numbers.symbolic import to_sympy
 
@@ -329,3 +339,36 @@ def test_engines_agree_over_fields_and_with_the_signs_of_sympy(root, seed):
         for row, sign in zip(near, face.signs, strict=True):
             value = sum(map(mul, row, point))
             assert sign == (0 if abs(value) < Rational(1, 10**120) else sympy.sign(value))
+
+
+def _long_rows(planes: int) -> list[list[Any]]:
+    """Planes of R^3 over Q(sqrt 5) with coefficients of up to 3,000 digits."""
+    source, field = random.Random(3), NumberField([-5, 0, 1], [2, 3])
+
+    def number() -> Any:
+        digits = (source.choice((0, source.randint(0, 2999), 2999)) for _ in range(2))
+        return field.number([Fraction(source.randint(1, 9), 10**n) for n in digits])
+
+    return [[number() for _ in range(3)] for _ in range(planes)]
+
+
+def test_long_numbers_of_a_field_are_refused_by_a_forecast(monkeypatch):
+    rows = _long_rows(9)
+    planes = Arrangement(rows)
+    assert Arrangement(planes.normals).integer_planes == planes.integer_planes
+    with pytest.raises(OutOfReachError, match=r"minors of 9 planes, of up to .* round"):
+        counts.region_count(planes)
+    with budget.limit(0.1), pytest.raises(OutOfReachError, match=r"faces of .* steps; leave out"):
+        planes.regions()
+    monkeypatch.setattr(budget, "STEPS", 20_000)
+    with pytest.raises(OutOfReachError, match=r"25 numbers of up to \d+ bits"):
+        Arrangement(rows)
+
+
+def test_time_limit_of_a_count_in_low_rank_is_kept(monkeypatch):
+    monkeypatch.setattr(deadline, "clock", itertools.count().__next__)
+    field = NumberField([-5, 0, 1], [2, 3])
+    rows = [[field.number([3**k, 5**j]) for k in (7, 90, j)] for j in range(2, 9)]
+    for planes in (Arrangement(rows), families.random_integer(30, 4, bound=10**30, seed=3)):
+        with pytest.raises(OutOfTimeError, match=r"limit of 0.5 s: .* numbers 1 are final"):
+            counts.first_whitney_numbers(planes, time_limit=0.5)

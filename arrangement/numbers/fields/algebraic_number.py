@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import total_ordering
 from typing import Any, TypeAlias
 
-from arrangement.numbers.exact import IntegerVector, to_text
+from arrangement.numbers.exact import IntegerVector, common_divisor, to_text
 from arrangement.numbers.real import Irrational, check_same_field
 
 #: A rational number, or an irrational one of a field.
@@ -38,7 +37,7 @@ class AlgebraicNumber(Irrational):
     @property
     def content(self) -> int:
         """The greatest common divisor of the coefficients."""
-        return math.gcd(*self.coefficients)
+        return common_divisor(*self.coefficients)
 
     def sign(self) -> int:
         """Return -1 or 1."""

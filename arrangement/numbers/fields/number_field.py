@@ -19,7 +19,7 @@ from functools import cached_property
 from operator import mul
 from typing import TYPE_CHECKING, Any, cast
 
-from arrangement.numbers.exact import IntegerVector, rational_vector, to_text
+from arrangement.numbers.exact import IntegerVector, common_divisor, rational_vector, to_text
 
 from .algebraic_number import AlgebraicNumber, Real, sum_of_powers
 from .polynomials import (
@@ -237,7 +237,7 @@ class NumberField:
             value = Fraction(coefficients[0], denominator)
             return value.numerator if value.denominator == 1 else value
         if denominator != 1:
-            divisor = math.gcd(denominator, *coefficients)
+            divisor = common_divisor(denominator, *coefficients)
             if divisor != 1:
                 coefficients = tuple([x // divisor for x in coefficients])
                 denominator //= divisor
