@@ -19,6 +19,7 @@ from equilibrium.model.assembly import BodyContact
 from equilibrium.model.contact import contact_words, joined, spread
 from equilibrium.model.solution import PadForce
 from equilibrium.pictures import draw_grasp
+from equilibrium.pictures.lab.page import lab_page
 from equilibrium.pictures.space.solid_grasp import SolidGrasp
 
 HALF = Fraction(1, 2)
@@ -117,6 +118,11 @@ class TestOneContact:
             space = GraspWrenchSpace(pads, "Linf")
             assert space.verdict([-1, 0, 0]).least_force == slope
         assert GraspWrenchSpace(grasp, "Linf").volume < space.volume
+
+    def test_lab_takes_each_point_as_a_contact(self, pinch):
+        page = lab_page(read_csv(pinch).grasp)
+        assert "Here each point of a pad is a contact of its own." in page
+        assert '"share"' not in page
 
     def test_modes_say_that_they_are_about_points(self, pinch, capsys):
         _, out = printed(capsys, "info", pinch, "--modes", "--count")
