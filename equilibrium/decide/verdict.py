@@ -1,11 +1,11 @@
 """The answer to one question: resisted, not resisted or undecided, in the plane and in space.
 
 Model: a motion d and forces with, at every contact, ``c_n = max(0, preload - stiffness N . d)``,
-``|c_t| <= friction c_n``, maximum dissipation (a contact that slips by ``s = T d`` has
-``c_t = -friction c_n s / |s|``), and ``sum (c_n N + c_t T) + w = 0``. The answer is an equilibrium,
-or a tree of virtual motions against which nothing balances the load. In space there are two
-tangents and the cone is round, so equilibria need not have rational numbers, and on a boundary
-neither proof may close: then the answer is "undecided".
+``|c_t| <= friction c_n``, maximum dissipation (a contact that slips by ``s = T d`` has ``c_t =
+-friction c_n s / |s|``), and ``sum ((c_n - adhesion) N + c_t T) + w = 0``. The answer is an
+equilibrium, or a tree of virtual motions against which nothing balances the load. In space there
+are two tangents and the cone is round, so equilibria need not have rational numbers, and on a
+boundary neither proof may close: then the answer is "undecided".
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """The methods that the paper compares with, one file each, each with a verdict of its own.
 
 Signs follow the package: the grasp resists the wrench w when contact forces c exist with
-``sum_i (c_n N_i + c_t T_i) + w = 0``. What differs is which forces a method lets arise. `registry`
-is their table, `compare` asks all of them.
+``sum_i (c_n N_i + c_t T_i) + w = 0``, with all adhesion in w. What differs is which forces a method
+lets arise. `registry` is their table, `compare` asks all of them.
 """
 
 from .closure.force_closure import ForceClosure as ForceClosure, force_closure as force_closure

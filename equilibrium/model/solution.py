@@ -46,7 +46,8 @@ class Solution(JsonMixin):
 
     Attributes:
         motion: three numbers, in space six.
-        forces: at each contact the normal force and one along each tangent: one, in space two.
+        forces: at each contact the normal force and one along each tangent: one, in space two. Its
+            adhesion acts besides.
         box: what holds it if its numbers are not rational; motion and forces are then near floats.
     """
 

@@ -31,7 +31,8 @@ class Equilibrium(JsonMixin):
     Attributes:
         states: the state of each contact (its conditions are closed: boundaries belong).
         motion: ``(x, y, r)`` of the solution of least norm (see `solve`).
-        forces: (normal, tangential) force on the object at each contact, of the same solution.
+        forces: (normal, tangential) force on the object at each contact, without its adhesion, of
+            the same solution.
         unique: whether the polyhedron is this one point.
         motion_ranges, force_ranges: exact (least, largest) value of each component over the
             polyhedron; None where it is unbounded.
