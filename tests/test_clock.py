@@ -115,7 +115,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     points, normals = [[0.03 * x, 0.03 * y] for x, y in around], [[-x, -y] for x, y in around]
     made = tmp_path_factory.mktemp("clock")
     grasps = {
-        "SOFT": random_grasp(4, 2, dimension=3),
+        "SOFT": random_grasp(4, 2, dimension=3).with_units("m", "N"),
         "DISC": from_float_data(points, normals, 0.0).grasp,
     }
     for stem, grasp in grasps.items():

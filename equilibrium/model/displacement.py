@@ -64,9 +64,13 @@ def has_unit(grasp: Grasp) -> bool:
 
 
 def small_displacement(grasp: Grasp) -> Fraction | None:
-    """Return the largest displacement of small motions; None where nothing says what is small."""
+    """Return the largest displacement of small motions; None where nothing says what is small.
+
+    Displacements are forces over stiffnesses. Their size means something where units are stated
+    and a number carries them; elsewhere no verdict depends on it.
+    """
     size = SMALL_SHARE * spread([contact.point for contact in grasp])
-    return size if size and has_unit(grasp) else None
+    return size if size and grasp.units is not None and has_unit(grasp) else None
 
 
 def along_tangents(grasp: Grasp, axes: Sequence[RationalVector]) -> bool:

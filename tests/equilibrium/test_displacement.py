@@ -52,9 +52,10 @@ def test_one_stiffness_or_preload_gives_displacements_a_unit():
     assert has_unit(Grasp([bare, given]))
     assert has_unit(Grasp([bare, loaded]))
     assert not has_unit(Grasp([bare, bare]))
-    assert small_displacement(Grasp([bare, given])) == Fraction(1, 10)
-    assert small_displacement(Grasp([given, given])) is None
-    assert small_displacement(Grasp([bare, replace(bare, point=(1, 0))])) is None
+    pairs = [bare, given], [given, given], [bare, replace(bare, point=(1, 0))]
+    measured = [Grasp(pair).with_units("m", "N") for pair in pairs]
+    assert list(map(small_displacement, measured)) == [Fraction(1, 10), None, None]
+    assert small_displacement(Grasp(pairs[0])) is None
     assert spread([]) == 0
 
 
@@ -94,6 +95,8 @@ def test_object_that_leaves_the_hand_has_a_warning(stiffness, wrench, dimension)
         grasp = Grasp(replace(c, stiffness=Fraction(stiffness)) for c in grasp)
     if dimension == 3:
         grasp, wrench = grasp.in_space(), (*wrench[:2], 0, 0, 0, wrench[2])
+    assert solve(grasp, wrench).warnings == ()
+    grasp = grasp.with_units("m", "N")
     found = solve(grasp, wrench)
     assert found.stable
     assert found.warnings == (warning(every=True),)
@@ -103,8 +106,8 @@ def test_object_that_leaves_the_hand_has_a_warning(stiffness, wrench, dimension)
 
 
 def test_wedge_is_not_resisted_with_a_bound(tmp_path, capsys):
-    path, proof = tmp_path / "wedge.csv", tmp_path / "proof.json"
-    path.write_text(WEDGE)
+    path, proof = tmp_path / "wedge.json", tmp_path / "proof.json"
+    path.write_text(json.dumps(parse_csv(WEDGE).grasp.with_units("m", "N").to_dict()))
     arguments = ["solve", str(path), "--wrench", "-1", "0", "0"]
     assert main(arguments) == 0
     assert warning(every=True) in capsys.readouterr().out
@@ -126,11 +129,11 @@ def test_displacements_without_stiffness_have_no_unit(capsys, tmp_path):
         main(["solve", str(path), "--wrench", "-1", "0", "0", "--max-displacement", "1"])
         assert (STIFFNESS_ASSUMED in capsys.readouterr().out) == said
     fingers = [Contact((-1, 0), (1, 0), 1), Contact((1, 0), (-1, 0), 1)]
-    pinch = Grasp([Contact((0, 0), (0, 1), 1), *fingers])
+    pinch = Grasp([Contact((0, 0), (0, 1), 1), *fingers]).with_units("m", "N")
     found = solve(pinch, (0, -10, 0))
     assert displacement(pinch, found.solution.motion) > 1
     assert found.warnings == ()
-    known = Grasp(replace(c, stiffness_given=True) for c in pinch)
+    known = Grasp((replace(c, stiffness_given=True) for c in pinch), pinch.units)
     assert solve(known, (0, -10, 0)).warnings
     assert known == pinch
     assert not any(c.stiffness_given for c in pinch.with_preload(0).in_space())
@@ -315,9 +318,9 @@ def test_oblique_planes_prove_nothing_with_a_bound():
 
 
 def test_spatial_equilibria_complete_only_if_proved():
-    soft = random_grasp(4, 2, dimension=3)
+    soft = random_grasp(4, 2, dimension=3).with_units("m", "N")
     wrench = random_wrench(2, dimension=3, bound=1)
-    hard = Grasp(replace(c, stiffness=1000 * c.stiffness) for c in soft)
+    hard = Grasp((replace(c, stiffness=1000 * c.stiffness) for c in soft), soft.units)
     assert solve(hard, wrench).warnings == ()
     found = solve(soft, wrench)
     (line,) = found.warnings
@@ -325,13 +328,35 @@ def test_spatial_equilibria_complete_only_if_proved():
     assert ("every equilibrium" in line) == (proved.verdict == "not resisted")
 
 
-def test_only_large_motions_have_a_warning(capsys):
+@pytest.fixture(scope="module")
+def measured(tmp_path_factory):
+    """The grasp with units, and its file."""
+    grasp = read_grasp(THREE).with_units("m", "N")
+    path = tmp_path_factory.mktemp("measured") / "grasp.json"
+    path.write_text(json.dumps(grasp.to_dict()), encoding="utf-8")
+    return grasp, str(path)
+
+
+def test_without_units_no_motion_is_large(capsys, tmp_path):
+    """The size of displacements means nothing there, and no verdict depends on it."""
     grasp = read_grasp(THREE)
+    assert small_displacement(grasp) is None
+    assert solve(grasp, TURNED).warnings == ()
+    assert main(["solve", THREE, "--wrench", "0", "1/2", "1/2"]) == 0
+    assert "beyond" not in capsys.readouterr().out
+    path = tmp_path / "grasp.svg"
+    words = ["--wrench", "0", "1/2", "1/2", "-o", str(path), "--text", "text"]
+    assert main(["draw", THREE, *words]) == 0
+    assert "beyond" not in path.read_text()
+
+
+def test_only_large_motions_have_a_warning(capsys, measured):
+    grasp, path = measured
     assert solve(grasp, (0, -1, 0)).warnings == ()
     assert solve(grasp, TURNED, max_displacement=3).warnings == ()
     (line,) = solve(grasp, TURNED).warnings
     assert line.startswith("beyond small motions: every equilibrium")
-    arguments = ["solve", THREE, "--wrench", "0", "1/2", "1/2"]
+    arguments = ["solve", path, "--wrench", "0", "1/2", "1/2"]
     assert main(arguments) == 0
     assert capsys.readouterr().out.splitlines()[-1] == line
     assert main([*arguments, "--json"]) == 0
@@ -341,14 +366,25 @@ def test_only_large_motions_have_a_warning(capsys):
 
 
 def test_one_contact_says_nothing_of_what_is_small():
-    grasp = Grasp([Contact((0, 0), (0, 1), 0, 2, 1)])
+    grasp = Grasp([Contact((0, 0), (0, 1), 0, 2, 1)]).with_units("m", "N")
     assert small_displacement(grasp) is None
     assert solve(grasp, (0, -100, 0)).warnings == ()
 
 
-def test_a_picture_says_that_motions_are_not_small(tmp_path):
+def test_a_picture_says_that_motions_are_not_small(tmp_path, measured):
     path = tmp_path / "grasp.svg"
-    arguments = ["draw", THREE, "--wrench", "0", "1/2", "1/2", "-o", str(path), "--text", "text"]
+    arguments = [
+        "draw",
+        measured[1],
+        "--wrench",
+        "0",
+        "1/2",
+        "1/2",
+        "-o",
+        str(path),
+        "--text",
+        "text",
+    ]
     assert main(arguments) == 0
     assert "beyond small motions" in path.read_text()
     assert main([*arguments, "--max-displacement", "1/10"]) == 0
@@ -362,6 +398,7 @@ def test_a_frictionless_disc_turns_too_far_to_resist_a_torque():
     normals = [(cosine, sine), (-sine, cosine), (-cosine, sine), (sine, -cosine)]
     disc = Grasp(Contact((-x, -y), n, 0, 1, 1) for (x, y), n in
                  zip([(1, 0), (0, 1), (-1, 0), (0, -1)], normals, strict=True))  # fmt: skip
+    disc = disc.with_units("m", "N")
     wrench = (0, 0, 10 * small)
     free = solve(disc, wrench)
     assert free.stable

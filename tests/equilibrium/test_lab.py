@@ -397,6 +397,16 @@ def test_unusual_grasps_are_shown(grasp, browser, tmp_path):
     assert browser.messages() == []
 
 
+@pytest.mark.parametrize("stated", [False, True])
+def test_motions_are_too_large_only_where_units_are_stated(stated, browser, tmp_path):
+    grasp = read_grasp("paper-three-contacts-preload-1")
+    grasp = grasp.with_units("m", "N") if stated else grasp
+    browser.show(lab_page(grasp, wrench=[0, "1/2", "1/2"]), tmp_path)
+    assert "resisted" in verdict(browser)
+    text = browser.run("return document.body.textContent")
+    assert ("Beyond small motions" in text) == stated
+
+
 def test_an_equilibrium_is_shown_while_others_are_still_listed(browser, tmp_path):
     """A ring of eight has more choices of states than can be listed within a second."""
     corners = [("1", "0"), ("4/5", "3/5"), ("0", "1"), ("-3/5", "4/5")]

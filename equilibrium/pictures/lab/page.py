@@ -143,6 +143,7 @@ def lab_page(
         "axes": [
             f"{name} ({grasp.units.force})" if grasp.units else name for name in ("f_x", "f_y")
         ],
+        "units": grasp.units is not None,
         # What the scripts of the still pages find when they start; the page fills it in.
         "contacts": [],
         "outline": None,

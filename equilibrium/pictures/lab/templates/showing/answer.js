@@ -71,7 +71,7 @@ function describeEquilibrium(box) {
   });
   make("p", {}, box, piece.motion.some((x) => x.n) ? `Motion d = ${vectorText(piece.motion)}: ${motionWords(piece.motion)}.`
     : "Motion d = 0: the object rests where it is.");
-  if (!isSmall(piece)) make("p", { class: "hint" }, box, "Beyond small motions: it moves a contact point by more than 1/10 of the spread of the contacts, too far for the linear model.");
+  if (data.units && !isSmall(piece)) make("p", { class: "hint" }, box, "Beyond small motions: it moves a contact point by more than 1/10 of the spread of the contacts, too far for the linear model.");
   const loose = (piece.ranges ?? []).slice(0, 3).flatMap((range, k) => (isPoint(range) ? [] : [`${"xyr"[k]} in ${rangeText(range)}`]));
   if (loose.length) make("p", {}, box, `All of them: ${loose.join(", ")}.`);
   make("p", { class: "hint" }, box, piece.ranges
