@@ -27,7 +27,7 @@ from arrangement.numbers.exact import RationalVector, rational, rational_vector,
 
 from .contact import VALUES, Contact, contact_of
 from .errors import GraspError
-from .grasp import Grasp, ask_contacts, chosen_places, wrench_of
+from .grasp import Grasp, ask_contacts, chosen_contacts, wrench_of
 from .labels import DataError, Units
 from .outline import Circle, Polygon, centroid, coordinates, read_outline
 from .rows import TURNS, ContactRow, ContactRows
@@ -342,7 +342,7 @@ class Assembly(HintsMixin):
         Raises:
             GraspError: no such contact.
         """
-        return chosen_places(numbers, len(self.contacts))
+        return frozenset(k - 1 for k in chosen_contacts(numbers, len(self.contacts)))
 
     def with_preload(self, preload: Any, contacts: Iterable[int] | None = None) -> Assembly:
         """Return the same assembly with one preload at every contact.

@@ -16,7 +16,7 @@ from arrangement.console.number_form import counted
 from arrangement.console.plugins import named
 from arrangement.console.writing import write_text_atomically
 from arrangement.errors import HintsMixin
-from arrangement.library.arguments import entries
+from arrangement.library.arguments import entries, whole
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, dot, rational, rational_vector, shown
@@ -184,8 +184,8 @@ class Grasp(HintsMixin):
         Raises:
             GraspError: no such contact.
         """
-        chosen = chosen_places(numbers, len(self.groups))
-        return frozenset(i for k in chosen for i in self.groups[k])
+        chosen = chosen_contacts(numbers, len(self.groups))
+        return frozenset(i for k in chosen for i in self.groups[k - 1])
 
     def joined(self) -> Grasp:
         """Return the grasp with each pad as one contact in its middle."""
@@ -478,15 +478,17 @@ def in_plane(
     return flat, (dot(u, force), dot(v, force), dot(normal, torque))
 
 
-def chosen_places(numbers: Iterable[int], count: int) -> frozenset[int]:
-    """Return places, from 0, of contacts by their numbers, from 1.
+def chosen_contacts(numbers: Iterable[int], count: int) -> tuple[int, ...]:
+    """Return the numbers, from 1, of some of a number of contacts, increasing.
 
     Raises:
         GraspError: no such contact.
+        InputError: what is no sequence of integers.
     """
-    chosen = sorted({*numbers})
+    listed = entries(numbers, "contacts", "numbers of contacts")
+    chosen = tuple(sorted({whole(k, f"contacts[{i}]") for i, k in enumerate(listed)}))
     if not {*chosen} <= {*range(1, count + 1)}:
         raise GraspError(
-            f"contacts are {shown(chosen)}; expected numbers of contacts from 1 to {count}"
+            f"contacts are {shown(list(chosen))}; expected numbers of contacts from 1 to {count}"
         )
-    return frozenset(k - 1 for k in chosen)
+    return chosen

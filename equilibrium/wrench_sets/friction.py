@@ -27,7 +27,7 @@ from equilibrium.decide.solver import Solver, prepare
 from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp, chosen_contacts, read_wrench
 from equilibrium.model.rows import ContactRows
 from equilibrium.plane.states.contact_states import contact_states
 from equilibrium.plane.states.state_system import States
@@ -105,9 +105,11 @@ def least_friction(
         raise GraspError(f"tolerance is {shown(goal)}; it must be at least 2^-100")
     solver = grasp if isinstance(grasp, AssemblySolver) else prepare(grasp)
     if contacts is None:
-        contacts = rough_contacts(solver.grasp)
-    chosen = tuple(sorted({*contacts}))
-    solver.grasp.points_of(chosen)
+        chosen = rough_contacts(solver.grasp)
+    else:
+        chosen = chosen_contacts(contacts, len(solver.grasp.contact_numbers))
+        if not chosen:
+            raise GraspError("contacts are []; expected at least one number, or leave them out")
     if isinstance(solver, AssemblySolver):
         return _OfAssembly(solver, solver.grasp.read_wrenches(wrench), goal, chosen).run()
     return _OfGrasp(solver, read_wrench(wrench), goal, chosen).run()

@@ -29,7 +29,7 @@ from equilibrium.decide.solver import Solver, prepare
 from equilibrium.decide.state_choices import StateChoices
 from equilibrium.model.assembly import Wrenches
 from equilibrium.model.errors import GraspError, UndecidedError
-from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.grasp import Grasp, chosen_contacts, read_wrench
 from equilibrium.plane.contact_rows import negated
 from equilibrium.plane.states.contact_states import DETACHED, states_of_code
 from equilibrium.plane.states.state_system import States, state_system
@@ -245,7 +245,7 @@ def chosen_preloads(
     """
     solver = grasp if isinstance(grasp, AssemblySolver) else prepare(grasp)
     every = solver.grasp.contact_numbers
-    chosen = tuple(sorted({*(every if contacts is None else contacts)}))
+    chosen = chosen_contacts(every if contacts is None else contacts, len(every))
     listed = tuple(wrenches)
     if not listed or not chosen:
         raise GraspError(

@@ -4,7 +4,7 @@ from itertools import pairwise
 import pytest
 from hypothesis import assume, given, settings, strategies as st
 
-from arrangement.errors import OutOfReachError
+from arrangement.errors import InputError, OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.linear.intervals import holds, remainder, union
 from arrangement.numbers.linear.polyhedron import from_conditions
@@ -345,6 +345,25 @@ def test_smooth_contacts_stay_smooth_unless_named(bodies):
     assert ResistedSet(half).margin(weight).friction("1/64", [2]).high == Fraction(1, 2)
     with pytest.raises(GraspError, match=r"contacts are \[3\]; expected .* from 1 to 2"):
         whole.friction("1/1000", [3])
+
+
+@pytest.mark.parametrize(
+    ("contacts", "message"),
+    [
+        ([], "expected at least one"),
+        ([0], r"contacts are \[0\]; expected numbers of contacts from 1 to 2"),
+        ([1, "a"], r"contacts\[1\] is 'a'; give an integer"),
+        ([True], "give an integer"),
+        (3, "contacts is 3; give a sequence of numbers of contacts"),
+    ],
+)
+def test_bad_choices_of_contacts_are_refused(contacts, message):
+    grasp, weight = ladder()
+    for whole, load in [(grasp, weight), (Assembly.of_grasp(grasp), {"object": weight})]:
+        with pytest.raises(InputError, match=message):
+            ResistedSet(whole).margin(load).friction(contacts=contacts)
+        with pytest.raises(InputError, match=message):
+            ResistedSet(whole).preloads([load], contacts)
 
 
 def test_coefficients_far_above_1_are_found():
