@@ -13,7 +13,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 from arrangement.console import progress, workers
-from tests import latex as tex
+from tests import assertions, latex as tex
 from tests.browser import MISSING, Browser, left_out, programs, running
 from tests.javascript.check import node
 
@@ -51,6 +51,11 @@ settings.load_profile("ci")
 
 #: What takes longest comes first, so that at the end no worker is left alone with it.
 LONGEST = {"test_pictures.py", "test_docs.py", "test_layers.py", "test_draw_views.py"}
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Let tests fail that execute no assertion."""
+    config.pluginmanager.register(assertions)
 
 
 @pytest.hookimpl(wrapper=True)

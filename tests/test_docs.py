@@ -90,13 +90,13 @@ def test_no_block_of_code_is_left_out(page):
             assert ">>> " in block.body, f"{place}: nothing runs this {block.argument}"
 
 
-@pytest.mark.parametrize("page", PAGES, ids=name)
-def test_every_generated_picture_has_a_script(page):
+def test_every_generated_picture_has_a_script():
     """The script NAME.py makes the files whose names start with NAME."""
     scripts = [path.stem for path in (DOCS / "figures").glob("[!_]*.py")]
-    for picture in _FIGURE.findall(page.read_text(encoding="utf-8")):
-        makers = [stem for stem in scripts if re.fullmatch(rf"{stem}(-.*)?\.\w+", picture)]
-        assert makers, f"{name(page)}: no script of docs/figures makes {picture}"
+    for page in PAGES:
+        for picture in _FIGURE.findall(page.read_text(encoding="utf-8")):
+            makers = [stem for stem in scripts if re.fullmatch(rf"{stem}(-.*)?\.\w+", picture)]
+            assert makers, f"{name(page)}: no script of docs/figures makes {picture}"
 
 
 def test_every_work_cited_on_a_page_is_in_the_bibliography():

@@ -42,7 +42,8 @@ def test_extras_are_those_of_the_distribution():
 
 
 def test_planar_answers_need_no_extra():
-    subprocess.run([sys.executable, "-c", PLANAR], check=True, cwd=ROOT)
+    run = subprocess.run([sys.executable, "-c", PLANAR], check=False, cwd=ROOT)
+    assert run.returncode == 0
 
 
 @pytest.mark.parametrize("name", EXTRAS)

@@ -179,7 +179,7 @@ from arrangement.planes.planes import Planes
 from arrangement.counts import f_vector
 assert tuple(f_vector(Planes([[1, 0, 0], [0, 1, 0], [0, 0, 1]]))) == (1, 6, 12, 8)
 """
-    subprocess.run([sys.executable, "-c", program], check=True, timeout=60)
+    assert subprocess.run([sys.executable, "-c", program], timeout=60, check=False).returncode == 0
 
 
 def test_certificates_are_read_and_checked_without_numpy():
@@ -187,7 +187,8 @@ def test_certificates_are_read_and_checked_without_numpy():
         "import sys; from equilibrium import Certificate, read_certificate, verify\n"
         "assert not {'numpy', 'sympy', 'scipy'} & set(sys.modules)"
     )
-    subprocess.run([sys.executable, "-c", program], cwd=ROOT, timeout=120, check=True)
+    run = subprocess.run([sys.executable, "-c", program], cwd=ROOT, timeout=120, check=False)
+    assert run.returncode == 0
 
 
 #: In a copy of the process for each part: its modules are gone, the rest counts and decides.

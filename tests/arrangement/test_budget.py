@@ -203,6 +203,8 @@ def test_hostile_questions_are_answered_or_refused_soon(number, tmp_path):
 
 
 def test_no_limit_allows_work_without_a_finite_forecast():
+    with pytest.raises(OutOfReachError):
+        budget.check_cost("a list without an end", steps=math.inf)
     with budget.limit(math.inf):
         budget.check_cost("a list without an end", steps=math.inf)
 

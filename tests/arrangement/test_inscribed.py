@@ -179,7 +179,10 @@ def test_equal_weights_inscribe_every_simplicial_arrangement(name):
     answer = inscribability(SIMPLICIAL[name])
     answer.verify()
     graph = answer.certificate.graph
-    WeightCertificate(graph, (Fraction(1, 3),) * len(graph.edges)).verify()
+    thirds = (Fraction(1, 3),) * len(graph.edges)
+    WeightCertificate(graph, thirds).verify()
+    with pytest.raises(ArrangementError):
+        WeightCertificate(graph, (Fraction(1, 2), *thirds[1:])).verify()
 
 
 @pytest.mark.parametrize(
@@ -251,6 +254,8 @@ def test_weights_are_accepted_where_a_flow_has_to_turn_back():
     weights |= {(2, 6): 11, (4, 5): 11, (4, 6): 3, (5, 7): 4, (6, 7): 13}
     graph = PolyhedralGraph.of(8, weights)
     WeightCertificate(graph, tuple(Fraction(w, 27) for w in weights.values())).verify()
+    with pytest.raises(ArrangementError):
+        WeightCertificate(graph, tuple(Fraction(w, 26) for w in weights.values())).verify()
 
 
 def test_any_changed_weight_is_refused():
