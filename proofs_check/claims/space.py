@@ -31,10 +31,16 @@ _LOADS = tuple(
 )
 
 
-def _in_space(question: Question, pyramid: int | None) -> bool:
+def _in_space(question: Question) -> tuple[Grasp, tuple[Fraction | int, ...]]:
     x, y, torque = question.wrench
-    wrench = (x, y, 0, 0, 0, torque)
-    return solve(grasp_of(question).in_space(), wrench, pyramid=pyramid).stable
+    return grasp_of(question).in_space(), (x, y, 0, 0, 0, torque)
+
+
+def _proved(grasp: Grasp, wrench: Sequence[Fraction | int], pyramid: int | None = None) -> bool:
+    """Return what the checker says that the certificate of the solver proves."""
+    verdict = solve(grasp, wrench, pyramid=pyramid)
+    assert verdict.verify()
+    return bool(verdict.proof["certificate"] == "resisted")
 
 
 def _cases(_: Random) -> Iterator[Case]:
@@ -121,7 +127,7 @@ def _slip_planes(_: Random) -> Iterator[Case]:
 def _general_faces(planes: int, d: int) -> int:
     """Return the faces of planes with normals on the moment curve, any d of them independent."""
     curve = [[Fraction(t) ** k for k in range(d)] for t in range(planes)]
-    return sum(Arrangement(curve, dimension=d).faces().f_vector)
+    return sum(counts.f_vector(Arrangement(curve, dimension=d)))
 
 
 def _slip_arrangement(rows: ContactRows) -> Arrangement:
@@ -277,12 +283,7 @@ _FINER = (4, 8, None)
 
 def _by_proofs(grasp: Grasp) -> tuple[bool, ...]:
     """Return what the checker says that the certificates prove."""
-    found = []
-    for edges in _FINER:
-        verdict = solve(grasp, _LET_GO, pyramid=edges)
-        assert verdict.verify()
-        found.append(verdict.proof["certificate"] == "resisted")
-    return tuple(found)
+    return tuple(_proved(grasp, _LET_GO, edges) for edges in _FINER)
 
 
 #: Loads beyond what two jaws hold, whatever the number of their contacts: 2 along the jaws.
@@ -386,8 +387,11 @@ CLAIMS = (
     ),
     stated(
         "planar-verdicts-embed",
-        lambda question: (oracle.stable(question), _in_space(question, None)),
-        lambda question: (_decided(question).stable, _in_space(question, 4)),
+        lambda question: (oracle.stable(question), solve(*_in_space(question)).stable),
+        lambda question: (
+            _proved(grasp_of(question), question.wrench),
+            _proved(*_in_space(question), 4),
+        ),
         judge=lambda question, verdicts: verdicts[0] == verdicts[1],
         cases=_cases,
         explain=lambda question, verdicts: f"in the plane {verdicts[0]}, in space {verdicts[1]}",

@@ -1,0 +1,186 @@
+"""The implementations of a claim run no code in common beside numbers, planes and the model."""
+
+import sys
+from collections.abc import Iterator
+from itertools import islice
+from pathlib import Path
+from random import Random
+from types import CodeType, FrameType
+from typing import Any
+
+import pytest
+
+from proofs_check.claims import registry
+from proofs_check.statements.statement import Claim
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+PACKAGES = ("arrangement", "equilibrium", "proofs_check")
+#: What each implementation may use: numbers, the data of arrangements and grasps, instances, and
+#: lines of progress.
+COMMON = (
+    "arrangement/console/",
+    "arrangement/numbers/",
+    "arrangement/planes/planes.py",
+    "equilibrium/model/",
+    "proofs_check/instances/",
+)
+#: What else the implementations of some claims share, whole files or functions, and why.
+SHARED: list[tuple[str, str, str]] = [
+    (
+        "single-solution vertical-limit-every-friction",
+        "proofs_check/routes/oracle.py: united",
+        "Joins closed intervals; each implementation finds its own.",
+    ),
+    (
+        "euler dual-edge-and-face-bounds dual-bipartite-bounds",
+        "proofs_check/claims/dual.py: _vef",
+        "Names three of the numbers of faces, which are enumerated and counted.",
+    ),
+    (
+        "dual-planar-3-connected sphere-dual-weights hamming-edges",
+        "proofs_check/routes/dual_graph.py: from_signs _bits _flags",
+        "Makes the graph of sign vectors; faces and covectors give these.",
+    ),
+    (
+        "hamming-edges",
+        "proofs_check/claims/dual.py: _hamming",
+        "The quantity of the claim, of the graphs of faces and of covectors.",
+    ),
+    (
+        "hamming-edges",
+        "proofs_check/routes/dual_graph.py: distances DualGraph.neighbours",
+        "Lengths of paths, of the graphs of faces and of covectors.",
+    ),
+    (
+        "algorithm-2-sound algorithm-2-complete all-stick-listed",
+        "proofs_check/routes/oracle.py: Question.to_dict",
+        "Writes the question down for the solver, and for its steps.",
+    ),
+    (
+        "algorithm-2-sound algorithm-2-complete all-stick-listed",
+        "arrangement/library/arguments.py: entries is_listed",
+        "Reads the contacts of the question.",
+    ),
+    (
+        "algorithm-2-sound algorithm-2-complete all-stick-listed",
+        "arrangement/library/files/json_files.py: check_keys check_list",
+        "Reads the contacts of the question.",
+    ),
+    (
+        "algorithm-2-null-space",
+        "proofs_check/routes/oracle.py: all_states Reading.states",
+        "Lists all 4^m choices of states; each implementation decides them.",
+    ),
+    (
+        "census-types",
+        "proofs_check/claims/others.py: _listed",
+        "The arrangements of the census, whose isomorphism classes are told apart in two ways.",
+    ),
+    (
+        "census-types",
+        "arrangement/library/census/catalogue.py",
+        "The arrangements of the census, whose isomorphism classes are told apart in two ways.",
+    ),
+    (
+        "simplicial-catalogue",
+        "proofs_check/claims/others.py: _vectors",
+        "Counts incidences, which the lattice and the great circles find.",
+    ),
+    (
+        "slip-states-in-space slip-states-of-two-bodies slip-states-of-a-stack",
+        "proofs_check/claims/space.py: _slip_arrangement",
+        "The planes whose faces are listed and counted.",
+    ),
+    (
+        "slip-states-of-a-stack",
+        "proofs_check/claims/space.py: _product",
+        "Multiplies the numbers of both bodies, which are listed and counted.",
+    ),
+    (
+        "stacks-are-decided-apart",
+        "proofs_check/claims/space.py: _apart",
+        "Writes down the question of each body.",
+    ),
+    (
+        "leaves-do-not-grow planar-verdicts-embed",
+        "proofs_check/routes/oracle.py: Question.to_dict",
+        "Writes the question down for the solver.",
+    ),
+    (
+        "leaves-do-not-grow",
+        "proofs_check/claims/space.py: _decided",
+        "Has the certificate made, whose leaves are counted in two ways.",
+    ),
+    (
+        "planar-verdicts-embed",
+        "proofs_check/claims/space.py: _in_space",
+        "Puts the contacts into space.",
+    ),
+]
+#: Claims of which one solver makes the value and its certificate, and the code that checks this.
+#: Their implementations may share all of `arrangement` and `equilibrium`.
+CERTIFIED = {
+    "sphere-dual-convex": "proofs_check/routes/rivin.py",
+    "leaves-do-not-grow": "proofs_check/routes/leaves.py",
+    "more-edges-hold-no-less": "equilibrium/certificate/checker.py",
+    "planar-verdicts-embed": "equilibrium/certificate/checker.py",
+}
+
+
+def caches() -> Iterator[Any]:
+    for name, module in list(sys.modules.items()):
+        if name.split(".")[0] in PACKAGES:
+            for value in list(vars(module).values()):
+                if hasattr(value, "cache_clear"):
+                    yield value
+
+
+def third(claim: Claim) -> Any:
+    """Return what the third case is about, made anew, so that nothing of it is computed."""
+    source = next(iter(claim.all_sources(0)))
+    found = (case for case in source.cases(Random(0)) if claim.includes(case.subject))
+    return list(islice(found, 3))[-1].subject
+
+
+def called(claim: Claim, route: int) -> set[CodeType]:
+    """Return the code of the packages that an implementation runs."""
+    for cache in caches():
+        cache.cache_clear()
+    codes, subject = set(), third(claim)
+
+    def note(frame: FrameType, event: str, _: object) -> None:
+        if event == "call":
+            codes.add(frame.f_code)
+
+    sys.setprofile(note)
+    try:
+        claim.routes[route].compute(subject)
+    finally:
+        sys.setprofile(None)
+    folders = tuple(f"{ROOT / name}/" for name in PACKAGES)
+    return {code for code in codes if code.co_filename.startswith(folders)}
+
+
+def file_of(code: CodeType) -> str:
+    return Path(code.co_filename).relative_to(ROOT).as_posix()
+
+
+CLAIMS = {claim.id: claim for claim in registry() if not claim.large}
+
+
+@pytest.mark.parametrize("id", CLAIMS)
+def test_implementations_share_what_is_argued(id):
+    argued = {}
+    for ids, place, _ in SHARED:
+        if id in ids.split():
+            file, _, names = place.partition(": ")
+            argued.setdefault(file, set()).update(names.split())
+    first, second = (called(CLAIMS[id], route) for route in (0, 1))
+    common = (*COMMON, "arrangement/", "equilibrium/") if id in CERTIFIED else COMMON
+    found = {}
+    for code in first & second:
+        if not (file := file_of(code)).startswith(common):
+            name = code.co_qualname.split(".<locals>")[0]
+            found.setdefault(file, set()).update([name] if argued.get(file, True) else [])
+    assert found == argued
+    assert id not in CERTIFIED or CERTIFIED[id] in map(file_of, second)
