@@ -18,6 +18,7 @@ from arrangement.numbers.exact import RationalVector, to_text
 from arrangement.planes.faces import Face
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.solution import pad_entries
 from equilibrium.plane.states.contact_states import DETACHED, states_of_code
 from equilibrium.plane.states.equilibrium import Equilibrium, equilibrium_of, maximal
 from equilibrium.plane.states.state_system import States, state_system
@@ -60,12 +61,16 @@ class PrintedVerdict(ReprMixin):
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; numbers are strings of rationals."""
+        grasp = self.grasp
         return {
             "stable": self.stable,
             "literal": list(self.options),
-            "equilibria": [piece.to_dict() for piece in self.equilibria],
+            "equilibria": [
+                piece.to_dict() | pad_entries(grasp.groups, grasp.contacts, piece.forces)
+                for piece in self.equilibria
+            ],
             "wrench": [to_text(x) for x in self.wrench],
-            "grasp": self.grasp.to_dict(),
+            "grasp": grasp.to_dict(),
         }
 
 

@@ -11,6 +11,7 @@ import pytest
 from equilibrium.cli.program import main
 from equilibrium.decide.many_grasps.arrays import near_floats
 from equilibrium.decide.many_grasps.tables import read_grasps
+from equilibrium.model.labels import AS_ROUNDED
 from tests.archives import HEADERS, mutants
 
 GRASPS = """# two jaws, and a third finger
@@ -162,7 +163,7 @@ def test_rounded_normals_are_said(files, capsys):
     assert solved("tilted.csv", "--wrench", 0, -1, 0, "--json") in (0, 1)
     found = capsys.readouterr()
     assert json.loads(found.out)["as_rounded"]
-    assert "normals were rounded; answers are for the rounded data" in found.err
+    assert f"normals were rounded; answers are {AS_ROUNDED}" in found.err
 
 
 def test_grasps_in_space_read(files, capsys):
