@@ -37,6 +37,7 @@ from .reading import (
     read_index,
     read_motion,
 )
+from .robust import check_form, read_bounds, robust_problem
 from .states import StateQuestion
 
 
@@ -112,7 +113,9 @@ def check_assembly(
     rows, form = joint_rows(assembly), _form(assembly)
     load = tuple(x for name in assembly.names for x in wrenches[name])
     bound = read_bound(document)
-    if kind == "resisted":
+    if "bounds" in document:
+        found = Report(kind, robust_problem(document, assembly, load), bounds=read_bounds(document))
+    elif kind == "resisted":
         motion, forces = read_equilibrium(document, len(rows), form)
         problem = displacement_problem(rows, motion, bound)
         found = Report(kind, problem or law_problem(rows, load, motion, forces))
@@ -124,6 +127,7 @@ def check_assembly(
         kind,
         found.problem,
         found.leaves,
+        bounds=found.bounds,
         max_displacement=bound,
         assembly=assembly,
         wrenches=wrenches,
@@ -138,12 +142,12 @@ def read_assembly_question(document: Mapping[str, Any]) -> tuple[str, Assembly, 
         InputError: this is not such a certificate; its proof is not looked at.
     """
     kind = check_version(document)
-    check_keys(
-        document,
-        ("schema_version", "certificate", "assembly", "wrench", *KEYS[kind]),
-        ("max_displacement",),
-        "the certificate",
-    )
+    common = ("schema_version", "certificate", "assembly", "wrench")
+    if "bounds" in document:
+        check_form(document, kind, common)
+    else:
+        required = (*common, *KEYS[kind])
+        check_keys(document, required, ("max_displacement",), "the certificate")
     assembly = Assembly.from_dict(document["assembly"])
     if "wrench" in document["assembly"] or any(body.outline for body in assembly.bodies):
         raise CertificateError("the assembly of a certificate has no wrench and no outlines")

@@ -12,9 +12,11 @@ from typing import Any
 from arrangement.console.number_form import ReprMixin
 from arrangement.console.writing import write_text_atomically
 from arrangement.numbers.exact import RationalVector, to_text
+from equilibrium.model.assembly import SIZE, Assembly
 from equilibrium.model.displacement import displacement_entry
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Solution
+from equilibrium.model.subject import Subject, points_of
 
 from .checker import Report, check
 from .reading import SCHEMA_VERSION
@@ -99,8 +101,8 @@ def refuted_certificate(
 
 def certificate(
     kind: str,
-    grasp: Grasp,
-    wrench: RationalVector,
+    subject: Subject,
+    load: RationalVector,
     pyramid: int | None = None,
     max_displacement: Fraction | None = None,
     **proof: Any,
@@ -108,15 +110,25 @@ def certificate(
     """Return the certificate of a verdict.
 
     Args:
+        subject: a grasp, or an assembly; then the load has the wrenches on its bodies in a row.
         proof: by the keys of `equilibrium.certificate.reading`, or of a verdict for all grasps
             within bounds those of `equilibrium.certificate.robust`.
     """
     if pyramid is not None:
         proof = {"pyramid": pyramid, **proof}
     # A proof is about these numbers, whether they were given or assumed, and about points.
-    points = (replace(c, stiffness_given=True) for c in grasp.without_pads())
-    complete = Grasp(points, grasp.units)
-    question = {"grasp": complete.to_dict(), "wrench": _texts(wrench)}
+    points = (replace(c, stiffness_given=True, share=Fraction(1)) for c in points_of(subject))
+    question: dict[str, Any]
+    if isinstance(subject, Assembly):
+        pairs = zip(subject.contacts, points, strict=True)
+        touching = [replace(c, contact=point) for c, point in pairs]
+        bare = Assembly(subject.names, touching, subject.units)
+        rows = {name: load[SIZE * k : SIZE * (k + 1)] for k, name in enumerate(subject.names)}
+        wrench = {name: _texts(row) for name, row in rows.items()}
+        question = {"assembly": bare.to_dict(), "wrench": wrench}
+    else:
+        complete = Grasp(points, subject.units)
+        question = {"grasp": complete.to_dict(), "wrench": _texts(load)}
     question |= displacement_entry(max_displacement)
     document = {"schema_version": SCHEMA_VERSION, "certificate": kind, **question, **proof}
     return Certificate(json.dumps(document, separators=(",", ":")))

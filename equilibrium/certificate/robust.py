@@ -39,6 +39,10 @@ and no force leaves its friction cone. This needs no room.
 ``{"schema_version": 3, "certificate": "resisted", "grasp": ..., "wrench": ..., "bounds":
 {"degrees": "1/2", ...}, "motion": c, "forces": [[c_n, c_t], ...], "correction": [rows of R for each
 contact], "reach": Y, "energy": A}``, or "not resisted" with "virtual_motion" for the last five.
+
+Of an assembly, with "assembly" in place of "grasp", all this is in R^(3b): vectors have three
+numbers for each body, in the order of the bodies, and a contact is moved by the motion of body_a
+relative to that of body_b.
 """
 
 from __future__ import annotations
@@ -50,9 +54,10 @@ from typing import Any
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.exact import RationalVector, dot, rational, rational_vector
 from arrangement.numbers.linear.rank import gauss_jordan, unit_vectors
-from equilibrium.model.contact import wrench_at
+from equilibrium.model.contact import WRENCH_SIZES, wrench_at
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.subject import Subject, points_of, seen_by
 
 from .uncertain import LARGEST, Along, Bounds, Uncertain, root
 
@@ -65,7 +70,7 @@ KEYS = {
 }
 
 
-def robust_problem(document: Mapping[str, Any], grasp: Grasp, wrench: RationalVector) -> str:
+def robust_problem(document: Mapping[str, Any], subject: Subject, wrench: RationalVector) -> str:
     """Return what is wrong with a proof for all grasps within bounds, or nothing.
 
     Raises:
@@ -74,12 +79,12 @@ def robust_problem(document: Mapping[str, Any], grasp: Grasp, wrench: RationalVe
     bounds, n = read_bounds(document), len(wrench)
     if document["certificate"] == "not resisted":
         virtual = _vector(document["virtual_motion"], n, "virtual_motion")
-        return virtual_motion_problem(grasp, wrench, bounds, virtual)
-    m, d = len(grasp), grasp.dimension
+        return virtual_motion_problem(subject, wrench, bounds, virtual)
+    m, d = len(points_of(subject)), 3 if n == WRENCH_SIZES[3] and isinstance(subject, Grasp) else 2
     forces = enumerate(check_list(document["forces"], "forces", m))
     correction = enumerate(check_list(document["correction"], "correction", m))
     holding = Holding(
-        grasp,
+        subject,
         wrench,
         bounds,
         _vector(document["motion"], n, "motion"),
@@ -97,13 +102,13 @@ def robust_problem(document: Mapping[str, Any], grasp: Grasp, wrench: RationalVe
 
 
 def virtual_motion_problem(
-    grasp: Grasp, wrench: RationalVector, bounds: Bounds, virtual: RationalVector
+    subject: Subject, wrench: RationalVector, bounds: Bounds, virtual: RationalVector
 ) -> str:
     """Return why a virtual motion does not show that no grasp within bounds resists, or nothing."""
     work = Fraction(dot(virtual, wrench))
-    for i, contact in enumerate(grasp):
+    for i, contact in enumerate(points_of(subject)):
         uncertain = Uncertain(contact, bounds)
-        along = uncertain.along(virtual)
+        along = uncertain.along(seen_by(subject, i, virtual))
         work -= max(x * (along.normal + along.normal_error) for x in uncertain.ends("adhesion"))
         rubbing = uncertain.ends("friction")[1] * along.slip
         if along.normal - along.normal_error < rubbing:
@@ -114,6 +119,8 @@ def virtual_motion_problem(
 class Holding:
     """Forces that hold a load at a motion, and their correction for grasps within bounds.
 
+    Between bodies all is in R^(3b), and a contact is moved by the relative motion of its bodies.
+
     Args:
         forces: (m, d), normal and tangential at each contact.
         correction: (m, d, n), what is added to them for each unit of y.
@@ -121,15 +128,16 @@ class Holding:
 
     def __init__(
         self,
-        grasp: Grasp,
+        subject: Subject,
         wrench: RationalVector,
         bounds: Bounds,
         motion: RationalVector,
         forces: Sequence[RationalVector],
         correction: Sequence[Rows],
     ) -> None:
-        self.grasp, self.wrench, self.bounds = grasp, wrench, bounds
-        self.contacts = [Uncertain(contact, bounds) for contact in grasp]
+        self.subject, self.wrench, self.bounds = subject, wrench, bounds
+        self.points = points_of(subject)
+        self.contacts = [Uncertain(contact, bounds) for contact in self.points]
         self.motion, self.forces, self.correction = motion, forces, correction
         pairs = zip(forces, correction, strict=True)
         self.loose = [not any(force) and not any(map(any, rows)) for force, rows in pairs]
@@ -137,9 +145,12 @@ class Holding:
     def unfelt(self) -> list[list[Fraction]]:
         """Return orthogonal motions that move no point of a holding contact."""
         n = len(self.wrench)
-        axes = _units(self.grasp.dimension)
-        pairs = zip(self.grasp, self.loose, strict=True)
-        rows = [wrench_at(c.point, axis) for c, loose in pairs if not loose for axis in axes]
+        rows = []
+        for i, contact in enumerate(self.points):
+            seen = [seen_by(self.subject, i, unit) for unit in _units(n)]
+            for axis in () if self.loose[i] else _units(contact.dimension):
+                moved = wrench_at(contact.point, axis)
+                rows.append([Fraction(dot(moved, unit)) for unit in seen])
         reduced, pivots, scale = gauss_jordan(rows)
         found: list[list[Fraction]] = []
         for free in sorted({*range(n)} - {*pivots}):
@@ -152,14 +163,18 @@ class Holding:
             found.append(vector)
         return found
 
+    def _along(self, i: int, motion: RationalVector) -> Along:
+        """Return how far a motion moves a contact."""
+        return self.contacts[i].along(seen_by(self.subject, i, motion))
+
     def balance(self) -> tuple[list[Fraction], list[list[Fraction]]]:
         """Return at least ``|G f + w|`` and ``|G R - 1|`` of all grasps within the bounds."""
         n, unfelt = len(self.wrench), self.unfelt()
         rests, matrix = [], []
-        pairs = zip(self.grasp, self.forces, strict=True)
+        pairs = zip(self.points, self.forces, strict=True)
         net = [(normal - c.adhesion, *tangents) for c, (normal, *tangents) in pairs]
         for j, unit in enumerate(_units(n)):
-            alongs = [contact.along(unit) for contact in self.contacts]
+            alongs = [self._along(i, unit) for i in range(len(self.contacts))]
             total, error = _entry(alongs, net)
             error += _change_of_adhesion(alongs, self.contacts)
             rests.append(abs(total + self.wrench[j]) + error)
@@ -176,7 +191,7 @@ class Holding:
         """Return at least ``B + sum a^2 / 4k`` for a guess of A, and which contact has no room."""
         needed, problem = Fraction(0), ""
         for i, contact in enumerate(self.contacts):
-            along = contact.along(self.motion)
+            along = self._along(i, self.motion)
             (least_friction, friction), (soft, stiff), (_, preload) = map(
                 contact.ends, ("friction", "stiffness", "preload")
             )
@@ -203,7 +218,7 @@ class Holding:
 
     def problem(self, reach: RationalVector, energy: Fraction) -> str:
         """Return why this is not a proof, or nothing."""
-        for i, contact in enumerate(self.grasp):
+        for i, contact in enumerate(self.points):
             if not contact.stiffness:
                 return f"contact {i}: it has no spring, and the proof is about springs"
         if not any((*reach, energy)):

@@ -115,7 +115,7 @@ class Uncertain:
         self.contact, self.bounds = contact, bounds
 
     def along(self, motion: Sequence[Fraction]) -> Along:
-        """Return how far a motion moves the contact.
+        """Return how far a motion moves the contact; between bodies a relative one.
 
         The normal turns by an angle of sine s towards a unit tangent u, and the tangents with it:
         ``n' = n + s u - (1 - cos) n`` and ``t' = t - s (t . u) n - (1 - cos) (t . u) u``. A point

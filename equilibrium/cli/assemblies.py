@@ -13,10 +13,11 @@ from arrangement.console.number_form import JsonMixin
 from arrangement.console.options import values
 from arrangement.console.options.signature import options_of
 from arrangement.numbers import budget
+from arrangement.numbers.deadline import Deadline
 from equilibrium.model.errors import GraspError, UndecidedError
 
 from .arguments import add_command, show, tell_rounding
-from .verdict_words import with_rounding
+from .verdict_words import robustly, with_rounding
 
 if TYPE_CHECKING:
     from equilibrium.model.assembly import Assembly
@@ -26,8 +27,8 @@ _Found = TypeVar("_Found", bound=JsonMixin)
 _AXES = ("BODY", "F_X", "F_Y", "TAU")
 #: Options of solve that are about one body.
 _ONE_BODY = (
-    *("wrench", "force", "weight", "at", "cone", "robust"),
-    *("as_printed", "shorten", "round_normals", "as_given"),
+    *("wrench", "force", "weight", "at", "cone"),
+    *("as_printed", "shorten"),
 )
 
 
@@ -90,7 +91,13 @@ def assembly_document(arguments: argparse.Namespace) -> Mapping[str, Any] | None
                 "the assembly has decimals; write numbers as integers or as strings such as "
                 '"1/4", "-0.25"'
             )
-        return document
+        if not arguments.round_normals:
+            return document
+        from equilibrium.grasps.inputs.documents import with_unit_normals
+
+        rounded, contacts = with_unit_normals(document, as_given=arguments.as_given)
+        tell_rounding(contacts)
+        return rounded
     # What came on stdin can be read once.
     arguments.grasp = document
     return None
@@ -136,14 +143,19 @@ def solve_assembly(arguments: argparse.Namespace, given: Mapping[str, Any]) -> i
     from equilibrium.decide.solver import solve
 
     assembly, wrenches = assembly_question(arguments, given)
-    bound, seconds = arguments.max_displacement, arguments.time_limit
+    bound, seconds, deadline = (
+        arguments.max_displacement,
+        arguments.time_limit,
+        Deadline(arguments.time_limit),
+    )
     verdict = solve(assembly, wrenches, time_limit=seconds, max_displacement=bound)
     if arguments.certificate is not None and verdict.certificate is not None:
         verdict.certificate.save(arguments.certificate)
-    document, (lines, yes) = (
-        verdict.to_dict(arguments.all),
-        with_rounding(verdict, verdict.lines(arguments.all)),
-    )
+    document, lines = verdict.to_dict(arguments.all), verdict.lines(arguments.all)
+    if arguments.robust is not None:
+        yes = robustly(arguments, verdict, document, lines, deadline)
+    else:
+        lines, yes = with_rounding(verdict, lines)
     if isinstance(document.get("equilibria"), dict):
         yes = None
     return show(arguments, document, lines, yes, assembly)

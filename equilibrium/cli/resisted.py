@@ -122,7 +122,7 @@ def add_command_resisted(commands: Any) -> None:
 #: Options that are about one body.
 _ONE_BODY = (
     *("wrench", "force", "weight", "at", "base", "smallest", "torque_length"),
-    *("slice", "origin", "search", "rays", "max_magnitude", "round_normals", "as_given"),
+    *("slice", "origin", "search", "rays", "max_magnitude"),
     *("also", "candidates"),
 )
 

@@ -30,10 +30,9 @@ from .arguments import (
     show,
 )
 from .assemblies import add_on_body, assembly_document, assembly_question, solve_assembly
-from .verdict_words import piece_lines, verdict_lines, with_rounding
+from .verdict_words import piece_lines, robustly, verdict_lines, with_rounding
 
 if TYPE_CHECKING:
-    from equilibrium.decide.verdict import Verdict
     from equilibrium.model.assembly import Assembly
 
 #: The names of `decide.as_printed.OPTIONS`, kept here so that ``--help`` loads no solver.
@@ -269,30 +268,7 @@ def _by_full_model(arguments: argparse.Namespace) -> int:
         verdict.to_dict(every),
     )
     if arguments.robust is not None:
-        yes = _robustly(arguments, verdict, document, lines, deadline)
+        yes = robustly(arguments, verdict, document, lines, deadline)
     else:
         lines, yes = with_rounding(verdict, lines)
     return show(arguments, document, lines, yes, verdict.grasp)
-
-
-def _robustly(
-    arguments: argparse.Namespace,
-    verdict: Verdict,
-    document: dict[str, Any],
-    lines: list[str],
-    deadline: Deadline,
-) -> bool | None:
-    """Decide whether a verdict holds within bounds; add this to its document and lines."""
-    from equilibrium.certificate.uncertain import Bounds
-    from equilibrium.decide.robustness import robust
-
-    bounds = dict(arguments.robust)
-    if len(bounds) < len(arguments.robust):
-        raise GraspError("--robust has one bound twice; give each once")
-    robustness = robust(verdict, Bounds(**bounds), deadline)
-    document["robust"] = robustness.to_dict()
-    lines += robustness.lines()
-    if arguments.certificate is not None and robustness.certificate is not None:
-        robustness.certificate.save(arguments.certificate)
-        lines.append("the certificate written is the proof for all of them")
-    return True if robustness else None if robustness.turned is None else False

@@ -12,10 +12,14 @@ from equilibrium.certificate.leaves import SpatialLeaf, parts, spatial_leaves, w
 from equilibrium.certificate.reading import read_plane
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.displacement import STIFFNESS_ASSUMED, displacement_words, has_unit
+from equilibrium.model.errors import GraspError
 from equilibrium.model.labels import equilibria_words
 from equilibrium.model.solution import PadForce, numbering_words
 
 if TYPE_CHECKING:
+    import argparse
+
+    from arrangement.numbers.deadline import Deadline
     from equilibrium.certificate.leaves import ClosedPart
     from equilibrium.decide.answer import AnswerMixin
     from equilibrium.decide.verdict import Verdict
@@ -40,6 +44,29 @@ def with_rounding(verdict: AnswerMixin, lines: list[str]) -> tuple[list[str], bo
         return [*lines, *known.lines()], yes
     stated = [*known.lines(), f"for the data as rounded: {lines[0]}", *lines[1:]]
     return stated, yes if known.turned is None else None
+
+
+def robustly(
+    arguments: argparse.Namespace,
+    verdict: AnswerMixin,
+    document: dict[str, Any],
+    lines: list[str],
+    deadline: Deadline,
+) -> bool | None:
+    """Decide whether a verdict holds within bounds; add this to its document and lines."""
+    from equilibrium.certificate.uncertain import Bounds
+    from equilibrium.decide.robustness import robust
+
+    bounds = dict(arguments.robust)
+    if len(bounds) < len(arguments.robust):
+        raise GraspError("--robust has one bound twice; give each once")
+    robustness = robust(verdict, Bounds(**bounds), deadline)
+    document["robust"] = robustness.to_dict()
+    lines += robustness.lines()
+    if arguments.certificate is not None and robustness.certificate is not None:
+        robustness.certificate.save(arguments.certificate)
+        lines.append("the certificate written is the proof for all of them")
+    return True if robustness else None if robustness.turned is None else False
 
 
 def verdict_lines(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
@@ -29,10 +30,13 @@ class AnswerMixin(HintsMixin):
     Attributes:
         verdict: the answer in words.
         reason: why it is undecided, if it is.
+        max_displacement, pyramid: as the question has them, see `equilibrium.solve`.
     """
 
     verdict: str
     reason: str
+    max_displacement: Fraction | None
+    pyramid: int | None
     _deadline: Deadline
 
     @property

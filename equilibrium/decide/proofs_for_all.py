@@ -23,8 +23,9 @@ from arrangement.numbers.float_filter import Floats
 from equilibrium.certificate.document import Certificate, certificate
 from equilibrium.certificate.robust import Holding, virtual_motion_problem
 from equilibrium.certificate.uncertain import Bounds, root
-from equilibrium.model.contact import radius_squared
+from equilibrium.model.contact import Contact, radius_squared
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.subject import Subject, points_of, rows_of
 from equilibrium.plane.states.equilibrium import equilibrium_of
 from equilibrium.plane.states.state_system import state_system
 
@@ -52,13 +53,13 @@ def proof_for_all(
 
     That of a yes is about springs: there is none where a contact has stiffness 0.
     """
-    grasp, wrench, bounds = found.grasp, found.wrench, _of_points(found.grasp, bounds)
+    subject, load, bounds = found.subject, found.load, _of_points(found.subject, bounds)
     if found.verdict == RESISTED:
-        if not all(contact.stiffness for contact in grasp):
+        if not all(contact.stiffness for contact in points_of(subject)):
             return None
-        parts = next(_held(grasp, wrench, bounds, deadline), None)
+        parts = next(_held(subject, load, bounds, deadline), None)
     else:
-        parts = _pulled(grasp, wrench, bounds)
+        parts = _pulled(subject, load, bounds)
     return None if parts is None else _certificate(found, bounds, parts)
 
 
@@ -67,34 +68,35 @@ def standing_proof(found: Any, bounds: Bounds, weakest: Any) -> Certificate | No
 
     In the plane it is looked for where no contact slips. It may have no room in friction cones.
     """
-    grasp, wrench, at = found.grasp, found.wrench, weakest.solution
-    bounds = _of_points(grasp, bounds)
-    if at is None or at.box is not None or len(grasp) > MAX_STANDING_CONTACTS:
+    subject, load, at = found.subject, found.load, weakest.solution
+    bounds, many = _of_points(subject, bounds), len(points_of(subject))
+    if at is None or at.box is not None or many > MAX_STANDING_CONTACTS:
         return None
-    if grasp.dimension == 2:
+    if isinstance(subject, Grasp) and subject.dimension == 2:
         states: Any = ("stick" if x.startswith("slip") else x for x in weakest.states)
-        at = equilibrium_of(state_system(weakest.grasp, tuple(states), wrench))
+        at = equilibrium_of(state_system(weakest.subject, tuple(states), load))
         if at is None:
             return None
-    zeros = (Fraction(0),) * len(wrench)
-    correction = [[zeros] * grasp.dimension] * len(grasp)
-    held = Holding(grasp, wrench, bounds, at.motion, at.forces, correction)
+    zeros = (Fraction(0),) * len(load)
+    correction = [[zeros] * len(force) for force in at.forces]
+    held = Holding(subject, load, bounds, at.motion, at.forces, correction)
     if held.problem(zeros, Fraction(0)):
         return None
     return _certificate(found, bounds, _parts(held, zeros, Fraction(0)))
 
 
-def _of_points(grasp: Grasp, bounds: Bounds) -> Bounds:
+def _of_points(subject: Subject, bounds: Bounds) -> Bounds:
     """Return bounds of the points of pads, each on its own, when the pads are within bounds.
 
     A pad that turns moves a point at its edge by its radius times the angle, at most.
     """
-    radius = root(max(map(radius_squared, grasp.parts), default=Fraction(0)))
+    parts = subject.parts if isinstance(subject, Grasp) else ()
+    radius = root(max(map(radius_squared, parts), default=Fraction(0)))
     return replace(bounds, length=bounds.length + radius * bounds.angle) if radius else bounds
 
 
 def _certificate(found: Any, bounds: Bounds, parts: dict[str, Any]) -> Certificate:
-    question = found.verdict, found.grasp, found.wrench
+    question = found.verdict, found.subject, found.load
     return certificate(*question, bounds=bounds.to_dict(), **_texts(parts))
 
 
@@ -110,11 +112,11 @@ def _parts(held: Holding, reach: RationalVector, energy: Fraction) -> dict[str, 
 
 
 def _held(
-    grasp: Grasp, wrench: RationalVector, bounds: Bounds, deadline: Deadline
+    subject: Subject, load: RationalVector, bounds: Bounds, deadline: Deadline
 ) -> Iterator[dict[str, Any]]:
     """Yield proofs of a yes, as parts of a document."""
-    rows = _FloatGrasp(grasp, wrench, bounds)
-    for holding in islice(_choices(grasp), MAX_HOLDING_CHOICES):
+    rows = _FloatSubject(subject, load, bounds)
+    for holding in islice(_choices(points_of(subject)), MAX_HOLDING_CHOICES):
         if deadline.passed:
             return
         choice = _forces(rows, holding)
@@ -126,36 +128,40 @@ def _held(
                 yield parts
 
 
-def _choices(grasp: Grasp) -> Iterator[list[int]]:
+def _choices(contacts: Sequence[Contact]) -> Iterator[list[int]]:
     """Yield choices of holding contacts: those of some normals, all of them first."""
     sides: dict[RationalVector, list[int]] = {}
-    for i, contact in enumerate(grasp):
+    for i, contact in enumerate(contacts):
         sides.setdefault(contact.normal, []).append(i)
     for count in range(len(sides), -1, -1):
         for chosen in combinations(sides.values(), count):
             yield sorted(i for side in chosen for i in side)
 
 
-class _FloatGrasp:
-    """A grasp in floats: lengths in units of its size, forces as shares of the largest."""
+class _FloatSubject:
+    """A grasp, or an assembly, in floats: lengths in units of its size, forces of the largest."""
 
-    def __init__(self, grasp: Grasp, wrench: RationalVector, bounds: Bounds) -> None:
-        self.grasp, self.wrench, self.bounds = grasp, wrench, bounds
-        m, n, self.d = len(grasp), len(wrench), grasp.dimension
-        points = np.array([c.point for c in grasp], float).reshape(m, self.d)
+    def __init__(self, subject: Subject, load: RationalVector, bounds: Bounds) -> None:
+        self.subject, self.wrench, self.bounds = subject, load, bounds
+        rows = rows_of(subject)
+        self.m = m = len(rows)
+        self.d = 1 + rows.tangents
+        points = np.array(rows.points, float).reshape(m, self.d)
         arm = float(np.ptp(points, axis=0).max()) if m else 0.0
         arm = arm or 1.0
-        self.units = np.array([1.0] * self.d + [1 / arm] * (n - self.d))
-        self.load = np.array(grasp.total_load(wrench), float) * self.units
-        preload = np.array([float(c.preload) for c in grasp])
+        self.units = np.where(rows.turns, 1 / arm, 1.0)
+        n = len(self.units)
+        self.load = np.array(rows.total_load(load), float) * self.units
+        preload = np.array([float(c.preload) for c in rows])
         self.force = float(np.abs(np.append(self.load, preload)).max()) or 1.0
         self.load, self.preload = self.load / self.force, preload / self.force
-        stiffness = np.array([float(c.stiffness) for c in grasp])
+        stiffness = np.array([float(c.stiffness) for c in rows])
         self.stiff = (float(stiffness.mean()) if m else 1.0) or 1.0
         self.stiffness = stiffness / self.stiff
-        self.friction = np.array([float(c.friction * (1 - bounds.friction)) for c in grasp])
-        self.normal = np.array([c.normal_wrench for c in grasp], float).reshape(m, n) * self.units
-        tangents = np.array([c.tangential_wrenches for c in grasp], float)
+        self.given_friction = np.array([float(c.friction) for c in rows])
+        self.friction = self.given_friction * (1 - float(bounds.friction))
+        self.normal = np.array([c.normal_wrench for c in rows], float).reshape(m, n) * self.units
+        tangents = np.array([c.tangential_wrenches for c in rows], float)
         self.tangents = tangents.reshape(m, self.d - 1, n) * self.units
         around = np.arange(_FRICTION_DIRECTIONS if self.d == 3 else 2)
         turn = 2 * np.pi * around / len(around)
@@ -170,7 +176,7 @@ class _Choice(NamedTuple):
     forces: Floats
 
 
-def _forces(rows: _FloatGrasp, holding: Sequence[int]) -> _Choice | None:
+def _forces(rows: _FloatSubject, holding: Sequence[int]) -> _Choice | None:
     """Return the motion and forces with the most room in the friction cones, in the units of rows.
 
     The variables are the motion, friction and ``a = q' - c_n`` of holding contacts, sizes of a and
@@ -180,7 +186,7 @@ def _forces(rows: _FloatGrasp, holding: Sequence[int]) -> _Choice | None:
         from scipy.optimize import linprog  # slow to load, and few verdicts need it
 
     n, h, d = len(rows.load), len(holding), rows.d
-    loose = [i for i in range(len(rows.grasp)) if i not in holding]
+    loose = [i for i in range(rows.m) if i not in holding]
     parts = (n, h * (d - 1), h, h, len(loose), 1)
     ends = np.cumsum(parts)
     motion, friction, away, sizes, adds, room = (
@@ -230,7 +236,7 @@ def _forces(rows: _FloatGrasp, holding: Sequence[int]) -> _Choice | None:
     )
     if found.x is None:
         return None
-    forces = np.zeros((len(rows.grasp), d))
+    forces = np.zeros((rows.m, d))
     place = found.x[motion]
     forces[holding, 0] = rows.preload[holding] - found.x[away]
     forces[holding, 0] -= rows.stiffness[holding] * (rows.normal[holding] @ place)
@@ -239,18 +245,18 @@ def _forces(rows: _FloatGrasp, holding: Sequence[int]) -> _Choice | None:
 
 
 def _corrected(
-    rows: _FloatGrasp, holding: Sequence[int], choice: _Choice, weight: float
+    rows: _FloatSubject, holding: Sequence[int], choice: _Choice, weight: float
 ) -> dict[str, Any] | None:
     """Return a proof with a choice of motion and forces, if there is one."""
-    grasp, n, d = rows.grasp, len(rows.load), rows.d
-    columns = np.zeros((len(grasp), d, n))
+    m, n, d = rows.m, len(rows.load), rows.d
+    columns = np.zeros((m, d, n))
     columns[holding, 0] = weight * rows.normal[holding]
     columns[holding, 1:] = rows.tangents[holding] * (rows.friction[holding] > 0)[:, None, None]
     matrix = columns.reshape(-1, n).T
-    correction = np.linalg.pinv(matrix, rcond=1e-9).reshape(len(grasp), d, n)
+    correction = np.linalg.pinv(matrix, rcond=1e-9).reshape(m, d, n)
     correction[:, 0] *= weight
     held = Holding(
-        grasp,
+        rows.subject,
         rows.wrench,
         rows.bounds,
         _dyadic(choice.motion * rows.force / rows.stiff * rows.units),
@@ -280,14 +286,14 @@ def _corrected(
     return _parts(held, limits, energy)
 
 
-def _pulled(grasp: Grasp, wrench: RationalVector, bounds: Bounds) -> dict[str, Any] | None:
+def _pulled(subject: Subject, load: RationalVector, bounds: Bounds) -> dict[str, Any] | None:
     """Return a proof of a no: one virtual motion."""
     with extra("search"):
         from scipy.optimize import linprog  # slow to load, and few verdicts need it
 
-    rows = _FloatGrasp(grasp, wrench, bounds)
-    n, more = len(wrench), 1 + float(bounds.friction)
-    friction = np.array([float(c.friction) for c in grasp])[:, None, None] * more
+    rows = _FloatSubject(subject, load, bounds)
+    n, more = len(load), 1 + float(bounds.friction)
+    friction = rows.given_friction[:, None, None] * more
     rub = np.einsum("uk,mkn->mun", rows.around, rows.tangents)
     works = np.vstack([(rows.normal[:, None] - friction * rub).reshape(-1, n), rows.load])
     room = np.linalg.norm(works, axis=1)
@@ -299,7 +305,7 @@ def _pulled(grasp: Grasp, wrench: RationalVector, bounds: Bounds) -> dict[str, A
     virtual = _dyadic(found.x[:n] * rows.units)
     return (
         None
-        if virtual_motion_problem(grasp, wrench, bounds, virtual)
+        if virtual_motion_problem(subject, load, bounds, virtual)
         else {"virtual_motion": virtual}
     )
 

@@ -19,7 +19,6 @@ from arrangement.numbers.exact import RationalVector
 from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.grasps.inputs.incidences import other_rounding
-from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import VALUES, Contact
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import GraspError, TimeLimitError
@@ -247,8 +246,6 @@ def robust(found: Any, bounds: Bounds, deadline: Deadline = NO_DEADLINE) -> Robu
 
 def _may_be_proved(found: Any) -> bool:
     """Return whether there are proofs for all data about such a question."""
-    if isinstance(found.subject, Assembly):
-        return False
     return found.max_displacement is None and found.pyramid is None
 
 

@@ -27,6 +27,11 @@ def contacts_of(subject: Subject) -> tuple[Contact, ...]:
     return subject.joined().contacts
 
 
+def points_of(subject: Subject) -> tuple[Contact, ...]:
+    """Return the contacts, without their bodies; each point of a pad is one."""
+    return contacts_of(subject) if isinstance(subject, Assembly) else subject.contacts
+
+
 def with_contacts(subject: Subject, contacts: Iterable[Contact]) -> Subject:
     """Return the same bodies with other contacts in the places of their own; no data error."""
     if isinstance(subject, Assembly):

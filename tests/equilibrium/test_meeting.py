@@ -6,10 +6,13 @@ from random import Random
 
 import pytest
 
-from equilibrium import Contact, Grasp, ResistedSet, solve
+from equilibrium import Assembly, Contact, Grasp, ResistedSet, solve
+from equilibrium.certificate.checker import check
 from equilibrium.cli.program import main
 from equilibrium.grasps.inputs.csv_file import parse_csv
+from equilibrium.grasps.schemas import assembly_schema
 from equilibrium.model.labels import AS_ROUNDED
+from tests.schemas import validator
 
 DISC = """x,y,nx,ny,mu
 -0.573576436,-0.819152044,0.573576436,0.819152044,0
@@ -123,3 +126,90 @@ def test_answer_that_is_not_proved_says_so(tmp_path, capsys):
     assert f"resisted: no, {AS_ROUNDED}" in capsys.readouterr().out
     assert main(["solve", *words, "--json"]) == 1
     assert json.loads(capsys.readouterr().out)["within_error"]["answer"] == verdict.answer
+
+
+BODIES = """body_a,body_b,x,y,nx,ny,mu
+disc,ground,-0.573576436,-0.819152044,0.573576436,0.819152044,0
+disc,,0.882947593,-0.469471563,-0.882947593,0.469471563,0
+top,ground,4,0,0,1,0.5
+top,ground,6,0,0,1,0.5
+"""
+
+
+@pytest.mark.parametrize("form", ["csv", "json"])
+def test_bodies_depend_on_the_rounding_as_a_grasp_does(form, tmp_path, capsys):
+    path = tmp_path / f"bodies.{form}"
+    load = ["--on", "disc", "0", "-1", "0", "--on", "top", "0", "-1", "-5"]
+    options = []
+    (tmp_path / "bodies.csv").write_text(BODIES)
+    if form == "json":
+        assert main(["make", "csv", str(tmp_path / "bodies.csv"), "-o", str(path)]) == 0
+        document = json.loads(path.read_text())
+        validator(assembly_schema()).validate(document)
+        del document["data_error"]
+        for entry, row in zip(document["contacts"], BODIES.splitlines()[1:], strict=True):
+            entry["normal"] = row.split(",")[4:6]
+        path.write_text(json.dumps(document))
+        assert main(["solve", str(path), *load]) == 2
+        options = ["--round-normals"]
+    capsys.readouterr()
+    assert main(["solve", str(path), *load, *options]) == 3
+    assert capsys.readouterr().out.startswith("depends on the rounding: resisted for")
+    assert main(["solve", str(path), *load, *options, "--json"]) == 3
+    found = json.loads(capsys.readouterr().out)
+    assert found["verdict"] == found["within_error"]["answer"] == "depends on the rounding"
+    # No smooth disc in a groove takes a torque.
+    free = ["--on", "disc", "0", "0", "1", "--on", "top", "0", "-1", "-5"]
+    assert main(["solve", str(path), *free, *options, "--as-given"]) == 1
+    assert "not resisted for all data within the rounding error" in capsys.readouterr().out
+
+
+def test_rounded_bodies_are_proved_for_all(tmp_path, capsys):
+    path, proof = tmp_path / "bodies.csv", tmp_path / "proof.json"
+    # Two bodies between jaws, along a direction without a rational length.
+    rows = [
+        f"{pair},{x - s},{y + s / 2},{way},{2 * way},0.5,3"
+        for pair, x, y, way in (("a,", 0, 0, 1), ("b,a", 1, 2, 1), ("b,", 2, 4, -1))
+        for s in (1, -1)
+    ]
+    path.write_text("\n".join(["body_a,body_b,x,y,nx,ny,mu,q", *rows]))
+    down = ["--on", "a", "0", "-0.1", "0", "--on", "b", "0", "-0.1", "-0.1"]
+    assert main(["solve", str(path), *down]) == 0
+    assert "resisted for all data within the rounding error: proved" in capsys.readouterr().out
+    held, loose = tmp_path / "bodies.csv", tmp_path / "loose.csv"
+    loose.write_text("\n".join(["body_a,body_b,x,y,nx,ny,mu,q", *rows[:4]]))
+    away = ["--on", "b", "1", "2.1", "0"]
+    assert main(["solve", str(loose), *away]) == 1
+    assert "not resisted for all data within the rounding error" in capsys.readouterr().out
+    for path, load, kind in ((held, down, "resisted"), (loose, away, "not resisted")):
+        bounds = ["--robust", "degrees=1/10", "friction=1%"]
+        assert main(["solve", str(path), *load, *bounds, "--certificate", str(proof)]) == 0
+        capsys.readouterr()
+        assert main(["verify", str(proof)]) == 0
+        assert f"valid: {kind}, for all normals within 0.1 degrees" in capsys.readouterr().out
+
+
+def proof_between_bodies(load):
+    """Return a proof for all bodies within bounds, as a document."""
+    floor = [[-5, -1], [5, -1], [5, 0], [-5, 0]]
+    boxes = {name: [[0, k], [2, k], [2, k + 1], [0, k + 1]] for k, name in enumerate("ab")}
+    made = Assembly.from_polygons(boxes, "1/2", ground=[floor], density=1)
+    found = solve(made, {**made.weights, "b": load}).robust(degrees=1, friction="5%", length="1/99")
+    return found.certificate.to_dict()
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"bounds": {"degrees": "30"}}, "larger within the bounds"),
+        ({"bounds": {"friction": "99/100"}}, "no room"),
+        ({"wrench": {"a": ["0", "-2", "-2"], "b": ["4", "-2", "-2"]}}, "larger within"),
+    ],
+)
+def test_forged_proofs_between_bodies_are_refused(change, words):
+    document = proof_between_bodies((0, -2, -2))
+    assert check(document)
+    assert words in check(document | change).problem
+    no = proof_between_bodies((3, -2, -5))
+    assert check(no)
+    assert "work" in check(no | {"bounds": {"degrees": "40"}}).problem

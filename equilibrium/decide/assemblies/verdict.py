@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -13,8 +12,7 @@ from arrangement.console.number_form import counted, number, vector
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from equilibrium.certificate.assemblies import AssemblyReport, check_assembly
-from equilibrium.certificate.document import Certificate
-from equilibrium.certificate.reading import SCHEMA_VERSION
+from equilibrium.certificate.document import Certificate, certificate
 from equilibrium.decide.answer import AnswerMixin, undecided
 from equilibrium.decide.proofs_for_all import NO_DEADLINE
 from equilibrium.model.assembly import SIZE, Assembly, Wrenches
@@ -52,6 +50,7 @@ class AssemblyVerdict(AnswerMixin):
     solution: Solution | None
     reason: str = ""
     max_displacement: Fraction | None = None
+    pyramid: None = field(default=None, repr=False, init=False)
     _tree: Any = field(default=None, repr=False, compare=False)
     _solver: AssemblySolver | None = field(default=None, repr=False, compare=False)
     _deadline: Deadline = field(default=NO_DEADLINE, repr=False, compare=False)
@@ -158,25 +157,11 @@ class AssemblyVerdict(AnswerMixin):
         """The proof, checkable without the solver; None when undecided."""
         if not self.decided:
             return None
-        # A proof is about these numbers, whether they were given or assumed.
-        complete = [
-            replace(c, contact=replace(c.contact, stiffness_given=True))
-            for c in self.assembly.contacts
-        ]
-        bare = Assembly(self.assembly.names, complete, self.assembly.units)
-        document: dict[str, Any] = {
-            "schema_version": SCHEMA_VERSION,
-            "certificate": self.verdict,
-            "assembly": bare.to_dict(),
-            "wrench": _texts(self.wrenches),
-            **displacement_entry(self.max_displacement),
-        }
+        question = self.verdict, self.assembly, self.load, None, self.max_displacement
         if self.solution is None:
-            document["tree"] = self._tree
-        else:
-            document["motion"] = _texts(self.motions)
-            document["forces"] = [list(map(to_text, force)) for force in self.forces]
-        return Certificate(json.dumps(document, separators=(",", ":")))
+            return certificate(*question, tree=self._tree)
+        forces = [list(map(to_text, force)) for force in self.forces]
+        return certificate(*question, motion=_texts(self.motions), forces=forces)
 
     def verify(self) -> AssemblyReport:
         """Check the certificate, and that it answers this question; the report is true if so.

@@ -31,6 +31,8 @@ from .csv_file import read_bodies, read_csv
 from .incidences import converted
 from .rounding import rounding
 
+#: What a contact between bodies has besides.
+_BODY_KEYS = ("body_a", "body_b")
 #: With the mark whether the stiffness was given.
 _WITH_MARK = (*VALUES, "stiffness_given")
 
@@ -102,6 +104,29 @@ def read_any(
     )
     found = replace(found, grasp=replace(found.grasp, units=grasp.units))
     return completed(found.of_points(grasp.spread(found.grasp), grasp.groups), extras)
+
+
+def with_unit_normals(
+    document: Mapping[str, Any], *, as_given: bool = False
+) -> tuple[dict[str, Any], Conversion]:
+    """Return the document of an assembly with near unit normals, and its contacts as one grasp.
+
+    Raises:
+        InputError: as `read_any`.
+    """
+    entries = check_list(document["contacts"], "contacts")
+    for i, entry in enumerate(entries):
+        check_keys(entry, _BODY_KEYS, entry, f"contacts[{i}]")
+    bare = [{key: x for key, x in one.items() if key not in _BODY_KEYS} for one in entries]
+    source = {"schema_version": 1, "contacts": bare}
+    found = read_any(source, round_normals=True, as_given=as_given)
+    contacts = [
+        {**{key: one[key] for key in _BODY_KEYS}, **contact.to_dict()}
+        for one, contact in zip(entries, found.grasp, strict=True)
+    ]
+    error = found.grasp.data_error
+    known = {} if error is None else {"data_error": error.to_dict()}
+    return {**document, **known, "contacts": contacts}, found
 
 
 def read_assembly(source: Source) -> Assembly:
