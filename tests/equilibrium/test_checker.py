@@ -550,7 +550,7 @@ def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
     values |= {"arrangement.console.plugins"}  # names the checker of assemblies
     values |= {"equilibrium.model.errors", "equilibrium.model.contact", "collections.abc"}
     values |= {f"equilibrium.model.{name}" for name in ("plane", "displacement", "solution")}
-    values |= {"arrangement.numbers.linear.rank"}
+    values |= {"arrangement.numbers.linear.rank", "equilibrium.model.subject"}
     values |= {"enclosure", "law", "plane", "reading", "robust", "states", "uncertain"}
     assert imported <= standard | values
     for node in ast.walk(tree):
