@@ -95,6 +95,14 @@ class TestSteps:
 class TestInSpace:
     @pytest.mark.parametrize("seed", range(24))
     def test_every_step_and_both_ends(self, seed, steps):
+        self.check(seed, steps)
+
+    @pytest.mark.slow
+    @pytest.mark.parametrize("seed", range(100, 400))
+    def test_every_step_and_both_ends_of_many(self, seed, steps):
+        self.check(seed, steps)
+
+    def check(self, seed, steps):
         grasp, load = steep_grasp(seed)
         found = spatial_magnitudes(grasp, load, nodes=60)
         for step in steps:
