@@ -176,9 +176,10 @@ def _of_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> 
     except UndecidedError as unknown:
         return show(arguments, undecided(unknown), [f"undecided: {unknown}"], None, assembly)
     more, ends = end_lines(resisted, magnitudes)
-    lines = [f"resisted for t {within_text(magnitudes.intervals, '=')}", *ends]
+    known, again = _rounded(resisted, magnitudes)
+    lines = [f"resisted for t {within_text(magnitudes.intervals, '=')}", *ends, *again]
     found = bool(magnitudes.intervals)
-    return show(arguments, magnitudes.to_dict() | more, lines, found, assembly)
+    return show(arguments, magnitudes.to_dict() | more | known, lines, found, assembly)
 
 
 def _form(arguments: argparse.Namespace) -> str:

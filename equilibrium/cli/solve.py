@@ -11,7 +11,7 @@ import re
 import sys
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from arrangement.console import terminal
 from arrangement.numbers import budget
@@ -31,9 +31,6 @@ from .arguments import (
 )
 from .assemblies import add_on_body, assembly_document, assembly_question, solve_assembly
 from .verdict_words import piece_lines, robustly, verdict_lines, with_rounding
-
-if TYPE_CHECKING:
-    from equilibrium.model.assembly import Assembly
 
 #: The names of `decide.as_printed.OPTIONS`, kept here so that ``--help`` loads no solver.
 AS_PRINTED = (
@@ -209,9 +206,8 @@ def _by_methods(arguments: argparse.Namespace, document: Mapping[str, Any] | Non
     from equilibrium.decide.solver import solve
     from equilibrium.grasps.inputs.documents import question_document
     from equilibrium.methods.compare import compare
-    from equilibrium.model.grasp import Grasp
 
-    grasp: Grasp | Assembly
+    grasp: Any
     wrench: Any
     if document is not None:
         grasp, wrench = assembly_question(arguments, document)
@@ -227,7 +223,7 @@ def _by_methods(arguments: argparse.Namespace, document: Mapping[str, Any] | Non
         lines.append(f"{mark} {_WORDS[answer.accepts]:<4}{answer.title:<60}{answer.remark}")
     marks = {line[0] for line in lines} | {line[2] for line in lines}
     lines += [f"{mark}  {text}" for mark, text in _MARKS.items() if mark in marks]
-    if isinstance(grasp, Grasp) and grasp.data_error is not None:
+    if grasp.data_error is not None:
         rounding = solve(grasp, wrench, pyramid=arguments.cone).within_error()
         document["within_error"] = rounding.to_dict()
         lines += rounding.lines()

@@ -252,6 +252,8 @@ def _describe(plan: _AssemblyPlan, scene: Scene, scale: float) -> None:
         return
     if verdict.solution is None:
         legend.line(f"{verdict.verdict}: {verdict.reason}", emphasis=True)
+    if verdict.doubt:
+        legend.line(verdict.doubt, emphasis=True)
     if any(any(w) for w in verdict.wrenches.values()):
         legend.key(symbol("wrench"), "wrench on a body")
     if any(any(force) for force in plan.forces):

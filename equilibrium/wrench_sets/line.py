@@ -31,8 +31,9 @@ from equilibrium.decide.nearby import DEPENDS
 from equilibrium.decide.robustness import MAX_ROUNDINGS, met_within_error, others
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.model.assembly import Wrenches
-from equilibrium.model.errors import GraspError
+from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.subject import Subject
 from equilibrium.plane.contact_rows import sum_row
 from equilibrium.plane.states.contact_states import states_of_code
 from equilibrium.plane.states.state_system import StateSystem, state_system
@@ -145,7 +146,7 @@ class RoundedEnds(ReprMixin):
         return {"asked": self.asked, "verdict": DEPENDS, "turned": list(map(texts, self.turned))}
 
 
-def ends_within_error(solver: Solver, found: Magnitudes) -> RoundedEnds | None:
+def ends_within_error(solver: Solver | AssemblySolver, found: Magnitudes) -> RoundedEnds | None:
     """Return the ends for others within the error of converted data; None for exact data.
 
     Those asked about are those of the verdict at the last end, and what resists a load beyond it.
@@ -154,18 +155,17 @@ def ends_within_error(solver: Solver, found: Magnitudes) -> RoundedEnds | None:
     if solver.grasp.data_error is None:
         return None
     low, high = found.intervals[-1] if found.intervals else (Fraction(0), None)
-    base: Any = found.base
-    along: Any = found.direction
-    at = sum_row(base, along, (low or Fraction(0)) + 1 if high is None else high)
-    verdict, ends, breaking = solver.solve(at), [_ends(found.intervals)], range(0)
+    end = (low or Fraction(0)) + 1 if high is None else high
+    verdict: Any = solver.solve(_load_at(found, end))
+    ends, breaking = [_ends(found.intervals)], range(0)
     asked = [*others(verdict)]
-    if verdict.stable:
+    if verdict.decided and verdict.stable:
         breaking = range(MAX_ROUNDINGS, 0 if solver.grasp.data_error.as_given else len(asked))
-        asked += met_within_error(solver.solve(sum_row(at, along, 1)))
-    for k, grasp in enumerate(asked):
-        assert isinstance(grasp, Grasp)
-        prepared = Solver(grasp, solver.max_displacement)
-        other = resisted_magnitudes(prepared, along, base).intervals
+        asked += met_within_error(solver.solve(_load_at(found, end + 1)))
+    for k, subject in enumerate(asked):
+        other = _magnitudes_of(subject, solver, found)
+        if other is None:
+            continue
         if k in breaking:
             other = common(other, found.intervals)
         ends.append(_ends(other))
@@ -174,6 +174,29 @@ def ends_within_error(solver: Solver, found: Magnitudes) -> RoundedEnds | None:
     known = zip(*ends, strict=True)
     pairs = (None if None in column else (min(column), max(column)) for column in known)
     return RoundedEnds(len(ends) - 1, tuple(pairs))
+
+
+def _load_at(found: Magnitudes, t: Fraction) -> Any:
+    """Return the load at a magnitude; of an assembly one for each body."""
+    base: Any = found.base
+    along: Any = found.direction
+    if isinstance(base, dict):
+        return {name: sum_row(base[name], along[name], t) for name in base}
+    return sum_row(base, along, t)
+
+
+def _magnitudes_of(
+    subject: Subject, solver: Solver | AssemblySolver, found: Magnitudes
+) -> tuple[Interval, ...] | None:
+    """Return the magnitudes that another grasp or assembly resists; None where undecided."""
+    base: Any = found.base
+    along: Any = found.direction
+    if isinstance(subject, Grasp):
+        return resisted_magnitudes(Solver(subject, solver.max_displacement), along, base).intervals
+    try:
+        return AssemblySolver(subject, solver.max_displacement).magnitudes(base, along)
+    except UndecidedError:
+        return None
 
 
 def _ends(parts: Iterable[Interval]) -> list[Any]:

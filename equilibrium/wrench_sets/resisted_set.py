@@ -245,8 +245,6 @@ class ResistedSet(HintsMixin, JsonMixin):
         Args:
             magnitudes: what `along` returned.
         """
-        if isinstance(self._solver, AssemblySolver):
-            return None
         return ends_within_error(self._solver, magnitudes)
 
     def what_gives(

@@ -213,3 +213,13 @@ def test_forged_proofs_between_bodies_are_refused(change, words):
     no = proof_between_bodies((3, -2, -5))
     assert check(no)
     assert "work" in check(no | {"bounds": {"degrees": "40"}}).problem
+
+
+def test_ends_of_bodies_depend_on_the_rounding(tmp_path, capsys):
+    path = tmp_path / "bodies.csv"
+    path.write_text(BODIES)
+    on_top = ["--on", "top", "0", "-1", "-5"]
+    assert main(["resisted", str(path), *on_top, "--along", "disc", "0", "-1", "0"]) == 0
+    assert "depends on the rounding: [0, oo) for other data" in capsys.readouterr().out
+    assert main(["solve", str(path), *on_top, "--on", "disc", "0", "-1", "0", "--methods"]) == 3
+    assert "depends on the rounding: resisted for" in capsys.readouterr().out
