@@ -38,7 +38,7 @@ def with_contacts(subject: Subject, contacts: Iterable[Contact]) -> Subject:
         pairs = zip(subject.contacts, contacts, strict=True)
         touching = [replace(old, contact=new) for old, new in pairs]
         return Assembly(subject.bodies, touching, subject.units)
-    return subject.spread(contacts)
+    return replace(subject.spread(contacts), units=subject.units)
 
 
 def known_error(subject: Subject) -> DataError:

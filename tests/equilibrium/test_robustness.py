@@ -316,7 +316,7 @@ class TestRobust:
             assert list(found.lines())[-1] == f"resisted for all {report.bounds}: proved"
 
     def test_a_grasp_that_refutes_by_large_motions_alone_says_so(self):
-        found = solve(self.grasp, (0, 2, 1)).robust(degrees=1)
+        found = solve(self.grasp.with_units("m", "N"), (0, 2, 1)).robust(degrees=1)
         assert any("every equilibrium moves" in line for line in found.lines())
 
     @pytest.mark.parametrize("name", EVERY_DAY)
