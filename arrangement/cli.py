@@ -14,7 +14,7 @@ from arrangement.console.options import values
 from arrangement.console.options.parser import Parser
 
 from .console import terminal
-from .errors import InputError, OutOfReachError
+from .errors import InputError, OutOfReachError, WaitingError
 from .library.files import json_files
 from .numbers import budget
 from .numbers.exact import shown
@@ -150,7 +150,12 @@ def _count(arguments: argparse.Namespace) -> int:
     arrangement = _read(arguments)
     if arguments.forecast:
         return _forecast(arrangement, arguments)
-    numbers = _whitney_numbers(arrangement, arguments)
+    try:
+        numbers = _whitney_numbers(arrangement, arguments)
+    except WaitingError as waiting:
+        if arguments.shard == (1, 1):
+            raise
+        return _waiting(waiting, arguments)
     regions, relatively = sum(map(abs, numbers)), abs(sum(numbers))
     f_vector, engine = _f_vector(arrangement, regions, verified=arguments.verified)
     if arguments.json:
@@ -181,6 +186,15 @@ def _count(arguments: argparse.Namespace) -> int:
             **({"counted by": "the verified program"} if arguments.verified else {}),
         }
     )
+
+
+def _waiting(waiting: WaitingError, arguments: argparse.Namespace) -> int:
+    """Report that a shard has done all that it can before others."""
+    if arguments.json:
+        terminal.print_json({"first_whitney_numbers": waiting.known, "complete": False})
+    else:
+        print(f"shard {'{}/{}'.format(*arguments.shard)} is done: {waiting}")
+    return terminal.YES
 
 
 def _polynomial_rows(arrangement: Arrangement, numbers: Sequence[int]) -> dict[str, object]:

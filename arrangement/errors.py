@@ -74,6 +74,10 @@ class UnfinishedError(InputError):
         self.known = known
 
 
+class WaitingError(UnfinishedError):
+    """A shard of a count that has done what it can, and waits for parts of the others."""
+
+
 class OutOfTimeError(UnfinishedError):
     """The time that was given is over."""
 

@@ -396,7 +396,7 @@ def number_text(value: Fraction | int, digits: int = 6, longest: int = 12) -> st
     ('-1/3', '≈0.00773983', '1e+40')
     """
     if not isinstance(value, (int, Fraction)):  # an irrational number of a field
-        return f"≈{float(value):.{digits}g}"
+        return f"≈{_decimal(value.near(4 * digits + 8), digits)[0]}"
     size = value.numerator.bit_length() + value.denominator.bit_length()
     if size <= 4 * longest and len(text := to_text(value)) <= longest:
         return text

@@ -52,8 +52,13 @@ class Irrational:
         total, k = self._enclosed()
         return total / (self.denominator << k)
 
-    def _enclosed(self) -> tuple[int, int]:
-        found: tuple[int, int] = self.field.enclosed(self.coefficients, _MORE_BITS)
+    def near(self, bits: int) -> Fraction:
+        """Return a rational number that differs by 2^-bits of its size at most."""
+        total, k = self._enclosed(bits)
+        return Fraction(total, self.denominator << k)
+
+    def _enclosed(self, bits: int = _MORE_BITS) -> tuple[int, int]:
+        found: tuple[int, int] = self.field.enclosed(self.coefficients, bits)
         return found
 
 

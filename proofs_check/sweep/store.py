@@ -41,6 +41,8 @@ _CHUNKS = (
     "CAST(checksum AS BLOB) "
     "FROM chunks LEFT JOIN environments ON environments.id = chunks.environment"
 )
+#: Primary codes of the errors that a journal which cannot be made or written causes.
+_UNOPENED = (sqlite3.SQLITE_CANTOPEN, sqlite3.SQLITE_READONLY)
 #: Bytes of a cell; SQLite refuses larger ones without reading them.
 _MAX_CELL = 1 << 26
 #: Where the table cannot be read in order, this many numbers are looked up one by one.
@@ -216,15 +218,31 @@ def create(path: str, plan: Plan, claim: Mapping[str, Any]) -> Store:
 
 
 def read(path: str) -> Store:
-    """Open an existing store for reading, also while it is being written.
+    """Open an existing store for reading, also while it is being written, or on read-only media.
 
     Raises:
         SweepError: there is no such file, or it is not a store.
     """
     if not Path(path).is_file():
         raise SweepError(f"there is no store {path}; proofs-check sweep makes one")
-    with _opened(path, f"{Path(path).resolve().as_uri()}?mode=ro") as connection:
+    place = f"{Path(path).resolve().as_uri()}?mode=ro"
+    try:
+        with _opened(path, place) as connection:
+            return _checked(path, connection)
+    except _UnopenedError:
+        # No journal can be made beside it. Without one nobody writes, and it is whole as it is.
+        journal = Path(f"{path}-wal")
+        if journal.is_file() and journal.stat().st_size:
+            raise SweepError(
+                f"{path} has a journal that cannot be read here; copy both to a disk that can be "
+                "written"
+            ) from None
+    with _opened(path, f"{place}&immutable=1") as connection:
         return _checked(path, connection)
+
+
+class _UnopenedError(SweepError):
+    """The file is there, and SQLite cannot open it or its journal."""
 
 
 @contextmanager
@@ -240,7 +258,9 @@ def _opened(path: str, place: str) -> Iterator[sqlite3.Connection]:
     except BaseException as error:
         connection.close()
         if isinstance(error, sqlite3.Error):
-            raise SweepError(f"cannot use {path} as a store: {error}") from None
+            unopened = getattr(error, "sqlite_errorcode", 0) & 0xFF in _UNOPENED
+            kind = _UnopenedError if unopened else SweepError
+            raise kind(f"cannot use {path} as a store: {error}") from None
         raise
 
 

@@ -269,7 +269,10 @@ def sweep(
         MissingExtraError: `dask` is given and not installed.
     """
     due = workers.due(plan.chunks, shard, jobs)
-    with store.create(path, plan, about(_target(plan))) as opened:
+    claim = about(_target(plan))
+    if _has(path, plan, due):  # it may be on read-only media
+        return len(due)
+    with store.create(path, plan, claim) as opened:
         there = {chunk.number for chunk in opened.chunks()}
         pending = [number for number in due if number not in there]
         samples = sum(len(plan.indices(number)) for number in due)
@@ -282,6 +285,14 @@ def sweep(
             if progress:
                 progress(done, samples)
     return len(due)
+
+
+def _has(path: str, plan: Plan, due: Iterable[int]) -> bool:
+    """Return whether a store of the plan has all chunks of a shard."""
+    if not Path(path).is_file() or not Path(path).stat().st_size:
+        return False
+    with store.read(path) as opened:
+        return opened.plan == plan and {*due} <= {chunk.number for chunk in opened.chunks()}
 
 
 def merge(path: str, parts: Iterable[str]) -> int:

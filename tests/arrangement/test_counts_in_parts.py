@@ -330,3 +330,11 @@ def test_the_command_counts_in_parts(tmp_path, capsys, monkeypatch):
     code, out, err = run(str(path), "--shard", "1/2", capsys=capsys)
     assert code == 2
     assert "need --store" in err
+    shard = (str(path), "--store", str(tmp_path / "other"), "--shard", "1/2")
+    code, out, _ = run(*shard, capsys=capsys)
+    assert code == 0
+    assert out.startswith("shard 1/2 is done: ")
+    assert "when the other shards are done" in out
+    code, out, _ = run(*shard, "--json", capsys=capsys)
+    assert code == 0
+    assert json.loads(out) == {"first_whitney_numbers": [1, -31, 375], "complete": False}

@@ -12,7 +12,7 @@ from arrangement import Arrangement, InputError, families, read_arrangement
 from arrangement.counts import characteristic_polynomial, t_vector
 from arrangement.enumeration.regions import walls
 from arrangement.library.census import census
-from arrangement.pictures.lab.lines import lab_page
+from arrangement.pictures.lab.lines import lab_page, line_exercises
 from tests.browser import Browser
 
 Rows = Sequence[Sequence[int]]
@@ -400,3 +400,20 @@ def test_other_spaces_shown_by_essentialisation():
 def test_what_it_cannot_show_is_refused(planes, why):
     with pytest.raises(InputError, match=why):
         lab_page(planes)
+
+
+@pytest.mark.parametrize(
+    ("goal", "message"),
+    [
+        ('{"counts": {"regions": LONG}}', "5,001 digits of a number on a page"),
+        ('{"counts": {"t_vector": {"3": LONG}}}', "5,001 digits of a number on a page"),
+        ('{"meet": [[1, 2, LONG]]}', "give lists of three plane numbers"),
+    ],
+)
+def test_long_numbers_of_exercises_are_refused(goal, message, tmp_path):
+    exercise = {"name": "n", "task": "t", "start": "1|3|1,0,0;0,1,0;0,0,1", "goal": "GOAL"}
+    text = json.dumps({"schema_version": 1, "exercises": [exercise]})
+    path = tmp_path / "exercises.json"
+    path.write_text(text.replace('"GOAL"', goal.replace("LONG", "1" + "0" * 5000)))
+    with pytest.raises(InputError, match=f"exercise 1: goal .*{message}"):
+        line_exercises(path)

@@ -26,6 +26,7 @@ from arrangement.cli import main
 from arrangement.errors import OutOfTimeError
 from arrangement.library import families
 from arrangement.numbers import budget, deadline
+from arrangement.numbers.exact import number_text
 from arrangement.numbers.fields import number_field
 from arrangement.numbers.symbolic import to_sympy
 
@@ -372,3 +373,9 @@ def test_time_limit_of_a_count_in_low_rank_is_kept(monkeypatch):
     for planes in (Arrangement(rows), families.random_integer(30, 4, bound=10**30, seed=3)):
         with pytest.raises(OutOfTimeError, match=r"limit of 0.5 s: .* numbers 1 are final"):
             counts.first_whitney_numbers(planes, time_limit=0.5)
+
+
+@pytest.mark.parametrize(("power", "text"), [(400, "≈2.23607e+400"), (-400, "≈2.23607e-400")])
+def test_irrational_numbers_beyond_floats_are_printed(power, text):
+    root = NumberField([-5, 0, 1], [2, 3]).root
+    assert number_text(root * Fraction(10) ** power) == text

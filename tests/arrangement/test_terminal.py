@@ -171,6 +171,14 @@ def test_a_fault_of_the_program_is_no_answer(error, capsys):
     assert "Traceback (most recent call last)" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("limit", ["1000000000000000", "1e308", "1e9999"])
+def test_no_limit_on_files_needs_no_memory(limit, tmp_path, capsys):
+    path = tmp_path / "two.json"
+    path.write_text('{"schema_version": 1, "planes": [[1, 0], [0, 1]]}')
+    assert main(["count", str(path), "--limit", limit]) == 0
+    assert "regions          4" in capsys.readouterr().out
+
+
 def test_what_memory_does_not_hold_is_refused(capsys):
     def fails(_):
         print("half an answer")

@@ -266,3 +266,26 @@ def test_no_changed_cell_is_believed(whole, place):
     rows = cycle((0, 3) if place[0] == "chunks" else (0,))
     for row, value in zip(rows, (*VALUES, (0,), (3,)), strict=False):
         never_believed(whole, place, row, value)
+
+
+def test_a_finished_store_on_read_only_media_is_read(whole, tmp_path, monkeypatch):
+    path = tmp_path / "kept.sqlite"
+    sweep(PLAN, str(path))
+    journal = tmp_path / "kept.sqlite-wal"
+    journal.unlink(missing_ok=True)
+    journal.mkdir()  # so that no journal can be made, whoever runs the test
+    code, status, _ = run("sweep", "--store", path, "--status")
+    assert code == 0
+    assert "chunks   6 of 6" in status
+    assert run("report", path)[1] == run("report", whole)[1]
+    assert run(*SWEEP, "--store", path)[:2] == run(*SWEEP, "--store", whole)[:2]
+    journal.rmdir()
+    journal.write_bytes(b"what another process has written")
+
+    def unopened(path, place):
+        raise store._UnopenedError("unable to open database file")
+
+    monkeypatch.setattr(store, "_opened", unopened)
+    code, _, err = run("sweep", "--store", path, "--status")
+    assert code == 2
+    assert "has a journal that cannot be read here; copy both" in err

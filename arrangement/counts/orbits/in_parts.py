@@ -34,7 +34,7 @@ from arrangement.console import workers
 from arrangement.console.progress import note, watched
 from arrangement.console.writing import reason, write_bytes_atomically
 from arrangement.counts.configuration import Configuration, configuration
-from arrangement.errors import InputError, OutOfTimeError, UnfinishedError
+from arrangement.errors import InputError, OutOfTimeError, WaitingError
 from arrangement.numbers import budget
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import shown
@@ -86,8 +86,8 @@ def first_whitney_numbers_in_parts(
 
     Raises:
         InputError: a bad argument, a folder of other planes or a damaged one, workers that die.
-        UnfinishedError: parts of others are missing, or (`OutOfTimeError`) the time is over; its
-            `known` has the numbers that are final.
+        UnfinishedError: parts of others are missing (`WaitingError`), or the time is over
+            (`OutOfTimeError`); its `known` has the numbers that are final.
         MissingExtraError: `dask` is given and not installed.
     """
     deadline = Deadline(time_limit)
@@ -133,7 +133,7 @@ def first_whitney_numbers_in_parts(
             tuple(known),
         ) from None
     except _MissingPartsError as error:
-        raise UnfinishedError(
+        raise WaitingError(
             f"{folder} has {error}, and {_final(known)}; when the other shards are done and their "
             "files are there too, run the same command again",
             tuple(known),

@@ -35,6 +35,8 @@ Source: TypeAlias = "str | os.PathLike[str] | Mapping[str, Any]"
 SCHEMA_VERSION = 1
 
 _NAME = re.compile(r"[a-z0-9]+(?:-[a-z0-9]+)*")
+#: Bytes that are read at once.
+_PORTION = 1 << 20
 
 
 def read_document(
@@ -174,9 +176,12 @@ def read_bytes(source: str | os.PathLike[str], name: str, kind: str) -> bytes:
 
 
 def _limited(stream: BinaryIO, name: str, kind: str) -> bytes:
-    content = stream.read(budget.max_size(kind) + 1)
+    """Return all bytes; `read(n)` would ask for n bytes of memory, however short the stream is."""
+    content, most = bytearray(), budget.max_size(kind)
+    while len(content) <= most and (part := stream.read(_PORTION)):
+        content += part
     budget.check_size(len(content), kind, name)
-    return content
+    return bytes(content)
 
 
 def parse_json(

@@ -124,8 +124,8 @@ def _check_closes(value: Any) -> None:
 def _is_list_of_planes(one: Any) -> bool:
     return (
         isinstance(one, list)
-        and len(set(map(str, one))) == len(one) >= 3
         and all(type(k) is int and 1 <= k <= budget.max_size("planes in the lab") for k in one)
+        and len(set(one)) == len(one) >= 3
     )
 
 

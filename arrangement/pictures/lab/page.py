@@ -12,7 +12,8 @@ from typing import Any, TypeAlias
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, POLYGON, Template, one_page
 from arrangement.errors import InputError
 from arrangement.library.files.json_files import check_keys, check_list, read_document
-from arrangement.numbers.exact import shown
+from arrangement.numbers import budget
+from arrangement.numbers.exact import shown, to_text
 
 _OWN = "arrangement.pictures.lab"
 #: Exact rationals, vectors and linear algebra: they need no page.
@@ -125,6 +126,16 @@ def _exercise(
     ):
         try:
             check(value)
+            _check_digits(value)
         except InputError as error:
             raise InputError(f"{where}: {error}") from None
     return {**{name: entry[name] for name in _TEXTS}, **lists, "goal": goal}
+
+
+def _check_digits(value: Any) -> None:
+    """Refuse integers that are too long to be written on a page."""
+    if isinstance(value, (dict, list)):
+        for part in value.values() if isinstance(value, dict) else value:
+            _check_digits(part)
+    elif isinstance(value, int):
+        budget.check_size(len(to_text(abs(value))), "digits of a number on a page", shown(value))
