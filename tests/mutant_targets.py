@@ -316,9 +316,11 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_robustness.py",
     ): ("equilibrium.decide.corners",),
     ("tests/equilibrium/test_robustness.py",): (
+        "equilibrium.decide.nearby",
         "equilibrium.decide.proofs_for_all",
         "equilibrium.decide.robustness",
     ),
+    ("tests/equilibrium/test_meeting.py",): ("equilibrium.decide.meeting",),
     (
         "tests/equilibrium/test_verdict.py",
         "tests/equilibrium/test_displacement.py",
