@@ -64,6 +64,11 @@ def test_what_has_no_one_meaning_is_refused(text, message):
         ("(V, E, F) == (12, 30, 20)", True),
         # Floor division rounds down, of negative numbers and of fractions too.
         ("(7 // 2, (-7) // 2, 7 // (-2), m / 4 // 1, -m / 4 // 1)", (3, -4, -4, 1, -2)),
+        ("(7 % 4, (-7) % 4, 7 / 2 * 2, m - 8, 2 + 3 * 4)", (3, 1, 7, -2, 14)),
+        ("(max(2, m, 3), min(7, m, 9), abs(2 - m), len(f_vector))", (6, 6, 4, 4)),
+        ("m < 7 and not m < 6 and m <= 6 and not m <= 5", True),
+        ("m > 5 and not m > 6 and m >= 6 and not m >= 7", True),
+        ("m == 6 and not m == 7 and m != 7 and not m != 6", True),
         ("simple implies m == 9", True),
         ("m == 6 implies m == 9", False),
         ("m == 6 implies (m == 9 implies m == 3)", True),
