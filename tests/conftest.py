@@ -36,7 +36,7 @@ collect_ignore = (
 # The same examples on every run and every machine; speed is not a verdict.
 settings.register_profile(
     "ci",
-    max_examples=15,
+    max_examples=25,
     derandomize=True,
     deadline=None,
     database=None,

@@ -6,7 +6,7 @@ from itertools import combinations, pairwise
 import networkx as nx
 import pytest
 import sympy
-from hypothesis import assume, given, settings, strategies as st
+from hypothesis import assume, given, strategies as st
 
 from arrangement import Arrangement, InputError, counts, families
 from arrangement.counts import lattice as flats
@@ -69,7 +69,6 @@ def test_closure_is_the_smallest_flat(planes, data):
     assert (flat and flat.planes) == (closure_by_ranks(planes, chosen) if chosen else ())
 
 
-@settings(max_examples=15)
 @given(arrangements(dimensions=(1, 4), planes=(0, 6)))
 def test_planes_through_the_flats_of_rank_2_are_counted(planes):
     distinct = Arrangement(
@@ -152,7 +151,6 @@ def test_chirotopes_are_written_in_the_order_of_their_kind():
         counts.chirotope_string(planes, "random")
 
 
-@settings(max_examples=10)
 @given(arrangements(dimensions=(1, 3), planes=(0, 5), central=False))
 def test_of_affine_planes_there_are_those_of_the_cone(planes):
     cone = counts.cone(planes) if any(planes.offsets) else planes

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 import shapely
 import trimesh
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 
 from arrangement import Arrangement, ArrangementError, read_arrangement
 from arrangement.cli import main
@@ -120,7 +120,6 @@ def test_the_check_of_the_order_finds_a_wrong_order(name):
     assert wrong_pairs(stage, stage.facets[::-1], random.Random(1))
 
 
-@settings(max_examples=10)
 @given(spatial, st.sampled_from(["ball", "cube"]))
 def test_every_facet_and_every_region_meets_the_body(planes, body):
     """Zaslavsky's theorem counts them by another route."""
@@ -230,7 +229,6 @@ def test_the_command_takes_signs_that_begin_with_a_minus(tmp_path, capsys):
     assert b"cell----" in target.read_bytes()
 
 
-@settings(max_examples=10)
 @given(
     spatial,
     st.tuples(*[st.fractions(-2, 2, max_denominator=3)] * 3),
@@ -481,7 +479,6 @@ def test_ball_is_convex_with_corners_on_the_sphere():
         assert determinant(rows) > 0
 
 
-@settings(max_examples=8)
 @given(none_or_more, st.sampled_from(["ball", "cube"]))
 def test_the_body_contains_every_lowest_face(planes, kind):
     body = body_around(planes, kind)

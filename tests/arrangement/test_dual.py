@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import sympy
 import trimesh
-from hypothesis import assume, given, settings, strategies as st
+from hypothesis import assume, given, strategies as st
 from scipy.spatial import ConvexHull
 
 from arrangement import Arrangement, ArrangementError, InputError, counts, families
@@ -198,7 +198,6 @@ def test_bad_lengths_are_refused(lengths):
         dual_polyhedron(Arrangement(SQUARE_AXES), lengths)
 
 
-@settings(max_examples=8)
 @given(rank_three)
 def test_mesh_is_closed_oriented_and_of_euler_number_two(planes):
     mesh = dual_polyhedron(rank_three_only(planes)).to_trimesh()

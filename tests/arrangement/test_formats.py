@@ -8,7 +8,7 @@ from pathlib import Path
 import networkx as nx
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 
 from arrangement import Arrangement, InputError, census, counts, read_arrangement
 from arrangement.cli import main
@@ -61,7 +61,6 @@ entries = st.integers(-3, 3)
 normals = st.tuples(entries, entries, entries).filter(any)
 
 
-@settings(max_examples=10)
 @given(st.lists(normals, min_size=3, max_size=7), st.sampled_from(["chirotope", "topcom"]))
 def test_a_chirotope_gets_coordinates_of_that_chirotope(rows, name):
     planes = Arrangement(rows)
@@ -334,7 +333,6 @@ def lines_of_christ(planes: Arrangement, sides: list[int]) -> str:
     return "\n".join([planes.chirotope_string(), *equations, ""])
 
 
-@settings(max_examples=10)
 @given(st.lists(st.sampled_from([1, -1]), min_size=4, max_size=4), st.booleans())
 def test_lines_of_christ_get_the_signs_that_the_chirotope_says(sides, turned):
     text = lines_of_christ(AFFINE, sides)

@@ -9,7 +9,7 @@ from typing import Any
 import networkx as nx
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings, strategies as st
+from hypothesis import assume, given, strategies as st
 from scipy.spatial import ConvexHull
 
 from arrangement import Arrangement, ArrangementError, InputError
@@ -442,7 +442,6 @@ def test_opposite_regions_have_opposite_points(planes):
 
 
 @pytest.mark.slow
-@settings(max_examples=10)
 @given(rank_three)
 def test_hull_agrees_with_brute_force(planes):
     dual = dual_polyhedron(rank_three_only(planes))

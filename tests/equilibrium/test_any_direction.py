@@ -5,7 +5,7 @@ from fractions import Fraction
 from itertools import pairwise, product
 
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 
 from arrangement.drawing.solids.surface import surface
 from arrangement.errors import InputError
@@ -123,13 +123,11 @@ def agrees_with_the_surface(grasp, base=(0, 0, 0), length=1):
         assert found is None or found > HALF**2
 
 
-@settings(max_examples=5)
 @given(grasps, loads, lengths)
 def test_no_ray_ends_earlier_and_one_ends_there(grasp, base, length):
     agrees_with_rays_and_verdicts(grasp, base, length)
 
 
-@settings(max_examples=12)
 @given(grasps, loads, lengths)
 def test_it_is_the_least_distance_to_the_surface_of_the_set(grasp, base, length):
     agrees_with_the_surface(grasp, base, length)
@@ -163,7 +161,6 @@ def test_random_grasps_agree_with_rays_and_surface(contacts, seeds):
 
 
 @pytest.mark.slow
-@settings(max_examples=20)
 @given(wide_grasps(most=5, preload=st.integers(0, 2)), loads, lengths)
 def test_awkward_grasps_agree_with_rays_and_with_the_surface(grasp, base, length):
     agrees_with_rays_and_verdicts(grasp, base, length)
@@ -258,7 +255,6 @@ def test_a_bound_on_displacements_counts():
     assert found.wrench in [(Fraction(2, 5), 0, 0), (Fraction(-2, 5), 0, 0)]
 
 
-@settings(max_examples=6)
 @given(grasps, st.sampled_from([2, Fraction(1, 3)]))
 def test_it_grows_with_all_preloads(grasp, factor):
     larger = Grasp(replace(c, preload=factor * c.preload) for c in grasp)
@@ -266,7 +262,6 @@ def test_it_grows_with_all_preloads(grasp, factor):
     assert other == (None if one is None else factor**2 * one)
 
 
-@settings(max_examples=6)
 @given(grasps)
 def test_invariant_under_rotation_and_length_units(grasp):
     found = ResistedSet(grasp).smallest_outside().size_squared

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings, strategies as st
+from hypothesis import assume, given, strategies as st
 
 from arrangement.numbers.linear.programs import Infeasible, Optimal, feasible_point, minimize
 from equilibrium import Contact, Grasp, read_grasp, solve
@@ -36,7 +36,6 @@ def fits(states: tuple[str, ...], grasp: Grasp, motion: tuple) -> bool:
     return True
 
 
-@settings(max_examples=25)
 @given(resisted(grasps(2, least=1)))
 def test_every_solution_has_listed_states(question):
     grasp, wrench = question
@@ -53,7 +52,6 @@ def assert_every_face_has_states(grasp: Grasp) -> None:
         assert any(fits(states, grasp, face.witness) for states in listed)
 
 
-@settings(max_examples=12)
 @given(grasps(3))
 def test_every_face_has_listed_states(grasp):
     assert_every_face_has_states(grasp)
@@ -100,7 +98,6 @@ def assert_true(grasp: Grasp, wrench: tuple, direction: tuple = ()) -> float:
     return float((~possible).mean())
 
 
-@settings(max_examples=25)
 @given(grasps(4, least=2), wrenches, directions)
 def test_a_choice_ruled_out_has_no_equilibrium(grasp, wrench, direction):
     wrench = tuple(map(Fraction, wrench))
@@ -169,7 +166,6 @@ def test_most_choices_are_decided_in_floating_point(seed, line, share):
     assert assert_true(random_grasp(7, seed), *line) > share
 
 
-@settings(max_examples=10)
 @given(grasps(3), wrenches, directions)
 def test_without_floats_the_answers_are_the_same(grasp, wrench, direction):
     pieces = solve(grasp, wrench).equilibria
@@ -180,7 +176,6 @@ def test_without_floats_the_answers_are_the_same(grasp, wrench, direction):
         assert resisted_magnitudes(grasp, direction, wrench).intervals == found
 
 
-@settings(max_examples=10)
 @given(directions, st.integers(1, 3))
 def test_frictionless_contacts_resist_only_their_normal(direction, count):
     """Contacts that only touch from one side leave their own normal direction open."""

@@ -8,7 +8,7 @@ from typing import Any
 import matplotlib.path
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 
 from arrangement.drawing.scene.curves import flattened
 from arrangement.drawing.scene.items import Label
@@ -297,7 +297,6 @@ def test_region_elements_are_the_exact_pieces_and_borders(grasp):
         }
 
 
-@settings(max_examples=8)
 @given(grasp=grasps(), wrench=wrenches)
 @example(grasp=Grasp([Contact((0, 0), (0, 1), 0)]), wrench=(0, 1, 0))
 def test_the_whole_finite_border_lies_in_the_picture(grasp, wrench):

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 import sympy
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 
 from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, GraspError, read_grasp, solve, unit_normal
@@ -313,7 +313,6 @@ def test_stopping_at_the_first_solution_misses_the_second():
     assert len(solve(*question, as_printed=["single-solution"]).equilibria) == 1
 
 
-@settings(max_examples=12)
 @given(grasps(), wrenches)
 def test_as_printed_options_are_monotone(grasp, wrench):
     stable = solve(grasp, wrench).stable
@@ -322,7 +321,6 @@ def test_as_printed_options_are_monotone(grasp, wrench):
     assert stable <= solve(grasp, wrench, as_printed=["cell-check"]).stable
 
 
-@settings(max_examples=10)
 @given(grasps(), wrenches)
 def test_options_combine_in_any_order(grasp, wrench):
     forward = solve(grasp, wrench, as_printed=list(OPTIONS))

@@ -8,7 +8,7 @@ from pkgutil import iter_modules
 
 import numpy as np
 import pytest
-from hypothesis import example, given, settings, strategies as st
+from hypothesis import example, given, strategies as st
 from scipy.spatial import ConvexHull
 
 from arrangement.errors import OutOfReachError
@@ -456,7 +456,6 @@ def probes(region: Region) -> list[RationalVector]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("method", WITH_REGION)
-@settings(max_examples=8)
 @given(grasp=grasps(), torque=st.sampled_from([0, 0, HALF, -1]))
 @example(grasp=read_grasp("paper-three-contacts-preload-1"), torque=0)
 @example(grasp=read_grasp("offset-three-contacts").with_preload(1), torque=1)

@@ -3,7 +3,7 @@
 from itertools import product
 
 import numpy as np
-from hypothesis import assume, given, settings, strategies as st
+from hypothesis import assume, given, strategies as st
 from scipy.optimize import linprog
 
 from arrangement.numbers.exact import dot
@@ -49,7 +49,6 @@ def in_cones(grasp, forces):
 
 class TestHull:
     @given(points)
-    @settings(max_examples=20)
     def test_every_facet_supports_and_every_vertex_is_extreme(self, cloud):
         hull = _hull(cloud)
         assert set(hull.points) <= set(cloud)
@@ -105,7 +104,6 @@ class TestWrenchSpace:
 
 class TestFormClosure:
     @given(form_closures())
-    @settings(max_examples=25)
     def test_form_closure_has_its_proof(self, grasp):
         found = form_closure(grasp)
         normals = [c.normal_wrench for c in grasp]
@@ -118,7 +116,6 @@ class TestFormClosure:
         assert np.linalg.matrix_rank(np.array(normals, dtype=float)) == 3
 
     @given(grasps(most=6, friction=st.just(0)))
-    @settings(max_examples=25)
     def test_each_answer_has_its_proof(self, grasp):
         found = form_closure(grasp)
         normals = [c.normal_wrench for c in grasp]
@@ -129,7 +126,6 @@ class TestFormClosure:
             assert all(dot(w, found.free_motion) >= 0 for w in normals)
 
     @given(form_closures(), wrenches)
-    @settings(max_examples=25)
     def test_form_closure_holds_every_wrench_in_the_full_model(self, grasp, wrench):
         # A turn or shift presses some spring, so d . F(d) grows without bound: a zero exists.
         assert form_closure(grasp).accepts
@@ -137,7 +133,6 @@ class TestFormClosure:
 
 
 class TestOrderOfTheMethods:
-    @settings(max_examples=15)
     @given(grasps(most=3), wrenches)
     def test_each_weaker_method_accepts_too(self, grasp, wrench):
         ours = solve(grasp, wrench).stable
@@ -157,7 +152,6 @@ class TestOrderOfTheMethods:
         assert frictionless_slip(grasp, wrench).accepts == ours
         assert cones(grasp, wrench).accepts == ours
 
-    @settings(max_examples=25)
     @given(resisted(grasps(most=3)))
     def test_accepted_forces_balance_inside_the_cones(self, question):
         grasp, wrench = question
@@ -186,7 +180,6 @@ def test_cones_agree_with_brute_force(grasp, wrench):
 
 class TestStrongStability:
     @given(pinches(), directions, st.integers(1, 3), st.tuples(small, small))
-    @settings(max_examples=25)
     def test_a_start_obeys_the_energy_balance(self, grasp, wrench, inertia, centre):
         found = weak_strong(grasp, wrench, inertia=inertia, centre=centre)
         assert found.weak

@@ -2,7 +2,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 import pytest
-from hypothesis import assume, given, settings, strategies as st
+from hypothesis import assume, given, strategies as st
 
 from arrangement.errors import InputError, OutOfReachError
 from arrangement.numbers import budget
@@ -73,7 +73,6 @@ def test_a_contact_without_friction_resists_a_ray():
     assert resisted_region(Grasp()).outline.points == ((0, 0),)
 
 
-@settings(max_examples=15)
 @given(grasps(), st.sampled_from([FORCES, ((1, 0, 2), (0, 1, -1))]), wrenches, planar)
 def test_membership_is_the_verdict_of_the_solver(grasp, spans, origin, point):
     a, b = point
@@ -84,7 +83,6 @@ def test_membership_is_the_verdict_of_the_solver(grasp, spans, origin, point):
 
 
 @pytest.mark.slow
-@settings(max_examples=10)
 @given(grasps(least=2))
 def test_resistance_ends_at_the_border_and_nowhere_else(grasp):
     region = resisted_region(grasp)
@@ -97,7 +95,6 @@ def test_resistance_ends_at_the_border_and_nowhere_else(grasp):
         assert not solve(grasp, (*outside, 0)).stable
 
 
-@settings(max_examples=12)
 @given(grasps(least=2), planar, planar.filter(any))
 def test_every_end_along_a_line_lies_on_the_outline(grasp, start, direction):
     """Between the outline's parts the region does not change, seen along any line."""
@@ -204,7 +201,6 @@ def test_the_margin_stays_on_its_side_of_a_gap():
     assert margin(gap_grasp(), ("-7/4", 0, 0)).nearest == Fraction(8, 7)
 
 
-@settings(max_examples=12)
 @given(grasps(), directions)
 def test_margin_ends_on_the_boundary(grasp, wrench):
     found = margin(grasp, wrench)
@@ -235,7 +231,6 @@ def test_more_preload_is_not_always_enough():
         assert solve(gap_grasp().with_preload(p), (-2, 0, 0)).stable == bool(stable)
 
 
-@settings(max_examples=12)
 @given(grasps(), wrenches, st.fractions(0, 6, max_denominator=4))
 def test_preloads_agree_with_the_solver(grasp, wrench, preload):
     found = sufficient_preloads(grasp, wrench)
@@ -305,7 +300,6 @@ def test_friction_without_normal_force_is_none():
         any_friction_does(3, [x, u], [x, rubbing], forces, late)
 
 
-@settings(max_examples=6)
 @given(
     grasps(least=2),
     directions,

@@ -45,7 +45,6 @@ def test_lines_of_a_cone_are_what_rank_lacks(rows):
     assert len(generators(rows, [], 4)[1]) == 4 - (sympy.Matrix(rows).rank() if rows else 0)
 
 
-@settings(max_examples=25)
 @given(pointed4)
 def test_rays_are_the_tight_solutions_of_rank_three(rows):
     """Oracle for pointed cones: every extreme ray is the null space of three of the rows."""
@@ -81,20 +80,17 @@ def test_no_condition_of_a_polyhedron_is_redundant(generating):
         assert isinstance(answer, programs.Unbounded) or answer.value + row[3] < 0
 
 
-@settings(max_examples=15)
 @given(grasps(), wrenches)
 def test_membership_is_the_verdict_of_the_solver(grasp, wrench):
     assert bool(states_with(ResistedSet(grasp).polyhedra, wrench)) == solve(grasp, wrench).stable
 
 
-@settings(max_examples=15)
 @given(grasps(most=5), directions, wrenches)
 def test_lines_through_the_polyhedra_are_the_intervals(grasp, direction, base):
     found = resisted_magnitudes(grasp, direction, base).intervals
     assert magnitudes_in(ResistedSet(grasp).polyhedra, base, direction) == found
 
 
-@settings(max_examples=10)
 @given(grasps(most=2), wrenches)
 def test_states_that_no_motion_has_add_nothing(grasp, wrench):
     """Every one of the 4^m choices gives resisted wrenches only."""
@@ -159,7 +155,6 @@ def test_gaps_of_the_example_file_are_right():
     assert solve(grasp, scaled(direction, ends[-1])).stable
 
 
-@settings(max_examples=15)
 @given(st.one_of(*[grasps(most=2)] * 4, grasps(least=3)), directions, wrenches)
 def test_all_states_by_brute_force(grasp, direction, base):
     found = resisted_magnitudes(grasp, direction, base).intervals
@@ -181,7 +176,6 @@ frames = st.sampled_from(
 )
 
 
-@settings(max_examples=15)
 @given(grasps(most=4), frames, wrenches)
 def test_plane_cuts_every_state_like_all_wrenches(grasp, spans, origin):
     spans = [tuple(map(Fraction, span)) for span in spans]
@@ -253,7 +247,6 @@ def test_the_quick_tests_leave_little_open():
     assert surely_outside(shapes).mean() > 0.8
 
 
-@settings(max_examples=8)
 @given(grasps(most=4))
 def test_the_polyhedra_are_the_same_without_the_quick_test(grasp):
     found = ResistedSet(grasp).polyhedra

@@ -4,7 +4,7 @@ from dataclasses import replace
 from random import Random
 
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 
 import arrangement.library.census
 from arrangement import Arrangement
@@ -98,7 +98,6 @@ def test_each_holds(id):
 
 
 @given(st.integers(0, 16), st.randoms(use_true_random=False))
-@settings(max_examples=10)
 def test_the_code_does_not_see_labels_and_sides(index, rng):
     normals = [list(map(int, n)) for n in arrangement.library.census.census(6)[index].normals]
     rng.shuffle(normals)

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 from numpy.typing import NDArray
 
 from arrangement.enumeration import choose
@@ -142,7 +142,6 @@ def test_with_preload_regions_are_whitney_numbers_added_up(m):
 
 
 @given(st.integers(0, 10**6), st.integers(1, 2), st.booleans())
-@settings(max_examples=8)
 def test_states_are_counted_alike_by_faces_and_by_elimination(seed, m, preload):
     grasp = model._random_grasp(Random(seed), m, preload=preload)
     by_faces, by_elimination = registry()["model-states"].routes

@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 
 from equilibrium.decide.solver import solve
 from proofs_check.instances.domains import contact_numbers
@@ -49,7 +49,6 @@ def test_the_solver_agrees(question):
 
 
 @given(questions)
-@settings(max_examples=10)
 def test_normal_forces_exist_exactly_when_stable(question):
     found = normal_forces(question)
     assert all(bool(intervals) == stable(question) for intervals in found)

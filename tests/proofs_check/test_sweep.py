@@ -8,7 +8,7 @@ from hashlib import sha256
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 
 from arrangement.console import workers
 from arrangement.errors import WorkerError
@@ -101,7 +101,6 @@ def test_shards_merged_are_the_whole(tmp_path):
     assert report(merged) == report(whole)
 
 
-@settings(max_examples=3)
 @given(st.integers(1, 30), st.integers(1, 30), st.randoms(use_true_random=False))
 def test_neither_the_size_nor_the_order_of_chunks_matters(first, second, rng):
     found = []

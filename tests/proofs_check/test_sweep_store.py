@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import example, given, settings, strategies as st
+from hypothesis import example, given, strategies as st
 
 from proofs_check.cli.program import main
 from proofs_check.errors import DamagedStoreError
@@ -249,7 +249,6 @@ def never_believed(whole: Path, place: tuple[str, str], row: int, value: Any) ->
     path.with_suffix(".new").unlink(missing_ok=True)
 
 
-@settings(max_examples=15)
 @given(
     st.sampled_from(COLUMNS),
     st.integers(0, 5),

@@ -9,7 +9,7 @@ from random import Random
 from types import ModuleType
 
 import pytest
-from hypothesis import assume, given, settings, strategies as st
+from hypothesis import assume, given, strategies as st
 
 from arrangement import Arrangement, read_arrangement
 from arrangement.console import progress
@@ -157,7 +157,6 @@ def _many(planes: Arrangement) -> bool:
     return len(planes.distinct) >= 3 and planes.rank == 3
 
 
-@settings(max_examples=8)
 @given(st.integers(0, 10**9))
 def test_shrinking_is_minimal_and_keeps_the_failure(seed):
     planes = DOMAINS["rank-3"].draw(Random(seed), 5)
@@ -168,7 +167,6 @@ def test_shrinking_is_minimal_and_keeps_the_failure(seed):
     assert max(abs(x) for p in found.integer_planes for x in p) == 1
 
 
-@settings(max_examples=8)
 @given(st.integers(0, 10**9))
 def test_shrinking_a_grasp_keeps_the_failure(seed):
     grasp = DOMAINS["grasp"].draw(Random(seed), 4)
