@@ -1,9 +1,9 @@
 """Claims: what a statement is, what it is checked on, and by which routes.
 
-A claim is a statement about every instance of some domain. Its routes, which share no code,
-compute for one instance the quantity that the statement is about; a judge says whether a value of
-that quantity is what the statement promises. A claim of the paper and a claim of a user are the
-same thing: the first has two routes, the second may have one.
+A claim is a statement about every instance of some domain. Its routes compute for one instance the
+quantity that the statement is about, independently, or as a value and its certificate; a judge says
+whether a value of that quantity is what the statement promises. A claim of the paper and a claim of
+a user are the same thing: the first has two routes, the second may have one.
 """
 
 from __future__ import annotations
@@ -169,7 +169,8 @@ class Claim(ReprMixin):
         statement: in own words, never softened.
         hypotheses: under which the statement is made.
         quantity: what all routes compute.
-        routes: they share no code, and must give equal values.
+        routes: they must give equal values, and share numbers, model and instances alone; or one
+            gives the value, another one reads its certificate.
         sources: of the cases, from a random generator that is seeded for this claim.
         judge: whether a value on a subject is what the statement promises.
         expected: the verdict of the registry; it decides the exit code and nothing else.

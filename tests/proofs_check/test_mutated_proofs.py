@@ -5,6 +5,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from random import Random
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -18,8 +19,9 @@ from arrangement.planes.planes import Planes
 from equilibrium import Contact, Grasp, read_grasp
 from equilibrium.methods.compare import predict as right
 from proofs_check import ClaimVerdict, evaluate, registry
-from proofs_check.claims import dual, methods, model, tables
+from proofs_check.claims import dual, methods, model, others, space, tables
 from proofs_check.routes import oracle
+from proofs_check.statements.statement import Route
 
 #: The signs of the faces of dimension 0, 1, ..., d, and points of them.
 Levels = list[tuple[NDArray[np.int8], NDArray[Any]]]
@@ -113,6 +115,37 @@ def test_a_changed_printed_number_is_caught():
             wrong = replace(row, forces=tuple(map(tuple, forces)))
             assert tables._substituted(wrong) == "Yes, numbers do not fit"
             assert tables._solved(wrong) == "Yes, numbers do not fit"
+
+
+@pytest.mark.parametrize("id", ["regions-in-print", "small-regions-in-print"])
+def test_wrong_number_in_print_refutes(id, monkeypatch):
+    known = registry()[id]
+    (source,) = known.sources
+    few = replace(known, sources=(replace(source, cases=lambda _: list(source.cases(_))[:20]),))
+    assert evaluate(few).verdict is ClaimVerdict.HOLDS
+    monkeypatch.setattr(others, "_in_print", lambda planes: 7)
+    assert evaluate(few).verdict is ClaimVerdict.REFUTED
+    wrong = Route("wrong", lambda planes: len(planes.regions()) + 1)
+    assert evaluate(replace(few, routes=(wrong, few.routes[1]))).verdict is None
+
+
+def test_wrong_verdict_in_space_has_no_certificate(monkeypatch):
+    known = registry()["planar-verdicts-embed"]
+    right = space.solve
+
+    def wrong(grasp, wrench, **options):
+        verdict = right(grasp, wrench, **options)
+        answer = not verdict.stable
+        return SimpleNamespace(stable=answer, verify=verdict.verify, proof=verdict.proof)
+
+    monkeypatch.setattr(space, "solve", wrong)
+    assert evaluate(known).verdict is None
+
+
+def test_planar_verdict_that_does_not_embed_refutes(monkeypatch):
+    right = space._in_space
+    monkeypatch.setattr(space, "_in_space", lambda q: (right(q)[0], (0, 1, 0, 0, 0, 9)))
+    assert evaluate(registry()["planar-verdicts-embed"]).verdict is ClaimVerdict.REFUTED
 
 
 IDS = (
