@@ -119,7 +119,8 @@ def test_corners_come_in_order_and_none_twice(d, verdict, most, at_rest):
     other = Contact([-1, *[0] * (d - 1)], [1, *[0] * (d - 1)], "1/2", 2, 3)
     grasp, load = Grasp([FINGERS[d], other]), (1, 0, *[0] * (3 * d - 5))
     motion = (0,) * len(load) if at_rest else MOTIONS[d][1]
-    found = SimpleNamespace(grasp=grasp, wrench=load, verdict=verdict, proof=tree(d))
+    found = SimpleNamespace(subject=grasp, load=load, flat=tuple, verdict=verdict)
+    found.proof = tree(d)
     found.solution = None if at_rest else SimpleNamespace(motion=motion)
     answers = [None, SimpleNamespace(verdict=NOT_RESISTED, proof=tree(d))]
     if not at_rest:
