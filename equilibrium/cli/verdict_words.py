@@ -7,13 +7,13 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import counted, near, number, vector
-from arrangement.numbers.exact import RationalVector, dot
+from arrangement.numbers.exact import dot
 from equilibrium.certificate.leaves import SpatialLeaf, parts, spatial_leaves, works
 from equilibrium.certificate.reading import read_plane
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.displacement import STIFFNESS_ASSUMED, displacement_words, has_unit
 from equilibrium.model.errors import GraspError
-from equilibrium.model.labels import equilibria_words
+from equilibrium.model.labels import equilibria_words, force_lines
 from equilibrium.model.solution import PadForce, numbering_words
 
 if TYPE_CHECKING:
@@ -130,7 +130,7 @@ def _equilibrium_lines(
     rounded = getattr(found, "box", None) is not None
     shown = _floats if rounded else vector
     yield f"  motion {shown(found.motion)}{freedom}"
-    named = list(states)
+    named, rows = list(states), []
     for i, (points, group) in enumerate(zip(grasp.parts, grasp.groups, strict=True), 1):
         kinds = named[group.start : group.stop]
         # A pad is one contact: the sum of the forces of its points, and where it acts.
@@ -143,7 +143,11 @@ def _equilibrium_lines(
         state = kinds[0] if len({*kinds}) == 1 else " ".join(kinds)
         stuck = sum(c.adhesion for c in points)
         more = f"  adhesion {number(stuck)}" if stuck else ""
-        yield f"    contact {i}  {state:<8}  force {shown(whole.force)}{at}{more}{why}"
+        normal, *friction = whole.force
+        across = shown(friction) if len(friction) > 1 else shown(friction)[1:-1]
+        cells = f"contact {i}", state, shown((normal,))[1:-1], across
+        rows.append((cells, f"{at}{more}{why}"))
+    yield from force_lines(rows, grasp.units)
 
 
 def _refusal(found: Verdict, about: str, path: str | None) -> Iterator[str]:
@@ -214,5 +218,5 @@ def _leaf_lines(verdict: Verdict, leaf: SpatialLeaf) -> Iterator[str]:
     yield f"    {work}, and all contacts together at least {number(leaf.least)}"
 
 
-def _floats(numbers: RationalVector) -> str:
+def _floats(numbers: Iterable[Fraction]) -> str:
     return f"({', '.join(map(near, numbers))})"

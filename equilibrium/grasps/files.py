@@ -21,12 +21,15 @@ from arrangement.library.files.json_files import (
 from arrangement.numbers import budget
 from arrangement.numbers.exact import to_text
 from equilibrium.certificate.checker import Question, Report, check
+from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.reading import SCHEMA_VERSION
 from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp
 
 if TYPE_CHECKING:
     from arrangement import Arrangement
+    from equilibrium.decide.assemblies.verdict import AssemblyVerdict
+    from equilibrium.decide.verdict import Verdict
 
 
 #: What takes floats, said where one is refused.
@@ -134,7 +137,7 @@ def read_certificate(source: Source) -> dict[str, Any]:
 
 
 def verify(
-    source: Source,
+    source: Source | Certificate | Verdict | AssemblyVerdict,
     question: Question | None = None,
     pyramid: int | None = None,
     max_displacement: Fraction | None = None,
@@ -142,13 +145,23 @@ def verify(
     """Check a certificate from a path, ``"-"`` (stdin) or a mapping; no solver is involved.
 
     Args:
+        source: or a `Certificate`; or a verdict, whose certificate is compared with its question.
         question, pyramid, max_displacement: what it has to be about; see
             `equilibrium.certificate.checker.check`.
 
     Raises:
         InputError: the document has no readable form.
+        UndecidedError: an undecided verdict, which has no certificate.
     """
-    return check(read_certificate(source), question, pyramid, max_displacement)
+    proof: Any = source
+    if isinstance(source, Certificate):
+        proof = source.to_dict()
+    elif hasattr(source, "verify"):
+        if question is None:
+            report: Report = source.verify()
+            return report
+        proof = proof.proof
+    return check(read_certificate(proof), question, pyramid, max_displacement)
 
 
 def verify_proved(path: str | os.PathLike[str]) -> tuple[bool, str]:

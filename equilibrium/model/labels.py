@@ -7,7 +7,7 @@ coefficient has none.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -100,6 +100,25 @@ class DataError(JsonMixin):
             raise GraspError("data_error.as_given is true or false")
         length, angle, value = errors
         return cls(length, angle, value, document["as_given"])
+
+
+def force_lines(
+    rows: Sequence[tuple[Sequence[str], str]], units: Units | None, middle: str = ""
+) -> Iterator[str]:
+    """Yield the table of contact forces, with its heads.
+
+    Args:
+        rows: of each contact its name, its bodies if `middle` says so, its state, normal and
+            tangential force; and what follows the cells.
+        middle: head of the bodies.
+    """
+    unit = f" ({units.force})" if units else ""
+    heads = ("", *filter(None, [middle]), "state", f"normal{unit}", f"tangential{unit}")
+    table = [(heads, ""), *rows]
+    widths = [max(map(len, column)) for column in zip(*(cells for cells, _ in table), strict=True)]
+    for cells, more in table if rows else ():
+        padded = (cell.ljust(width) for cell, width in zip(cells, widths, strict=True))
+        yield f"    {'  '.join(padded)}{more}".rstrip()
 
 
 def equilibria_words(pieces: Sequence[Any]) -> str:

@@ -353,7 +353,7 @@ def test_answers_in_a_notebook_and_a_report_name_it(tmp_path, capsys):
     path.write_text(CUPS)
     assert main(["info", str(path), "--weight", "99"]) == 0
     out = capsys.readouterr().out
-    for words in ("without adhesion", "force (1/2, 0)  adhesion 50", "in [0, 100/99]"):
+    for words in ("without adhesion", "1/2     0           adhesion 50", "in [0, 100/99]"):
         assert words in out
 
 

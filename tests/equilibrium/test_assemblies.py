@@ -663,8 +663,12 @@ class TestCommand:
     def test_solve_and_verify(self, stack, tmp_path, capsys):
         proof = str(tmp_path / "proof.json")
         assert main(["solve", stack, "--certificate", proof]) == 0
-        assert "contact 3  upper on lower" in capsys.readouterr().out
+        head, *rows = capsys.readouterr().out.splitlines()[-5:]
+        assert head.split() == ["bodies", "state", "normal", "tangential"]
+        assert rows[2] == "    contact 3  upper on lower       stick  1/2     0"
         assert main(["verify", proof]) == 0
+        assert verify(solve(STACK, WEIGHTS))
+        assert verify(solve(STACK, WEIGHTS).certificate)
         assert "not compared with an assembly" in capsys.readouterr().out
         assert main(["verify", proof, "--grasp", stack]) == 0
         assert main(["verify", proof, "--json"]) == 0

@@ -1,5 +1,6 @@
 """The complete decision: known cases, properties, and brute force over all 4^m states."""
 
+import json
 from collections import Counter
 from dataclasses import replace
 from fractions import Fraction
@@ -9,10 +10,12 @@ import pytest
 from hypothesis import given, strategies as st
 
 from arrangement.errors import InputError
-from equilibrium import Contact, Grasp, GraspError, read_grasp, solve, solve_many
+from equilibrium import Contact, Grasp, GraspError, read_grasp, solve, solve_many, verify
+from equilibrium.cli.program import main
 from equilibrium.decide import solver
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs import random_grasp, random_wrench
+from equilibrium.model.errors import UndecidedError
 
 from . import oracle
 from .agreement import disagreements
@@ -41,6 +44,33 @@ def test_many_loads_have_single_verdicts_and_proofs(grasp, loads, most):
         assert verdict.wrench == tuple(wrench)
         assert verdict.stable == solve(grasp, wrench, max_displacement=most).stable
         assert verdict.verify()
+
+
+def test_verify_takes_a_verdict_and_its_certificate():
+    for wrench in ((0, 1, 0), (0, 2, 0)):
+        verdict = solve(THREE, wrench)
+        report = verify(verdict)
+        assert (bool(report), report.kind, report.compared) == (True, verdict.verdict, True)
+        assert verify(verdict.certificate)
+        assert verify(verdict.certificate, (THREE, verdict.wrench)).compared
+        assert not verify(verdict, (THREE, (Fraction(5), Fraction(0), Fraction(0))))
+    with pytest.raises(UndecidedError, match="no certificate"):
+        verify(replace(verdict, verdict="undecided"))
+
+
+def test_forces_are_a_table_with_heads_and_unit(capsys, tmp_path):
+    path = tmp_path / "grasp.json"
+    path.write_text(json.dumps(THREE.with_units("mm", "N").to_dict()))
+    assert main(["solve", str(path), "--wrench", "0", "1", "0"]) == 0
+    head, *rows = capsys.readouterr().out.splitlines()[3:7]
+    assert head == "               state     normal (N)  tangential (N)"
+    assert rows[0] == "    contact 1  slip+     1           -1/2"
+    assert rows[1] == "    contact 2  detached  0           0"
+    load = ["--wrench", "0", "3/10", "2/5", "0", "0", "0"]
+    assert main(["solve", "two-opposed-fingers", *load]) == 0
+    head, row, *_ = capsys.readouterr().out.splitlines()[2:]
+    assert head == "               state  normal  tangential"
+    assert row == "    contact 1  stick  1       (-3/20, -1/5)"
 
 
 def test_function_takes_wrenches_alone():

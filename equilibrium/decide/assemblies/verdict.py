@@ -19,6 +19,7 @@ from equilibrium.model.assembly import SIZE, Assembly, Wrenches
 from equilibrium.model.displacement import displacement_entry, displacement_words
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import UndecidedError
+from equilibrium.model.labels import force_lines
 from equilibrium.model.solution import Solution
 
 from .magnitudes import PartEquilibrium, part_equilibria
@@ -220,11 +221,12 @@ class AssemblyVerdict(AnswerMixin):
         found = [f"resisted{within}: an exact equilibrium"]
         found += [f"  {name} moves by {vector(moved)}" for name, moved in self.motions.items()]
         joints = self.assembly.contacts
-        width = max((len(c.pair) for c in joints), default=0)
+        rows = []
         for i, (c, state, force) in enumerate(zip(joints, self.states, self.forces, strict=True)):
-            line = f"    contact {i + 1}  {c.pair:<{width}}  {state:<8}  force {vector(force)}"
+            cells = f"contact {i + 1}", c.pair, state, *map(number, force)
             stuck = c.contact.adhesion
-            found.append(f"{line}  adhesion {number(stuck)}" if stuck else line)
+            rows.append((cells, f"  adhesion {number(stuck)}" if stuck else ""))
+        found += force_lines(rows, self.assembly.units, "bodies")
         parts = self._all_equilibria if every else ()
         if isinstance(parts, str):
             return [*found, f"all equilibria: undecided, {parts}"]
