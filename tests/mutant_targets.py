@@ -370,6 +370,10 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ): ("equilibrium.model.solution",),
     ("tests/equilibrium/test_rows.py",): ("equilibrium.model.rows",),
     (
+        "tests/equilibrium/test_meeting.py",
+        "tests/equilibrium/test_corners.py",
+    ): ("equilibrium.model.subject",),
+    (
         "tests/equilibrium/test_assembly_magnitudes.py",
         "tests/equilibrium/test_assemblies.py::TestEquilibria",
     ): (
