@@ -6,18 +6,22 @@ import os
 import re
 import sys
 
-_GREEN, _YELLOW, _RED = 32, 33, 31
+_GREEN, _CYAN, _YELLOW, _RED = 32, 36, 33, 31
 _COLOURS = {
     "resisted": _GREEN,
     "valid": _GREEN,
     "yes": _GREEN,
-    "holds": _GREEN,
     "undecided": _YELLOW,
     "depends on the rounding": _YELLOW,
-    "holds under a hypothesis": _YELLOW,
     "not resisted": _RED,
     "not valid": _RED,
     "no": _RED,
+}
+#: What a verdict on a claim is worth; it stands in a column.
+_STRENGTHS = {
+    "proved": _GREEN,
+    "holds in all cases": _CYAN,
+    "no counterexample found": _YELLOW,
     "refuted": _RED,
 }
 _WORDS = "|".join(sorted(_COLOURS, key=len, reverse=True))
@@ -29,17 +33,17 @@ def print_verdict(text: str, verdict: str = "") -> None:
     """Print text with its verdict in colour.
 
     Args:
-        verdict: a column of a line, which ends with it or has a remark in parentheses after it; the
-            words at the start of the text if omitted.
+        verdict: a column of a line, which ends with it or has a remark after it, such as a number
+            in parentheses or a hypothesis; the words at the start of the text if omitted.
     """
-    column = re.compile(rf"(?m)  ({re.escape(verdict)})(?= \(|$)")
+    column = re.compile(rf"(?m)  ({re.escape(verdict)})(?= \(| under |$)")
     found = column.search(text) if verdict else _FIRST.match(text)
     if found is None or not _wanted():
         print(text)
         return
     start, stop = found.span(1)
     print(text[:start], end="")
-    _control(_COLOURS[found[1]])
+    _control((_COLOURS | _STRENGTHS)[found[1]])
     print(text[start:stop], end="")
     _control(0)
     print(text[stop:])

@@ -41,7 +41,8 @@ EXAMPLES = (
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command; return its exit code.
 
-    Exit codes: 0 every verdict is the expected one, 1 some verdict differs, 2 bad input.
+    Exit codes: 0 every verdict is the expected one, 1 some verdict differs, 2 bad input; with
+    --strict 3 where a claim was tried on samples alone.
     """
     return terminal.run(_parser(), argv)
 
@@ -64,9 +65,16 @@ def _parser() -> Parser:
         terminal.add_common_options(added)
         if name in ("run", "try", "fit", "sweep", "report"):
             terminal.add_number_options(added)
+        if name in ("run", "try", "sweep", "report"):
+            added.add_argument(
+                "--strict",
+                action="store_true",
+                help="exit code 3 where no counterexample was found, but not all cases were tried",
+            )
         return added
 
-    expected = ("every verdict is the expected one", "some verdict differs")
+    strict = "with --strict: no counterexample found, but not all cases tried"
+    expected = ("every verdict is the expected one", "some verdict differs", strict)
     _add_run(
         command(
             "run",
@@ -83,6 +91,7 @@ def _parser() -> Parser:
             "check a claim stated in one line",
             "not refuted",
             "refuted",
+            strict,
             heading="common",
         )
     )
@@ -225,9 +234,9 @@ def _add_try(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--of",
-        default="distinct",
         metavar="DOMAIN",
-        help="which planes, as simple or affine(d=2); or a family, as 'catalan(n=2..6)'",
+        help="which planes, as simple, lines or affine(d=2); or a family, as 'catalan(n=2..6)' "
+        "(default: distinct; lines as well where it is refuted)",
     )
     parser.add_argument("--when", metavar="STATEMENT", help="a hypothesis")
     _add_seed(parser)
@@ -264,8 +273,7 @@ def _add_save(parser: argparse._ActionsContainer) -> None:
     parser.add_argument(
         "--save",
         metavar="FOLDER",
-        default="counterexamples",
-        help="for the instances that refute a claim (default: counterexamples)",
+        help="write the instances that refute a claim here (default: none is written)",
     )
 
 

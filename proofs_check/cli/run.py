@@ -6,7 +6,7 @@ import argparse
 import json
 import shlex
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -15,13 +15,15 @@ from arrangement.console import terminal, workers
 from arrangement.console.colours import print_verdict
 from arrangement.console.progress import Bar, shown
 from arrangement.console.safe_text import safe_lines
-from arrangement.console.writing import write_text_atomically
+from arrangement.console.writing import make_folder, write_text_atomically
+from arrangement.errors import InputError
 from proofs_check import claims
 from proofs_check.errors import OwnClaimError
 from proofs_check.own_claims import claim_file, one_line, user_claim
+from proofs_check.own_claims.user_claim import DEFAULT_DOMAIN
 from proofs_check.reports import forms, report, text
 from proofs_check.statements.evidence import evaluate
-from proofs_check.statements.statement import Claim, Kind, Route
+from proofs_check.statements.statement import Claim, ClaimVerdict, Kind, Route, Strength
 
 from . import printed
 from .listing import width
@@ -37,6 +39,7 @@ class _Request(NamedTuple):
     large: bool
     verified: bool
     own: Claim | None = None
+    elsewhere: Claim | None = None  # the same statement on another domain
 
     @property
     def from_files(self) -> bool:
@@ -63,11 +66,12 @@ def run_claims(arguments: argparse.Namespace) -> int:
 
 
 def try_claim(arguments: argparse.Namespace) -> int:
-    """Check a claim in one line."""
-    claim = one_line.one_line_claim(arguments.statement, of=arguments.of, when=arguments.when)
-    words = [arguments.statement, "--of", arguments.of]
-    words += ["--when", arguments.when] if arguments.when else []
-    return _run(_asked(words, arguments)._replace(own=claim), arguments, 1)
+    """Check a claim in one line; where no domain is named and it is refuted, on lines as well."""
+    statement, when, of = arguments.statement, arguments.when, arguments.of
+    claim = one_line.one_line_claim(statement, of=of or DEFAULT_DOMAIN, when=when)
+    lines = None if of else one_line.one_line_claim(statement, of="lines", when=when)
+    words = [statement, *(["--of", of] if of else []), *(["--when", when] if when else [])]
+    return _run(_asked(words, arguments)._replace(own=claim, elsewhere=lines), arguments, 1)
 
 
 def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
@@ -75,7 +79,7 @@ def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
     chosen = _chosen(asked)
     widths = text.columns(map(report.claim_record, chosen))
     results: list[dict[str, Any]] = []
-    lost = 0
+    lost, unsaved = 0, list[InputError]()
     for found in _results(asked, chosen, jobs, piped=arguments.json):
         if "error" in found:
             lost += 1
@@ -83,24 +87,49 @@ def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
                 raise OwnClaimError(found["error"])
             _tell_lost(found)
             continue
-        saved = _save(found, arguments.save) if asked.from_files else ""
-        if not arguments.json:
-            entry = text.entry(found, widths, width())
-            if asked.from_files:
-                entry = "\n" * bool(results) + text.details(found, width(), saved=saved)
-            print_verdict(entry, found["verdict"] or "")
-            sys.stdout.flush()
+        if asked.elsewhere and found["verdict"] == ClaimVerdict.REFUTED.value:
+            found["also_tried"] = [_elsewhere(asked)]
+        saved = _save(found, arguments.save, unsaved) if asked.from_files else ""
         results.append(found)
+        if not arguments.json:
+            if asked.from_files:
+                entry = "\n" * (len(results) > 1) + text.details(found, width(), saved=saved)
+            else:
+                entry = text.entry(found, widths, width())
+            print_verdict(entry, found["strength"] or "")
+            sys.stdout.flush()
     record = report.json_record(results, asked.seed, **_about(asked))
-    if make:
-        write_text_atomically(arguments.output, make(record))
     if arguments.json:
         terminal.print_json(record)
     elif not asked.from_files:
         print(f"\n{text.summary(record['results'])}")
+    if make:
+        write_text_atomically(arguments.output, make(record))
+    if unsaved:
+        raise unsaved[0]
     if lost:
         raise OwnClaimError(f"{lost} of {len(chosen)} claims have no verdict")
-    return terminal.YES if record["as_expected"] else terminal.NO
+    return exit_code(record, strict=arguments.strict)
+
+
+def _elsewhere(asked: _Request) -> dict[str, Any]:
+    """Return what is true of a statement on the other domain of a request, in short."""
+    try:
+        (claim,) = _own_claims(asked._replace(own=asked.elsewhere, elsewhere=None))
+        found = report.result_record(evaluate(claim, asked.seed))
+    except OwnClaimError as error:
+        domain = asked.elsewhere.domain_text if asked.elsewhere else ""
+        return {"domain": domain, "verdict": None, "text": f"no verdict: {error}"}
+    kept = ("domain", "verdict", "strength", "tried", "evidence", "counterexample")
+    return {**{name: found[name] for name in kept}, "text": text.conclusion(found)}
+
+
+def exit_code(record: Mapping[str, Any], *, strict: bool) -> int:
+    """Return 0 if every verdict is the expected one, else 1; 3 where samples are not enough."""
+    if record["as_expected"] is not True:
+        return terminal.NO
+    sampled = any(text.strength(one) is Strength.SAMPLED for one in record["results"])
+    return terminal.UNDECIDED if strict and sampled else terminal.YES
 
 
 def _tell_lost(found: dict[str, Any]) -> None:
@@ -232,20 +261,25 @@ def _own_claims(asked: _Request) -> Iterator[Claim]:
         yield changed
 
 
-def _save(found: dict[str, Any], folder: str) -> str:
+def _save(found: dict[str, Any], folder: str | None, unsaved: list[InputError]) -> str:
     """Write the smallest failure as an instance file; return its path, or "" without one.
 
     Commands that read arrangements or grasps read the file. An older one of that name is replaced.
+
+    Args:
+        folder: None for no file.
+        unsaved: gets the error of a file that cannot be written, for verdicts come first.
     """
     failure = found["counterexample"]
-    if failure is None or failure["instance"] is None:
+    if folder is None or failure is None or failure["instance"] is None:
         return ""
     reason = f"smallest instance found on which {found['id']} fails: {failure['note']}"
     content: dict[str, Any] = {**failure["instance"], "description": reason}
     target = Path(folder) / f"{found['id']}.json"
     try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise OwnClaimError(f"cannot make the folder {folder}: {error.strerror}") from None
-    write_text_atomically(target, json.dumps(content, indent=1) + "\n")
+        make_folder(target.parent)
+        write_text_atomically(target, json.dumps(content, indent=1) + "\n")
+    except InputError as error:
+        unsaved.append(error)
+        return ""
     return str(target)

@@ -16,11 +16,11 @@ from proofs_check.errors import OwnClaimError, SweepError
 from proofs_check.own_claims.claim_file import split
 from proofs_check.reports import forms
 from proofs_check.reports.report import check_record
-from proofs_check.reports.text import verdict
+from proofs_check.reports.text import conclusion
 from proofs_check.sweep import report as sweepreport, store
 from proofs_check.sweep.sweep import merge, plan_sweep, sweep
 
-from .run import file_record
+from .run import exit_code, file_record
 
 _SQLITE = b"SQLite format 3\x00"
 
@@ -72,12 +72,12 @@ def run_sweep(arguments: argparse.Namespace) -> int:
         part, parts = arguments.shard
         chunks = counted(plan.chunks, "chunk")
         print(f"shard {part}/{parts} has nothing to do: the sweep has {chunks}")
-    return terminal.YES if record["as_expected"] or not due else terminal.NO
+    return exit_code(record, strict=arguments.strict) if due else terminal.YES
 
 
 def _summary(record: dict[str, Any]) -> str:
     (result,) = record["results"]
-    lines = [f"{result['id']} ({result['locator']}): {verdict(result)}"]
+    lines = [f"{result['id']} ({result['locator']}): {conclusion(result)}"]
     lines += [f"  {part}" for part in result["evidence"].split("; ")]
     return "\n".join(lines)
 
@@ -127,7 +127,7 @@ def run_report(arguments: argparse.Namespace) -> int:
         print(made, end="")
     if lost:
         raise OwnClaimError(lost)
-    return terminal.YES if record["as_expected"] is True else terminal.NO
+    return exit_code(record, strict=arguments.strict)
 
 
 def _read(source: str) -> dict[str, Any]:

@@ -23,6 +23,7 @@ from proofs_check.routes.oracle import Question
 from proofs_check.statements.statement import Case, Domain
 
 from .arrangements import random_arrangement
+from .extremal import extremal, extremal_irrational
 from .grasps import grasp_of
 from .pseudolines import PSEUDOLINES, Pseudolines
 
@@ -94,9 +95,13 @@ def contact_numbers(contact: Contact) -> tuple[Fraction, ...]:
     )
 
 
-def known_families(chosen: Domain) -> Iterator[Case]:
-    """Yield the named instances that belong to a domain."""
-    for name, planes in _families():
+def known_families(chosen: Domain, *, irrational: bool = False) -> Iterator[Case]:
+    """Yield the named instances that belong to a domain.
+
+    Args:
+        irrational: those with coefficients in a number field alone; else the rational ones.
+    """
+    for name, planes in extremal_irrational() if irrational else _families():
         if chosen.contains(planes):
             yield Case(name, planes, planes.to_dict())
 
@@ -124,6 +129,7 @@ def _named() -> Iterator[tuple[str, Arrangement]]:
     for m in range(2, 8):
         yield f"generic({m}, affine=True)", families.generic(m, affine=True)
         yield f"generic({m}, d=2, affine=True)", families.generic(m, 2, affine=True)
+    yield from extremal()
     for make in (families.shi, families.catalan, families.linial, families.semiorder):
         yield f"{make.__name__}(3)", make(3)
 

@@ -15,19 +15,20 @@ import operator
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from arrangement.numbers.exact import shown
 from proofs_check.errors import OwnClaimError
-from proofs_check.instances.domains import is_domain
+from proofs_check.instances.domains import is_domain, known_families
 from proofs_check.instances.families import Family, is_family, read_family
-from proofs_check.statements.statement import Claim
+from proofs_check.statements.statement import Claim, Kind, Source
 
 from .false_comparison import FalseComparison, compare_values
 from .formula_of import formula_of
 from .language import BITS, read_statement
 from .quantities import FUNCTIONS, QUANTITIES, Planes
-from .user_claim import claim
+from .user_claim import DEFAULT_DOMAIN, claim
 
 _COMPUTED = (int, Fraction)
 _OF_ARRANGEMENT = {text.partition("(")[0]: function for text, function in FUNCTIONS.items()}
@@ -52,7 +53,7 @@ _FUNCTIONS: Mapping[str, Callable[..., Any]] = {
 }
 
 
-def one_line_claim(text: str, *, of: str = "distinct", when: str | None = None) -> Claim:
+def one_line_claim(text: str, *, of: str = DEFAULT_DOMAIN, when: str | None = None) -> Claim:
     """Make a claim of a comparison such as ``p_vector.get(3, 0) >= m``.
 
     Args:
@@ -89,8 +90,15 @@ def one_line_claim(text: str, *, of: str = "distinct", when: str | None = None) 
         when=applies,
         hypotheses=[when] if when else [],
     )
-    quantity = "whether the statement is true"
-    return replace(make(holds), quantity=quantity)
+    made = replace(make(holds), quantity="whether the statement is true")
+    domain = made.domain
+    if domain is None or not domain.has_named_instances:
+        return made
+    if "points_off" in f"{text} {when}":  # it has no value modulo most primes
+        return made
+    cases = partial(known_families, domain, irrational=True)
+    named = Source(Kind.SAMPLED, "named families over Q(sqrt 5)", lambda _: cases())
+    return replace(made, sources=(*made.sources, named))
 
 
 def members(of: str) -> Family | None:

@@ -50,11 +50,14 @@ from .claim_file import id_of, line_of
 from .false_comparison import FalseComparison
 from .shrink import smallest_case
 
+#: What a claim is about where nothing else is said.
+DEFAULT_DOMAIN = "distinct"
+
 
 def claim(
     statement: str,
     *,
-    of: str | Family | Iterable[Any] = "distinct",
+    of: str | Family | Iterable[Any] = DEFAULT_DOMAIN,
     routes: Iterable[Callable[[Any], Any]] = (),
     id: str | None = None,
     planes: Sequence[int] | None = None,
@@ -65,7 +68,7 @@ def claim(
     hypotheses: Iterable[str] = (),
     locator: str = "",
     formula: str = "",
-    expected: str = "holds",
+    expected: str | None = None,
 ) -> Callable[[Callable[..., Any]], Claim]:
     """Make a claim of a function that gets an instance and returns True or a reason.
 
@@ -80,7 +83,7 @@ def claim(
             the functions may take its parameters too, by their names.
         id: name of the claim; if omitted, the name of the function.
         planes: smallest and largest number of planes or contacts of random instances; if omitted,
-            from the domain's least (at least 3) to 8 planes, or 1 to 4 contacts.
+            from the domain's least (at least 3) to 12 planes, or 1 to 4 contacts.
         samples: number of random instances.
         classes: run over every isomorphism class of 3 to this many planes (at most 8; of
             pseudolines 9; 0 for none).
@@ -89,7 +92,8 @@ def claim(
         hypotheses: the same in words, for the report.
         locator: where the statement stands in your text.
         formula: the statement in the part of TeX that `reports.formula` reads.
-        expected: "holds" or "refuted"; decides the exit code of the run and nothing else.
+        expected: "holds" or "refuted", which decides the exit code of the run and nothing else; if
+            omitted, a claim that is refuted gives exit code 1.
 
     Raises:
         OwnClaimError: an argument out of range.
@@ -122,7 +126,8 @@ def claim(
             locator=locator,
             statement=statement.strip(),
             sources=sources,
-            expected=ClaimVerdict(expected),
+            expected=ClaimVerdict(expected or "holds"),
+            expectation_stated=expected is not None,
             hypotheses=tuple(hypotheses),
             applies=partial(_applies, name, given, when),
             within=partial(_within, chosen) if chosen else None,
@@ -137,12 +142,12 @@ def claim(
     return decorate
 
 
-def _check(statement: str, samples: int, expected: str) -> None:
+def _check(statement: str, samples: int, expected: str | None) -> None:
     if not isinstance(statement, str) or not statement.strip():
         raise OwnClaimError('a claim needs a statement in words: @claim("...")')
     if type(samples) is not int or samples < 0:
         raise OwnClaimError(f"samples is {samples!r}; give an integer, at least 0")
-    if expected not in (ClaimVerdict.HOLDS.value, ClaimVerdict.REFUTED.value):
+    if expected not in (None, ClaimVerdict.HOLDS.value, ClaimVerdict.REFUTED.value):
         raise OwnClaimError(f'expected is {expected!r}; give "holds" or "refuted"')
 
 
@@ -325,7 +330,7 @@ def _reason(answer: bool | str) -> str:
 
 def _limits(chosen: Domain, planes: Sequence[int] | None) -> tuple[int, int]:
     if planes is None:
-        return (1, 4) if chosen.unit == "contacts" else (max(3, chosen.least), chosen.most or 8)
+        return (1, 4) if chosen.unit == "contacts" else (max(3, chosen.least), chosen.most or 12)
     if len(planes) != 2 or not all(type(m) is int for m in planes):
         raise OwnClaimError(f"planes is {planes!r}; give a smallest and a largest number")
     low, high = planes

@@ -15,7 +15,7 @@ from arrangement.errors import InputError
 
 from .formula import is_formula
 from .report import digest
-from .text import badge_text, overview, remark, value_text, verdict
+from .text import also_tried, badge_text, conclusion, is_unexpected, overview, remark, value_text
 
 Record = Mapping[str, Any]
 
@@ -54,7 +54,7 @@ def _markdown_text(text: str) -> str:
 
 
 def _overview(record: Record) -> tuple[list[str], list[list[str]]]:
-    rows = [[r["id"], r["locator"], verdict(r), r["evidence"]] for r in record["results"]]
+    rows = [[r["id"], r["locator"], conclusion(r), r["evidence"]] for r in record["results"]]
     return ["claim", "locator", "verdict", "evidence"], rows
 
 
@@ -63,9 +63,11 @@ def _facts(result: Record) -> list[tuple[str, str]]:
     listed = [
         ("statement", result["statement"]),
         ("locator", result["locator"]),
+        ("domain", result.get("domain") or ""),
         *(("hypothesis", text) for text in result["hypotheses"]),
-        ("verdict", verdict(result)),
+        ("verdict", conclusion(result)),
         ("evidence", result["evidence"]),
+        *(("also tried", text) for text in also_tried(result)),
         *(("proved", badge_text(badge)) for badge in result.get("badges", [])),
         *((f"computed {i}", name) for i, name in enumerate(result["routes"], 1)),
         ("holds when", result.get("saving_hypothesis") or ""),
@@ -98,12 +100,16 @@ def _footer(record: Record) -> list[str]:
     for entry in record["environments"]:
         versions = ", ".join(f"{name} {number}" for name, number in entry["versions"].items())
         lines.append(f"Python {entry['python']}, {versions}, commit {entry['commit'] or 'unknown'}")
-    good = "every verdict is as expected" if record["as_expected"] else "some verdict differs"
+    seed = f"Seed {record['seed']}"
+    if record["as_expected"]:
+        seed += "; every verdict is as expected"
+    elif any(map(is_unexpected, record["results"])):
+        seed += "; some verdict differs"
     again = [
         f"{name} {record[name.lower()]}" for name in ("Date", "Command") if record.get(name.lower())
     ]
     found = f"SHA-256 of statements, cases and values {digest(record)}"
-    return [f"Seed {record['seed']}; {good}.", "", *lines, *again, found]
+    return [f"{seed}.", "", *lines, *again, found]
 
 
 def _html_page(record: Record) -> str:

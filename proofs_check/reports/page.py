@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 import re
-from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
@@ -28,7 +27,16 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.views import DRAWINGS as OF_GRASPS
 from proofs_check.reports.formula import mathml
 from proofs_check.reports.report import digest
-from proofs_check.reports.text import remark, value_text, verdict
+from proofs_check.reports.text import (
+    also_tried,
+    conclusion,
+    counts_by_strength,
+    is_unexpected,
+    remark,
+    strength,
+    value_text,
+)
+from proofs_check.statements.statement import Strength
 
 with extra("report"):
     from jinja2 import Environment, PackageLoader, StrictUndefined, UndefinedError
@@ -39,25 +47,22 @@ Record = Mapping[str, Any]
 
 @dataclass(frozen=True)
 class VerdictStyle:
-    """How a page shows one kind of verdict: its class, its sign, and words for one and for more."""
+    """How a page shows verdicts of one strength: their class, their sign and their words."""
 
     name: str
     sign: str
-    one: str
-    more: str
-
-    def said(self, number: int) -> str:
-        """Return the words for a number of claims."""
-        return self.one if number == 1 else self.more
+    words: str
 
 
 KINDS = {
-    "holds": VerdictStyle("holds", "✓", "holds", "hold"),
-    "holds under a hypothesis": VerdictStyle(
-        "hypothesis", "◐", "holds under a hypothesis", "hold under a hypothesis"
-    ),
-    "refuted": VerdictStyle("refuted", "✗", "is refuted", "are refuted"),
-    None: VerdictStyle("open", "?", "has no verdict", "have no verdict"),
+    worth: VerdictStyle(name, sign, worth.value if worth else "no verdict")
+    for worth, name, sign in (
+        (Strength.PROVED, "proved", "✓"),
+        (Strength.ALL_CASES, "all-cases", "✓"),
+        (Strength.SAMPLED, "sampled", "○"),
+        (Strength.REFUTED, "refuted", "✗"),
+        (None, "open", "?"),
+    )
 }
 #: Cases that a page lists of one claim, how long a value may be in its tables, and the width in
 #: points of a picture that takes a line of its own.
@@ -84,7 +89,7 @@ def html_page(record: Record) -> str:
 
 def _body(record: Record) -> str:
     results = record["results"]
-    kinds = Counter(map(_kind, results))
+    kinds = [kind for kind in KINDS.values() if kind in set(map(_kind, results))]
     pages = Environment(
         loader=PackageLoader(__package__),
         autoescape=True,
@@ -98,7 +103,7 @@ def _body(record: Record) -> str:
         "counted": counted,
         "python": python_lines,
         "value": value_text,
-        "verdict": verdict,
+        "conclusion": conclusion,
     }
     return pages.get_template("report.html").render(
         record={"title": "", "about": "", "command": "", **record},
@@ -106,12 +111,14 @@ def _body(record: Record) -> str:
             (name, list(group))
             for name, group in groupby(results, lambda result: result.get("section") or "")
         ],
-        counted=[(kind, kinds[kind]) for kind in KINDS.values() if kinds[kind]],
+        counts=[(kind, *n) for kind, n in zip(kinds, counts_by_strength(results), strict=True)],
         number_of_cases=sum(len(result["records"]) for result in results),
         two_routes=all(len(result["routes"]) > 1 for result in results),
-        differing=[result["id"] for result in results if not result["as_expected"]],
+        is_unexpected=is_unexpected,
+        differing=[result["id"] for result in results if is_unexpected(result)],
         facts=_facts(record),
         most=MOST_CASES,
+        also_tried=also_tried,
         cells=_cells,
         deciding=_deciding,
         figures=_figures,
@@ -122,7 +129,7 @@ def _body(record: Record) -> str:
 
 
 def _kind(result: Record) -> VerdictStyle:
-    return KINDS.get(result["verdict"], KINDS[None])
+    return KINDS[strength(result)]
 
 
 def _facts(record: Record) -> list[tuple[str, str]]:
@@ -223,7 +230,9 @@ def drawn(result: Record) -> Iterator[Drawn]:
         instance, name = view.get("instance") or counterexample or {}, view["name"]
         found: tuple[Drawings, Any, str, dict[str, Any]] | None = None
         if instance.get("planes"):
-            known = {key: instance[key] for key in ("planes", "offsets") if key in instance}
+            known = {
+                key: instance[key] for key in ("planes", "offsets", "field") if key in instance
+            }
             planes = read_arrangement({"schema_version": 1, **known})
             if name or (planes.dimension == 3 and planes.is_central):
                 found = (OF_PLANES, planes, name or "dual", view["options"])

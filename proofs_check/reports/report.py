@@ -26,8 +26,14 @@ from arrangement.console.number_form import counted
 from arrangement.numbers.exact import to_text
 from proofs_check.errors import ClaimError
 from proofs_check.routes.proved import COUNTS
-from proofs_check.statements.evidence import Evidence, Failure, Part, Record, Result
-from proofs_check.statements.statement import Claim, Kind
+from proofs_check.statements.evidence import (
+    Evidence,
+    Failure,
+    Part,
+    Record,
+    Result,
+)
+from proofs_check.statements.statement import Claim, Kind, Strength
 
 from .text import value_text
 
@@ -210,7 +216,8 @@ def instance_text(document: Mapping[str, Any] | None) -> str:
         rows = " ".join(_row(row) for row in document["planes"])
         offsets = document.get("offsets")
         kind = "lines" if len(document["planes"][0]) == 2 else "planes"
-        return f"{kind} {rows}" + (f" offsets {_row(offsets)}" if offsets else "")
+        of = f", where {_field_text(document['field'])}" if "field" in document else ""
+        return f"{kind} {rows}" + (f" offsets {_row(offsets)}" if offsets else "") + of
     if "pseudolines" in document:
         return f"{document['pseudolines']} pseudolines {value_text(document['chirotope'])}"
     if "contacts" in document:
@@ -220,8 +227,30 @@ def instance_text(document: Mapping[str, Any] | None) -> str:
     return ""
 
 
-def _row(numbers: Iterable[str]) -> str:
-    return f"({','.join(map(value_text, numbers))})"
+def _row(numbers: Iterable[Any]) -> str:
+    entries = (_polynomial_text(x) if isinstance(x, list) else value_text(x) for x in numbers)
+    return f"({','.join(entries)})"
+
+
+def _polynomial_text(coefficients: Iterable[str]) -> str:
+    """Return a polynomial in a: of numbers of a field by its root.
+
+    >>> _polynomial_text(["-1", "1"]), _polynomial_text(["0", "-1", "3/2"])
+    ('-1+a', '-a+3/2a^2')
+    """
+    text = ""
+    for k, number in enumerate(map(value_text, coefficients)):
+        power = f"a^{k}" if k > 1 else "a" * k
+        sign = "" if number.startswith("-") or not text else "+"
+        if number != "0":
+            text += sign + (number.removesuffix("1") if number in ("1", "-1") and k else number)
+            text += power
+    return text or "0"
+
+
+def _field_text(field: Mapping[str, Any]) -> str:
+    low, high = map(value_text, field["interval"])
+    return f"{_polynomial_text(field['minimal_polynomial'])} = 0 and {low} < a < {high}"
 
 
 def _contact_text(contact: Mapping[str, Any]) -> str:
@@ -248,7 +277,9 @@ def claim_record(claim: Claim) -> dict[str, Any]:
         "routes": [route.name for route in claim.routes],
         "evidence_kind": claim.kind.value,
         "over": claim.over,
+        "domain": claim.domain_text,
         "expected": claim.expected.value,
+        "expectation_stated": claim.expectation_stated,
         "meaning": claim.meaning,
         "formula": claim.formula,
         "section": claim.section,
@@ -269,6 +300,7 @@ def result_record(result: Result) -> dict[str, Any]:
         **claim_record(result.claim),
         "badges": badges(result.claim, evidence),
         "verdict": result.verdict.value if result.verdict else None,
+        **conclusion(result.strength, result.tried, result.added_hypotheses),
         "as_expected": result.as_expected,
         "evidence": evidence_text(result),
         "rows": result.claim.rows,
@@ -278,6 +310,17 @@ def result_record(result: Result) -> dict[str, Any]:
         "records": [_record(record) for record in evidence.records],
         "counterexample": _record(smallest) if smallest else None,
         **_table(evidence.parts),
+    }
+
+
+def conclusion(
+    strength: Strength | None, tried: int, added_hypotheses: Iterable[str]
+) -> dict[str, Any]:
+    """Return the word of an answer for JSON, with the numbers and hypotheses that belong to it."""
+    return {
+        "strength": strength.value if strength else None,
+        "tried": tried,
+        "added_hypotheses": list(added_hypotheses),
     }
 
 

@@ -11,15 +11,59 @@ from typing import Any
 from arrangement.console.number_form import counted, number
 from arrangement.console.safe_text import one_line
 from arrangement.numbers.exact import rational
+from proofs_check.statements.evidence import strength_from
+from proofs_check.statements.statement import ClaimVerdict, Kind, Strength
 
 Record = Mapping[str, Any]
 _FRACTION = re.compile(r"-?[0-9]+/[1-9][0-9]*", re.ASCII)
 
 
-def verdict(result: Record) -> str:
-    """Return the verdict of a result in words, with the expected one when it differs."""
-    text = result["verdict"] or "no verdict"
-    return text if result["as_expected"] else f"{text} (expected: {result['expected']})"
+def strength(result: Record) -> Strength | None:
+    """Return what the verdict of a result is worth; None without a verdict that is known.
+
+    It follows from the verdict and the kind of evidence, in records of earlier releases too.
+    """
+    try:
+        kind = Kind(result.get("evidence_kind", Kind.SAMPLED.value))
+        return strength_from(ClaimVerdict(result["verdict"]), kind)
+    except ValueError:
+        return None
+
+
+def added_hypotheses(result: Record) -> list[str]:
+    """Return what had to be added to a statement before it was confirmed."""
+    if result["verdict"] != ClaimVerdict.HOLDS_UNDER_HYPOTHESIS.value:
+        return []
+    if "added_hypotheses" in result:
+        return list(result["added_hypotheses"])
+    assumptions = sorted({case["assumption"] for case in result["records"]} - {""})
+    return [*filter(None, [result.get("saving_hypothesis")]), *assumptions]
+
+
+def conclusion(result: Record) -> str:
+    """Return the verdict in words that are as strong as its evidence.
+
+    With the number of cases where there are others, the hypotheses that were added, and the
+    verdict that was expected if it is another one.
+    """
+    worth = strength(result)
+    text = worth.value if worth else result["verdict"] or "no verdict"
+    if worth is Strength.SAMPLED:
+        true = sum(case["holds"] and case["covered"] for case in result["records"])
+        text += f" ({result.get('tried', true)} tried)"
+    if added := added_hypotheses(result):
+        text += f" under the hypothesis {' and '.join(added)}"
+    return f"{text} (expected: {result['expected']})" if is_unexpected(result) else text
+
+
+def also_tried(result: Record) -> list[str]:
+    """Return what is true of the statement on other domains, one in a line."""
+    return [f"{other['domain']}: {other['text']}" for other in result.get("also_tried", [])]
+
+
+def is_unexpected(result: Record) -> bool:
+    """Return whether somebody stated a verdict that is not the one of the result."""
+    return not result["as_expected"] and result.get("expectation_stated", True)
 
 
 def badge_text(badge: Mapping[str, Any]) -> str:
@@ -85,9 +129,9 @@ def entry(result: Record, widths: tuple[int, int], width: int) -> str:
     """Return the verdict and the evidence of one claim, and its cases where it asks for them."""
     names = (one_line(result[key]) for key in ("id", "locator"))
     id, locator = (name.ljust(width) for name, width in zip(names, widths, strict=True))
-    head, evidence = f"{id}  {locator}  {verdict(result)}", result["evidence"]
+    head, evidence = f"{id}  {locator}  {conclusion(result)}", result["evidence"]
     if len(head) > width:
-        head, evidence = f"{id}  {verdict(result)}", f"[{locator.rstrip()}] {evidence}"
+        head, evidence = f"{id}  {conclusion(result)}", f"[{locator.rstrip()}] {evidence}"
     indent = " " * 4
     lines = textwrap.wrap(evidence, width, initial_indent=indent, subsequent_indent=indent)
     cases = ["", *_rows(result, width), ""] if result["rows"] else []
@@ -96,13 +140,16 @@ def entry(result: Record, widths: tuple[int, int], width: int) -> str:
 
 def details(result: Record, width: int, **more: str) -> str:
     """Return one result with its statement and hypotheses, and what else there is to say."""
-    rows = [
+    entries = [
         ("statement", result["statement"]),
+        ("domain", result.get("domain", "")),
         *(("hypothesis", entry) for entry in result["hypotheses"]),
-        ("verdict", verdict(result)),
+        ("verdict", conclusion(result)),
         *(("evidence", entry) for entry in result["evidence"].split("; ")),
-        *((name, entry) for name, entry in more.items() if entry),
+        *(("also tried", entry) for entry in also_tried(result)),
+        *more.items(),
     ]
+    rows = [(name, entry) for name, entry in entries if entry]
     head = one_line(f"{result['id']} ({result['locator']})")
     return "\n".join([head, *table(rows, width, "  ")])
 
@@ -130,9 +177,23 @@ def remark(case: Record) -> str:
 
 
 def summary(results: Sequence[Record]) -> str:
-    """Return how many verdicts there are of each kind, and which are not the expected ones."""
-    counts = Counter(result["verdict"] or "no verdict" for result in results)
-    kinds = ", ".join(f"{counts[name]} {name}" for name in sorted(counts))
+    """Return how many verdicts there are of each strength, and which are not the expected ones."""
+    counts = ", ".join(f"{number} {words}" for number, words in counts_by_strength(results))
     different = [result["id"] for result in results if not result["as_expected"]]
     end = f"not as expected: {', '.join(different)}" if different else "all as expected"
-    return f"{counted(len(results), 'claim')}: {kinds}; {end}"
+    return f"{counted(len(results), 'claim')}: {counts}; {end}"
+
+
+def counts_by_strength(results: Sequence[Record]) -> list[tuple[int, str]]:
+    """Return how many results there are of each strength, the strongest first, with its words."""
+    every, added = Counter(map(strength, results)), Counter[Strength | None]()
+    added.update(strength(result) for result in results if added_hypotheses(result))
+    return [
+        (
+            every[worth],
+            (worth.value if worth else "no verdict")
+            + (f" ({added[worth]} under a hypothesis)" if added[worth] else ""),
+        )
+        for worth in (*Strength, None)
+        if every[worth]
+    ]

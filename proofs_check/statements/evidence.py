@@ -17,7 +17,7 @@ from arrangement.console.number_form import ReprMixin
 from arrangement.numbers import budget
 from proofs_check.errors import OwnClaimError
 
-from .statement import Case, Claim, ClaimVerdict, Kind, Route
+from .statement import Case, Claim, ClaimVerdict, Kind, Route, Strength
 
 #: What can come out of one instance. "outside": nothing is said of it; "excused": the statement
 #: fails, and the saving hypothesis excludes the instance; "broken": the check itself failed.
@@ -102,8 +102,12 @@ class Evidence(ReprMixin):
     @property
     def disagreement(self) -> Record | None:
         """A case on which the routes differ or fail: then the check itself is broken."""
-        checked = (*filter(None, [self.counterexample]), *self.records)
-        return next((record for record in checked if not record.agree), None)
+        return next((record for record in self.checked if not record.agree), None)
+
+    @property
+    def checked(self) -> tuple[Record, ...]:
+        """The smallest counterexample, if there is one, and all cases."""
+        return (*filter(None, [self.counterexample]), *self.records)
 
     @property
     def failures(self) -> tuple[Record, ...]:
@@ -129,13 +133,32 @@ class Result(ReprMixin):
         """Whether the verdict is the one in the registry."""
         return self.verdict is self.claim.expected
 
+    @property
+    def strength(self) -> Strength | None:
+        """What the verdict is worth (see `strength_from`)."""
+        return strength_from(self.verdict, self.claim.kind)
+
+    @property
+    def tried(self) -> int:
+        """On how many cases the statement is true, those outside of an added hypothesis aside."""
+        return sum(record.outcome == "holds" for record in self.evidence.records)
+
+    @property
+    def added_hypotheses(self) -> tuple[str, ...]:
+        """What had to be added to the statement, for without it the statement is not confirmed."""
+        if self.verdict is not ClaimVerdict.HOLDS_UNDER_HYPOTHESIS:
+            return ()
+        records = self.evidence.records
+        excused = any(record.outcome == "excused" for record in self.evidence.checked)
+        saving = [self.claim.hypothesis.text] if excused and self.claim.hypothesis else []
+        return (*saving, *sorted({record.assumption for record in records if record.assumption}))
+
 
 def verdict_of(evidence: Evidence) -> ClaimVerdict | None:
     """Work out the verdict of the records and the counterexample (see `verdict_from`)."""
     if not evidence.records:
         return None
-    records = [*evidence.records, *filter(None, [evidence.counterexample])]
-    outcomes = Counter(record.outcome for record in records)
+    outcomes = Counter(record.outcome for record in evidence.checked)
     return verdict_from(outcomes, any(record.assumption for record in evidence.records))
 
 
@@ -153,6 +176,22 @@ def verdict_from(outcomes: Mapping[str, int], assumed: bool = False) -> ClaimVer
     if fails or not holds:
         return ClaimVerdict.REFUTED
     return ClaimVerdict.HOLDS_UNDER_HYPOTHESIS if excused or assumed else ClaimVerdict.HOLDS
+
+
+def strength_from(verdict: ClaimVerdict | None, kind: Kind) -> Strength | None:
+    """Work out what a verdict is worth from how far its evidence reaches.
+
+    One counterexample refutes, wherever it comes from; all else is as strong as the weakest source.
+    """
+    if verdict is None:
+        return None
+    if verdict is ClaimVerdict.REFUTED:
+        return Strength.REFUTED
+    return {
+        Kind.PROVED: Strength.PROVED,
+        Kind.EXHAUSTIVE: Strength.ALL_CASES,
+        Kind.SAMPLED: Strength.SAMPLED,
+    }[kind]
 
 
 def check(claim: Claim, case: Case) -> Record:

@@ -45,6 +45,20 @@ class Kind(Enum):
     SAMPLED = "samples"
 
 
+class Strength(Enum):
+    """What a verdict is worth: the one word of an answer, in text, JSON, report and picture.
+
+    PROVED: for every instance, by a proof. ALL_CASES: for every instance of a finite domain, each
+    of which was checked. SAMPLED: every instance that was tried is as stated, and there are others.
+    REFUTED: by a counterexample.
+    """
+
+    PROVED = "proved"
+    ALL_CASES = "holds in all cases"
+    SAMPLED = "no counterexample found"
+    REFUTED = "refuted"
+
+
 @dataclass(frozen=True, repr=False)
 class Case(ReprMixin):
     """One instance on which a claim is checked.
@@ -174,6 +188,7 @@ class Claim(ReprMixin):
         sources: of the cases, from a random generator that is seeded for this claim.
         judge: whether a value on a subject is what the statement promises.
         expected: the verdict of the registry; it decides the exit code and nothing else.
+        expectation_stated: whether somebody wrote it; else it is "holds" for want of another.
         hypothesis: the condition that saves the statement, if there is one.
         applies: whether the statement speaks of a subject; where it is false, nothing is checked.
         within: whether a subject belongs to the domain; likewise, and it is counted apart.
@@ -205,6 +220,7 @@ class Claim(ReprMixin):
     judge: Callable[[Any, Any], bool]
     sources: tuple[Source, ...] = ()
     expected: ClaimVerdict = ClaimVerdict.HOLDS
+    expectation_stated: bool = True
     hypotheses: tuple[str, ...] = ()
     hypothesis: Hypothesis | None = None
     applies: Callable[[Any], bool] | None = None
@@ -267,8 +283,14 @@ class Claim(ReprMixin):
 
     @property
     def kind(self) -> Kind:
-        """How far the evidence reaches as a whole: as far as that of the weakest source."""
-        kinds = [Kind.SAMPLED] if self.samples else [source.kind for source in self.sources]
+        """How far the evidence reaches as a whole: as far as that of the weakest source.
+
+        A domain with random instances has no last size, so isomorphism classes up to a size are
+        never all of it; and proofs are of claims of the package alone.
+        """
+        kinds = [source.kind for source in self.sources]
+        if self.samples or any(self.sizes) or (self.file and Kind.PROVED in kinds):
+            return Kind.SAMPLED
         return max(kinds, key=list(Kind).index, default=Kind.SAMPLED)
 
     @property
@@ -278,6 +300,13 @@ class Claim(ReprMixin):
         if self.domain is not None and self.samples:
             texts.append(f"random {self.domain.text}")
         return "; ".join(texts)
+
+    @property
+    def domain_text(self) -> str:
+        """What the statement is about, in words: its domain, or all that it is checked on."""
+        if self.domain is not None and any(self.sizes):
+            return f"{self.domain.name}: {self.domain.text}"
+        return self.over
 
 
 class Registry(ReprMixin):

@@ -9,8 +9,8 @@ from __future__ import annotations
 from typing import Any
 
 from arrangement.library.census import MOST_PLANES
-from proofs_check.reports.report import instance_text, record_of
-from proofs_check.statements.evidence import verdict_from
+from proofs_check.reports.report import conclusion, instance_text, record_of
+from proofs_check.statements.evidence import strength_from, verdict_from
 from proofs_check.statements.statement import ClaimVerdict, Kind
 
 from .plan import Plan
@@ -22,7 +22,7 @@ def consistent(found: ClaimVerdict | None, expected: ClaimVerdict) -> bool:
     """Return whether a verdict on samples is compatible with the expected one.
 
     Samples can miss the instances that refute a statement or need its saving hypothesis, so
-    "holds" contradicts nothing. A counterexample contradicts an expected "holds".
+    "no counterexample found" contradicts nothing. A counterexample contradicts an expected "holds".
     """
     if found is None:
         return False
@@ -36,13 +36,22 @@ def record(opened: Store) -> dict[str, Any]:
     found = verdict_from(sums.outcomes)
     expected = ClaimVerdict(claim["record"]["expected"])
     worst = next((k for k in ("broken", "fails", "excused") if k in sums.smallest), None)
+    complete = sums.chunks == plan.chunks
+    kind = Kind.EXHAUSTIVE if plan.types and complete else Kind.SAMPLED
+    needed = found is ClaimVerdict.HOLDS_UNDER_HYPOTHESIS
     result = {
         **claim["record"],
-        "evidence_kind": (Kind.EXHAUSTIVE if plan.types else Kind.SAMPLED).value,
+        "evidence_kind": kind.value,
         "over": _over(plan, claim),
+        "domain": _over(plan, claim),
         "verdict": found.value if found else None,
+        **conclusion(
+            strength_from(found, kind),
+            sums.outcomes["holds"],
+            [claim["record"]["saving_hypothesis"]] if needed else [],
+        ),
         "as_expected": consistent(found, expected),
-        "complete": sums.chunks == plan.chunks,
+        "complete": complete,
         "evidence": _evidence(plan, claim, sums, found),
         "rows": False,
         "seed": plan.seed,
@@ -82,7 +91,10 @@ def _evidence(plan: Plan, claim: dict[str, Any], sums: Total, found: ClaimVerdic
         )
     expected = ClaimVerdict(claim["record"]["expected"])
     if found is not None and found is not expected and consistent(found, expected):
-        parts.append(f"on other instances the verdict is: {expected.value}")
+        saving = claim["record"].get("saving_hypothesis")
+        needs = f"it needs the hypothesis {saving}" if saving else "it needs a hypothesis"
+        refuted = expected is ClaimVerdict.REFUTED
+        parts.append(f"on other instances {'it is refuted' if refuted else needs}")
     for kind, text in (
         ("broken", "smallest broken instance"),
         ("fails", "smallest failure"),

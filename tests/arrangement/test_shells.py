@@ -108,7 +108,15 @@ def printed(monkeypatch, stream, *arguments):
         (("! no  weak",), "! \x1b[31mno\x1b[0m  weak\n"),
         (("resisted for t in [0, 1]",), "resisted for t in [0, 1]\n"),
         (("refuted-id  refuted\n    x", "refuted"), "refuted-id  \x1b[31mrefuted\x1b[0m\n    x\n"),
-        (("a (b)\n  verdict  holds", "holds"), "a (b)\n  verdict  \x1b[32mholds\x1b[0m\n"),
+        (("a (b)\n  verdict  proved", "proved"), "a (b)\n  verdict  \x1b[32mproved\x1b[0m\n"),
+        (
+            ("a  no counterexample found (3 tried)", "no counterexample found"),
+            "a  \x1b[33mno counterexample found\x1b[0m (3 tried)\n",
+        ),
+        (
+            ("a  holds in all cases under the hypothesis b", "holds in all cases"),
+            "a  \x1b[36mholds in all cases\x1b[0m under the hypothesis b\n",
+        ),
         (("undecided \x1b[5m",), "\x1b[33mundecided\x1b[0m \\x1b[5m\n"),
     ],
 )

@@ -165,7 +165,7 @@ def test_a_report_made_later_from_the_file_is_the_same(tmp_path, record, page, e
     plain = text.replace("\\brk ", "").replace("{-}", "-")
     for id in IDS:
         assert id in plain
-    assert "holds under a hypothesis" in plain
+    assert "under the hypothesis" in plain
     assert "refuted" in plain
 
 
@@ -208,15 +208,14 @@ def test_texts_of_a_record_stay_texts_in_the_page(text):
 
 def test_the_bar_says_what_the_record_says(record, page):
     found = re.findall(r'<span class="(\w+)" style="flex-grow:(\d+)"><b>(\d+)</b>', page)
-    verdicts = [result["verdict"] for result in record["results"]]
-    shown = {"hypothesis": "holds under a hypothesis", "refuted": "refuted"}
+    words = [result["strength"] for result in record["results"]]
+    shown = {"proved": "proved", "refuted": "refuted"}
     assert [(shown[css], int(grow), int(number)) for css, grow, number in found] == [
-        (verdict, verdicts.count(verdict), verdicts.count(verdict))
-        for verdict in ("holds under a hypothesis", "refuted")
+        (word, words.count(word), words.count(word)) for word in ("proved", "refuted")
     ]
     both = copy.deepcopy(record)
     both["results"][0]["verdict"] = None
-    assert "1 has no verdict" in html_page(both)
+    assert "1 no verdict" in html_page(both)
 
 
 def test_a_card_has_statement_formula_routes_picture_and_python(record, page):

@@ -1,0 +1,207 @@
+"""Words as strong as the evidence: proved, all cases, no counterexample found, refuted."""
+
+import json
+import os
+from collections import Counter
+from dataclasses import replace
+from itertools import product
+from pathlib import Path
+
+import pytest
+
+from proofs_check import Kind, Source, claim, evaluate, registry
+from proofs_check.cli.program import main
+from proofs_check.instances.domains import domain, known_families
+from proofs_check.own_claims.one_line import one_line_claim
+from proofs_check.reports import report, text
+from proofs_check.statements.evidence import strength_from
+from proofs_check.statements.statement import ClaimVerdict, Strength
+
+FEW = ["--classes", "3..4", "--samples", "4"]
+SIMPLE_TRIANGLES = ["try", "p_vector.get(3, 0) <= 4*m", "--of", "simple"]
+
+
+def results(capsys: pytest.CaptureFixture[str]) -> list[dict]:
+    return json.loads(capsys.readouterr().out)["results"]
+
+
+def test_strength_is_that_of_the_weakest_evidence():
+    for verdict, kind in product((None, *ClaimVerdict), Kind):
+        found = strength_from(verdict, kind)
+        if verdict in (None, ClaimVerdict.REFUTED):
+            assert found is (Strength.REFUTED if verdict else None)
+        else:
+            assert (found is Strength.PROVED) == (kind is Kind.PROVED)
+            assert (found is Strength.SAMPLED) == (kind is Kind.SAMPLED)
+
+
+def test_registry_has_17_proofs_13_enumerations_and_12_samples():
+    kinds = {kind: Counter[Strength]() for kind in ClaimVerdict}
+    for entry in registry():
+        kinds[entry.expected][strength_from(entry.expected, entry.kind)] += 1
+    assert [kinds[ClaimVerdict.HOLDS][strength] for strength in Strength] == [17, 13, 12, 0]
+    added = kinds[ClaimVerdict.HOLDS_UNDER_HYPOTHESIS]
+    assert [added[strength] for strength in Strength] == [7, 1, 1, 0]
+    assert kinds[ClaimVerdict.REFUTED] == {Strength.REFUTED: 18}
+
+
+@pytest.mark.parametrize(
+    ("id", "words"),
+    [
+        ("fukuda-bound-attained", "proved"),
+        ("step-1-square-bound", "proved under the hypothesis m >= 2"),
+        ("table-three-contacts", "holds in all cases"),
+        (
+            "table-four-contacts",
+            "holds in all cases under the hypothesis (0,0.0.25,-0.25) is a misprint of "
+            "(0,0.25,-0.25)",
+        ),
+        ("method-linear-compliance", "no counterexample found (3 tried)"),
+        (
+            "method-cones-only",
+            "no counterexample found (6 tried) under the hypothesis friction is above 1",
+        ),
+        ("single-solution", "refuted"),
+    ],
+)
+def test_a_verdict_is_in_the_four_words(id, words):
+    result = evaluate(registry()[id])
+    record = report.result_record(result)
+    assert text.conclusion(record) == words
+    assert result.strength is Strength(record["strength"])
+    # A record of an earlier release has none of the new fields and means the same.
+    old = {k: v for k, v in record.items() if k not in ("strength", "tried", "added_hypotheses")}
+    assert text.conclusion(old) == words
+
+
+def test_classes_up_to_a_number_are_not_all_of_a_domain(capsys):
+    @claim("s", of="pseudolines", classes=4, families=False, samples=0)
+    def few(lines):
+        return len(lines) < 10
+
+    result = evaluate(few)
+    assert [part.kind for part in result.evidence.parts] == [Kind.EXHAUSTIVE] * 2
+    assert result.strength is Strength.SAMPLED
+    assert main(["try", "m < 10", "--of", "pseudolines", "--samples", "0", "--strict"]) == 3
+    assert "no counterexample found (" in capsys.readouterr().out
+    assert main(["try", "m < 9", "--of", "generic(m=3..8)", "--strict"]) == 0
+    assert "holds in all cases\n" in capsys.readouterr().out
+
+
+def test_a_proof_in_a_file_of_a_user_counts_as_samples():
+    source = Source(Kind.PROVED, "my proof", lambda _: [])
+    mine = replace(registry()["fukuda-bound-attained"], sources=(source,))
+    assert (mine.kind, replace(mine, file="mine.py").kind) == (Kind.PROVED, Kind.SAMPLED)
+
+
+@pytest.mark.parametrize("statement", ["m < 40", "regions < 400"])
+def test_samples_never_hold(statement, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["try", statement, *FEW]) == 0
+    out = capsys.readouterr().out
+    assert "verdict    no counterexample found (" in out
+    assert "holds" not in out
+    assert "domain     distinct: central arrangements of different planes, of rank 3" in out
+    assert main(["try", statement, *FEW, "--strict", "-o", "r.json"]) == 3
+    assert main(["report", "r.json"]) == 0
+    assert main(["report", "r.json", "--strict"]) == 3
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("more", [[], ["--classes", "3..8"]])
+def test_many_triangles_are_among_the_samples(more, capsys):
+    assert main([*SIMPLE_TRIANGLES, "--samples", "0", *more, "--json"]) == 1
+    (found,) = results(capsys)
+    assert found["strength"] == "refuted"
+    assert len(found["counterexample"]["instance"]["planes"]) == 9
+
+
+@pytest.mark.parametrize(
+    ("statement", "options", "refuting"),
+    [
+        ("p_vector.get(3, 0) <= 4*m", ["--of", "simple"], 9),  # Fueredi and Palasti
+        ("2 * t_vector.get(2, 0) >= m", [], 7),  # Kelly and Moser
+        ("2 * t_vector.get(2, 0) >= m", ["--when", "m != 7"], 13),  # Crowe and McKee
+        ("3 * t_vector.get(2, 0) >= 2 * m", ["--when", "m > 9 and m != 13"], 10),  # Boeroeczky
+        ("regions >= 4 * m", ["--when", "m > 11"], 12),  # near-pencils
+        ("p_vector.get(3, 0) < 2 * m * (m - 1) // 3", ["--of", "simple", "--when", "m > 6"], 10),
+        ("bounded_p_vector.get(3, 0) < 32", ["--of", "lines"], 11),  # Kobon
+        ("regions > 2 * m", ["--of", "lines", "--when", "m > 9"], 10),  # parallels
+    ],
+)
+def test_bounds_are_refuted_by_extremal_families(statement, options, refuting):
+    keys = [option.removeprefix("--") for option in options[::2]]
+    made = one_line_claim(statement, **dict(zip(keys, options[1::2], strict=True)))
+    named = replace(made, samples=0, smaller=None, sources=made.sources[-2:])
+    failures = evaluate(named).evidence.failures
+    assert refuting in [len(record.document["planes"]) for record in failures]
+
+
+def test_families_have_coordinates_of_their_domain():
+    for name in ("distinct", "lines"):
+        cases = [*known_families(domain(name)), *known_families(domain(name), irrational=True)]
+        assert len({case.label for case in cases}) == len(cases) >= 50
+        assert max(len(case.subject) for case in cases) >= 12
+
+
+def test_refuted_on_great_circles_is_tried_on_lines(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    steiner = "regions <= 1 + m + comb(m, 2)"
+    assert main(["try", steiner, *FEW, "-o", "r.html"]) == 1
+    out = capsys.readouterr().out
+    assert "domain      distinct: central arrangements" in out
+    assert "verdict     refuted\n" in out  # nobody expected anything
+    assert "also tried  lines: different lines of the plane: no counterexample found (" in out
+    page = Path("r.html").read_text(encoding="utf-8")
+    assert "Also tried" in page
+    assert "Not as expected" not in page
+    assert main(["try", steiner, *FEW, "--json"]) == 1
+    (other,) = results(capsys)[0]["also_tried"]
+    assert (other["strength"], other["verdict"]) == ("no counterexample found", "holds")
+    assert main(["try", steiner, "--of", "distinct", *FEW, "--json"]) == 1
+    assert "also_tried" not in results(capsys)[0]
+    assert [file.name for file in tmp_path.iterdir()] == ["r.html"]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="folders of Windows")
+@pytest.mark.parametrize("more", [[], ["--json"]])
+def test_a_verdict_is_kept_where_its_file_cannot_be_written(more, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    Path("file").write_text("")
+    assert main(["try", "m < 3", *FEW, *more]) == 1
+    capsys.readouterr()
+    assert main(["try", "m < 3", *FEW, *more, "--save", "file/folder"]) == 2
+    printed = capsys.readouterr()
+    assert "refuted" in printed.out
+    assert printed.err.startswith("error: cannot write 'file/folder'")
+
+
+def test_stated_expectation_is_named_and_a_default_is_not(tmp_path, capsys):
+    path = tmp_path / "mine.py"
+    head = '@claim("s", of="generic(m=3..4)"'
+    path.write_text(
+        "from proofs_check import claim\n"
+        f'{head}, expected="holds")\ndef a(p): return len(p) < 3\n'
+        f'{head}, expected="refuted")\ndef b(p): return len(p) > 2\n'
+        f"{head})\ndef c(p): return len(p) < 3\n"
+    )
+    assert main(["run", str(path)]) == 1
+    out = capsys.readouterr().out
+    assert "refuted (expected: holds)\n" in out
+    assert "holds in all cases (expected: refuted)\n" in out
+    assert out.count("(expected") == 2
+
+
+def test_sweep_over_classes_holds_in_all_cases_when_complete(tmp_path, capsys):
+    words = ["sweep", "euler", "--classes", "3..5", "--chunk", "3", "--strict"]
+    assert main([*words, "--store", str(tmp_path / "part"), "--shard", "1/2"]) == 3
+    assert ": no counterexample found (" in capsys.readouterr().out
+    assert main([*words, "--store", str(tmp_path / "whole")]) == 0
+    out = capsys.readouterr().out
+    assert ": holds in all cases\n" in out
+    assert "on other instances it needs the hypothesis the normals have rank 3" in out
+    options = ["--elements", "3..5", "--samples", "9", "--store", str(tmp_path / "s"), "--json"]
+    assert main(["sweep", "step-1-square-bound", *options]) == 0
+    (found,) = results(capsys)
+    assert (found["strength"], found["tried"]) == ("no counterexample found", 9)
+    assert found["domain"] == found["over"]
