@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from arrangement.console import terminal
-from proofs_check.claims import paper, registry
+from proofs_check.claims import paper
 from proofs_check.reports.paper.page import PAGE, document, file_names, write_paper
 from proofs_check.reports.paper.tables import TABLES, measured_times, stored_times
 
@@ -14,8 +14,7 @@ from proofs_check.reports.paper.tables import TABLES, measured_times, stored_tim
 def run_paper(arguments: argparse.Namespace) -> int:
     """Write the page and the single files into a folder."""
     times = measured_times() if arguments.measure else stored_times()
-    verdicts = {claim.id: claim.expected.value for claim in registry()}
-    write_paper(arguments.output, times, paper(), verdicts)
+    write_paper(arguments.output, times, paper())
     if arguments.json:
         contents = ((table, table.content(times)) for table in TABLES)
         terminal.print_json(document(contents, arguments.output))

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from arrangement.errors import InputError
+from proofs_check import ClaimVerdict
 from proofs_check.claims import registry
 from proofs_check.cli.program import main
 from proofs_check.instances import printed
@@ -35,6 +36,13 @@ def test_every_figure_and_table_is_a_file_and_on_the_page(folder):
         assert "tikzpicture" in (folder / f"{part.name}.tex").read_text(encoding="utf-8")
     assert text.count("<svg") == 7
     assert not re.search(r"""(?:src|href)=['"]?(?:https?:|//)""", text)
+
+
+def test_claims_on_the_page_have_no_verdict_that_nobody_checked():
+    for part in FIGURES:
+        words = "".join(page._words(part))
+        assert all(f"<code>{id}</code>" in words for id in part.claims)
+        assert not any(f"({verdict.value})" in words for verdict in ClaimVerdict)
 
 
 def test_claims_named_on_the_page_are_claims():
@@ -111,6 +119,6 @@ def test_a_failure_leaves_the_old_folder(tmp_path, monkeypatch):
     monkeypatch.setattr(page, "TABLES", TABLES[:0])
     monkeypatch.setattr(page, "paper_page", broken)
     with pytest.raises(InputError, match="no page"):
-        page.write_paper(place, stored_times(), {}, {})
+        page.write_paper(place, stored_times(), {})
     assert [path.name for path in tmp_path.iterdir()] == ["paper"]
     assert (place / page.PAGE).read_text() == "old"

@@ -12,7 +12,7 @@ import pytest
 from arrangement import read_arrangement
 from arrangement.cli import main as count
 from equilibrium.grasps.files import read_grasp
-from proofs_check import ClaimVerdict, claim, evaluate, registry
+from proofs_check import Claim, ClaimVerdict, claim, evaluate, registry
 from proofs_check.cli.program import main
 from proofs_check.course.printed_table import check_table
 from proofs_check.instances import printed
@@ -20,6 +20,8 @@ from proofs_check.instances.grasps import grasp_of, paper_question
 from proofs_check.own_claims import one_line
 from proofs_check.own_claims.language import read
 from proofs_check.own_claims.quantities import QUANTITIES
+from proofs_check.statements.evidence import strength_from
+from proofs_check.statements.statement import Strength
 
 EXAMPLES = files("proofs_check.examples")
 
@@ -182,7 +184,13 @@ _ENTRY = re.compile(r"^\*\*([a-z0-9-]+)\*\* \(\*(.+?)\*\)\n {3}\S", re.MULTILINE
 def test_the_lessons_have_every_claim_once_with_its_verdict():
     found = [entry for text in LESSONS for entry in _ENTRY.findall(text)]
     assert len(found) == len(dict(found))
-    assert dict(found) == {claim.id: claim.expected.value for claim in registry()}
+    assert dict(found) == {claim.id: words(claim) for claim in registry()}
+
+
+def words(claim: Claim) -> str:
+    """The strength of a claim, and whether it needs a hypothesis."""
+    added = " under a hypothesis" * (claim.expected is ClaimVerdict.HOLDS_UNDER_HYPOTHESIS)
+    return f"{strength_from(claim.expected, claim.kind).value}{added}"
 
 
 def test_the_table_of_the_lesson_counts_the_verdicts_by_section():
@@ -190,13 +198,15 @@ def test_the_table_of_the_lesson_counts_the_verdicts_by_section():
     table = table.replace("\\", "")  # before a number that would begin a list
     rows = [row.split("\n     - ") for row in table.strip().split("   * - ")[1:]]
     head, *found = [[cell.strip() for cell in row] for row in rows]
-    counts = Counter((claim.section, claim.expected.value) for claim in registry())
+    counts = Counter()
+    for entry in registry():
+        strength, _, added = words(entry).partition(" under ")
+        counts[entry.section, strength] += 1
+        counts[entry.section, "of these, under a hypothesis"] += bool(added)
+    kinds = [*(strength.value for strength in Strength), "of these, under a hypothesis"]
+    assert head == ["section", *kinds]
     sections = dict.fromkeys(claim.section for claim in registry())
-    assert head == ["section", *(verdict.value for verdict in ClaimVerdict)]
-    assert found == [
-        [section, *(str(counts[section, verdict.value]) for verdict in ClaimVerdict)]
-        for section in sections
-    ]
+    assert found == [[section, *(str(counts[section, k]) for k in kinds)] for section in sections]
 
 
 def test_quantities_may_have_underscores_or_blanks(tmp_path):

@@ -35,7 +35,6 @@ def write_paper(
     folder: str | os.PathLike[str],
     times: Times,
     about: Mapping[str, str],
-    verdicts: Mapping[str, str],
 ) -> None:
     """Write every figure and table beside what the paper prints, all files or none.
 
@@ -43,7 +42,6 @@ def write_paper(
         folder: it is made. Files of an earlier run are replaced.
         times: the measured times of Table II.
         about: title and source of the paper, with the keys "title" and "about".
-        verdicts: of the claims, by their ids.
 
     Raises:
         InputError: the folder holds other files, or cannot be written.
@@ -59,7 +57,7 @@ def write_paper(
             new = Path(place)
             contents = {table.name: table.content(times) for table in TABLES}
             pictures = _write_pictures(new, contents)
-            page = paper_page(pictures, contents, about, verdicts)
+            page = paper_page(pictures, contents, about)
             (new / PAGE).write_text(page, encoding="utf-8")
             target.mkdir(exist_ok=True)
             for path in new.iterdir():
@@ -100,7 +98,6 @@ def paper_page(
     pictures: Mapping[str, str],
     contents: Mapping[str, TableContent],
     about: Mapping[str, str],
-    verdicts: Mapping[str, str],
 ) -> str:
     """Return the page, from the SVG of every figure and the cells of every table."""
     body = [
@@ -108,15 +105,15 @@ def paper_page(
         f"<h1>{escape(about['title'])}</h1>",
         f"<p class='source'>{escape(about['about'])}</p>",
         "<p>Every figure and table of the paper, made again. What is printed is described in our "
-        "words; the numbers of the tables are the printed ones. A claim in brackets is checked by "
-        "<code>proofs-check run ID</code>.</p>",
+        "words; the numbers of the tables are the printed ones. The claims named are not checked "
+        "here: <code>proofs-check run ID</code> prints the verdict.</p>",
     ]
     for part in (*FIGURES, *TABLES):
         body += [
             f"<section id='{part.name}'>",
             f"<h2>{part.kind.title()} {part.number}: {escape(part.title)}</h2>",
         ]
-        body += _words(part, verdicts)
+        body += _words(part)
         if isinstance(part, PaperFigure):
             picture = svg_for_page(pictures[part.name], part.name)
             body.append(f"<figure>{picture}</figure>")
@@ -129,12 +126,12 @@ def paper_page(
     return framed("The paper, figure by figure", "\n".join(body), [BASE_STYLE, _STYLE], [], policy)
 
 
-def _words(part: PaperPart, verdicts: Mapping[str, str]) -> Iterator[str]:
+def _words(part: PaperPart) -> Iterator[str]:
     """Yield what is printed, what stands here, and what differs, with the claims behind it."""
     yield "<dl>"
     for name, text in (("printed", part.printed), ("here", part.made), ("differs", part.differs)):
         yield f"<dt>{name}</dt><dd>{escape(text)}</dd>"
-    claims = (f"<code>{id}</code> ({verdicts[id]})" for id in part.claims)
+    claims = (f"<code>{id}</code>" for id in part.claims)
     yield f"<dt>claims</dt><dd>{', '.join(claims)}</dd></dl>"
 
 
