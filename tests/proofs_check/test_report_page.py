@@ -44,9 +44,9 @@ def test_search_and_filters_leave_what_was_asked_for(browser, page):
     browser.run(
         "const box = document.getElementById('search'); box.value = '';"
         "box.dispatchEvent(new Event('input'));"
-        "document.querySelector('.controls [data-verdict=\"holds\"]').click()"
+        "document.querySelector('.controls [data-verdict=\"proved\"]').click()"
     )
-    assert browser.run(VISIBLE) == ["single-solution", "step-1-square-bound"]
+    assert browser.run(VISIBLE) == ["single-solution", "method-linear-compliance"]
     shown = "return [...document.querySelectorAll('h2.section')].filter(h => !h.hidden).length"
     assert browser.run(shown) == 2
     assert browser.text("shown") == "2 of 4"
