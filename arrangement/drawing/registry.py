@@ -155,7 +155,7 @@ class Drawings:
         columns: int | None = None,
         frames: int | None = None,
         **options: Any,
-    ) -> dict[str, str]:
+    ) -> dict[str, Any]:
         """Draw into a file, whole or not at all.
 
         Args:
@@ -182,7 +182,8 @@ class Drawings:
                 size of a model are in millimetres, or texts with a unit: ``"8.4cm"``, ``"252pt"``.
 
         Returns:
-            What was written: ``{"view": name}``, ``{"model": name}`` or ``{"page": name}``.
+            What was written: ``{"view": name}``, ``{"model": name}`` or ``{"page": name}``; of a
+            picture with "notes", a list of what it cannot show, if there is anything.
 
         Raises:
             InputError: unknown suffix, view, model or option, what the view refuses, no place to
@@ -198,8 +199,9 @@ class Drawings:
         suffix = Path(path).suffix.lower()
         printing.check(kind, name, suffix)
         if kind == "view":
-            self._write_picture(subject, path, name, printing, options)
-        elif kind == "page":
+            notes = self._write_picture(subject, path, name, printing, options)
+            return {kind: name, **({"notes": notes} if notes else {})}
+        if kind == "page":
             write_text_atomically(path, self.function(kind, name)(subject, **options))
         else:
             write_bytes_atomically(path, self.function(kind, name)(subject, suffix, **options))
@@ -212,17 +214,20 @@ class Drawings:
         name: str,
         printing: Printing,
         options: dict[str, Any],
-    ) -> None:
-        """Write a picture, or one that turns."""
+    ) -> list[str]:
+        """Write a picture, or one that turns; return what it cannot show."""
         from .path_artist import write_scene
 
         known = self.options("view", name)
         width = options.get("width", known["width"].default)
         options["width"] = printing.picture_width(width)
 
+        notes: dict[str, None] = {}
+
         def scene(**azimuth: float) -> Scene:
             with printing.explained(width):
                 made = self._scene(subject, name, printing.columns, {**options, **azimuth})
+            notes.update(dict.fromkeys(made.legend.notes))
             return printing.finished(made)
 
         if Path(path).suffix.lower() not in MOVIES:
@@ -235,6 +240,7 @@ class Drawings:
         else:
             able = [view for view in self.views if "azimuth" in self.options("view", view)]
             raise InputError(f"the view {name} does not turn; there are {', '.join(able)}")
+        return list(notes)
 
     def _scene(
         self, subject: Any, name: str, columns: int | None, options: dict[str, Any]

@@ -34,7 +34,7 @@ def draw(planes: Planes, view: str | None = None, **options: Any) -> Drawing:
     return drawings_of(planes).draw(planes, view, **options)
 
 
-def write_drawing(planes: Planes, *args: Any, **options: Any) -> dict[str, str]:
+def write_drawing(planes: Planes, *args: Any, **options: Any) -> dict[str, Any]:
     """Draw planes into a file; if no view is named, the one that suits them best.
 
     Arguments and errors are those of `Drawings.write`.

@@ -64,6 +64,6 @@ def draw(grasp: Grasp, view: str | None = None, **options: Any) -> Drawing:
     return drawings_of(grasp).draw(grasp, view, **options)
 
 
-def write_drawing(grasp: Grasp, *args: Any, **options: Any) -> dict[str, str]:
+def write_drawing(grasp: Grasp, *args: Any, **options: Any) -> dict[str, Any]:
     """Draw a grasp into a file; arguments and errors are those of `Drawings.write`."""
     return drawings_of(grasp).write(grasp, *args, **options)

@@ -94,6 +94,7 @@ def composed(
     same = all(len(meanings[number]) == 1 for number in numbers)
 
     whole, panels = Legend(), []
+    whole.notes = list(dict.fromkeys(text for legend in own for text in legend.notes))
     for legend, scene in zip(own, scenes, strict=True):
         rest = Legend(captions=legend.captions)
         for key in legend.keys:

@@ -17,6 +17,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
+from arrangement.console.progress import note
 from arrangement.drawing.output import millimetres, require_matplotlib
 from arrangement.errors import InputError
 
@@ -132,12 +133,19 @@ class Legend:
         keys: symbols with their meanings.
         table: short texts, read column by column.
         captions: what is said of the picture even where it has no legend.
+        notes: what the picture cannot show; said on stderr, and by commands in JSON.
     """
 
     lines: list[tuple[str, bool]] = field(default_factory=list)
     keys: list[Key] = field(default_factory=list)
     table: list[str] = field(default_factory=list)
     captions: list[str] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+
+    def note(self, text: str) -> None:
+        """Report what the picture cannot show."""
+        self.notes.append(text)
+        note(text)
 
     def line(self, text: str, emphasis: bool = False) -> None:
         """Add a line of text."""
@@ -149,7 +157,7 @@ class Legend:
 
     def extend(self, other: Legend) -> None:
         """Add the entries of another one."""
-        for name in ("lines", "keys", "table", "captions"):
+        for name in ("lines", "keys", "table", "captions", "notes"):
             getattr(self, name).extend(getattr(other, name))
 
 

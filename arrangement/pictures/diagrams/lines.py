@@ -11,7 +11,6 @@ import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
-from arrangement.console.progress import note
 from arrangement.drawing.colours import (
     BLUE,
     PALETTE,
@@ -36,6 +35,8 @@ from arrangement.pictures.parts.names import (
     RegionLabels,
     dot,
     explain_regions,
+    near_classes,
+    note_near,
     plane_names,
     swatch,
 )
@@ -119,7 +120,7 @@ def draw_lines(
     sheet.label_regions()
     sheet.explain()
     for what, number in (+sheet.missing).items():
-        note(f"no room for {number} of the labels of {what}, which are left out")
+        sheet.scene.legend.note(f"no room for {number} of the labels of {what}, which are left out")
     return sheet.scene
 
 
@@ -182,7 +183,7 @@ class _Sheet:
         """Write the names of the regions."""
         within = (0.0, 0.0, self.scene.width, self.scene.height)
         lines = [*self.edges.values(), *self.rim, *self.arms]
-        label_regions(self.scene, self.names, self.outlines, lines, self.arms, within)
+        label_regions(self.scene, self.names, self.outlines, lines, self.arms, within, True)
 
     def label_faces(self) -> None:
         """Mark the vertices, and write sign vectors beside them and on the edges."""
@@ -247,6 +248,7 @@ class _WindowSheet(_Sheet):
         chart = self.chart
         x, y = (float(half) for half in chart.half)
         names = [plane_names(members) for members in chart.lines.distinct]
+        joint: list[str] = []
         trial = Scene(width, 10.0)
         margin = max([MARGIN, *(trial.measure(name)[0] + 5 for name in names)])
         room = trial.width - 2 * margin
@@ -259,7 +261,7 @@ class _WindowSheet(_Sheet):
             return self.centre + scale * points
 
         if chart.left_out:
-            note(
+            self.scene.legend.note(
                 f"the window leaves out {chart.left_out} of {len(chart.vertices)} crossings, so "
                 "that bounded regions are seen; --window has other corners"
             )
@@ -279,7 +281,7 @@ class _WindowSheet(_Sheet):
         self.edges = {e: ends for e, ends in ends_of.items() if len(ends) == 2}
         places = {v: chart.vertex(v) for v in chart.vertices}
         self.vertices = {v: at(p) for v, p in places.items() if (np.abs(p) <= (x, y)).all()}
-        for label, name in enumerate(names):
+        for label in range(len(names)):
             ends = at(chart.line(label))
             self.lines.append(ends if len(ends) == 2 else np.empty((0, 2)))
             if len(ends) < 2:
@@ -291,7 +293,16 @@ class _WindowSheet(_Sheet):
                 capstyle="butt",
                 **_LINE,
             )
-            self._name(ends, name)
+        drawn = [label for label, ends in enumerate(self.lines) if len(ends)]
+
+        def apart(one: int, other: int) -> float:
+            return _apart(self.lines[drawn[one]], self.lines[drawn[other]])
+
+        for group in near_classes(len(drawn), apart, _WIDTH):
+            members = sorted(k for g in group for k in chart.lines.distinct[drawn[g]])
+            joint += [plane_names(members)] * (len(group) > 1)
+            self._name(self.lines[drawn[group[0]]], plane_names(members))
+        note_near(self.scene.legend, self.names.items, joint)
 
     def plane(self, place: Floats) -> Floats:
         return np.append((place - self.centre) / self.scale, 1.0)
@@ -340,6 +351,15 @@ class _DiscSheet(_Sheet):
 
     def _curve(self, edge: int) -> Floats:
         return along(self.disc.on_paper(self.chart.drawn.arc(edge)), 12)
+
+
+def _apart(one: Floats, other: Floats) -> float:
+    """Return how far ends of two segments are from the line through the other one, at most."""
+    distances = []
+    for (start, end), ends in ((one, other), (other, one)):
+        x, y = (end - start) / max(float(np.linalg.norm(end - start)), 1e-300)
+        distances += [abs(float(x * (p - start)[1] - y * (p - start)[0])) for p in ends]
+    return max(distances)
 
 
 def _along(points: Floats, share: float) -> Floats:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import Annotated, Any, TypeAlias
 
@@ -11,7 +11,6 @@ from arrangement.arrangement import Arrangement
 from arrangement.console import number_form
 from arrangement.console.number_form import counted
 from arrangement.console.options.signature import Syntax
-from arrangement.console.progress import note
 from arrangement.drawing.colours import GREY, Colouring, DrawnRegion
 from arrangement.drawing.scene.labels import sign_text
 from arrangement.drawing.scene.scene import POINTS, Legend, Scene, Symbol
@@ -42,6 +41,8 @@ class RegionLabels:
         requested: whether labels were asked for; only then a note says which have no room.
         items: what the picture shows of the hyperplanes: "lines", "circles", "planes".
         left_out: how many regions were too small for a label.
+        unseen: how many are narrower than a line.
+        joined: whether lines nearer than their width are drawn as one.
     """
 
     def __init__(
@@ -65,7 +66,8 @@ class RegionLabels:
             count = len(arrangement.regions()) if count is None else count
             if count > most:
                 self.kind = "none"
-        self.left_out = 0
+        self.left_out = self.unseen = 0
+        self.joined = False
 
     def _read(self, labels: Labels) -> dict[tuple[int, ...], str | None]:
         """Return the texts of some regions, None for the usual one.
@@ -136,8 +138,13 @@ class RegionLabels:
             named = sorted((self._numbers[signs], sign_text(signs)) for signs in listed)
             digits = len(str(named[-1][0]))
             legend.table += [f"{str(k).rjust(digits, FIGURE)} {text}" for k, text in named]
-        if self.left_out and self.requested:
-            note(f"{counted(self.left_out, 'region')} too small for a label")
+        if self.unseen:
+            among = "region is" if self.unseen == 1 else "regions are"
+            text = f"{self.unseen} {among} narrower than a line and cannot be seen"
+            legend.line(text)
+            legend.note(text)
+        if self.left_out > self.unseen and self.requested:
+            legend.note(f"{counted(self.left_out - self.unseen, 'region')} too small for a label")
 
 
 #: Width and half the height of a symbol, in points.
@@ -204,6 +211,28 @@ def plane_names(members: Sequence[int], count: int | None = None) -> str:
             parts += map(str, numbers[:run])
         numbers = numbers[run:]
     return ",".join(parts)
+
+
+def near_classes(
+    count: int, distance: Callable[[int, int], float], nearest: float
+) -> list[list[int]]:
+    """Return classes of elements, those together that are drawn nearer than a line's width."""
+    groups: list[list[int]] = []
+    for k in range(count):
+        group = next((own for own in groups if distance(own[0], k) < nearest), None)
+        if group is None:
+            groups.append([k])
+        else:
+            group.append(k)
+    return groups
+
+
+def note_near(legend: Legend, items: str, names: Sequence[str]) -> None:
+    """Report which elements a picture cannot tell apart; their label is a joint one."""
+    if names:
+        text = f"{items} {'; '.join(names)}: nearer than a line's width, drawn as one"
+        legend.line(text)
+        legend.note(text)
 
 
 _LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")

@@ -17,7 +17,13 @@ from arrangement.drawing.scene.leaders import Leaders
 from arrangement.drawing.scene.places import inside, spread, turn
 from arrangement.drawing.scene.scene import Scene
 from arrangement.numbers.exact import dot
-from arrangement.pictures.parts.names import RegionLabels, plane_names, thinner
+from arrangement.pictures.parts.names import (
+    RegionLabels,
+    near_classes,
+    note_near,
+    plane_names,
+    thinner,
+)
 
 from .globe import Globe
 from .projections import CutChart, Drawn, Projection
@@ -28,6 +34,8 @@ RIM = 13.0
 HIDDEN: dict[str, Any] = {"lw": 0.5, "ls": (0, (3, 3)), "alpha": 0.5, "zorder": 2, "role": "hidden"}
 #: More regions than this get no leader lines.
 _MOST_LEADERS = 150
+#: Of most lines, in points; what is narrower is covered by them.
+LINE_WIDTH = 0.9
 
 
 @dataclass(frozen=True)
@@ -135,11 +143,26 @@ class Disc:
     def _names(self, both_ends: bool) -> None:
         """Write the numbers of the planes outside the rim, pushed apart along it."""
         wanted: list[tuple[float, float, str, int]] = []
-        globe = self.globe
-        for circle, members in enumerate(globe.cut.arrangement.distinct):
+        globe, distinct = self.globe, self.globe.cut.arrangement.distinct
+        # Angles between planes; on paper circles are at most so many radii apart.
+        units = globe.normals / np.linalg.norm(globe.normals, axis=1)[:, None]
+        signs = np.sign(units @ units.T)
+
+        def apart(one: int, other: int) -> float:
+            if globe.limb in (one, other):
+                return math.inf
+            away = units[one] - signs[one, other] * units[other]
+            return self.radius * float(np.linalg.norm(away))
+
+        groups = near_classes(len(distinct), apart, LINE_WIDTH)
+        joint = []
+        for group in groups:
+            circle = group[0]
+            members = sorted(k for c in group for k in distinct[c])
             text = plane_names(members, len(globe.whole.arrangement))
             if not text:
                 continue
+            joint += [text] * (len(group) > 1)
             at_rim = circle == globe.limb and not isinstance(self.drawn, CutChart)
             ends = [0.25] if at_rim else list(self.drawn.ends(circle))
             if not ends:
@@ -150,6 +173,8 @@ class Disc:
             # Angles of one point of the rim differ by rounding, also by a whole turn.
             near = [(end + 1e-9) % (2 * math.pi) - 1e-9 for end in ends]
             wanted += [(round(a, 8), self._lean(circle, a), text, circle) for a in near]
+        note_near(self.scene.legend, self.names.items, joint)
+        self.names.joined = bool(joint)
         wanted.sort()
         placed = spread([angle for angle, *_ in wanted], 9.0 / (self.radius + RIM / 2))
         for (angle, _, text, circle), at in zip(wanted, placed, strict=True):
@@ -181,6 +206,7 @@ def label_regions(
     lines: Sequence[Floats],
     inner: Sequence[Floats],
     within: Box,
+    flat: bool = False,
 ) -> None:
     """Write the names of regions, first inside, then those that do not fit on leader lines.
 
@@ -191,7 +217,9 @@ def label_regions(
         lines: all lines drawn, each (k, 2); no label covers one.
         inner: those among them that are not boundaries of regions.
         within: a part of the scene that leader lines must not leave.
+        flat: whether no region is seen from the side.
     """
+    names.unseen += sum(_is_unseen(outline, flat or names.joined) for _, outline in outlines)
     off = keep_off(inner)
     small = [
         (region, outline)
@@ -205,6 +233,21 @@ def label_regions(
         names.left_out += len(outlines) > _MOST_LEADERS or not leaders.write(
             outline, texts, SIZES[1:]
         )
+
+
+def _is_unseen(outline: Floats, narrow: bool) -> bool:
+    """Return whether lines cover a region: it is as small as their width, or as narrow.
+
+    Args:
+        narrow: whether it is unseen where it is narrow; at the rim of a ball it is only seen
+            from the side.
+    """
+    if not narrow:
+        return bool((np.ptp(outline, axis=0) < LINE_WIDTH).all())
+    along, nexts = np.asarray(outline), np.roll(outline, -1, axis=0)
+    area = abs(float(np.sum(along[:, 0] * nexts[:, 1] - along[:, 1] * nexts[:, 0]))) / 2
+    length = float(np.hypot(*(nexts - along).T).sum())
+    return 2 * area < LINE_WIDTH * length
 
 
 def alone(

@@ -24,10 +24,17 @@ from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import unit_vectors
 from arrangement.errors import InputError
 from arrangement.pictures.parts.coordinates import in_coordinates
-from arrangement.pictures.parts.names import Labels, RegionLabels, explain_regions, plane_names
+from arrangement.pictures.parts.names import (
+    Labels,
+    RegionLabels,
+    explain_regions,
+    near_classes,
+    note_near,
+    plane_names,
+)
 from arrangement.pictures.parts.registry import shown_as
 
-from .disc import HIDDEN, alone, front, label_regions, rim_width
+from .disc import HIDDEN, LINE_WIDTH, alone, front, label_regions, rim_width
 from .globe import Globe, far_direction
 from .projections import Drawn, stereographic
 
@@ -151,7 +158,7 @@ class _Whole:
         free = inside(self.scene, corners, keep_off([], discs))
         write_if_free(self.scene, self.outer, SIZES, free)
         within = (*(corners[0] + 2), *(corners[2] - 2))
-        label_regions(self.scene, self.names, outlines, [*lines, dashes], [dashes], within)
+        label_regions(self.scene, self.names, outlines, [*lines, dashes], [dashes], within, True)
 
     def _fill(self) -> list[tuple[DrawnRegion, Floats]]:
         """Fill the outer region first, then all others; return all but it with outlines."""
@@ -178,8 +185,18 @@ class _Whole:
     def _names(self, lines: Sequence[Floats]) -> None:
         """Write each circle's number outside its farthest point, or else close to its line."""
         classes, off = self.globe.whole.arrangement.distinct, keep_off(lines)
-        for k in sorted(range(len(classes)), key=lambda k: abs(self.normals[k, 2])):
-            text = plane_names(classes[k])
+        a, b, c = self.normals.T
+        discs = self.scale * np.stack([a / c, b / c, 1 / np.abs(c)], axis=1)
+
+        def apart(one: int, other: int) -> float:
+            x, y, larger = discs[one] - discs[other]
+            return math.hypot(x, y) + abs(float(larger))
+
+        groups = near_classes(len(classes), apart, LINE_WIDTH)
+        texts = {g[0]: plane_names(sorted(i for k in g for i in classes[k])) for g in groups}
+        joint = [texts[group[0]] for group in groups if len(group) > 1]
+        note_near(self.scene.legend, self.names.items, joint)
+        for k, text in sorted(texts.items(), key=lambda item: abs(self.normals[item[0], 2])):
             for step in range(84):
                 if self._name(k, text, step, off):
                     break
