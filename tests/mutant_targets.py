@@ -184,6 +184,9 @@ TARGETS = {
         12,
     ),
     "part": Target("equilibrium.plane.search.part_guess", SEARCH, 12),
+    "decide.assemblies.ends": Target(
+        "equilibrium.decide.assemblies.ends", ("tests/equilibrium/test_ends.py",), 40
+    ),
     "oracle": Target("proofs_check.routes.oracle", ("tests/proofs_check/test_oracle.py",), 12),
 }
 
@@ -518,4 +521,5 @@ EXCEPTIONS = {
     "equilibrium.model.errors": "messages",
     "equilibrium.model.labels": "units and errors that results repeat",
     "equilibrium.model.outline": "shapes of pictures",
+    "equilibrium.space.tresca": "proposes states, which exact programs decide",
 }

@@ -184,6 +184,11 @@ def summary(results: Sequence[Record]) -> str:
     return f"{counted(len(results), 'claim')}: {counts}; {end}"
 
 
+def _plural(words: str, number: int) -> str:
+    """Return words on one claim as words on a number of claims."""
+    return words if number == 1 else words.replace("holds", "hold")
+
+
 def counts_by_strength(results: Sequence[Record]) -> list[tuple[int, str]]:
     """Return how many results there are of each strength, the strongest first, with its words."""
     every, added = Counter(map(strength, results)), Counter[Strength | None]()
@@ -191,7 +196,7 @@ def counts_by_strength(results: Sequence[Record]) -> list[tuple[int, str]]:
     return [
         (
             every[worth],
-            (worth.value if worth else "no verdict")
+            (_plural(worth.value, every[worth]) if worth else "no verdict")
             + (f" ({added[worth]} under a hypothesis)" if added[worth] else ""),
         )
         for worth in (*Strength, None)
