@@ -154,6 +154,9 @@ class TestFile:
         found = read_any(str(path))
         assert found.grasp.groups == (range(3), range(3, 4))
         assert len(found.point_errors) == len(found.angle_errors) == 4
+        # The normal is turned by the rounding, and the edge of the pad with it.
+        assert abs(found.angle_errors[1]) <= found.point_errors[1] == found.point_errors[0]
+        assert not found.exact
         assert {c.normal for c in found.grasp.parts[0]} == {found.grasp.contacts[0].normal}
 
     def test_certificate_is_about_points(self, pinch, tmp_path, capsys):

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import chain
+from itertools import chain, islice
 from typing import Any, NamedTuple
 
 from arrangement.library.arguments import is_listed
@@ -21,7 +21,8 @@ from arrangement.numbers.exact import (
     to_text,
     vector_text,
 )
-from equilibrium.model.contact import VALUES, Contact, joined, radius_text
+from equilibrium.certificate.uncertain import root
+from equilibrium.model.contact import VALUES, Contact, joined, radius_squared, radius_text
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Outline
@@ -91,22 +92,20 @@ class Conversion:
         return not (any(self.point_errors) or any(self.angle_errors) or self.value_error)
 
     def of_points(self, points: Grasp, groups: Sequence[Sequence[Any]]) -> Conversion:
-        """Return the conversion with the points of each contact in its place.
+        """Return the conversion with the points of each contact in its place, which turn with it.
 
         Args:
             groups: for each contact its points.
         """
-
-        def repeated(errors: RationalVector) -> RationalVector:
-            pairs = zip(errors, groups, strict=True) if errors else ()
-            return tuple(x for x, group in pairs for _ in group)
-
-        return replace(
-            self,
-            grasp=replace(self.grasp, contacts=points.contacts),
-            point_errors=repeated(self.point_errors),
-            angle_errors=repeated(self.angle_errors),
-        )
+        grasp = replace(self.grasp, contacts=points.contacts)
+        lengths, angles, left = [], [], iter(points)
+        for length, angle, group in zip(
+            self.point_errors, self.angle_errors, groups, strict=bool(self.point_errors)
+        ):
+            part = list(islice(left, len(group)))
+            lengths += [length + root(radius_squared(part)) * abs(angle)] * len(part)
+            angles += [angle] * len(part)
+        return replace(self, grasp=grasp, point_errors=tuple(lengths), angle_errors=tuple(angles))
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form: the grasp file, and the errors as strings of rationals."""
