@@ -80,7 +80,7 @@ COMMANDS = (
     Command("equilibrium make random --contacts 3", 0, '"contacts"'),
     *(
         Command(f"equilibrium make {name}", 0, '"bodies"')
-        for name in ("stack", "arch", "ramp", "wedge", "cylinders", "ladder", "tongs")
+        for name in ("stack", "wall", "arch", "ramp", "wedge", "cylinders", "ladder", "tongs")
     ),
     Command(f"equilibrium draw {_G} -o grasp.html", 0, writes="grasp.html"),
     *(

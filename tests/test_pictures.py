@@ -240,7 +240,7 @@ def test_a_picture_of_rounded_data_says_so_without_advice():
     points, normals = [[-0.31, 0], [0.31, 0]], [[1, 0], [-1, 0]]
     grasp = from_float_data(points, normals, 0.5, as_given=True).grasp
     texts = [text for text, _ in OF_GRASPS.draw(grasp, "resist").scene.legend.lines]
-    (text,) = (text for text in texts if "rounded data" in text)
+    (text,) = (text for text in texts if "rounded" in text)
     assert "`" not in text
 
 

@@ -73,7 +73,7 @@ def _parser() -> Parser:
             )
         return added
 
-    strict = "with --strict: no counterexample found, but not all cases tried"
+    strict = "no counterexample found with --strict"
     expected = ("every verdict is the expected one", "some verdict differs", strict)
     _add_run(
         command(
