@@ -92,7 +92,7 @@ COMMANDS = (
     Command("proofs-check run euler --output euler.md", 0, "as expected", "euler.md"),
     _needs("report", "proofs-check run euler --output no.html"),
     Command("proofs-check run table-three-contacts --json", 0, '"verdict"'),
-    Command('proofs-check try "m >= 3" --samples 2 --classes 3..3', 0, "holds"),
+    Command('proofs-check try "m >= 3" --samples 2 --classes 3..3', 0, "no counterexample found"),
     Command("proofs-check fit regions --of generic(m=2..6)", 0, "m**2 - m + 2"),
     Command("proofs-check new mine", 0, writes="mine.py"),
     _needs("report", "proofs-check paper -o paper"),
