@@ -403,7 +403,7 @@ def test_motions_are_too_large_only_where_units_are_stated(stated, browser, tmp_
     grasp = grasp.with_units("m", "N") if stated else grasp
     browser.show(lab_page(grasp, wrench=[0, "1/2", "1/2"]), tmp_path)
     assert verdict(browser).startswith("Resisted")
-    text = browser.run("return document.body.textContent")
+    text = browser.run("return document.body.innerText")
     assert ("Beyond small motions" in text) == stated
 
 
