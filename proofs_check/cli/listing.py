@@ -60,7 +60,7 @@ def _described(claim: Claim, width: int) -> str:
         *((f"computed {i}", route.name) for i, route in enumerate(claim.routes, 1)),
         *(("evidence", f"{source.kind.value}: {source.over}") for source in claim.sources),
         ("expected", claim.expected.value),
-        ("holds when", claim.hypothesis.text if claim.hypothesis else ""),
+        ("added", claim.hypothesis.text if claim.hypothesis else ""),
         ("meaning", claim.meaning),
         *(("proved", text.badge_text(badge)) for badge in report.badges(claim)),
         (

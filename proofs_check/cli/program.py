@@ -41,8 +41,8 @@ EXAMPLES = (
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command; return its exit code.
 
-    Exit codes: 0 every verdict is the expected one, 1 some verdict differs, 2 bad input; with
-    --strict 3 where a claim was tried on samples alone.
+    Exit codes: 0 every verdict is the expected one, 1 some verdict differs, 2 bad input, 3 some
+    claim has no verdict; with --strict also where one was tried on samples alone.
     """
     return terminal.run(_parser(), argv)
 
@@ -73,7 +73,7 @@ def _parser() -> Parser:
             )
         return added
 
-    strict = "no counterexample found with --strict"
+    strict = "no verdict, or with --strict no counterexample found"
     expected = ("every verdict is the expected one", "some verdict differs", strict)
     _add_run(
         command(

@@ -102,7 +102,7 @@ def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
     if arguments.json:
         terminal.print_json(record)
     elif not asked.from_files:
-        print(f"\n{text.summary(record['results'])}")
+        print(f"\n{_left_out(asked)}{text.summary(record['results'])}")
     if make:
         write_text_atomically(arguments.output, make(record))
     if unsaved:
@@ -110,6 +110,14 @@ def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
     if lost:
         raise OwnClaimError(f"{lost} of {len(chosen)} claims have no verdict")
     return exit_code(record, strict=arguments.strict)
+
+
+def _left_out(asked: _Request) -> str:
+    """Return a line with the claims that take minutes, if they were left out."""
+    if asked.names or asked.large or asked.from_files:
+        return ""
+    left = [claim.id for claim in claims.registry() if claim.large]
+    return f"left out, as --large is not given: {', '.join(left)}\n" if left else ""
 
 
 def _elsewhere(asked: _Request) -> dict[str, Any]:
@@ -125,9 +133,13 @@ def _elsewhere(asked: _Request) -> dict[str, Any]:
 
 
 def exit_code(record: Mapping[str, Any], *, strict: bool) -> int:
-    """Return 0 if every verdict is the expected one, else 1; 3 where samples are not enough."""
+    """Return 0 if every verdict is the expected one, else 1; 3 where there is none, or too weak.
+
+    Without a verdict nothing is refuted, and nothing confirmed.
+    """
     if record["as_expected"] is not True:
-        return terminal.NO
+        verdicts = {one["verdict"] for one in record["results"] if one["as_expected"] is not True}
+        return terminal.UNDECIDED if verdicts == {None} else terminal.NO
     sampled = any(text.strength(one) is Strength.SAMPLED for one in record["results"])
     return terminal.UNDECIDED if strict and sampled else terminal.YES
 
@@ -165,7 +177,9 @@ def _about(asked: _Request) -> dict[str, str]:
         file = claim_file.split(names[0])[0] or ""
         title = claim_file.heading(file).rstrip(".") or Path(file).name
         return {"title": title, "about": ", ".join(names), "command": command}
-    return {**claims.paper(), "command": command}
+    paper = claims.paper()
+    about = "; ".join(filter(None, [paper["about"], _left_out(asked).rstrip()]))
+    return {**paper, "about": about, "command": command}
 
 
 def _results(

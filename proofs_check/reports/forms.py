@@ -70,7 +70,7 @@ def _facts(result: Record) -> list[tuple[str, str]]:
         *(("also tried", text) for text in also_tried(result)),
         *(("proved", badge_text(badge)) for badge in result.get("badges", [])),
         *((f"computed {i}", name) for i, name in enumerate(result["routes"], 1)),
-        ("holds when", result.get("saving_hypothesis") or ""),
+        ("added hypothesis", result.get("saving_hypothesis") or ""),
         ("meaning", result["meaning"]),
     ]
     if result.get("milliseconds") is not None:

@@ -105,7 +105,7 @@ def evidence_text(result: Result) -> str:
         return "; ".join([*parts, _disagreement_text(evidence.disagreement)])
     parts.extend(sorted({f"assuming {r.assumption}" for r in evidence.records if r.assumption}))
     if evidence.counterexample is not None:
-        parts.append(_counterexample_text(result.claim, evidence, evidence.counterexample))
+        parts.append(_counterexample_text(result, evidence.counterexample))
     return "; ".join(parts)
 
 
@@ -193,11 +193,14 @@ def _disagreement_text(record: Record) -> str:
     return f"the implementations disagree on {case}: {values}"
 
 
-def _counterexample_text(claim: Claim, evidence: Evidence, record: Record) -> str:
+def _counterexample_text(result: Result, record: Record) -> str:
+    claim, evidence = result.claim, result.evidence
     if claim.smaller:
-        found = f"smallest counterexample found ({evidence.searched} tried)"
+        tried = counted(evidence.searched, "smaller instance")
+        found = f"smallest counterexample found ({tried} tried)"
         return f"{found}: {instance_text(record.document)}: {record.note}"
-    condition = f"holds when {claim.hypothesis.text}; " if claim.hypothesis else ""
+    true = "no counterexample found" if result.strength is Strength.SAMPLED else "holds"
+    condition = f"{true} when {claim.hypothesis.text}; " if claim.hypothesis else ""
     if claim.hypothesis and record.covered:
         condition = f"fails even when {claim.hypothesis.text}; "
     shown = f"{record.label}, {instance_text(record.document)}".rstrip(", ")

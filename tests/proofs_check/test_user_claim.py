@@ -117,7 +117,7 @@ def test_failure_of_many_planes_stays_large(write, tmp_path):
 
 def test_an_error_in_the_function_gives_no_verdict(write, capsys):
     path = write('@claim("s", samples=5)\ndef f(p): return 1 // (len(p) - 4) < 9\n')
-    assert main(["run", path, "--json"]) == 1
+    assert main(["run", path, "--json"]) == 3
     (result,) = json.loads(capsys.readouterr().out)["results"]
     assert result["verdict"] is None
     assert "ZeroDivisionError" in result["counterexample"]["note"]
@@ -142,7 +142,7 @@ def test_instances_outside_hypothesis_skipped_and_counted():
 
 def test_a_claim_that_is_checked_on_nothing_has_no_verdict(write, capsys):
     path = write('@claim("s", classes=0, families=False, samples=0)\ndef f(p): return True\n')
-    assert main(["run", path, "--json"]) == 1
+    assert main(["run", path, "--json"]) == 3
     (result,) = json.loads(capsys.readouterr().out)["results"]
     assert (result["verdict"], result["evidence"]) == (None, "no case was checked")
 
@@ -269,7 +269,7 @@ def test_disagreeing_implementations_give_no_verdict(write, capsys):
         '@claim("raises", of=listed, routes=[len, fails])\n'
         "def raises(p, m): return m < 9\n"
     )
-    assert main(["run", path]) == 1
+    assert main(["run", path]) == 3
     out = " ".join(capsys.readouterr().out.split())
     assert out.count("verdict no verdict evidence") == 2
     assert "the implementations disagree on four, planes (1,1,1)" in out
