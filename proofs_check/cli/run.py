@@ -6,6 +6,7 @@ import argparse
 import json
 import shlex
 import sys
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -77,6 +78,7 @@ def try_claim(arguments: argparse.Namespace) -> int:
 def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
     make = forms.form(Path(arguments.output).suffix) if arguments.output else None
     chosen = _chosen(asked)
+    _check_ids(chosen, arguments.save)
     widths = text.columns(map(report.claim_record, chosen))
     results: list[dict[str, Any]] = []
     lost, unsaved = 0, list[InputError]()
@@ -129,7 +131,10 @@ def _elsewhere(asked: _Request) -> dict[str, Any]:
         domain = asked.elsewhere.domain_text if asked.elsewhere else ""
         return {"domain": domain, "verdict": None, "text": f"no verdict: {error}"}
     kept = ("domain", "verdict", "strength", "tried", "evidence", "counterexample")
-    return {**{name: found[name] for name in kept}, "text": text.conclusion(found)}
+    words, failure = text.conclusion(found), found["counterexample"]
+    if failure:
+        words += f" by {report.instance_text(failure['instance'])}: {failure['note']}"
+    return {**{name: found[name] for name in kept}, "text": words}
 
 
 def exit_code(record: Mapping[str, Any], *, strict: bool) -> int:
@@ -263,8 +268,13 @@ def _own_claims(asked: _Request) -> Iterator[Claim]:
         raise OwnClaimError("ids and files are both given; run the claims of files on their own")
     if samples is not None and samples < 0:
         raise OwnClaimError(f"--samples is {samples}; it must be at least 0")
-    listed = [asked.own] if asked.own else (c for name in names for c in claim_file.named(name))
+    listed = [asked.own] if asked.own else [c for name in names for c in claim_file.named(name)]
+    files = {claim.file for claim in listed}
+    several = Counter(Path(file).name for file in files)
     for claim in listed:
+        name = Path(claim.file).name
+        if several[name] > 1 and claim.locator == name:
+            claim = replace(claim, locator=claim.file)
         changed = claim
         if samples is not None and claim.domain:
             changed = replace(claim, samples=samples)
@@ -273,6 +283,16 @@ def _own_claims(asked: _Request) -> Iterator[Claim]:
             types = user_claim.type_sources(claim.domain, *classes)
             changed = replace(changed, sources=(*types, *others))
         yield changed
+
+
+def _check_ids(chosen: list[Claim], folder: str | None) -> None:
+    """Refuse claims that would be saved to one file."""
+    id, number = Counter(claim.id for claim in chosen).most_common(1)[0]
+    if folder and number > 1:
+        raise OwnClaimError(
+            f"{number} claims have the id {id}; expected one, for --save writes a file for each "
+            "id. Run their files one by one"
+        )
 
 
 def _save(found: dict[str, Any], folder: str | None, unsaved: list[InputError]) -> str:

@@ -23,7 +23,7 @@ from arrangement.library.census.catalogue import PUBLISHED, chirotopes, without_
 from arrangement.library.census.chirotopes import Signs, alternating, t_vectors, triples
 from proofs_check.errors import OwnClaimError
 from proofs_check.routes.many_types import flags
-from proofs_check.statements.statement import Case, Domain, Kind, Source
+from proofs_check.statements.statement import Case, Domain, Kind, Source, range_text
 
 
 @dataclass(frozen=True)
@@ -155,7 +155,7 @@ def _nine(together: int = 1000) -> Iterator[list[int]]:
 
 def type_sources(low: int, high: int) -> tuple[Source, ...]:
     """Return the sources of all classes of a given size, and of those that no lines have."""
-    over = f"every isomorphism class of {low} to {high} pseudolines" + (
+    over = f"every isomorphism class of {range_text(low, high)} pseudolines" + (
         " that lines have" if high == MOST_PLANES else ""
     )
     count = len(not_stretchable())

@@ -10,7 +10,9 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Collection, Mapping, Sequence
-from typing import Final
+from difflib import get_close_matches
+from itertools import accumulate
+from typing import Final, NamedTuple
 
 from arrangement.errors import refusal
 from arrangement.numbers.exact import shown
@@ -103,9 +105,9 @@ def _read(text: str, names: Collection[str]) -> tuple[ast.expr, _PartTypes]:
         raise OwnClaimError(
             f"the claim has {len(text)} characters; at most {_MAX_CHARACTERS} are read"
         )
-    source = _as_python(text.strip())
+    pieces = _as_python(text.strip())
     try:
-        tree = ast.parse(source, mode="eval").body
+        tree = ast.parse("".join(piece.python for piece in pieces), mode="eval").body
         depth = _depth(tree)
     except (SyntaxError, ValueError, MemoryError, RecursionError):
         raise OwnClaimError(
@@ -116,7 +118,7 @@ def _read(text: str, names: Collection[str]) -> tuple[ast.expr, _PartTypes]:
             f"the claim has {depth} operations inside each other; expected at most {_MAX_DEPTH}. "
             "Write it with fewer"
         )
-    types = _PartTypes(source, names)
+    types = _PartTypes(text.strip(), pieces, names)
     types.of(tree)
     return tree, types
 
@@ -131,55 +133,75 @@ def _depth(tree: ast.expr) -> int:
     return depth
 
 
-def _as_python(text: str) -> str:
-    """Return a text with powers and implications as Python reads them.
+class _Piece(NamedTuple):
+    """A piece of text for Python, and where what it stands for is in the text as it was typed."""
 
-    >>> _as_python("(simple implies regions == m^2 - m + 2) and m > 2")
+    python: str
+    start: int = 0
+    stop: int = 0  # equal to the start where nothing was typed
+
+
+def _as_python(text: str) -> list[_Piece]:
+    """Return a text with powers and implications as Python reads them, in pieces.
+
+    >>> text = "(simple implies regions == m^2 - m + 2) and m > 2"
+    >>> "".join(piece.python for piece in _as_python(text))
     '(implies(simple , regions == m**2 - m + 2)) and m > 2'
     """
     # Each open bracket with its arguments, and each of them with the sides of its implications.
-    groups: list[tuple[str, list[list[str]]]] = [("", [[""]])]
+    groups: list[tuple[list[_Piece], list[list[list[_Piece]]]]] = [([], [[[]]])]
     previous = ""
-    for token in _TOKEN.findall(text):
-        arguments = groups[-1][1]
+    for found in _TOKEN.finditer(text):
+        token, arguments = found[0], groups[-1][1]
+        piece = _Piece("**" if token == "^" else token, *found.span())
         if token in "([{":
-            groups.append((token, [[""]]))
+            groups.append(([piece], [[[]]]))
         elif token in ")]}" and len(groups) > 1:
             opening, inner = groups.pop()
-            groups[-1][1][-1][-1] += f"{opening}{_joined(inner)}{token}"
+            groups[-1][1][-1][-1] += [*opening, *_joined(inner), piece]
         elif token == ",":
-            arguments.append([""])
+            arguments.append([[]])
         elif token == "implies" and (previous.isalnum() or previous in (*")]", "_")):
-            arguments[-1].append("")
+            arguments[-1].append([])
         else:
-            arguments[-1][-1] += "**" if token == "^" else token
+            arguments[-1][-1].append(piece)
         if not token.isspace():
             previous = "" if token in _BEFORE_OPERANDS else token.replace("_", "")[-1:] or "_"
-    return text if len(groups) > 1 else _joined(groups[0][1])
+    return [_Piece(text, 0, len(text))] if len(groups) > 1 else _joined(groups[0][1])
 
 
-def _joined(arguments: Sequence[Sequence[str]]) -> str:
-    """Return arguments in one text; ``a implies b implies c`` is ``a implies (b implies c)``."""
-    texts = []
+def _joined(arguments: Sequence[Sequence[list[_Piece]]]) -> list[_Piece]:
+    """Return arguments in one; ``a implies b implies c`` is ``a implies (b implies c)``."""
+    joined: list[_Piece] = []
     for *hypotheses, conclusion in arguments:
         made = conclusion
         for hypothesis in reversed(hypotheses):
-            made = f"implies({hypothesis.lstrip()},{made})"
-        lead = hypotheses[0] if hypotheses else ""
-        texts.append(" " * (len(lead) - len(lead.lstrip())) + made)
-    return ",".join(texts)
+            made = [_Piece("implies("), *hypothesis, _Piece(","), *made, _Piece(")")]
+        joined += [_Piece(","), *made] if joined else made
+    return joined
 
 
 class _PartTypes:
     """The types of the parts of a text; what has none is refused, with its part of the text."""
 
-    def __init__(self, source: str, names: Collection[str]) -> None:
-        self.source, self.names = source, names
+    def __init__(self, typed: str, pieces: Sequence[_Piece], names: Collection[str]) -> None:
+        self.typed, self.pieces, self.names = typed, pieces, names
         self._known: dict[ast.expr, str] = {}
 
     def text(self, node: ast.expr) -> str:
-        """Return a part as it is written, shortened."""
-        return shown(ast.get_source_segment(self.source, node) or self.source)
+        """Return a part as it was typed, shortened."""
+        lines = "".join(piece.python for piece in self.pieces).encode().splitlines(keepends=True)
+        lengths = [0, *accumulate(map(len, lines))]
+        first = lengths[node.lineno - 1] + node.col_offset
+        last = lengths[(node.end_lineno or 1) - 1] + (node.end_col_offset or 0)
+        ends = accumulate(len(piece.python.encode()) for piece in self.pieces)
+        inside = [
+            piece
+            for piece, end in zip(self.pieces, ends, strict=True)
+            if first < end <= last and piece.start < piece.stop
+        ]
+        part = self.typed[inside[0].start : inside[-1].stop] if inside else self.typed
+        return shown(part.strip())
 
     def of(self, node: ast.expr) -> str:
         """Return the type of a part."""
@@ -240,7 +262,11 @@ class _PartTypes:
         if name in _SYNONYMS:
             return OwnClaimError(f"{mistake}; write {_SYNONYMS[name]}")
         listed = [*QUANTITIES, *FUNCTIONS, *_FUNCTIONS, *sorted({*self.names} - {*QUANTITIES})]
-        return OwnClaimError(str(refusal(mistake, name, listed)))
+        words = {word.partition("(")[0].lower(): word for word in [*_SYNONYMS, *listed]}
+        near = [words[word] for word in get_close_matches(name.lower(), words, 1)]
+        if near and near[0] in _SYNONYMS:
+            return OwnClaimError(f"{mistake}; did you mean {near[0]}? Write {_SYNONYMS[near[0]]}")
+        return OwnClaimError(str(refusal(mistake, words.get(name.lower(), name.lower()), listed)))
 
     def _of_call(self, node: ast.Call) -> str:
         match node:

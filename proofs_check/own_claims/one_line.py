@@ -76,7 +76,8 @@ def one_line_claim(text: str, *, of: str = DEFAULT_DOMAIN, when: str | None = No
     hypothesis = read_statement(when, names) if when else None
 
     def holds(planes: Planes, **parameters: int) -> Any:
-        return _Computed(planes, parameters).verdict(statement)
+        found = _Computed(planes, parameters).verdict(statement)
+        return FalseComparison("the statement is false") if found is False else found
 
     def applies(planes: Planes, **parameters: int) -> bool:
         return hypothesis is None or bool(_Computed(planes, parameters).value(hypothesis))
@@ -90,7 +91,9 @@ def one_line_claim(text: str, *, of: str = DEFAULT_DOMAIN, when: str | None = No
         when=applies,
         hypotheses=[when] if when else [],
     )
-    made = replace(make(holds), quantity="whether the statement is true")
+    made = make(holds)
+    computed_here = replace(made.routes[0], name="evaluation of the statement")
+    made = replace(made, quantity="whether the statement is true", routes=(computed_here,))
     domain = made.domain
     if domain is None or not domain.has_named_instances:
         return made

@@ -44,6 +44,7 @@ from proofs_check.statements.statement import (
     Kind,
     Route,
     Source,
+    range_text,
 )
 
 from .claim_file import id_of, line_of
@@ -209,7 +210,9 @@ def _listed(instances: Family | Iterable[Any]) -> Source:
         over = f"{instances}, {counted(len(instances), 'member')}"
         return Source(Kind.EXHAUSTIVE, over, lambda _: instances.cases())
     listed = _cases(instances)
-    return Source(Kind.EXHAUSTIVE, f"the {len(listed)} given instances", lambda _: listed)
+    return Source(
+        Kind.EXHAUSTIVE, f"the {counted(len(listed), 'given instance')}", lambda _: listed
+    )
 
 
 def _cases(instances: Iterable[Any]) -> list[Case]:
@@ -283,10 +286,10 @@ def type_sources(chosen: Domain, low: int, high: int) -> tuple[Source, ...]:
     if chosen.unit == "lines":
         simple = chosen.name.startswith("simple")
         kind = " in general position" if simple else ""
-        over = f"every isomorphism class of {low} to {high} lines of the plane{kind}"
+        over = f"every isomorphism class of {range_text(low, high)} lines of the plane{kind}"
         cases = partial(line_cases, range(low, high + 1), simple=simple)
         return (Source(Kind.EXHAUSTIVE, over, lambda _: cases()),)
-    over = f"one arrangement of every isomorphism class of {low} to {high} planes"
+    over = f"one arrangement of every isomorphism class of {range_text(low, high)} planes"
     return (Source(Kind.EXHAUSTIVE, over, lambda _: census_cases(range(low, high + 1))),)
 
 

@@ -15,7 +15,16 @@ from arrangement.errors import InputError
 
 from .formula import is_formula
 from .report import digest
-from .text import also_tried, badge_text, conclusion, is_unexpected, overview, remark, value_text
+from .text import (
+    also_tried,
+    as_expected,
+    badge_text,
+    conclusion,
+    is_unexpected,
+    overview,
+    remark,
+    value_text,
+)
 
 Record = Mapping[str, Any]
 
@@ -101,10 +110,10 @@ def _footer(record: Record) -> list[str]:
         versions = ", ".join(f"{name} {number}" for name, number in entry["versions"].items())
         lines.append(f"Python {entry['python']}, {versions}, commit {entry['commit'] or 'unknown'}")
     seed = f"Seed {record['seed']}"
-    if record["as_expected"]:
-        seed += "; every verdict is as expected"
-    elif any(map(is_unexpected, record["results"])):
+    if any(map(is_unexpected, record["results"])):
         seed += "; some verdict differs"
+    elif words := as_expected("every verdict is", record["results"]):
+        seed += f"; {words}"
     again = [
         f"{name} {record[name.lower()]}" for name in ("Date", "Command") if record.get(name.lower())
     ]

@@ -179,9 +179,17 @@ def remark(case: Record) -> str:
 def summary(results: Sequence[Record]) -> str:
     """Return how many verdicts there are of each strength, and which are not the expected ones."""
     counts = ", ".join(f"{number} {words}" for number, words in counts_by_strength(results))
-    different = [result["id"] for result in results if not result["as_expected"]]
-    end = f"not as expected: {', '.join(different)}" if different else "all as expected"
-    return f"{counted(len(results), 'claim')}: {counts}; {end}"
+    different = [result["id"] for result in results if is_unexpected(result)]
+    end = f"not as expected: {', '.join(different)}" if different else as_expected("all", results)
+    return "; ".join(filter(None, [f"{counted(len(results), 'claim')}: {counts}", end]))
+
+
+def as_expected(every: str, results: Sequence[Record]) -> str:
+    """Return that no verdict is another one than was expected; "" where none was stated."""
+    stated = [result.get("expectation_stated", True) for result in results]
+    if not any(stated):
+        return ""
+    return f"{every} as expected" if all(stated) else "as expected wherever that was stated"
 
 
 def _plural(words: str, number: int) -> str:

@@ -59,6 +59,11 @@ class Strength(Enum):
     REFUTED = "refuted"
 
 
+def range_text(low: int, high: int) -> str:
+    """Return a range of numbers in words: "3 to 5", or "3"."""
+    return f"{low} to {high}" if low < high else f"{low}"
+
+
 @dataclass(frozen=True, repr=False)
 class Case(ReprMixin):
     """One instance on which a claim is checked.
@@ -272,8 +277,7 @@ class Claim(ReprMixin):
         yield from self.sources
         if self.domain is not None and self.samples:
             low, high = self.sizes
-            sizes = f"{low} to {high}" if low < high else f"{low}"
-            over = f"{self.samples} random {self.domain.text} with {sizes}"
+            over = f"{self.samples} random {self.domain.text} with {range_text(low, high)}"
             drawn = (
                 Case(f"sample {k}", subject, subject.to_dict())
                 for k in range(self.samples)

@@ -11,7 +11,7 @@ from typing import Any
 from arrangement.library.census import MOST_PLANES
 from proofs_check.reports.report import conclusion, instance_text, record_of
 from proofs_check.statements.evidence import strength_from, verdict_from
-from proofs_check.statements.statement import ClaimVerdict, Kind
+from proofs_check.statements.statement import ClaimVerdict, Kind, range_text
 
 from .plan import Plan
 from .store import Store
@@ -64,7 +64,7 @@ def record(opened: Store) -> dict[str, Any]:
 
 
 def _over(plan: Plan, claim: dict[str, Any]) -> str:
-    numbers = f"{plan.low}" if plan.low == plan.high else f"{plan.low} to {plan.high}"
+    numbers = range_text(plan.low, plan.high)
     if plan.types:
         return f"all isomorphism classes of {numbers} distinct planes of rank 3"
     return f"random {claim['domain']} with {numbers} {claim['unit']}"

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 from collections import Counter
 from dataclasses import replace
 from itertools import product
@@ -110,6 +111,56 @@ def test_no_verdict_is_undecided_and_not_no(options, tmp_path, monkeypatch, caps
     )
     assert main(["run", "mine.py:empty"]) == 3
     assert main(["run", "mine.py"]) == 1
+
+
+def test_words_of_a_claim_in_one_line_fit_it(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["try", "m < 3", "--classes", "3", "--samples", "0", "-o", "r.md"]) == 1
+    out = capsys.readouterr().out
+    assert "the one case: one arrangement of every isomorphism class of 3 planes\n" in out
+    assert re.search(r"smallest counterexample found \([0-9]+ smaller instances tried\)", out)
+    tried = out.partition("also tried  lines: ")[2]
+    assert "refuted by lines (1,0) (0,1) (1,1): m < 3 is" in " ".join(tried.split())
+    assert main(["try", "not simple or not central", "--of", "lines", *FEW]) == 1
+    assert "lines (1,0): the statement is false\n" in capsys.readouterr().out
+    assert main(["try", "m < 3", *FEW, "--json"]) == 1
+    (found,) = results(capsys)
+    assert found["routes"] == ["evaluation of the statement"]
+    assert (found["expected"], found["expectation_stated"]) == ("holds", False)
+
+
+def test_nothing_is_as_expected_where_nothing_was(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["try", "m < 40", *FEW, "-o", "r.md"]) == 0
+    assert main(["try", "m < 40", *FEW, "-o", "r.txt"]) == 0
+    made = Path("r.md").read_text(encoding="utf-8") + Path("r.txt").read_text(encoding="utf-8")
+    assert "expected" not in made
+    source = "from proofs_check import claim\n" + "".join(
+        f"@claim('s', of=[1, 2]{more})\ndef {name}(x):\n    return {test}\n"
+        for name, more, test in (("a", "", "x > 0"), ("b", ", expected='refuted'", "x > 1"))
+    )
+    Path("mine.py").write_text(source, encoding="utf-8")
+    assert main(["report", "mine.py"]) == 0
+    assert "Seed 0; as expected wherever that was stated." in capsys.readouterr().out
+    assert main(["report", "mine.py", "--format", "txt"]) == 0
+    assert "1 refuted; as expected wherever that was stated" in capsys.readouterr().out
+
+
+def test_claims_of_files_of_one_name_are_told_apart(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    for folder in ("a", "b"):
+        Path(folder).mkdir()
+        source = "@claim('s', of=[1])\ndef fine(x):\n    return x == 1\n"
+        Path(folder, "mine.py").write_text(f"from proofs_check import claim\n{source}")
+    assert main(["run", "a/mine.py", "b/mine.py"]) == 0
+    out = capsys.readouterr().out
+    assert "fine (a/mine.py)\n" in out
+    assert "fine (b/mine.py)\n" in out
+    assert "the one case: the 1 given instance\n" in out
+    assert main(["run", "a/mine.py"]) == 0
+    assert "fine (mine.py)\n" in capsys.readouterr().out
+    assert main(["run", "a/mine.py", "b/mine.py", "--save", "c"]) == 2
+    assert "2 claims have the id fine; expected one, for --save" in capsys.readouterr().err
 
 
 def test_classes_up_to_a_number_are_not_all_of_a_domain(capsys):
