@@ -209,10 +209,12 @@ def _read_arrays(path: str, known: Sequence[str], required: Sequence[str]) -> di
         raise GraspError(f"{path} is damaged: an array claims more than is in the file") from None
     except InputError:
         raise
-    except Exception as error:
+    except Exception:
         # zipfile, its decompressors and the parser of NumPy's headers raise errors of many kinds.
-        text = shown(str(error) or type(error).__name__)
-        raise GraspError(f"{path} is not an NPZ file of arrays: {text}") from None
+        raise GraspError(
+            f"{path} is not an NPZ file of arrays of numbers, or damaged or encrypted; expected a "
+            "file that numpy.savez writes"
+        ) from None
     if missing := [name for name in required if name not in arrays]:
         raise GraspError(f"{path} has no array {missing[0]}; expected {', '.join(required)}")
     if unknown := [name for name in arrays if name not in known]:
