@@ -123,7 +123,7 @@ class GraspWrenchSpace:
         many = len(self.grasp) * self.pyramid > MAX_EDGES_IN_HULL * budget.times()
         if self.grasp.dimension == 3 and many:
             raise OutOfReachError(
-                f"the hull of {len(self.grasp)} contacts with {self.pyramid} edges each in six "
+                f"the hull of {self.grasp.size_words} with {self.pyramid} edges each in six "
                 f"dimensions takes too long; up to {MAX_EDGES_IN_HULL} edges in all are tried, and "
                 "`solve --methods` decides whether one wrench is in it"
             )
