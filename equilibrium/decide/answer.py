@@ -13,6 +13,7 @@ from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import UndecidedError
+from equilibrium.model.labels import ROUNDED
 from equilibrium.model.subject import Subject
 
 from . import RESISTED, UNDECIDED, robustness
@@ -121,6 +122,11 @@ class AnswerMixin(HintsMixin):
         within the rounding error".
         """
         return self.verdict if self.rounding is None else self.rounding.answer
+
+    def _verdict_in_repr(self) -> str:
+        """Return the verdict; of converted data, where others are not asked for this, as theirs."""
+        rounded = self.decided and self.subject.data_error is not None
+        return f"{self.verdict} {ROUNDED}" if rounded else self.verdict
 
     @property
     def depends(self) -> bool:

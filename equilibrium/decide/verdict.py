@@ -93,7 +93,8 @@ class Verdict(AnswerMixin):
     def __repr__(self) -> str:
         count = self.grasp.size_words + " in space" * (self.grasp.dimension == 3)
         cones = pyramid_words(self.pyramid, before=", ")
-        return f"<Verdict: {self.verdict}, wrench {vector_text(self.wrench)}, {count}{cones}>"
+        wrench = vector_text(self.wrench)
+        return f"<Verdict: {self._verdict_in_repr()}, wrench {wrench}, {count}{cones}>"
 
     def _load(self) -> str:
         return f"the wrench {vector_text(self.wrench)} is"

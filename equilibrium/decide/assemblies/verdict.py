@@ -64,7 +64,7 @@ class AssemblyVerdict(AnswerMixin):
     }
 
     def __repr__(self) -> str:
-        return f"<AssemblyVerdict: {self.verdict}, {self.assembly!r}>"
+        return f"<AssemblyVerdict: {self._verdict_in_repr()}, {self.assembly!r}>"
 
     def _load(self) -> str:
         return "the wrenches are"
