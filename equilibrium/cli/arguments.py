@@ -280,11 +280,33 @@ def intervals_text(intervals: Iterable[Interval]) -> str:
     return " or ".join(shown) if shown else "no interval"
 
 
-def within_text(intervals: Sequence[Interval], at: str = "of") -> str:
-    """Return where a number lies: "in [0, 1] or [2, oo)", or "of 0 only" for one point."""
-    if len(intervals) == 1 and (point := intervals[0][0]) is not None and point == intervals[0][1]:
-        return f"{at} {number(point)} only"
-    return f"in {intervals_text(intervals)}"
+def resisted_text(intervals: Sequence[Interval]) -> str:
+    """Return which magnitudes t are resisted, such as "resisted for t in [0, 1] or [2, oo)"."""
+    if not intervals:
+        return "resisted for no t"
+    if (point := _only(intervals)) is not None:
+        return f"resisted at {number(point)} only"
+    return f"resisted for t in {intervals_text(intervals)}"
+
+
+def among_text(intervals: Sequence[Interval], name: str) -> str:
+    """Return where a number lies: "a preload in [0, 1]", "a preload of 0 only", "no preload"."""
+    if not intervals:
+        return f"no {name}"
+    if (point := _only(intervals)) is not None:
+        return f"a {name} of {number(point)} only"
+    return f"a {name} in {intervals_text(intervals)}"
+
+
+def factors_text(intervals: Sequence[Interval]) -> str:
+    """Return by which factors a load may be scaled."""
+    return f"resisted when scaled by {among_text(intervals, 'factor')}"
+
+
+def _only(intervals: Sequence[Interval]) -> Fraction | None:
+    """Return the only number of some intervals; None if there are none or more."""
+    ends = {end for part in intervals for end in part}
+    return ends.pop() if len(ends) == 1 else None
 
 
 def seconds(text: str) -> float:

@@ -175,15 +175,15 @@ def draw_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) ->
 
 
 def or_undecided(
-    ask: Callable[[], _Found], text: Callable[[_Found], str]
+    ask: Callable[[], _Found], text: Callable[[_Found], str], name: str
 ) -> tuple[dict[str, Any], str]:
-    """Return the JSON form and the text of an answer, or why it is undecided."""
+    """Return the JSON form and the text of an answer, or why what has this name is undecided."""
     from equilibrium.decide.answer import undecided
 
     try:
         found = ask()
     except UndecidedError as unknown:
-        return undecided(unknown), f": undecided, {unknown}"
+        return undecided(unknown), f"{name}: undecided, {unknown}"
     return found.to_dict(), text(found)
 
 

@@ -16,8 +16,9 @@ from arrangement.console.writing import write_text_atomically
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.exact import RationalVector
 from equilibrium.model.contact import pyramid_words
+from equilibrium.model.labels import AS_ROUNDED, ROUNDED
 
-from .arguments import show, within_text
+from .arguments import factors_text, show
 
 if TYPE_CHECKING:
     from equilibrium.decide.verdict import Verdict
@@ -100,11 +101,11 @@ def _load(grasp: Grasp, load: RationalVector, document: dict[str, Any]) -> tuple
         gives, ends = end_lines(resisted, factors.magnitudes)
         document |= {**factors.magnitudes.to_dict(), **gives, "least_preload": least}
         force = f" {grasp.units.force}" if grasp.units else ""
-        scaled = "resisted when scaled by a factor"
-        rows += [
-            ("margin", "\n".join([f"{scaled} {within_text(factors.intervals)}", *ends])),
-            ("least preload", "none is enough" if least is None else f"{number(least)}{force}"),
-        ]
+        margin = factors_text(factors.intervals)
+        preload = "none is enough" if least is None else f"{number(least)}{force}"
+        if grasp.data_error is not None:
+            margin, preload = f"{margin}, {AS_ROUNDED}", f"{preload}, {ROUNDED}"
+        rows += [("margin", "\n".join([margin, *ends])), ("least preload", preload)]
     return yes, rows
 
 

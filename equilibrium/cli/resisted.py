@@ -6,8 +6,10 @@ Two of them, magnitudes of a load and its margin, are for assemblies of several 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from itertools import groupby
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import bracket, counted, number, vector
@@ -15,7 +17,7 @@ from arrangement.console.options import values
 from arrangement.numbers.exact import number_text
 from equilibrium.model.contact import contact_entry, contact_words
 from equilibrium.model.errors import GraspError, UndecidedError
-from equilibrium.model.labels import AS_ROUNDED
+from equilibrium.model.labels import AS_ROUNDED, ROUNDED
 
 from .arguments import (
     add_applied,
@@ -23,13 +25,15 @@ from .arguments import (
     add_displacement,
     add_number,
     add_wrench,
+    among_text,
     applied,
+    factors_text,
     force_given,
     grasp_of,
     intervals_text,
+    resisted_text,
     show,
     spanning_wrench,
-    within_text,
 )
 from .assemblies import (
     add_on_body,
@@ -40,6 +44,7 @@ from .assemblies import (
 )
 
 if TYPE_CHECKING:
+    from arrangement.numbers.linear.intervals import Interval
     from equilibrium.decide.assemblies.ends import Giving
     from equilibrium.model.assembly import Assembly
     from equilibrium.model.grasp import Grasp
@@ -82,7 +87,7 @@ def add_command_resisted(commands: Any) -> None:
     text = "the magnitudes of this wrench on one body that are resisted besides those of its file"
     add_on_body(forms, "--along", text)
     add_on_body(parser)
-    parser.description += " In space: along a load only, with or without --margin."
+    parser.description += " In space: along a load only, without --margin."
     text = "planar grasps: find the smallest wrench that is not resisted, in any direction"
     forms.add_argument("--smallest", action="store_true", help=text)
     text = "planar grasps: only the plane spanned by two of fx, fy, tau or vectors such as 1,0,0"
@@ -175,11 +180,7 @@ def _of_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> 
         magnitudes: Any = resisted.along(arguments.along, wrenches)
     except UndecidedError as unknown:
         return show(arguments, undecided(unknown), [f"undecided: {unknown}"], None, assembly)
-    more, ends = end_lines(resisted, magnitudes)
-    known, again = _rounded(resisted, magnitudes)
-    lines = [f"resisted for t {within_text(magnitudes.intervals, '=')}", *ends, *again]
-    found = bool(magnitudes.intervals)
-    return show(arguments, magnitudes.to_dict() | more | known, lines, found, assembly)
+    return _show_along(arguments, resisted, magnitudes)
 
 
 def _form(arguments: argparse.Namespace) -> str:
@@ -205,11 +206,17 @@ def _along(arguments: argparse.Namespace, grasp: Grasp) -> int:
     magnitudes: Any = resisted.along(applied(arguments, grasp), arguments.base or 0)
     if grasp.dimension == 3:
         return _show_in_space(arguments, magnitudes)
+    return _show_along(arguments, resisted, magnitudes)
+
+
+def _show_along(
+    arguments: argparse.Namespace, resisted: ResistedSet, magnitudes: Magnitudes
+) -> int:
+    """Print the magnitudes that are resisted, what gives at their ends, and other roundings."""
     gives, ends = end_lines(resisted, magnitudes)
-    more, again = _rounded(resisted, magnitudes)
-    more |= gives
-    lines = [f"resisted for t {within_text(magnitudes.intervals, '=')}", *ends, *again]
-    return show(arguments, magnitudes.to_dict() | more, lines, bool(magnitudes.intervals), grasp)
+    more, lines, depends = _with_rounding(resisted, magnitudes, resisted_text, ends)
+    yes = None if depends else bool(magnitudes.intervals)
+    return show(arguments, magnitudes.to_dict() | gives | more, lines, yes, resisted.grasp)
 
 
 def _candidates(arguments: argparse.Namespace, grasp: Grasp) -> int:
@@ -275,21 +282,44 @@ def end_lines(
     return {"gives": [[x and x.to_dict() for x in pair] for pair in ends]}, lines
 
 
-def _rounded(resisted: ResistedSet, found: Magnitudes) -> tuple[dict[str, Any], list[str]]:
-    """Return the ends for other roundings of converted data: JSON form and lines."""
+def _with_rounding(
+    resisted: ResistedSet,
+    found: Magnitudes,
+    text: Callable[[Sequence[Interval]], str],
+    ends: Sequence[str],
+) -> tuple[dict[str, Any], list[str], bool]:
+    """Return what is known of other roundings as JSON, all lines, and whether others differ.
+
+    Args:
+        text: of the magnitudes, or factors.
+        ends: what gives there.
+    """
     from equilibrium.decide.nearby import DEPENDS
 
-    again = resisted.within_error(found)
-    if again is None:
-        return {}, []
-    if again.turned is None:
-        ends = ["unbounded" if x is None else _between(*x) for x in again.ends]
-        line = f"ends for {again.asked} other data within the rounding error: "
-        line += ", ".join(ends) or "none"
-    else:
-        turned = intervals_text(again.turned)
-        line = f"{DEPENDS}: {turned} for other data within the rounding error"
-    return {"within_error": again.to_dict()}, [line]
+    stated = text(found.intervals)
+    if resisted.grasp.data_error is None:
+        return {}, [stated, *ends], False
+    # A wrench of zero has no direction in which others are compared.
+    zero = not isinstance(found.direction, dict) and not any(found.direction)
+    if zero or (again := resisted.within_error(found)) is None:
+        return {"as_rounded": True}, [f"{stated}, {AS_ROUNDED}", *ends], False
+    more = {"as_rounded": True, "within_error": again.to_dict()}
+    if again.turned is not None:
+        other = f"{text(again.turned)}, for other data within the rounding error"
+        return more, [f"{DEPENDS}: {other}", f"{ROUNDED}: {stated}", *ends], True
+    tried = f"  tried {again.asked} other data within the error: {_tried_text(again.ends)}"
+    return more, [f"{stated}, {AS_ROUNDED}", *ends, *([tried] if again.asked else [])], False
+
+
+def _tried_text(ends: Sequence[tuple[Any, Any] | None]) -> str:
+    """Return what all others tried resist, of the least and greatest value of each end."""
+    parts = []
+    for low, high in zip(ends[::2], ends[1::2], strict=True):
+        start = _between(*low) if low else "-oo"
+        point = low == high and low is not None and low[0] == low[1]
+        until = "on" if high is None else f"to {_between(*high)}"
+        parts.append(f"at {start} only" if point else f"from {start} {until}")
+    return f"resisted {' and '.join(parts) or 'for no t'}"
 
 
 def _show_in_space(arguments: argparse.Namespace, magnitudes: SpatialMagnitudes) -> int:
@@ -305,11 +335,13 @@ def _show_in_space(arguments: argparse.Namespace, magnitudes: SpatialMagnitudes)
 
 
 def _border_lines(found: SpatialMagnitudes, gives: Sequence[Giving | None]) -> Iterator[str]:
-    first, last = found.samples[0], found.samples[-1]
+    runs = [list(run) for _, run in groupby(found.samples, key=itemgetter(1))]
+    known = ", ".join(f"{run[0][1]} at {_samples(run)}" for run in runs)
     tried = counted(len(found.samples), "magnitude")
-    yield f"{tried} from 0 to {number(last[0])} tried; at 0: {first[1]}"
+    yield f"{tried} t tried from 0 to {number(found.samples[-1][0])}: {known}"
+    doubt = "" if found.grasp.data_error is None else f", {AS_ROUNDED}"
     if found.zero_only:
-        yield "resisted at 0 only"
+        yield f"resisted at 0 only{doubt}"
         return
     for border, given in zip(found.borders, gives, strict=True):
         order = "resisted, then not" if border.resisted < border.refused else "not, then resisted"
@@ -321,8 +353,13 @@ def _border_lines(found: SpatialMagnitudes, gives: Sequence[Giving | None]) -> I
             yield f"  in an equilibrium at {number(border.resisted)}: {given.words}"
     for a, b in found.gaps:
         yield f"a gap: not resisted from {number(a.refused)} to {number(b.refused)}"
-    if last[1] != "not resisted":
-        yield f"at {number(last[0])}: {last[1]}; larger ones were not tried"
+    yield f"other t, between these and beyond, are not covered: the verdict may change there{doubt}"
+
+
+def _samples(run: Sequence[tuple[Fraction, str]]) -> str:
+    """Return which magnitudes of a run of samples there are: "0", "each from 2 to 16"."""
+    low, high = run[0][0], run[-1][0]
+    return number(low) if low == high else f"each from {number(low)} to {number(high)}"
 
 
 def _slice(arguments: argparse.Namespace, grasp: Grasp) -> int:
@@ -371,13 +408,10 @@ def _margin(arguments: argparse.Namespace, grasp: Grasp) -> int:
     wrench = applied(arguments, grasp)
     question_document(grasp, wrench, "margin")
     if grasp.dimension == 3:
-        for option in ("contacts", "also", "tolerance"):
-            if getattr(arguments, option) is not None:
-                raise GraspError(
-                    f"--{option} is for grasps in the plane and assemblies: in space --margin "
-                    "prints factors of the load alone, no preload and no friction"
-                )
-        return _along(arguments, grasp)
+        raise GraspError(
+            "--margin is for grasps in the plane and assemblies; in space omit it: the magnitudes "
+            "t that are printed are the factors of the load"
+        )
     resisted = _set(arguments, grasp)
     return _show_margin(arguments, resisted, resisted.margin(wrench))
 
@@ -388,10 +422,10 @@ def _show_margin(arguments: argparse.Namespace, resisted: ResistedSet, factors: 
     from equilibrium.wrench_sets.friction import rough_contacts
 
     grasp, chosen = resisted.grasp, arguments.contacts
-    whose, rubbing = "a uniform preload", "uniform friction"
+    whose, rubbing = "uniform preload", "uniform friction"
     if chosen is not None:
         named = listed_contacts(chosen)
-        whose, rubbing = f"this preload of {named}", f"friction of {named}"
+        whose, rubbing = f"preload of {named}", f"friction of {named}"
         rubbing += ", for the load alone" if arguments.also else ""
     elif arguments.also is not None:
         raise GraspError("--also goes with --contacts")
@@ -404,33 +438,30 @@ def _show_margin(arguments: argparse.Namespace, resisted: ResistedSet, factors: 
     def preload_text(found: Preloads) -> str:
         gives, ends = end_lines(resisted, found)
         at_preloads.update(gives)
-        return "\n".join([f" {within_text(found.intervals)}{_force(grasp)}", *ends])
+        first = f"resisted with {among_text(found.intervals, whose)}{_force(grasp)}{doubt}"
+        return "\n".join([first, *ends])
 
+    doubt = "" if grasp.data_error is None else f", {ROUNDED}"
     preload, in_preloads = or_undecided(
         lambda: factors.preloads if chosen is None else resisted.preloads(loads, chosen),
         preload_text,
+        f"resisted with a {whose}",
     )
     friction, coefficient = or_undecided(
         lambda: factors.friction(tolerance, chosen),
-        lambda found: f": {_friction(found.low, found.high)}",
+        lambda found: f"least {rubbing}: {_friction(found.low, found.high)}{doubt}",
+        f"least {rubbing}",
     )
-    more, again = _rounded(resisted, factors.magnitudes) if any(factors.wrench) else ({}, [])
     gives, ends = end_lines(resisted, factors.magnitudes)
+    more, scaled, changes = _with_rounding(resisted, factors.magnitudes, factors_text, ends)
     known = None if grasp.data_error is None else resisted.solve(factors.wrench).rounding
     word = "yes" if factors.resisted else "no"
     depends = known is not None and known.turned is not None
     if known is not None and not known.proved:
         word += f", for the data as rounded; it {known.words}" if depends else f", {AS_ROUNDED}"
-    unknown = depends or "verdict" in {*preload, *friction}
+    unknown = depends or changes or "verdict" in {*preload, *friction}
     yes = None if unknown else factors.resisted
-    lines = [
-        f"resisted: {word}",
-        f"resisted when scaled by a factor {within_text(factors.intervals)}",
-        *ends,
-        *again,
-        f"resisted with {whose}{in_preloads}",
-        f"least {rubbing}{coefficient}",
-    ]
+    lines = [f"resisted: {word}", *scaled, in_preloads, coefficient]
     remedies = {"preload": preload | at_preloads, "friction": friction}
     return show(arguments, factors.to_dict() | gives | more | remedies, lines, yes, grasp)
 
@@ -466,7 +497,7 @@ def _between(low: Any, high: Any) -> str:
 
 def _friction(low: Fraction | None, high: Fraction | None) -> str:
     if low is None:
-        return "no friction is enough"
+        return "none is enough"
     if high is None:
         return f"not below {number(low)}; undecided above"
     return _between(low, high)

@@ -64,7 +64,8 @@ class Units(JsonMixin):
 
 
 #: What is said of answers about one grasp, where its data were converted.
-AS_ROUNDED = "for the data as rounded; not proved for all within the rounding error"
+ROUNDED = "for the data as rounded"
+AS_ROUNDED = f"{ROUNDED}; not proved for all within the rounding error"
 
 
 @dataclass(frozen=True, repr=False)

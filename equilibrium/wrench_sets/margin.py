@@ -134,7 +134,8 @@ def margin(grasp: Grasp | Solver | AssemblySolver, wrench: Any) -> Margin:
 def limit_words(solver: Solver | AssemblySolver, wrench: Any) -> list[str]:
     """Return at which multiples of a load, next to it, its resistance ends, and what gives there.
 
-    Empty where that is not established, and of many contacts, for which it takes long.
+    Empty where that is not established, where one multiple alone is resisted, and of many contacts,
+    for which it takes long.
     """
     is_assembly = isinstance(solver, AssemblySolver)
     loads = wrench.values() if is_assembly else [wrench]
@@ -148,7 +149,7 @@ def limit_words(solver: Solver | AssemblySolver, wrench: Any) -> list[str]:
     except (OutOfReachError, UndecidedError):
         return []
     near = min(factors, key=_distance, default=None)
-    if near is None:
+    if near is None or near[0] == near[1]:
         return []
     given = ends_of(solver.grasp, solver.no_wrench, wrench, [near], solver.max_displacement)
     return [

@@ -253,8 +253,9 @@ class ResistedSet(HintsMixin, JsonMixin):
         """Return which contacts slip or lift off at both ends of each interval of magnitudes.
 
         A contact is named if it is at its friction limit, or without force, in all equilibria at
-        the end, and not in all just inside. None stands where nothing is established, and where
-        an interval starts at 0 or is unbounded.
+        the end, and not in all just inside. Where a single magnitude is resisted, what holds in all
+        equilibria there stands at its upper end. None stands where nothing is established, and
+        where an interval starts at 0 or is unbounded.
 
         Args:
             magnitudes: what `along` returned, in the plane or of an assembly; in space

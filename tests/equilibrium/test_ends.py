@@ -35,7 +35,7 @@ class TestBlock:
         [
             (1, "1/2", Giving(slips=(1, 2)), "slips at contacts 1, 2"),
             (3, "1/3", Giving(lifts_off=(1,)), "contact 1 lifts off"),
-            (2, "1/2", Giving((2,), (1,)), "slips at contact 2, contact 1 lifts off"),
+            (2, "1/2", Giving((2,), (1,)), "slips at contact 2; contact 1 lifts off"),
         ],
     )
     def test_slides_or_tips_or_both(self, height, end, gives, words, bodies):
@@ -62,10 +62,18 @@ class TestBlock:
         resisted = ResistedSet(read_grasp("paper-three-contacts-preload-1"))
         assert resisted.what_gives(resisted.along([0, 1, 0])) == ((None, Giving(lifts_off=(2,))),)
 
-    def test_unbounded_ends_and_single_points_have_none(self):
+    def test_unbounded_end_gives_nothing_and_0_alone_has_no_forces(self):
         resisted = ResistedSet(read_grasp("paper-three-contacts"))
         assert resisted.what_gives(resisted.along([0, -1, 0])) == ((None, None),)
-        assert resisted.what_gives(resisted.along([0, 1, 0])) == ((None, None),)
+        found = resisted.what_gives(resisted.along([0, 1, 0]))
+        assert found == ((None, Giving(unloaded=(1, 2, 3))),)
+        assert found[0][1].words == "no force at contacts 1, 2, 3"
+
+    def test_0_alone_at_the_friction_limit(self):
+        resisted = ResistedSet(Grasp(FEET))
+        found = resisted.along(pushed(0), ("1/2", -1, 0))
+        assert found.intervals == ((Fraction(0), Fraction(0)),)
+        assert resisted.what_gives(found) == ((None, Giving((1, 2))),)
 
     def test_smooth_contacts_do_not_slip(self):
         wall = Contact([-2, 1], [1, 0], 0, preload=1)
@@ -155,9 +163,7 @@ class TestPreloads:
     def test_of_chosen_contacts_and_one_load(self, capsys):
         asked = ["resisted", "paper-three-contacts", "--wrench", "0", "1", "0", "--margin"]
         assert main([*asked, "--contacts", "1", "3"]) == 1
-        line = (
-            "resisted with this preload of contacts 1, 3 in [1, oo)\n  at 1: slips at contacts 1, 3"
-        )
+        line = "resisted with a preload of contacts 1, 3 in [1, oo)\n  at 1: slips at contacts 1, 3"
         assert line in capsys.readouterr().out
         assert main([*asked, "--contacts", "1", "3", "--also", "0", "3", "0", "--json"]) == 1
         assert json.loads(capsys.readouterr().out)["preload"]["gives"] == [[None, None]]
@@ -184,7 +190,7 @@ class TestInSpace:
         line = "  in an equilibrium at 4587/6487: slips at contacts 1, 2"
         assert line in capsys.readouterr().out.splitlines()
         assert main([*asked, "--json"]) == 0
-        gives = {"slips": [1, 2], "lifts_off": [], "tips": []}
+        gives = {"slips": [1, 2], "lifts_off": [], "tips": [], "unloaded": []}
         assert json.loads(capsys.readouterr().out)["gives"] == [gives]
 
     def test_at_0_nothing_is_read_off(self):

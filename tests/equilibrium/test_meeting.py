@@ -79,8 +79,11 @@ def test_disc_in_a_groove_depends_on_the_rounding(tmp_path, capsys):
     path.write_text(DISC)
     assert main(["solve", str(path), "--weight", "1"]) == 3
     assert capsys.readouterr().out.startswith("depends on the rounding: resisted for")
-    assert main(["resisted", str(path), "--weight", "1"]) == 0
-    assert "depends on the rounding: [0, oo) for other data" in capsys.readouterr().out
+    assert main(["resisted", str(path), "--weight", "1"]) == 3
+    assert (
+        "depends on the rounding: resisted for t in [0, oo), for other data"
+        in capsys.readouterr().out
+    )
 
 
 SEEDS = [*range(8), *(pytest.param(k, marks=pytest.mark.slow) for k in range(8, 300))]
@@ -223,7 +226,10 @@ def test_ends_of_bodies_depend_on_the_rounding(tmp_path, capsys):
     path = tmp_path / "bodies.csv"
     path.write_text(BODIES)
     on_top = ["--on", "top", "0", "-1", "-5"]
-    assert main(["resisted", str(path), *on_top, "--along", "disc", "0", "-1", "0"]) == 0
-    assert "depends on the rounding: [0, oo) for other data" in capsys.readouterr().out
+    assert main(["resisted", str(path), *on_top, "--along", "disc", "0", "-1", "0"]) == 3
+    assert (
+        "depends on the rounding: resisted for t in [0, oo), for other data"
+        in capsys.readouterr().out
+    )
     assert main(["solve", str(path), *on_top, "--on", "disc", "0", "-1", "0", "--methods"]) == 3
     assert "depends on the rounding: resisted for" in capsys.readouterr().out

@@ -310,6 +310,6 @@ def test_margin_of_chosen_contacts_on_the_command_line(capsys):
     words = ["resisted", "paper-three-contacts", "--wrench", "0", "1", "0"]
     more = ["--margin", "--contacts", "1", "3", "--also", "0", "3", "0"]
     assert main([*words, *more]) == 1
-    assert "resisted with this preload of contacts 1, 3 in [3, oo)" in capsys.readouterr().out
+    assert "resisted with a preload of contacts 1, 3 in [3, oo)" in capsys.readouterr().out
     assert main([*words, "--contacts", "1"]) == 2
     assert main([*words, "--margin", "--also", "0", "3", "0"]) == 2

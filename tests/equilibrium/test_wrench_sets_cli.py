@@ -6,10 +6,11 @@ from pathlib import Path
 import pytest
 
 from arrangement.console import progress
-from equilibrium import Assembly
+from equilibrium import Assembly, solve
 from equilibrium.cli.program import main
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import random_grasp, read_any
+from equilibrium.model.labels import AS_ROUNDED
 
 THREE = "paper-three-contacts-preload-1"
 
@@ -24,7 +25,7 @@ def test_magnitudes_print_the_agreed_document(capsys):
         0,
         {
             "intervals": [["0", "1"]],
-            "gives": [[None, {"slips": [], "lifts_off": [2], "tips": []}]],
+            "gives": [[None, {"slips": [], "lifts_off": [2], "tips": [], "unloaded": []}]],
         },
     )
     assert answer(capsys, "resisted", THREE, "--wrench", "0", "-1/2", "0") == (
@@ -136,14 +137,75 @@ def test_margin_leaves_smooth_contacts_smooth_unless_named(tmp_path, capsys, bod
 
 def test_friction_that_is_never_enough_is_called_so(capsys):
     assert main(["resisted", "paper-three-contacts", "--wrench", "0", "1", "0", "--margin"]) == 1
-    assert "least uniform friction: no friction is enough\n" in capsys.readouterr().out
+    assert "least uniform friction: none is enough\n" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize("option", [["--contacts", "1"], ["--tolerance", "1"]])
-def test_margin_in_space_takes_no_contacts(capsys, option):
-    asked = ["resisted", "two-opposed-fingers", "--wrench", *"010000", "--margin", *option]
+def test_margin_in_space_is_refused(capsys):
+    asked = ["resisted", "two-opposed-fingers", "--wrench", *"010000", "--margin"]
     assert main(asked) == 2
-    assert f"{option[0]} is for grasps in the plane" in capsys.readouterr().err
+    assert "--margin is for grasps in the plane and assemblies" in capsys.readouterr().err
+
+
+#: A contact of constant force, and a groove whose smooth contacts meet nearly below the load.
+SOFT = "x,y,nx,ny,mu,q,stiffness\n0,0,1,1,0.5,1,0\n"
+GROOVE = """x,y,nx,ny,mu
+-0.573576436,-0.819152044,0.573576436,0.819152044,0
+0.882947593,-0.469471563,-0.882947593,0.469471563,0
+"""
+FINGERS = "x,y,nx,ny,mu,q\n-1,0,1,1,0.5,1\n1,0,-1,1,0.5,1\n"
+
+
+@pytest.mark.parametrize(
+    ("table", "code", "of_load", "of_margin"),
+    [
+        (
+            FINGERS,
+            0,
+            [f"resisted for t in [0, oo), {AS_ROUNDED}", "resisted from 0 on"],
+            [f"by a factor in [0, oo), {AS_ROUNDED}", "preload in [0, oo), for the data as"],
+        ),
+        (
+            SOFT,
+            1,
+            [f"resisted for no t, {AS_ROUNDED}", "resisted for no t"],
+            [
+                f"by no factor, {AS_ROUNDED}",
+                "resisted with no uniform preload, for the data as rounded",
+                "none is enough, for the data as rounded",
+            ],
+        ),
+        (
+            GROOVE,
+            3,
+            [
+                "depends on the rounding: resisted for t in [0, oo), for other data within the",
+                "for the data as rounded: resisted at 0 only\n",
+            ],
+            ["depends on the rounding: resisted when scaled by a factor in [0, oo), for other"],
+        ),
+    ],
+)
+def test_sets_of_rounded_data_are_called_so(table, code, of_load, of_margin, tmp_path, capsys):
+    path = tmp_path / "rounded.csv"
+    path.write_text(table)
+    asked = ["resisted", str(path), "--weight", "1"]
+    for option, lines in (([], of_load), (["--margin"], of_margin)):
+        assert main([*asked, *option]) == code
+        text = capsys.readouterr().out
+        assert all(line in text for line in lines), text
+        found, document = answer(capsys, *asked, *option)
+        assert (found, document["as_rounded"]) == (code, True)
+
+
+def test_verdicts_in_space_are_printed_for_all_magnitudes_tried(capsys, tmp_path):
+    path = tmp_path / "pads.csv"
+    path.write_text("x,y,z,nx,ny,nz,mu,q,pad\n-1,0,0,1,0,0,0.5,1,0.5\n1,0,0,-1,0,0,0.5,1,0.5\n")
+    assert main(["resisted", str(path), "--wrench", *["0", "0", "-1", "0", "0", "0"]]) == 0
+    first, *_, last = capsys.readouterr().out.splitlines()
+    assert first.endswith("resisted at each from 0 to 1, undecided at each from 2 to 128")
+    assert last.startswith("other t, between these and beyond, are not covered")
+    assert main(["info", str(path), "--force-closure"]) == 0
+    assert "the hull of 2 contacts (10 points) with 4 edges each" in capsys.readouterr().out
 
 
 def test_slice_by_names_is_the_one_by_vectors(capsys):
@@ -273,3 +335,12 @@ def test_the_line_is_on_stderr_of_a_terminal_only(command, tmp_path, capsys, mon
     assert seen.out == piped.out
     assert "left" in seen.err
     assert seen.err.endswith("\r\x1b[K")
+
+
+def test_reprs_of_verdicts_on_rounded_data_say_so(tmp_path):
+    path = tmp_path / "rounded.csv"
+    path.write_text(GROOVE)
+    grasp = read_any(path).grasp
+    bodies = Assembly.of_grasp(grasp)
+    for verdict in (solve(grasp, (0, -1, 0)), solve(bodies, {"object": (0, -1, 0)})):
+        assert "Verdict: not resisted for the data as rounded, " in repr(verdict)

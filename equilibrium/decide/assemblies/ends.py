@@ -6,7 +6,8 @@ has no force in any; a pad *tips* if one of its outermost points has all of its 
 the end if that is not so in all equilibria just inside. A choice of states has equilibria for an
 interval of magnitudes, and what holds for all of one magnitude inside holds for all of its
 magnitudes: slacks are concave. So the equilibria just inside are those of the choices whose
-interval goes on there.
+interval goes on there. Where a single magnitude is resisted nothing is inside: what holds in all
+equilibria there is reported, and a contact without force as such, for it need not have had any.
 """
 
 from __future__ import annotations
@@ -43,21 +44,23 @@ class Giving(JsonMixin):
         slips: those that reach their friction limit.
         lifts_off: those that lose their force.
         tips: pads whose force reaches their edge.
+        unloaded: where a single magnitude is resisted, those that have no force there.
     """
 
-    json_fields = ("slips", "lifts_off", "tips")
+    json_fields = ("slips", "lifts_off", "tips", "unloaded")
 
     slips: tuple[int, ...] = ()
     lifts_off: tuple[int, ...] = ()
     tips: tuple[int, ...] = ()
+    unloaded: tuple[int, ...] = ()
 
     def __bool__(self) -> bool:
         """Return whether anything was established."""
-        return any((self.slips, self.lifts_off, self.tips))
+        return any((self.slips, self.lifts_off, self.tips, self.unloaded))
 
     @property
     def words(self) -> str:
-        """All that gives, such as "slips at contact 2, contact 1 lifts off"."""
+        """All that gives, such as "slips at contact 2; contact 1 lifts off"."""
         parts = [f"slips at {listed_contacts(self.slips)}"] if self.slips else []
         if self.lifts_off:
             verb = "lift" if len(self.lifts_off) > 1 else "lifts"
@@ -65,7 +68,9 @@ class Giving(JsonMixin):
         if self.tips:
             pads = "pads" if len(self.tips) > 1 else "pad"
             parts.append(f"the force leaves the {pads} of {listed_contacts(self.tips)}")
-        return ", ".join(parts)
+        if self.unloaded:
+            parts.append(f"no force at {listed_contacts(self.unloaded)}")
+        return "; ".join(parts)
 
 
 def listed_contacts(numbers: Iterable[int]) -> str:
@@ -114,13 +119,14 @@ def ends_of(
         preloads: `preload_slope` and `chosen`, see `LinearQuestion`: what t adds to preloads.
 
     Returns:
-        None where an interval starts at 0 or is unbounded, and where nothing is established.
+        None where an interval starts at 0 or is unbounded, and where nothing is established; of a
+        single magnitude the second of the pair alone answers.
     """
     changes = {"max_displacement": max_displacement, **preloads}
     parts = list(_parts(grasp, base, along, changes))
     return tuple(
         (
-            _given_by_parts(parts, low, -1) if low else None,
+            _given_by_parts(parts, low, -1) if low and low != high else None,
             None if high is None else _given_by_parts(parts, high, 1),
         )
         for low, high in intervals
@@ -150,13 +156,12 @@ def _along_pad(contact: Contact) -> Fraction:
 
 def _given_by_parts(parts: Iterable[_PartQuestion], end: Fraction, way: int) -> Giving | None:
     """Return what gives at an end of the common magnitudes of all parts; None if unknown."""
-    slips, lifts, tips = [], [], []
+    given: dict[str, list[int]] = {name: [] for name in Giving.json_fields}
     for part in parts:
         if (found := what_gives(part.question, part.groups, end, way)) is not None:
-            slips += [part.numbers[k - 1] for k in found.slips]
-            lifts += [part.numbers[k - 1] for k in found.lifts_off]
-            tips += [part.numbers[k - 1] for k in found.tips]
-    return Giving(*(tuple(sorted(numbers)) for numbers in (slips, lifts, tips))) or None
+            for name, numbers in given.items():
+                numbers += [part.numbers[k - 1] for k in getattr(found, name)]
+    return Giving(**{name: tuple(sorted(numbers)) for name, numbers in given.items()}) or None
 
 
 def what_gives(question: LinearQuestion, groups: Groups, end: Fraction, way: int) -> Giving | None:
@@ -180,9 +185,12 @@ def what_gives(question: LinearQuestion, groups: Groups, end: Fraction, way: int
                 inside.append(_common(whole))
     except TimeoutError:
         return None
-    if not inside:
+    if not at_end:
         return None
-    before, after = (_given(some, groups) for some in (inside, at_end))
+    after = _given(at_end, groups)
+    if not inside:
+        return replace(after, lifts_off=(), unloaded=after.lifts_off) or None
+    before = _given(inside, groups)
     gone = {*after.lifts_off}
     found = Giving(
         tuple(k for k in after.slips if k not in before.slips),
