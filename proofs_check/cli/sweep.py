@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,7 @@ from proofs_check.reports import forms
 from proofs_check.reports.report import check_record
 from proofs_check.reports.text import conclusion
 from proofs_check.sweep import report as sweepreport, store
-from proofs_check.sweep.sweep import merge, plan_sweep, sweep
+from proofs_check.sweep.sweep import Work, merge, plan_sweep, sweep
 
 from .run import exit_code, file_record
 
@@ -52,7 +53,7 @@ def run_sweep(arguments: argparse.Namespace) -> int:
 
     try:
         with shown(False):  # the bar reports
-            due = sweep(
+            work = sweep(
                 plan,
                 arguments.store,
                 jobs=arguments.jobs,
@@ -66,13 +67,23 @@ def run_sweep(arguments: argparse.Namespace) -> int:
         record = sweepreport.record(opened)
     if arguments.json:
         terminal.print_json(record)
-    elif due:
-        print(_summary(record))
     else:
-        part, parts = arguments.shard
-        chunks = counted(plan.chunks, "chunk")
-        print(f"shard {part}/{parts} has nothing to do: the sweep has {chunks}")
-    return exit_code(record, strict=arguments.strict) if due else terminal.YES
+        print("\n".join(_lines(work, arguments.shard, plan.chunks, record)))
+    return exit_code(record, strict=arguments.strict) if work.due else terminal.YES
+
+
+def _lines(
+    work: Work, shard: tuple[int, int], chunks: int, record: dict[str, Any]
+) -> Iterator[str]:
+    """Yield what was done and what the sweep found."""
+    part, parts = shard
+    if not work.due:
+        yield f"shard {part}/{parts} has nothing to do: the sweep has {counted(chunks, 'chunk')}"
+        return
+    if not work.new:
+        what = "the sweep" if parts == 1 else f"shard {part}/{parts}"
+        yield f"{what} was finished already: {counted(work.due, 'chunk')} in the store, none new"
+    yield _summary(record)
 
 
 def _summary(record: dict[str, Any]) -> str:

@@ -94,12 +94,19 @@ def file_digest(path: str) -> str:
     Raises:
         OwnClaimError: the file cannot be read or run.
     """
-    own, *others = _run(path).digests.items()
-    if not others:
-        return own[1]
-    folder = Path(own[0]).parent
-    named = sorted((Path(file).relative_to(folder).as_posix(), digest) for file, digest in others)
-    return sha256(repr([own[1], *named]).encode()).hexdigest()
+    (_, own), *others = file_digests(path).items()
+    return sha256(repr([own, *sorted(others)]).encode()).hexdigest() if others else own
+
+
+def file_digests(path: str) -> dict[str, str]:
+    """Return the SHA-256 of a file of claims, then of what it imports from its folder, by names.
+
+    Raises:
+        OwnClaimError: the file cannot be read or run.
+    """
+    digests = _run(path).digests
+    folder = Path(next(iter(digests))).parent
+    return {Path(file).relative_to(folder).as_posix(): digest for file, digest in digests.items()}
 
 
 class _Run(NamedTuple):

@@ -157,8 +157,12 @@ class Store:
                 except sqlite3.Error:
                     yield number, None
 
-    def add(self, chunk: Chunk) -> bool:
+    def add(self, chunk: Chunk, part: str = "") -> bool:
         """Write a chunk, whole and safely on the disk; return whether it was new.
+
+        Args:
+            chunk: what is written.
+            part: the store that it is from, if it is merged.
 
         Raises:
             SweepError: another result is there under this number, or the file cannot be written.
@@ -173,7 +177,7 @@ class Store:
                     "SELECT result FROM chunks WHERE number = ?", (chunk.number,)
                 ).fetchone()
                 if old is not None:
-                    self._compare(chunk.number, old[0], result)
+                    self._compare(chunk.number, old[0], result, part)
                     return False
                 transaction.execute(
                     "INSERT OR IGNORE INTO environments (record) VALUES (?)", (environment,)
@@ -186,20 +190,26 @@ class Store:
             raise SweepError(f"cannot write {self.path}: {error}") from None
         return True
 
-    def _compare(self, number: int, old: str, new: str) -> None:
+    def _compare(self, number: int, old: str, new: str, part: str) -> None:
         if old != new:
+            mistake = (
+                f"chunk {number} of {part} has another result than that of {self.path}"
+                if part
+                else f"chunk {number} of {self.path} has another result already"
+            )
             raise SweepError(
-                f"chunk {number} of {self.path} has another result already; the same chunk gives "
-                "the same result, unless the program or a library changed: begin a new store"
+                f"{mistake}; the same chunk gives the same result, unless the program or a library "
+                "changed: begin a new store"
             )
 
 
-def create(path: str, plan: Plan, claim: Mapping[str, Any]) -> Store:
+def create(path: str, plan: Plan, claim: Mapping[str, Any], part: str = "") -> Store:
     """Open the store of a plan for writing; make it when there is none.
 
     Args:
         plan: must equal that of an existing store.
         claim: what the claim says, kept in a new store.
+        part: the store that plan and claim are from, if it is merged.
 
     Raises:
         SweepError: the file is not a store, belongs to another plan, or cannot be written.
@@ -213,7 +223,9 @@ def create(path: str, plan: Plan, claim: Mapping[str, Any]) -> Store:
         connection.execute("PRAGMA synchronous = FULL")
         _fill(connection, plan, claim)
         store = _checked(path, connection)
-        _compare_plans(path, store.plan.record(), plan.record())
+        if differences := _differences(store, plan, claim, merged=bool(part)):
+            which = f"{part or path} belongs to another sweep" + (f" than {path}" if part else "")
+            raise SweepError(f"{which} ({', '.join(differences)}); name another --store")
         return store
 
 
@@ -289,11 +301,24 @@ def _checked(path: str, connection: sqlite3.Connection) -> Store:
     return Store(path, connection)
 
 
-def _compare_plans(path: str, old: Mapping[str, Any], new: Mapping[str, Any]) -> None:
-    different = [key for key in new if old.get(key) != new[key]]
-    if different:
-        listed = ", ".join(f"{key} {old.get(key)!r}, not {new[key]!r}" for key in different)
-        raise SweepError(f"{path} belongs to another sweep ({listed}); name another --store")
+def _differences(store: Store, plan: Plan, claim: Mapping[str, Any], *, merged: bool) -> list[str]:
+    """Return in words what of a plan differs from that of a store; of one that is merged, first."""
+    plans = (store.plan.record(), plan.record())
+    files = (store.claim.get("files", {}), claim.get("files", {}))
+    if merged:
+        plans, files = plans[::-1], files[::-1]
+    (one, other), found = plans, list[str]()
+    for key in {**one, **other}:
+        if one.get(key) == other.get(key):
+            continue
+        if key != "digest":
+            found.append(f"{key} {one.get(key)!r}, not {other.get(key)!r}")
+            continue
+        names = {**files[0], **files[1]}
+        changed = [name for name in names if files[0].get(name) != files[1].get(name)]
+        what = ", ".join(changed) or "the file of the claim, or one that it imports,"
+        found.append(f"{what} {'differs' if merged else 'has changed since'}")
+    return found
 
 
 def _text(record: Mapping[str, Any]) -> str:

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from arrangement.arrangement import Arrangement
 from arrangement.console import workers
@@ -24,7 +24,7 @@ from arrangement.numbers.exact import shown
 from proofs_check.claims import registry
 from proofs_check.errors import DamagedStoreError, SweepError
 from proofs_check.instances.domains import count, size
-from proofs_check.own_claims.claim_file import file_digest, named, split
+from proofs_check.own_claims.claim_file import file_digest, file_digests, named, split
 from proofs_check.reports.report import claim_record, environment, plain
 from proofs_check.statements.evidence import OUTCOMES, check
 from proofs_check.statements.statement import Case, Claim, Domain
@@ -69,6 +69,8 @@ def about(claim: Claim) -> dict[str, Any]:
     """Return what a report has to know of a claim, for the store of a sweep."""
     domain = domain_of(claim)
     found = {"record": claim_record(claim), "domain": domain.text, "unit": domain.unit}
+    if claim.file:
+        found["files"] = file_digests(claim.file)
     return found | ({"many_types": claim.many_types.name} if claim.many_types else {})
 
 
@@ -152,7 +154,10 @@ def _found(source: str, digest: str) -> Claim:
 def _target(plan: Plan) -> Claim:
     file, _ = split(plan.source)
     if file is not None and file_digest(file) != plan.digest:
-        raise SweepError(f"{file} has changed since the sweep began; begin a new store")
+        raise SweepError(
+            f"{file}, or a file that it imports from its folder, has changed since the sweep "
+            "began; begin a new store"
+        )
     return _found(plan.source, plan.digest)
 
 
@@ -242,6 +247,13 @@ def total(chunks: Iterable[Chunk]) -> Total:
     return sums
 
 
+class Work(NamedTuple):
+    """How many chunks a shard has, and how many of them were not there before."""
+
+    due: int
+    new: int
+
+
 def sweep(
     plan: Plan,
     path: str,
@@ -250,7 +262,7 @@ def sweep(
     shard: tuple[int, int] = (1, 1),
     dask: str | None = None,
     progress: Callable[[int, int], None] | None = None,
-) -> int:
+) -> Work:
     """Do the chunks that the store does not have yet; each is kept as soon as it is done.
 
     Args:
@@ -260,9 +272,6 @@ def sweep(
         dask: address of a scheduler, instead of processes on this machine.
         progress: called with the numbers of instances done and due.
 
-    Returns:
-        The number of chunks of this shard.
-
     Raises:
         SweepError: a store of another plan, or a damaged one.
         InputError: a bad argument, workers that keep dying.
@@ -271,7 +280,7 @@ def sweep(
     due = workers.due(plan.chunks, shard, jobs)
     claim = about(_target(plan))
     if _has(path, plan, due):  # it may be on read-only media
-        return len(due)
+        return Work(len(due), 0)
     with store.create(path, plan, claim) as opened:
         there = {chunk.number for chunk in opened.chunks()}
         pending = [number for number in due if number not in there]
@@ -284,7 +293,7 @@ def sweep(
             done += len(plan.indices(chunk.number))
             if progress:
                 progress(done, samples)
-    return len(due)
+    return Work(len(due), len(pending))
 
 
 def _has(path: str, plan: Plan, due: Iterable[int]) -> bool:
@@ -306,12 +315,15 @@ def merge(path: str, parts: Iterable[str]) -> int:
     """
     new, damage = 0, list[str]()
     for place, part in enumerate(parts):
-        with store.read(part) as source, store.create(path, source.plan, source.claim) as opened:
+        with (
+            store.read(part) as source,
+            store.create(path, source.plan, source.claim, part) as opened,
+        ):
             if not place:
                 total(opened.chunks())
             try:
                 for chunk in source.chunks():
-                    new += opened.add(chunk)
+                    new += opened.add(chunk, part)
             except DamagedStoreError as error:
                 damage.append(error.damage)
     if damage:

@@ -135,6 +135,8 @@ def test_chunk_counts_once(tmp_path):
         other = store.Chunk(0, {"counts": {}, "smallest": {}}, chunk.environment, 1)
         with pytest.raises(SweepError, match="another result already"):
             opened.add(other)
+        with pytest.raises(SweepError, match=f"chunk 0 of part has another result than .* {path}"):
+            opened.add(other, "part")
         assert [c.number for c in opened.chunks()] == [0]
 
 
@@ -211,8 +213,28 @@ def test_a_changed_import_does_not_continue_a_sweep(tmp_path):
     helper.write_text("ANSWER = 2\n", encoding="utf-8")
     with pytest.raises(SweepError, match="has changed"):
         sweep(old, place, shard=(2, 2))
-    with pytest.raises(SweepError, match="another sweep"):
+    with pytest.raises(SweepError, match=r"another sweep \(helper.py has changed since\)"):
         sweep(plan_sweep(path, (3, 4), 20, 0, 5), place, shard=(2, 2))
+    other = str(tmp_path / "other.sqlite")
+    sweep(plan_sweep(path, (3, 4), 20, 1, 5), other)
+    mistake = rf"{other} belongs to another sweep than {place} \(helper.py differs, seed 1, not 0\)"
+    with pytest.raises(SweepError, match=mistake):
+        merge(place, [other])
+
+
+def test_what_was_finished_already_is_reported(tmp_path, capsys):
+    words = ["sweep", CLAIM, "--elements", "3..4", "--samples", "10", "--chunk", "5"]
+    words += ["--store", str(tmp_path / "s.sqlite")]
+    assert main([*words, "--shard", "1/2"]) == 0
+    first = capsys.readouterr().out
+    assert "already" not in first
+    assert main([*words, "--shard", "1/2"]) == 0
+    again = "shard 1/2 was finished already: 1 chunk in the store, none new\n"
+    assert capsys.readouterr().out == again + first
+    assert main(words) == 0
+    assert "already" not in capsys.readouterr().out
+    assert main(words) == 0
+    assert capsys.readouterr().out.startswith("the sweep was finished already: 2 chunks in")
 
 
 def test_sweep_of_a_changed_file_runs_the_new_claim(tmp_path):
