@@ -317,6 +317,10 @@ def seconds(text: str) -> float:
     return number
 
 
+#: Fields of documents that say already how far the answer holds for the data as rounded.
+_CALLED_ROUNDED = {"as_rounded", "within_error", "robust"}
+
+
 def show(
     arguments: argparse.Namespace,
     document: dict[str, Any],
@@ -330,7 +334,7 @@ def show(
         yes: None is undecided.
     """
     units = None if grasp is None else grasp.units
-    if getattr(grasp, "data_error", None) and not {"within_error", "robust"} & document.keys():
+    if getattr(grasp, "data_error", None) and not _CALLED_ROUNDED & document.keys():
         document, lines = document | {"as_rounded": True}, [*lines, AS_ROUNDED]
     if arguments.json:
         stated = {"units": units.to_dict()} if units and not _STATING & document.keys() else {}

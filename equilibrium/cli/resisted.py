@@ -8,8 +8,6 @@ from __future__ import annotations
 import argparse
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import groupby
-from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import bracket, counted, number, vector
@@ -42,10 +40,10 @@ from .assemblies import (
     or_undecided,
     refuse_one_body,
 )
+from .resisted_in_space import show_in_space
 
 if TYPE_CHECKING:
     from arrangement.numbers.linear.intervals import Interval
-    from equilibrium.decide.assemblies.ends import Giving
     from equilibrium.model.assembly import Assembly
     from equilibrium.model.grasp import Grasp
     from equilibrium.wrench_sets import (
@@ -58,7 +56,6 @@ if TYPE_CHECKING:
         Segment,
         SmallestUnresisted,
     )
-    from equilibrium.wrench_sets.spatial import SpatialMagnitudes
 
 #: The forms of the command, as its errors call them.
 _LOAD, _WHOLE = "a load (--wrench, --force or --weight)", "the whole set"
@@ -205,7 +202,7 @@ def _along(arguments: argparse.Namespace, grasp: Grasp) -> int:
     resisted = _set(arguments, grasp)
     magnitudes: Any = resisted.along(applied(arguments, grasp), arguments.base or 0)
     if grasp.dimension == 3:
-        return _show_in_space(arguments, magnitudes)
+        return show_in_space(arguments, magnitudes)
     return _show_along(arguments, resisted, magnitudes)
 
 
@@ -320,46 +317,6 @@ def _tried_text(ends: Sequence[tuple[Any, Any] | None]) -> str:
         until = "on" if high is None else f"to {_between(*high)}"
         parts.append(f"at {start} only" if point else f"from {start} {until}")
     return f"resisted {' and '.join(parts) or 'for no t'}"
-
-
-def _show_in_space(arguments: argparse.Namespace, magnitudes: SpatialMagnitudes) -> int:
-    yes = {"resisted": True, "not resisted": False}.get(magnitudes.verdict)
-    gives = magnitudes.what_gives()
-    lines, document = list(_border_lines(magnitudes, gives)), magnitudes.to_dict()
-    document["gives"] = [given and given.to_dict() for given in gives]
-    if (nearby := magnitudes.within_error()) is not None:
-        document["within_error"] = [near.to_dict() for near in nearby]
-        for near in nearby:
-            lines.append(f"at {number(near.t)}: {near.rounding.words}")
-    return show(arguments, document, lines, yes, magnitudes.grasp)
-
-
-def _border_lines(found: SpatialMagnitudes, gives: Sequence[Giving | None]) -> Iterator[str]:
-    runs = [list(run) for _, run in groupby(found.samples, key=itemgetter(1))]
-    known = ", ".join(f"{run[0][1]} at {_samples(run)}" for run in runs)
-    tried = counted(len(found.samples), "magnitude")
-    yield f"{tried} t tried from 0 to {number(found.samples[-1][0])}: {known}"
-    doubt = "" if found.grasp.data_error is None else f", {AS_ROUNDED}"
-    if found.zero_only:
-        yield f"resisted at 0 only{doubt}"
-        return
-    for border, given in zip(found.borders, gives, strict=True):
-        order = "resisted, then not" if border.resisted < border.refused else "not, then resisted"
-        place = f"{number(border.resisted)} exactly" if border.exact else bracket(*border.ends)
-        line = f"{order}: the boundary is {place}"
-        left = len(border.undecided)
-        yield line + (f"; {left} undecided between them" if left else "")
-        if given is not None:
-            yield f"  in an equilibrium at {number(border.resisted)}: {given.words}"
-    for a, b in found.gaps:
-        yield f"a gap: not resisted from {number(a.refused)} to {number(b.refused)}"
-    yield f"other t, between these and beyond, are not covered: the verdict may change there{doubt}"
-
-
-def _samples(run: Sequence[tuple[Fraction, str]]) -> str:
-    """Return which magnitudes of a run of samples there are: "0", "each from 2 to 16"."""
-    low, high = run[0][0], run[-1][0]
-    return number(low) if low == high else f"each from {number(low)} to {number(high)}"
 
 
 def _slice(arguments: argparse.Namespace, grasp: Grasp) -> int:

@@ -337,6 +337,18 @@ def test_the_line_is_on_stderr_of_a_terminal_only(command, tmp_path, capsys, mon
     assert seen.err.endswith("\r\x1b[K")
 
 
+def test_caveat_of_rounded_data_is_no_extra_line(tmp_path, capsys):
+    flat, ball = tmp_path / "flat.csv", tmp_path / "ball.csv"
+    flat.write_text(SOFT)
+    ball.write_text("x,y,z,nx,ny,nz,mu,q\n-1,0,0,1,1,0,0.5,1\n1,0,0,-1,1,0,0.5,1\n")
+    for asked in ([flat, "--wrench=0,0,0", "--margin"], [ball, "--wrench=0,0,0,0,0,1"]):
+        main(["resisted", *map(str, asked)])
+        lines = capsys.readouterr().out.splitlines()
+        assert AS_ROUNDED not in lines
+        assert sum(x.startswith("resisted") and x.endswith(AS_ROUNDED) for x in lines) >= 1
+        assert answer(capsys, "resisted", *map(str, asked))[1]["as_rounded"] is True
+
+
 def test_reprs_of_verdicts_on_rounded_data_say_so(tmp_path):
     path = tmp_path / "rounded.csv"
     path.write_text(GROOVE)
