@@ -19,7 +19,7 @@ from proofs_check.reports import forms
 from proofs_check.reports.report import check_record
 from proofs_check.reports.text import conclusion
 from proofs_check.sweep import report as sweepreport, store
-from proofs_check.sweep.sweep import Work, merge, plan_sweep, sweep
+from proofs_check.sweep.sweep import ShardWork, merge, plan_sweep, sweep
 
 from .run import exit_code, file_record
 
@@ -73,7 +73,7 @@ def run_sweep(arguments: argparse.Namespace) -> int:
 
 
 def _lines(
-    work: Work, shard: tuple[int, int], chunks: int, record: dict[str, Any]
+    work: ShardWork, shard: tuple[int, int], chunks: int, record: dict[str, Any]
 ) -> Iterator[str]:
     """Yield what was done and what the sweep found."""
     part, parts = shard

@@ -133,7 +133,7 @@ def _depth(tree: ast.expr) -> int:
     return depth
 
 
-class _Piece(NamedTuple):
+class _TypedPiece(NamedTuple):
     """A piece of text for Python, and where what it stands for is in the text as it was typed."""
 
     python: str
@@ -141,7 +141,7 @@ class _Piece(NamedTuple):
     stop: int = 0  # equal to the start where nothing was typed
 
 
-def _as_python(text: str) -> list[_Piece]:
+def _as_python(text: str) -> list[_TypedPiece]:
     """Return a text with powers and implications as Python reads them, in pieces.
 
     >>> text = "(simple implies regions == m^2 - m + 2) and m > 2"
@@ -149,11 +149,11 @@ def _as_python(text: str) -> list[_Piece]:
     '(implies(simple , regions == m**2 - m + 2)) and m > 2'
     """
     # Each open bracket with its arguments, and each of them with the sides of its implications.
-    groups: list[tuple[list[_Piece], list[list[list[_Piece]]]]] = [([], [[[]]])]
+    groups: list[tuple[list[_TypedPiece], list[list[list[_TypedPiece]]]]] = [([], [[[]]])]
     previous = ""
     for found in _TOKEN.finditer(text):
         token, arguments = found[0], groups[-1][1]
-        piece = _Piece("**" if token == "^" else token, *found.span())
+        piece = _TypedPiece("**" if token == "^" else token, *found.span())
         if token in "([{":
             groups.append(([piece], [[[]]]))
         elif token in ")]}" and len(groups) > 1:
@@ -167,24 +167,24 @@ def _as_python(text: str) -> list[_Piece]:
             arguments[-1][-1].append(piece)
         if not token.isspace():
             previous = "" if token in _BEFORE_OPERANDS else token.replace("_", "")[-1:] or "_"
-    return [_Piece(text, 0, len(text))] if len(groups) > 1 else _joined(groups[0][1])
+    return [_TypedPiece(text, 0, len(text))] if len(groups) > 1 else _joined(groups[0][1])
 
 
-def _joined(arguments: Sequence[Sequence[list[_Piece]]]) -> list[_Piece]:
+def _joined(arguments: Sequence[Sequence[list[_TypedPiece]]]) -> list[_TypedPiece]:
     """Return arguments in one; ``a implies b implies c`` is ``a implies (b implies c)``."""
-    joined: list[_Piece] = []
+    joined: list[_TypedPiece] = []
     for *hypotheses, conclusion in arguments:
         made = conclusion
         for hypothesis in reversed(hypotheses):
-            made = [_Piece("implies("), *hypothesis, _Piece(","), *made, _Piece(")")]
-        joined += [_Piece(","), *made] if joined else made
+            made = [_TypedPiece("implies("), *hypothesis, _TypedPiece(","), *made, _TypedPiece(")")]
+        joined += [_TypedPiece(","), *made] if joined else made
     return joined
 
 
 class _PartTypes:
     """The types of the parts of a text; what has none is refused, with its part of the text."""
 
-    def __init__(self, typed: str, pieces: Sequence[_Piece], names: Collection[str]) -> None:
+    def __init__(self, typed: str, pieces: Sequence[_TypedPiece], names: Collection[str]) -> None:
         self.typed, self.pieces, self.names = typed, pieces, names
         self._known: dict[ast.expr, str] = {}
 

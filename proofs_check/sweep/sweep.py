@@ -247,7 +247,7 @@ def total(chunks: Iterable[Chunk]) -> Total:
     return sums
 
 
-class Work(NamedTuple):
+class ShardWork(NamedTuple):
     """How many chunks a shard has, and how many of them were not there before."""
 
     due: int
@@ -262,7 +262,7 @@ def sweep(
     shard: tuple[int, int] = (1, 1),
     dask: str | None = None,
     progress: Callable[[int, int], None] | None = None,
-) -> Work:
+) -> ShardWork:
     """Do the chunks that the store does not have yet; each is kept as soon as it is done.
 
     Args:
@@ -280,7 +280,7 @@ def sweep(
     due = workers.due(plan.chunks, shard, jobs)
     claim = about(_target(plan))
     if _has(path, plan, due):  # it may be on read-only media
-        return Work(len(due), 0)
+        return ShardWork(len(due), 0)
     with store.create(path, plan, claim) as opened:
         there = {chunk.number for chunk in opened.chunks()}
         pending = [number for number in due if number not in there]
@@ -293,7 +293,7 @@ def sweep(
             done += len(plan.indices(chunk.number))
             if progress:
                 progress(done, samples)
-    return Work(len(due), len(pending))
+    return ShardWork(len(due), len(pending))
 
 
 def _has(path: str, plan: Plan, due: Iterable[int]) -> bool:
