@@ -61,8 +61,10 @@ class AssemblyReport(Report):
         """Return what this says of a question: nothing, if the certificate is about another one."""
         if question is None:
             return self
-        problem = self.problem
-        if question != (self.assembly, self.wrenches):
+        problem, (assembly, wrenches) = self.problem, question
+        if isinstance(assembly, Assembly):
+            wrenches = assembly.read_wrenches(wrenches)
+        if (assembly, wrenches) != (self.assembly, self.wrenches):
             problem = "it is about another assembly or other wrenches"
         elif max_displacement != self.max_displacement:
             problem = "it is about other displacements of contacts"

@@ -55,7 +55,10 @@ class _OtherData(ReprMixin):
         for i, c in enumerate(contacts_of(self.turned.subject), 1):
             point, normal = (", ".join(number_text(x, 10) for x in v) for v in (c.point, c.normal))
             friction = number_text(c.friction)
-            yield f"    contact {i}  point ({point})  normal ({normal})  friction {friction}"
+            pull = f"  adhesion {number_text(c.adhesion)}" if c.adhesion else ""
+            yield (
+                f"    contact {i}  point ({point})  normal ({normal})  friction {friction}{pull}"
+            )
         sizes = ", ".join(f"{k} by {near(x, 2)}" for k, x in self.change.items() if x)
         yield f"    largest changes of one number: {sizes}"
         yield "    found by search: a smaller change may turn it, too"

@@ -214,6 +214,7 @@ def test_adhesion_turns_with_its_normal(grasp):
         return (0, -weight, 0) if grasp.dimension == 2 else (0, -weight, 0, 0, 0, 0)
 
     near = solve(grasp, load(99)).robust(degrees=1)
+    assert sum("adhesion 50" in line for line in near.lines()) == 2
     assert near.answer == "does not hold"
     assert near.turned.verdict == "not resisted"
     assert near.turned.verify()

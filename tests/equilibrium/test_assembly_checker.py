@@ -308,3 +308,13 @@ def test_assembly_may_be_one_body(load, kind):
     )
     assert verdict.verdict == kind
     assert verdict.verify()
+
+
+def test_wrenches_are_compared_as_solve_reads_them():
+    feet = [BodyContact("b", None, Contact([x, 0], [0, 1], "1/2")) for x in (-1, 1)]
+    assembly, wrenches = Assembly(["b"], feet), {"b": ["0", -1, "0"]}
+    certificate = solve(assembly, wrenches).certificate
+    assert verify(certificate, (assembly, wrenches))
+    assert not verify(certificate, (assembly, {"b": [0, -2, 0]}))
+    assert not verify(certificate, (assembly, {}))
+    assert not verify(certificate, (Grasp([]), (0, 0, 0)))

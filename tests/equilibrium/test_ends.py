@@ -219,3 +219,14 @@ class TestPictures:
         assert limit_words(Solver(many), (0, -1, 0)) == []
         assert limit_words(Solver(Grasp(FEET)), (0, 0, 0)) == []
         assert limit_words(Solver(Grasp(FEET)), (0, 1, 0)) == []
+
+
+def test_contact_without_force_inside_does_not_slip_at_the_end(tmp_path, capsys):
+    """Contact 1 has no force below 20/307, and there in some equilibria alone."""
+    path = tmp_path / "grasp.csv"
+    path.write_text(
+        "x,y,nx,ny,mu,k,q,adhesion\n-3,3,3/5,4/5,1/2,2,0,0\n-1,1,3/5,4/5,1/2,0,1,1\n"
+        "-1,0,-4/5,3/5,1/4,1,1,1\n"
+    )
+    assert main(["resisted", str(path), "--wrench", "-2", "-2", "-1"]) == 0
+    assert "  at 20/307: slips at contact 3\n" in capsys.readouterr().out

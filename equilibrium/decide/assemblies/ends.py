@@ -193,7 +193,7 @@ def what_gives(question: LinearQuestion, groups: Groups, end: Fraction, way: int
     before = _given(inside, groups)
     gone = {*after.lifts_off}
     found = Giving(
-        tuple(k for k in after.slips if k not in before.slips),
+        tuple(k for k in after.slips if k not in {*before.slips, *before.lifts_off}),
         tuple(k for k in after.lifts_off if k not in before.lifts_off),
         tuple(k for k in after.tips if k not in before.tips and k not in gone),
     )

@@ -278,8 +278,9 @@ def _remarks(grasp: Grasp) -> tuple[str, ...]:
                 f"{number_text(whole.stiffness)}{assumed} and of the preload; each point has "
                 "friction of its own"
             )
-    if any(pull := grasp.adhesion_wrench):
-        found.append(f"adhesion acts as the wrench {vector_text(pull)} besides every load")
+    if pulling := [str(k) for k, c in enumerate(map(joined, grasp.parts), 1) if c.adhesion]:
+        whose = f"contact{'s' * (len(pulling) > 1)} {', '.join(pulling)}"
+        found.append(f"adhesion pulls against the normal of {whose}, besides every load")
     return tuple(found)
 
 
