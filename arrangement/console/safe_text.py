@@ -65,8 +65,8 @@ def encodable(text: str, encoding: str) -> str:
     return text
 
 
-class _Answers:
-    """A stream that is written to as `safe_lines` and `encodable` say.
+class _Stream:
+    """A stream that passes on to another one.
 
     Attributes:
         stream: where the text goes.
@@ -77,6 +77,10 @@ class _Answers:
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self.stream, name)
+
+
+class _Answers(_Stream):
+    """A stream that is written to as `safe_lines` and `encodable` say."""
 
     def write(self, text: str) -> int:
         return self.stream.write(encodable(safe_lines(text), self.stream.encoding or "utf-8"))
@@ -89,18 +93,8 @@ def safe_stdout() -> Iterator[None]:
         yield
 
 
-class _Messages:
-    """A stream that may be full or closed: what cannot be written to it is lost.
-
-    Attributes:
-        stream: where the text goes.
-    """
-
-    def __init__(self, stream: TextIO) -> None:
-        self.stream = stream
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self.stream, name)
+class _Messages(_Stream):
+    """A stream that may be full or closed: what cannot be written to it is lost."""
 
     def write(self, text: str) -> int:
         try:
