@@ -236,7 +236,9 @@ for part, names in json.loads(sys.argv[1]).items():
 #: What the paper does not need, each with the modules by which it is used.
 OPTIONAL = {
     "space": (
-        "equilibrium.space",
+        "equilibrium.core.relaxation",
+        "equilibrium.core.tree",
+        "equilibrium.core.tresca",
         "equilibrium.pictures.space",
         "equilibrium.wrench_sets.spatial",
     ),

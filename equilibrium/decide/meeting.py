@@ -26,12 +26,12 @@ import numpy as np
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan
+from equilibrium.core.contacts import nearest
 from equilibrium.model.contact import Contact
 from equilibrium.model.labels import DataError
 from equilibrium.model.rows import ContactRow
 from equilibrium.model.subject import Subject, contacts_of, rows_of, with_contacts
 from equilibrium.model.unit_normal import unit_normal
-from equilibrium.plane.contacts import nearest
 
 from . import NOT_RESISTED, RESISTED
 

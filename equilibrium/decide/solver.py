@@ -10,7 +10,7 @@ import math
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 from itertools import chain, repeat
 from typing import TYPE_CHECKING, TypeAlias, overload
 
@@ -24,6 +24,7 @@ from arrangement.errors import OutOfReachError
 from arrangement.library.arguments import entries
 from arrangement.numbers import budget
 from arrangement.numbers.exact import Rational, RationalVector, vector_text
+from equilibrium.core.contacts import FloatContacts, IntegerContacts, are_moderate, nearest
 from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.displacement import read_displacement
@@ -32,7 +33,7 @@ from equilibrium.model.errors import EquilibriumError, GraspError, TimeLimitErro
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Open, Outcome, Solution, Tree
-from equilibrium.plane.contacts import FloatContacts, IntegerContacts, are_moderate, nearest
+from equilibrium.plane.coplanar import decide_in_plane
 from equilibrium.plane.search.motion_regions import resistance
 from equilibrium.plane.search.units import SearchUnits
 
@@ -42,12 +43,11 @@ from .state_choices import StateChoices
 from .verdict import Verdict
 
 if TYPE_CHECKING:
-    from equilibrium.decide.assemblies.verdict import AssemblyVerdict
-
     # Questions in the plane start without the search in space.
-    from equilibrium.space.memory import Memory, OpenTree
-    from equilibrium.space.reach import Reach
-    from equilibrium.space.tree import SpatialSearch
+    from equilibrium.core.memory import Memory, OpenTree
+    from equilibrium.core.reach import Reach
+    from equilibrium.core.tree import SpatialSearch
+    from equilibrium.decide.assemblies.verdict import AssemblyVerdict
 
 
 @overload
@@ -314,8 +314,8 @@ class Solver(ReprMixin):
     def reach(
         self, refused: RationalVector, resisted: RationalVector, nodes: int, near: float
     ) -> Reach:
-        """Return how near resisted loads come to one that is not; see `equilibrium.space.reach`."""
-        from equilibrium.space.reach import reach
+        """Return how near resisted loads come to one that is not; see `equilibrium.core.reach`."""
+        from equilibrium.core.reach import reach
 
         change = np.array([nearest(x - y) for x, y in zip(resisted, refused, strict=True)])
         return reach(self._search(refused, Effort()), change, nodes, near)
@@ -348,22 +348,25 @@ class Solver(ReprMixin):
         nodes: int | None = None,
         memory: Memory | None = None,
     ) -> SpatialSearch:
-        from equilibrium.space.cones import Pyramids
-        from equilibrium.space.tree import SETTINGS, SpatialSearch
+        from equilibrium.core.cones import Pyramids
+        from equilibrium.core.tree import SETTINGS, SpatialSearch
 
         def accept(solution: Solution) -> bool:
             return not self._verdict(wrench, solution).problem
 
         rows = ContactRows.of_grasp(self.grasp)
+        load = rows.total_load(wrench)
+        question = self.grasp, load, effort, self.max_displacement
         return SpatialSearch(
             FloatContacts(rows),
-            rows.total_load(wrench),
+            load,
             accept,
             effort,
             nodes=SETTINGS.max_nodes if nodes is None else nodes,
             max_displacement=self.max_displacement,
             cones=None if self._edges is None else Pyramids(self._edges),
             memory=memory or self._memory,
+            in_plane=partial(decide_in_plane, *question) if self._edges is None else None,
         )
 
     def _verdict(self, wrench: RationalVector, outcome: Outcome | None) -> Verdict:
@@ -413,7 +416,7 @@ class Solver(ReprMixin):
 
 
 def _new_memory() -> Memory:
-    from equilibrium.space.memory import Memory
+    from equilibrium.core.memory import Memory
 
     return Memory()
 

@@ -9,12 +9,12 @@ from typing import Any
 from arrangement.console.progress import watched
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, shown, to_text
+from equilibrium.core.contacts import FloatContacts
 from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
-from equilibrium.plane.contacts import FloatContacts
 
 from .registry import DECIDING, DECIDING_ASSEMBLIES, DECIDING_IN_SPACE, METHODS, method_named
 

@@ -21,10 +21,10 @@ from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.polyhedron import Polyhedron
 from arrangement.numbers.linear.programs import some_point
+from equilibrium.core.contact_rows import Pair, balance_rows, negated, normal_force_row, unit_row
 from equilibrium.methods.method import Accepting, Method, Outcome, cut
 from equilibrium.methods.springs import Forces, force_rows, forces_at
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.plane.contact_rows import Pair, balance_rows, negated, normal_force_row, unit_row
 from equilibrium.wrench_sets.space import StateImages
 
 

@@ -19,10 +19,10 @@ from arrangement.numbers.exact import RationalVector, primitive
 from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.programs import Infeasible, Optimal, Row, feasible_point, minimize
 from arrangement.numbers.linear.rank import rank
+from equilibrium.core.contact_rows import friction_edges
 from equilibrium.methods.method import Accepting, Method, Outcome
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.plane.contact_rows import friction_edges
 
 
 @dataclass(frozen=True)

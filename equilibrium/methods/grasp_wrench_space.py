@@ -44,18 +44,18 @@ from arrangement.numbers.linear.programs import (
     minimize,
 )
 from arrangement.numbers.linear.rank import cross
+from equilibrium.core.contact_rows import (
+    edge_directions,
+    friction_edges,
+    sum_row,
+    unit_row,
+)
 from equilibrium.methods.closure.force_closure import force_closure
 from equilibrium.methods.closure.round_cones import round_cones
 from equilibrium.methods.method import Accepting, Method, Outcome, cut
 from equilibrium.methods.springs import Forces
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.plane.contact_rows import (
-    edge_directions,
-    friction_edges,
-    sum_row,
-    unit_row,
-)
 from equilibrium.wrench_sets.plane import polygon_cycle
 
 Norm = Literal["L1", "Linf"]

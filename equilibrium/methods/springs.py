@@ -20,10 +20,7 @@ from arrangement.numbers.exact import (
 from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
 from arrangement.numbers.linear.programs import some_point
-from equilibrium.methods.method import Accepting, Decide, Method, Outcome, cut
-from equilibrium.model.contact import Contact
-from equilibrium.model.grasp import Grasp
-from equilibrium.plane.contact_rows import (
+from equilibrium.core.contact_rows import (
     Pair,
     balance_rows,
     cone_rows,
@@ -31,6 +28,9 @@ from equilibrium.plane.contact_rows import (
     normal_force_row,
     unit_row,
 )
+from equilibrium.methods.method import Accepting, Decide, Method, Outcome, cut
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
 from equilibrium.plane.states.state_system import value
 
 #: The point zero as a homogeneous point; also the condition that a homogeneous point is one.

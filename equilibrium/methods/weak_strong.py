@@ -35,13 +35,7 @@ from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector, primitive, rational, shown
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
 from arrangement.numbers.linear.programs import Infeasible, Unbounded, minimize, some_point
-from equilibrium.methods.method import Method, Outcome, cut
-from equilibrium.model.assembly import Assembly, Wrenches
-from equilibrium.model.contact import pyramid_words
-from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.model.outline import coordinates
-from equilibrium.plane.contact_rows import (
+from equilibrium.core.contact_rows import (
     balance_rows,
     cone_rows,
     friction_edges,
@@ -50,6 +44,12 @@ from equilibrium.plane.contact_rows import (
     sum_row,
     unit_row,
 )
+from equilibrium.methods.method import Method, Outcome, cut
+from equilibrium.model.assembly import Assembly, Wrenches
+from equilibrium.model.contact import pyramid_words
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.outline import coordinates
 
 from .closure.round_cones import round_cones
 from .grasp_wrench_space import GraspWrenchSpace

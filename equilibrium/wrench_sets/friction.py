@@ -20,7 +20,7 @@ from arrangement.console.number_form import JsonMixin
 from arrangement.console.progress import watched
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, rational, shown
-from equilibrium.decide.assemblies.contact_program import ContactProgram, LinearQuestion
+from equilibrium.core.contact_program import ContactProgram, LinearQuestion
 from equilibrium.decide.assemblies.magnitudes import Survivors, surviving_states
 from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.solver import Solver, prepare

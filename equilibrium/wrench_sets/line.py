@@ -26,6 +26,7 @@ from arrangement.numbers.linear.intervals import (
     where_positive,
 )
 from arrangement.numbers.linear.rank import gauss_jordan
+from equilibrium.core.contact_rows import sum_row
 from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.nearby import DEPENDS
 from equilibrium.decide.robustness import MAX_ROUNDINGS, met_within_error, others
@@ -34,7 +35,6 @@ from equilibrium.model.assembly import Wrenches
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.subject import Subject
-from equilibrium.plane.contact_rows import sum_row
 from equilibrium.plane.states.contact_states import states_of_code
 from equilibrium.plane.states.state_system import StateSystem, state_system
 

@@ -23,6 +23,7 @@ from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, shown
 from arrangement.numbers.linear.intervals import Interval, common, holds, union
+from equilibrium.core.contact_rows import negated
 from equilibrium.decide.assemblies.ends import ends_of
 from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.solver import Solver, prepare
@@ -30,7 +31,6 @@ from equilibrium.decide.state_choices import StateChoices
 from equilibrium.model.assembly import Wrenches
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, chosen_contacts, read_wrench
-from equilibrium.plane.contact_rows import negated
 from equilibrium.plane.states.contact_states import DETACHED, states_of_code
 from equilibrium.plane.states.state_system import States, state_system
 

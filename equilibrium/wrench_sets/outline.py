@@ -20,7 +20,7 @@ from arrangement.numbers.exact import IntegerVector, RationalVector, dot, to_tex
 from arrangement.numbers.linear.intervals import Interval, is_long, remainder, union
 from arrangement.numbers.linear.polyhedron import Polyhedron
 from arrangement.numbers.linear.separation import possibly_meeting, sides
-from equilibrium.plane.contact_rows import negated
+from equilibrium.core.contact_rows import negated
 
 
 @dataclass(frozen=True)

@@ -27,15 +27,15 @@ from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
 from arrangement.numbers.linear.rank import difference
 from arrangement.numbers.linear.separation import surely_outside
 from arrangement.numbers.packing import pack
-from equilibrium.decide.solver import Solver
-from equilibrium.model.grasp import Grasp
-from equilibrium.plane.contact_rows import (
+from equilibrium.core.contact_rows import (
     displacement_rows,
     friction_edges,
     negated,
     normal_force_row,
     slip_edge,
 )
+from equilibrium.decide.solver import Solver
+from equilibrium.model.grasp import Grasp
 from equilibrium.plane.states.state_system import States
 
 #: Above this number, images that are not vertices are left out.

@@ -15,6 +15,7 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 from arrangement.numbers.exact import RationalVector, rational, shown, to_text
+from equilibrium.core.contact_rows import sum_row
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
 from equilibrium.decide.assemblies.ends import Giving
 from equilibrium.decide.known_loads import Border, KnownLoads, KnownMagnitudes
@@ -26,7 +27,6 @@ from equilibrium.model.displacement import read_displacement
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.plane.contact_rows import sum_row
 
 #: Powers of two of the sampled magnitudes, times the largest preload or adhesion, or 1.
 _POWERS = range(-6, 9)

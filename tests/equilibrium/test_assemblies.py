@@ -33,6 +33,9 @@ from equilibrium import (
 from equilibrium.certificate.assemblies import check_assembly, joint_rows
 from equilibrium.certificate.law import law_problem
 from equilibrium.cli import main
+from equilibrium.core.cones import LineCones
+from equilibrium.core.contacts import FloatContacts
+from equilibrium.core.tree import SpatialSearch
 from equilibrium.decide.assemblies.parts import parts_of
 from equilibrium.decide.assemblies.rigid import rigid_forces
 from equilibrium.grasps.inputs import random_grasp
@@ -40,9 +43,6 @@ from equilibrium.grasps.schemas import assembly_certificate_schema, assembly_sch
 from equilibrium.grasps.textbook import TEXTBOOK, arch, cylinders, ladder, stack, wedge
 from equilibrium.model.effort import Effort
 from equilibrium.pictures.assemblies import draw_assembly
-from equilibrium.plane.contacts import FloatContacts
-from equilibrium.space.cones import LineCones
-from equilibrium.space.tree import SpatialSearch
 from proofs_check import instances
 from proofs_check.routes.bodies import resisted
 from tests.drawn import elements

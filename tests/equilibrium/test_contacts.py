@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import pytest
 
-from equilibrium.plane.contacts import are_moderate, product, whole
+from equilibrium.core.contacts import are_moderate, product, whole
 
 
 @pytest.mark.parametrize("number", [Fraction(1, 10**300), Fraction(10**300), Fraction(10**400)])

@@ -14,13 +14,13 @@ from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp, GraspWrenchSpace, read_grasp
 from equilibrium.certificate.law import closure_problem, escape_problem
 from equilibrium.cli.program import main
+from equilibrium.core.contact_rows import cone_edge, friction_edges
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.methods import compare, force_closure
 from equilibrium.methods.closure.round_cones import separates
 from equilibrium.methods.form_closure import _ray_value, form_closure
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
-from equilibrium.plane.contact_rows import cone_edge, friction_edges
 
 HALF = Fraction(1, 2)
 #: Closed by round cones, and not by pyramids of 4 edges in the frames of these contacts.

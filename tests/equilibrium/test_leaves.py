@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from equilibrium.plane.contacts import IntegerContacts
+from equilibrium.core.contacts import IntegerContacts
 from equilibrium.plane.search.motion_regions import ORTHANTS
 from equilibrium.plane.search.virtual_motions import _exact_multiplier, closed
 

@@ -15,6 +15,7 @@ from arrangement.errors import OutOfReachError
 from arrangement.numbers.exact import RationalVector, dot
 from equilibrium import Contact, Grasp, ResistedSet, methods, read_grasp, solve
 from equilibrium.cli.program import main
+from equilibrium.core.contact_rows import friction_edges
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.methods.closure.round_cones import round_cones
 from equilibrium.methods.compare import compare, predict
@@ -39,7 +40,6 @@ from equilibrium.methods.springs import (
 from equilibrium.methods.weak_strong import weak_strong
 from equilibrium.model.errors import GraspError
 from equilibrium.pictures.wrenches.forces import draw_methods
-from equilibrium.plane.contact_rows import friction_edges
 from equilibrium.wrench_sets import Region
 from equilibrium.wrench_sets.margin import margin
 

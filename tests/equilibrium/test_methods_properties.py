@@ -7,6 +7,7 @@ from hypothesis import assume, given, strategies as st
 from scipy.optimize import linprog
 
 from arrangement.numbers.exact import dot
+from equilibrium.core.contact_rows import friction_edges
 from equilibrium.decide.solver import solve
 from equilibrium.methods.closure.force_closure import force_closure
 from equilibrium.methods.cones import cones
@@ -14,7 +15,6 @@ from equilibrium.methods.form_closure import form_closure
 from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace, _hull
 from equilibrium.methods.springs import frictionless_slip, linear_compliance
 from equilibrium.methods.weak_strong import mass_matrix, weak_strong
-from equilibrium.plane.contact_rows import friction_edges
 from proofs_check.routes.oracle import Systems, project
 
 from .oracle import asked

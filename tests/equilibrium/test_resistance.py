@@ -17,15 +17,19 @@ from arrangement.numbers import budget, deadline
 from equilibrium import Contact, Grasp, TimeLimitError, read_grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate
+from equilibrium.core.contacts import IntegerContacts
 from equilibrium.decide.solver import STEPS, Solver
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.model.effort import Effort
-from equilibrium.plane.contacts import IntegerContacts
 from equilibrium.plane.search import units
-from equilibrium.plane.search.continuation import find_equilibrium
 from equilibrium.plane.search.motion_regions import HALF_SPACE, MotionRegions
 from equilibrium.plane.search.part_program import PartProgram
-from equilibrium.plane.search.state_equilibrium import Guess, Solution, exact_equilibrium
+from equilibrium.plane.search.state_equilibrium import (
+    Guess,
+    Solution,
+    exact_equilibrium,
+    find_equilibrium,
+)
 from equilibrium.plane.search.state_splits import StateSplits, TooManyParts
 from equilibrium.plane.search.units import SearchUnits
 from equilibrium.wrench_sets.line import resisted_magnitudes

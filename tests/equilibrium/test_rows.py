@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from equilibrium import read_grasp
+from equilibrium.core.contacts import FloatContacts
 from equilibrium.model.rows import ContactRows
-from equilibrium.plane.contacts import FloatContacts
 
 
 @pytest.mark.parametrize(

@@ -24,6 +24,12 @@ from equilibrium import Grasp, Solution, Verdict, read_grasp, solve, unit_normal
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.cli.program import main
+from equilibrium.core.cones import Pyramids, RoundCones
+from equilibrium.core.contacts import FloatContacts
+from equilibrium.core.exact_parts import ExactParts
+from equilibrium.core.leaves import Leaves, cancelled
+from equilibrium.core.relaxation import Relaxation
+from equilibrium.core.tree import SpatialSearch
 from equilibrium.decide.known_loads import Border, KnownLoads, KnownMagnitudes, _same, blends
 from equilibrium.decide.solver import STEPS, Solver
 from equilibrium.grasps.inputs import random_grasp, random_wrench, read_any
@@ -32,13 +38,7 @@ from equilibrium.model.contact import Contact, pyramid_edges
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.rows import ContactRows
-from equilibrium.plane.contacts import FloatContacts
-from equilibrium.space.cones import Pyramids, RoundCones
-from equilibrium.space.exact_parts import ExactParts
-from equilibrium.space.leaves import Leaves, cancelled
-from equilibrium.space.plane import decide_in_plane
-from equilibrium.space.relaxation import Relaxation
-from equilibrium.space.tree import SpatialSearch
+from equilibrium.plane.coplanar import decide_in_plane
 from equilibrium.wrench_sets import spatial
 from equilibrium.wrench_sets.spatial import _bracket, _closer, spatial_magnitudes
 from tests.schemas import validator

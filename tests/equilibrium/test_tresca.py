@@ -4,14 +4,13 @@ import numpy as np
 import pytest
 
 from equilibrium import Assembly, BodyContact, Contact, solve
+from equilibrium.core import continuation, tree
+from equilibrium.core.cones import LineCones
+from equilibrium.core.contacts import FloatContacts
+from equilibrium.core.relaxation import Relaxation
+from equilibrium.core.tresca import tresca_point
 from equilibrium.grasps.textbook import arch, stack, wall
 from equilibrium.model.errors import GraspError
-from equilibrium.plane.contacts import FloatContacts
-from equilibrium.plane.search import continuation
-from equilibrium.space import tree
-from equilibrium.space.cones import LineCones
-from equilibrium.space.relaxation import Relaxation
-from equilibrium.space.tresca import tresca_point
 
 
 def relaxation(assembly, wrenches):

@@ -9,9 +9,9 @@ from arrangement.numbers import budget
 from arrangement.numbers.linear.intervals import holds, remainder, union
 from arrangement.numbers.linear.polyhedron import from_conditions
 from equilibrium import Assembly, Contact, Grasp, GraspError, ResistedSet, read_grasp, solve
+from equilibrium.core.contact_rows import any_friction_does
 from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.model.effort import Effort
-from equilibrium.plane.contact_rows import any_friction_does
 from equilibrium.wrench_sets.friction import least_friction
 from equilibrium.wrench_sets.margin import margin, sufficient_preloads
 from equilibrium.wrench_sets.outline import outline_of

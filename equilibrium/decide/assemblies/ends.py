@@ -21,13 +21,13 @@ from arrangement.console.number_form import JsonMixin
 from arrangement.numbers import budget
 from arrangement.numbers.exact import dot
 from arrangement.numbers.linear.intervals import Interval
+from equilibrium.core.contact_program import ContactProgram, LinearQuestion
 from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import Contact
 from equilibrium.model.effort import Effort
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
 
-from .contact_program import ContactProgram, LinearQuestion
 from .magnitudes import StateTree, complete_programs, part_questions
 
 #: The places of the points of each contact: one, of a pad several, from one end to the other.

@@ -26,12 +26,12 @@ from arrangement.numbers.linear.intervals import (
     union,
     where_positive,
 )
+from equilibrium.core.contact_program import ContactProgram, LinearQuestion, Node
 from equilibrium.decide.solver import STEPS
 from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import UndecidedError
 
-from .contact_program import ContactProgram, LinearQuestion, Node
 from .parts import AssemblyPart, parts_of, with_root_as_ground
 
 #: States of each part.

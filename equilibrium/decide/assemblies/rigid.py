@@ -9,9 +9,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from arrangement.numbers.exact import RationalVector
+from equilibrium.core.contact_program import ContactProgram, LinearQuestion
 from equilibrium.model.assembly import Assembly, Wrenches
-
-from .contact_program import ContactProgram, LinearQuestion
 
 
 def rigid_forces(assembly: Assembly, wrenches: Wrenches) -> tuple[RationalVector, ...] | None:

@@ -106,7 +106,7 @@ def solve_assembly(
             for bodies that are left out.
         time_limit: in seconds, by a clock on the wall; undecided when it is over. Other data within
             the rounding error are not asked about then, either.
-        nodes: of one tree, at most; see `equilibrium.space.tree`.
+        nodes: of one tree, at most; see `equilibrium.core.tree`.
         max_displacement: only equilibria count in which no body moves by more than that relative
             to another one along the normal and the tangent of a contact of them.
 
@@ -193,9 +193,9 @@ def _searched(
     inside: Assembly, part: AssemblyPart, limits: _Limits
 ) -> Solution | dict[str, Any] | str:
     """Return what the search in R^(3b) finds for a part of several bodies."""
-    from equilibrium.plane.contacts import FloatContacts
-    from equilibrium.space.cones import LineCones
-    from equilibrium.space.tree import SETTINGS, SpatialSearch
+    from equilibrium.core.cones import LineCones
+    from equilibrium.core.contacts import FloatContacts
+    from equilibrium.core.tree import SETTINGS, SpatialSearch
 
     rows, bound = joint_rows(inside), limits.max_displacement
     load = tuple(x for name in part.bodies for x in part.wrenches[name])

@@ -1,6 +1,6 @@
 """Equilibria of many questions at once, each proved to exist by a bound on errors.
 
-The smoothed balance is followed as in `equilibrium.plane.search.continuation`, which takes less
+The smoothed balance is followed as in `equilibrium.core.continuation`, which takes less
 than half the time for one question, for all together. What it ends at is a guess of contact states,
 whose conditions are a system F(z) = 0 and inequalities. The unknowns z are the motion d and the
 tangential forces of the contacts that stick; in the plane F is linear, in space the directions of
@@ -18,7 +18,7 @@ from __future__ import annotations
 import numpy as np
 
 from arrangement.numbers.float_filter import Booleans, Floats
-from equilibrium.plane.search.continuation import (
+from equilibrium.core.continuation import (
     MAX_PATH_STEPS,
     MAX_SMOOTHING_FACTOR,
     NEWTON_RESIDUAL,

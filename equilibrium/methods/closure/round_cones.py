@@ -18,11 +18,11 @@ from typing import Any
 
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.linear.programs import Infeasible, Row, feasible_point
+from equilibrium.core.contact_rows import cone_edge, edge_directions, unit_row
 from equilibrium.methods.method import Accepting
 from equilibrium.methods.springs import Forces
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.grasp import Grasp
-from equilibrium.plane.contact_rows import cone_edge, edge_directions, unit_row
 
 #: Edges of the pyramids, tried in this order.
 PYRAMIDS = (4, 8, 16, 32)

@@ -17,16 +17,16 @@ import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
+from equilibrium.core.cones import RoundCones
+from equilibrium.core.contacts import FloatContacts
+from equilibrium.core.exact_parts import ExactParts
+from equilibrium.core.leaves import Leaves, cancelled, integers_over
+from equilibrium.core.relaxation import Point, Relaxation
+from equilibrium.core.states import spanning_rows
 from equilibrium.model.effort import Effort
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Solution
-from equilibrium.plane.contacts import FloatContacts
-from equilibrium.space.cones import RoundCones
-from equilibrium.space.exact_parts import ExactParts
-from equilibrium.space.leaves import Leaves, cancelled, integers_over
-from equilibrium.space.relaxation import Point, Relaxation
-from equilibrium.space.states import spanning_rows
 
 #: Forces are rounded to multiples of one over these.
 _ROUNDINGS = (2**10, 2**20, 2**34, 2**48)

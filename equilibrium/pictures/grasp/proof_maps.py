@@ -15,6 +15,7 @@ from arrangement.numbers.exact import IntegerVector, RationalVector, primitive, 
 from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
 from equilibrium.certificate.leaves import ClosedPart, parts
+from equilibrium.core.contact_rows import negated, normal_force_row, slip_row
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.errors import GraspError
@@ -22,7 +23,6 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.parts.body import Frame, frame_of
 from equilibrium.pictures.parts.style import Wrench, nice_near
 from equilibrium.pictures.parts.window import Window
-from equilibrium.plane.contact_rows import negated, normal_force_row, slip_row
 
 #: Half the side of the maps, where the contacts fill [-1, 1].
 MAP = 3

@@ -20,11 +20,12 @@ import numpy as np
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, RationalVector, to_text
 from arrangement.numbers.float_filter import Floats
+from equilibrium.core.contacts import IntegerContacts
+from equilibrium.core.continuation import motion_scale
 from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Solution
-from equilibrium.plane.contacts import IntegerContacts
-from equilibrium.plane.search.continuation import find_equilibrium, motion_scale
 from equilibrium.plane.search.part_program import Node
+from equilibrium.plane.search.state_equilibrium import find_equilibrium
 from equilibrium.plane.search.state_splits import StateSplits, TooManyParts
 from equilibrium.plane.search.virtual_motions import Regions, VirtualMotions, closed
 

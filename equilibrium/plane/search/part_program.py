@@ -19,9 +19,9 @@ import numpy.typing as npt
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, to_text
 from arrangement.numbers.linear import programs
+from equilibrium.core.contacts import IntegerContacts, nearest, product
 from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Solution
-from equilibrium.plane.contacts import IntegerContacts, nearest, product
 
 #: A node of a proof, as certificates write it.
 Node: TypeAlias = Any

@@ -16,9 +16,10 @@ import numpy.typing as npt
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan, rank
+from equilibrium.core.contacts import FloatContacts, IntegerContacts, product
+from equilibrium.core.continuation import SHARPNESS_NEAR, Continuation
 from equilibrium.model.displacement import displacement
 from equilibrium.model.solution import Solution
-from equilibrium.plane.contacts import IntegerContacts, product
 
 #: Shares of the friction limit are multiples of one over this.
 _SHARE_DENOMINATOR = 2**14
@@ -64,6 +65,36 @@ class Guess:
             tuple(round(x * _MOTION_DENOMINATOR) for x in np.nan_to_num(motion).tolist()),
             tuple(np.clip(np.nan_to_num(force / force.max(initial=0)), _MIN_WEIGHT, 1).tolist()),
         )
+
+    @classmethod
+    def near(cls, contacts: FloatContacts, motion: Floats, eps: float) -> Guess:
+        """Return the likely contact states near a motion of the smooth balance."""
+        force = contacts.spring[:, 0] + contacts.spring[:, 1:] @ motion
+        slip = contacts.tangent @ motion
+        ratio = -slip / np.sqrt(slip * slip + eps * eps)
+        return cls.read(motion, force, ratio, np.abs(ratio) > 0.9999)
+
+
+def find_equilibrium(
+    contacts: IntegerContacts, wrench: RationalVector, start: Floats | None = None
+) -> Solution | None:
+    """Return an exact equilibrium, or None where the search finds none.
+
+    Args:
+        start: a motion that may be near one; the path then begins with rather sharp contacts.
+    """
+    search = Continuation(contacts.floats, wrench)
+    path = search.path(np.zeros(3)) if start is None else search.path(start, SHARPNESS_NEAR)
+    tried: set[Guess] = set()
+    with np.errstate(all="ignore"):
+        for motion, eps in path:
+            guess = Guess.near(contacts.floats, motion, eps)
+            if guess not in tried:
+                tried.add(guess)
+                found = exact_equilibrium(contacts, wrench, guess)
+                if found is not None:
+                    return found
+    return None
 
 
 def exact_equilibrium(

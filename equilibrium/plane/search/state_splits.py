@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from arrangement.numbers.exact import IntegerVector, RationalVector
+from equilibrium.core.contacts import IntegerContacts
 from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Solution
-from equilibrium.plane.contacts import IntegerContacts
 
 from .part_guess import decide
 from .part_program import Cut, Node, PartProgram, RegionRows, States

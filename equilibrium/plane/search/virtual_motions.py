@@ -18,7 +18,7 @@ import numpy.typing as npt
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, primitive
 from arrangement.numbers.float_filter import Floats
-from equilibrium.plane.contacts import FloatContacts, IntegerContacts, nearest, product, whole
+from equilibrium.core.contacts import FloatContacts, IntegerContacts, nearest, product, whole
 
 #: Entries of the virtual motions tried first.
 _MAX_FIRST_ENTRY = 2

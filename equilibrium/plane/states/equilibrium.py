@@ -17,8 +17,8 @@ from arrangement.numbers.exact import (
 )
 from arrangement.numbers.linear.intervals import Interval
 from arrangement.numbers.linear.rank import gauss_jordan
+from equilibrium.core.contact_rows import negated, sum_row, unit_row
 from equilibrium.model.errors import GraspError
-from equilibrium.plane.contact_rows import negated, sum_row, unit_row
 
 from .min_norm_point import least_point
 from .state_system import States, StateSystem, each_force, value

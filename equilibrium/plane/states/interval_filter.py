@@ -27,9 +27,9 @@ import numpy.typing as npt
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Booleans, Floats, error_bound
+from equilibrium.core.contacts import FloatContacts, are_moderate, nearest
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
-from equilibrium.plane.contacts import FloatContacts, are_moderate, nearest
 
 from .contact_states import DETACHED, Codes
 

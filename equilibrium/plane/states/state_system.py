@@ -22,8 +22,7 @@ from typing import Literal, TypeAlias
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive
 from arrangement.numbers.linear import programs
 from arrangement.numbers.linear.rank import cross, gauss_jordan, rank
-from equilibrium.model.grasp import Grasp
-from equilibrium.plane.contact_rows import (
+from equilibrium.core.contact_rows import (
     DIRECTION,
     balance_rows,
     cone_rows,
@@ -34,6 +33,7 @@ from equilibrium.plane.contact_rows import (
     slip_row,
     unit_row,
 )
+from equilibrium.model.grasp import Grasp
 
 State: TypeAlias = Literal["detached", "slip+", "slip-", "stick"]
 States: TypeAlias = tuple[State, ...]

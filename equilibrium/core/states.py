@@ -1,6 +1,6 @@
 """Smoothed balance in space, the states of contacts, and what balance with them asks for.
 
-As in the plane (`equilibrium.plane.search.continuation`), with the friction force
+As in the plane (`equilibrium.core.continuation`), with the friction force
 ``-mu c_n s / sqrt(|s|^2 + eps^2)`` in the tangent plane, or with pyramids a mean of their edges, of
 the weights ``exp(e . s / eps)``: balance is an equation in the unknowns of the motion, whatever the
 number of contacts. Contacts are made sharper step by step, and states read off at the end.
@@ -17,8 +17,8 @@ import numpy as np
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan
-from equilibrium.plane.contacts import FloatContacts, nearest
-from equilibrium.plane.search.continuation import Continuation
+from equilibrium.core.contacts import FloatContacts, nearest
+from equilibrium.core.continuation import Continuation
 
 from .cones import Cones
 

@@ -23,10 +23,10 @@ from typing import NamedTuple
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.intervals import Interval
 from arrangement.numbers.linear.programs import Infeasible, Program
+from equilibrium.core.contact_rows import any_friction_does
 from equilibrium.model.effort import Effort
 from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Solution
-from equilibrium.plane.contact_rows import any_friction_does
 
 #: The states of all contacts.
 Node = tuple[str, ...]

@@ -17,7 +17,7 @@ import numpy as np
 
 from arrangement.numbers.exact import dot
 from arrangement.numbers.float_filter import Floats
-from equilibrium.plane.contacts import nearest
+from equilibrium.core.contacts import nearest
 
 from .cones import Node, OpenSplit
 from .leaves import ExactLeaf, Leaves

@@ -15,9 +15,9 @@ import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
+from equilibrium.core.contacts import nearest
+from equilibrium.core.states import StateBalance
 from equilibrium.model.solution import Enclosure, Solution
-from equilibrium.plane.contacts import nearest
-from equilibrium.space.states import StateBalance
 
 #: Boxes tried in floats: sizes relative to the motion, and digits of the inverses.
 _FLOAT_BOXES = ((1e-11, 9), (1e-9, 9), (1e-7, 9))

@@ -16,7 +16,7 @@ import numpy as np
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, to_text
 from arrangement.numbers.linear.rank import gauss_jordan
-from equilibrium.plane.contacts import FloatContacts, nearest
+from equilibrium.core.contacts import FloatContacts, nearest
 
 from .cones import Cones, Node, State
 from .relaxation import Ray

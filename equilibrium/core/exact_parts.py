@@ -19,11 +19,11 @@ import numpy as np
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.programs import Infeasible, Program
+from equilibrium.core.contacts import FloatContacts
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.effort import Effort
 from equilibrium.model.rows import ContactRow, ContactRows
 from equilibrium.model.solution import Solution
-from equilibrium.plane.contacts import FloatContacts
 
 from .cones import Node, Pyramids, Slip, State
 from .states import States, rational_direction

@@ -27,7 +27,7 @@ import numpy as np
 from arrangement.errors import extra
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
-from equilibrium.plane.contacts import FloatContacts, nearest
+from equilibrium.core.contacts import FloatContacts, nearest
 
 from .cones import Cones, State, lengths
 from .states import SpatialContinuation

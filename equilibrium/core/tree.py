@@ -17,15 +17,14 @@ import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
+from equilibrium.core.contacts import FloatContacts, nearest
 from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Open, Outcome, Solution, Tree
-from equilibrium.plane.contacts import FloatContacts, nearest
 
 from .cones import NARROW_SINE, Cones, Node, OpenSplit, RoundCones, finished, split_of
 from .equilibria import EquilibriumSearch
 from .leaves import Leaves
 from .memory import Memory, OpenTree
-from .plane import decide_in_plane
 from .relaxation import Point, Ray, Relaxation
 
 
@@ -84,6 +83,7 @@ class SpatialSearch:
         max_displacement: how far contact points may move, if bounded; `accept` knows it, too.
         cones: of friction.
         memory: of other loads on the grasp, with the same cones and bound.
+        in_plane: what decides the question where it lies in one plane; None where it does not.
     """
 
     def __init__(
@@ -96,7 +96,9 @@ class SpatialSearch:
         max_displacement: Fraction | None = None,
         cones: Cones | None = None,
         memory: Memory | None = None,
+        in_plane: Callable[[], Outcome | None] | None = None,
     ) -> None:
+        self.in_plane = in_plane
         self.contacts, self.wrench, self.accept = contacts, wrench, accept
         self.effort, self.max_nodes = effort or Effort(), nodes
         self.max_displacement, self.cones = max_displacement, cones or RoundCones()
@@ -194,10 +196,8 @@ class SpatialSearch:
     def _few_nodes(self, tree: OpenTree) -> Outcome:
         """Try the first nodes, the question in a plane, and exact programs of visited states."""
         outcome = self._search(tree, min(SETTINGS.first_nodes, self.max_nodes))
-        grasp = self.contacts.rows.grasp
-        if isinstance(outcome, Open) and grasp and isinstance(self.cones, RoundCones):
-            question = grasp, self.wrench, self.effort, self.max_displacement
-            outcome = decide_in_plane(*question) or outcome
+        if isinstance(outcome, Open) and self.in_plane:
+            outcome = self.in_plane() or outcome
         if isinstance(outcome, Open):
             outcome = self.equilibria.in_visited_states() or outcome
         return outcome

@@ -13,12 +13,12 @@ from typing import Any
 
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from arrangement.numbers.linear.rank import cross, difference
+from equilibrium.core.contacts import IntegerContacts
 from equilibrium.model.displacement import along_tangents
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, in_plane
 from equilibrium.model.solution import Solution
-from equilibrium.plane.contacts import IntegerContacts
 from equilibrium.plane.search.motion_regions import resistance
 from equilibrium.plane.search.units import SearchUnits
 

@@ -18,9 +18,9 @@ import numpy as np
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan
+from equilibrium.core.contacts import FloatContacts
 from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Solution
-from equilibrium.plane.contacts import FloatContacts
 
 from .cones import Node, Pyramids, lengths
 from .enclosures import enclosures

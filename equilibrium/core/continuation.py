@@ -20,10 +20,8 @@ import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
-from equilibrium.model.solution import Solution
-from equilibrium.plane.contacts import FloatContacts, IntegerContacts, nearest
 
-from .state_equilibrium import Guess, exact_equilibrium
+from .contacts import FloatContacts, nearest
 
 _MAX_NEWTON_STEPS = 30
 #: The smoothing parameter is multiplied by this, or by more where a step fails.
@@ -39,35 +37,13 @@ SHARPEST = 1e-8
 #: Residual of a point of a path, as a share of the load.
 PATH_RESIDUAL = 1e-8
 #: Where a path starts that starts near an equilibrium.
-_SHARPNESS_NEAR = 1e-3
+SHARPNESS_NEAR = 1e-3
 #: Motions smaller than this, or larger than its inverse, are not scaled.
 _MIN_SCALE = 1e-60
 #: Newton steps in more unknowns are made without a singular value decomposition.
 _MAX_DECOMPOSED = 6
 #: Residual that ends Newton's method, as a share of the load.
 NEWTON_RESIDUAL = 1e-12
-
-
-def find_equilibrium(
-    contacts: IntegerContacts, wrench: RationalVector, start: Floats | None = None
-) -> Solution | None:
-    """Return an exact equilibrium, or None where the search finds none.
-
-    Args:
-        start: a motion that may be near one; the path then begins with rather sharp contacts.
-    """
-    search = Continuation(contacts.floats, wrench)
-    path = search.path(np.zeros(3)) if start is None else search.path(start, _SHARPNESS_NEAR)
-    tried: set[Guess] = set()
-    with np.errstate(all="ignore"):
-        for motion, eps in path:
-            guess = search.guess(motion, eps)
-            if guess not in tried:
-                tried.add(guess)
-                found = exact_equilibrium(contacts, wrench, guess)
-                if found is not None:
-                    return found
-    return None
 
 
 class Continuation:
@@ -155,14 +131,6 @@ class Continuation:
         soft = eps * np.where(c.stiffness > 0, c.stiffness, 1.0)
         smooth = np.sqrt(force * force + soft * soft)
         return (force + smooth) / 2, (1 + force / smooth) / 2
-
-    def guess(self, motion: Floats, eps: float) -> Guess:
-        """Return the likely contact states near a motion of the smooth balance."""
-        c = self.contacts
-        force = c.spring[:, 0] + c.spring[:, 1:] @ motion
-        slip = c.tangent @ motion
-        ratio = -slip / np.sqrt(slip * slip + eps * eps)
-        return Guess.read(motion, force, ratio, np.abs(ratio) > 0.9999)
 
 
 def _length(value: Floats) -> float:

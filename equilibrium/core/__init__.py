@@ -1,0 +1,1 @@
+"""The law of a contact, and searches with any number of coordinates: trees, smooth contacts."""
