@@ -19,8 +19,9 @@ from equilibrium import (
     solve,
 )
 from equilibrium.cli import main
+from equilibrium.core import contact_program
 from equilibrium.core.contact_program import ContactProgram, LinearQuestion
-from equilibrium.decide.assemblies import contact_program, magnitudes
+from equilibrium.decide.assemblies import magnitudes
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.grasps.textbook import TEXTBOOK, stack, wedge
 from equilibrium.model.errors import UndecidedError
