@@ -6,15 +6,16 @@
     python tests/mutants.py --sample 4        four of each target at most
     python tests/mutants.py --jobs 1          one target at a time
     python tests/mutants.py law --first 20    from the 20th mutant on
-    python tests/mutants.py law --argued      also those that are said to be equivalent
+    python tests/mutants.py law --record      write how many survive to mutants_survivors.txt
 
 A mutant has one comparison, constant, sign, "and" or "or" of the syntax tree changed, a condition
 or an entry dropped, or one function or end of an interval taken for its opposite. The tests of its
 target run in a process of their own, to the first that fails, or takes more than `LIMIT`: it has
 killed the mutant. First the code of functions is exchanged after all is imported, and tests that
 killed mutants nearby run first; what survives, or is not code of a function, is there from the
-import on. Exit 1 if mutants survive that are not among `EQUIVALENT`, or one of these is
-killed: each of these takes all tests of its target, so they run when asked.
+import on. All that survive are listed. Many change no answer (the first node of a tie, a choice of
+floats that an exact program checks), so their number is compared with the one recorded: exit 1 if
+more survive.
 """
 
 from __future__ import annotations
@@ -54,26 +55,23 @@ LIMIT = 10
 MEMORY = 4 * 2**30
 
 
-#: Mutants that change no answer: for each target lines of code, and below each line its mutants
-#: and the reason, with " | " between. "(2)" is the second of its kind in the line.
-EQUIVALENT = "\n" + (ROOT / "tests" / "mutants_equivalent.txt").read_text(encoding="utf-8")
+#: For each target that has any: how many mutants survived, of how many, when last recorded.
+SURVIVORS = ROOT / "tests" / "mutants_survivors.txt"
+_RECORD = re.compile(r"(.+): (\d+) of (\d+)")
 
 
-def argued_targets() -> set[str]:
-    """Return the targets that `EQUIVALENT` has entries for."""
-    return set(re.findall(r"^\[([\w. ]+)\]$", EQUIVALENT, re.MULTILINE))
+def recorded() -> dict[str, tuple[int, int]]:
+    """Return how many mutants of each target survived, and of how many, when last recorded."""
+    lines = SURVIVORS.read_text(encoding="utf-8").splitlines()
+    entries = (match for line in lines if (match := _RECORD.fullmatch(line)))
+    return {entry[1]: (int(entry[2]), int(entry[3])) for entry in entries}
 
 
-def reasons(target: str) -> dict[tuple[str, str], str]:
-    """Return the entries of `EQUIVALENT` for a target, by line of code and change."""
-    found, text = dict[tuple[str, str], str](), ""
-    for line in EQUIVALENT.partition(f"\n[{target}]\n")[2].partition("\n[")[0].splitlines():
-        if line.startswith("    "):
-            *changes, reason = line.strip().split(" | ")
-            found |= {(text, change): reason for change in changes}
-        else:
-            text = line
-    return found
+def record(counts: dict[str, tuple[int, int]]) -> None:
+    """Write the numbers of survivors of some targets; those of the others stay."""
+    kept = {name: count for name, count in recorded().items() if name in TARGETS} | counts
+    lines = [f"{name}: {alive} of {of}" for name, (alive, of) in sorted(kept.items()) if alive]
+    SURVIVORS.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
 _COMPARISONS: dict[type[ast.cmpop], tuple[type[ast.cmpop], ...]] = {
@@ -325,14 +323,13 @@ def _preload() -> None:
     )
 
 
-def run_target(name: str, seed: int, first: int = 1, argued: bool = False, sample: int = 0) -> int:
-    """Run the mutants of a target and print those that survive; return how many should not."""
-    target, argued_here, start = TARGETS[name], reasons(name), time.monotonic()
+def run_target(name: str, seed: int, first: int = 1, sample: int = 0) -> tuple[int, int]:
+    """Run the mutants of a target and print those that survive; return how many, of how many."""
+    target, start, alive = TARGETS[name], time.monotonic(), 0
     listed = list(mutants(target.path.read_text(encoding="utf-8")))
-    wrong = set[tuple[str, str]]()
     if most := sample or target.sample:
         listed = Random(f"mutants {seed}").sample(listed, min(most, len(listed)))
-    fork, alike, alive = get_context("fork"), 0, 0
+    fork = get_context("fork")
     here, there = fork.Pipe()
     worker = fork.Process(
         target=_in_child, args=(lambda: _tests(target, _InPlace(target, listed, there)),)
@@ -348,47 +345,45 @@ def run_target(name: str, seed: int, first: int = 1, argued: bool = False, sampl
         here.send(None)  # Else the worker would wait, and this process for it.
         raise SystemExit(f"the tests of {name} fail without a mutant, or take too long")
     for number, mutant in enumerate(listed[first - 1 :], first - 1):
-        known = (mutant.text, mutant.change) in argued_here
-        if known and not argued:
-            alike += 1
-        elif killed(number):
-            wrong |= {(mutant.text, mutant.change)} if known else set()
-        elif known:
-            alike += 1
-        elif survives(target, mutant):
+        if not killed(number) and survives(target, mutant):
             alive += 1
             print(f"  {name} {number + 1}, line {mutant.line}: {mutant.text}")
             print(f"    {mutant.change}: SURVIVES", flush=True)
     here.send(None)
     worker.join()
-    for text, change in sorted(wrong):
-        print(f"  {name}: {text}\n    {change}: does not survive, and is among EQUIVALENT")
-    counts = f"{len(listed) - first + 1} mutants, {alike} equivalent, {alive} survive"
-    print(f"{name}: {counts}, {time.monotonic() - start:.0f} s", flush=True)
-    return alive + len(wrong)
+    count = len(listed) - first + 1
+    print(f"{name}: {count} mutants, {alive} survive, {time.monotonic() - start:.0f} s", flush=True)
+    return alive, count
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run; return 1 if a mutant survives that is not known as equivalent, or one such does not."""
+    """Run; return 1 if more mutants of a target survive than recorded."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("targets", nargs="*", metavar="TARGET", help=", ".join(TARGETS))
     parser.add_argument("--seed", type=int, default=0, help="of the samples")
     parser.add_argument("--sample", type=int, default=0, help="at most N of each target")
     parser.add_argument("--jobs", type=int, default=2, help="targets at a time")
-    parser.add_argument("--argued", action="store_true", help="run those argued, too")
+    parser.add_argument("--record", action="store_true", help=f"write {SURVIVORS.name}")
     parser.add_argument("--first", type=int, default=1, help="begin with this one of each list")
-    given = parser.parse_args(arguments)
-    for name in given.targets:
+    options = parser.parse_args(arguments)
+    for name in options.targets:
         if name not in TARGETS:
             parser.error(f"{name!r} is not a target; expected one of {', '.join(TARGETS)}")
     os.chdir(ROOT)
     _preload()
-    options = (given.seed, given.first, given.argued, given.sample)
-    with ThreadPoolExecutor(given.jobs) as pool:
-        wrong = list(
-            pool.map(lambda name: run_target(name, *options), given.targets or list(TARGETS))
+    names = options.targets or list(TARGETS)
+    with ThreadPoolExecutor(options.jobs) as pool:
+        counts = pool.map(
+            lambda name: run_target(name, options.seed, options.first, options.sample), names
         )
-    return 1 if any(wrong) else 0
+        survivors = dict(zip(names, counts, strict=True))
+    if options.record:
+        record(survivors)
+    before = recorded()
+    more = {n: k for n, (k, _) in survivors.items() if k > before.get(n, (0, 0))[0]}
+    for name, alive in more.items():
+        print(f"{name}: {alive} survive; {before.get(name, (0, 0))[0]} are recorded")
+    return 1 if more else 0
 
 
 if __name__ == "__main__":

@@ -267,22 +267,6 @@ def test_the_rest_counts_and_decides_without_each_part():
     assert result.returncode == 0, result.stderr
 
 
-#: Public in two packages: the answer for a grasp, and for a claim.
-PUBLIC_TWICE: set[str] = set()
-
-
-def test_a_class_name_means_one_thing():
-    """No two classes of the three packages have one name, a leading underscore aside."""
-    places: dict[str, list[str]] = {}
-    for path in (path for package in PACKAGES for path in sorted((ROOT / package).rglob("*.py"))):
-        text = path.read_text("utf-8")
-        for found in re.finditer(r"(?m)^class (\w+)", text):
-            where = f"{path.relative_to(ROOT)}:{text.count(chr(10), 0, found.start()) + 1}"
-            places.setdefault(found[1].lstrip("_"), []).append(where)
-    assert len(places) > 300
-    assert {name: at for name, at in places.items() if len(at) > 1}.keys() == PUBLIC_TWICE
-
-
 def test_the_kit_draws_what_is_neither_planes_nor_a_grasp(tmp_path):
     """A triangle with its name, as a picture and as TikZ, where nothing but the kit is in reach."""
     pytest.importorskip("matplotlib")
