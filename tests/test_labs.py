@@ -26,8 +26,8 @@ from equilibrium.cli.program import main
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.pictures import proof_page, resist_page
 from equilibrium.pictures.lab.page import lab_page, read_start as read_slip, slip_exercises
-from equilibrium.pictures.space.space_page import grasp_page
-from equilibrium.pictures.wrenches.wrench_page import wrench_set_page
+from equilibrium.pictures.space_grasp import grasp_page
+from equilibrium.pictures.wrench_set import wrench_set_page
 from tests.arrangement.test_lab import checked, fact, shown
 from tests.browser import Browser
 from tests.equilibrium.test_lab import question, verdict

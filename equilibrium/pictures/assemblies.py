@@ -21,9 +21,10 @@ from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.assemblies.verdict import AssemblyVerdict
 from equilibrium.model.assembly import Assembly, RigidBody
 from equilibrium.model.outline import Polygon
-from equilibrium.pictures.parts.body import Frame, stated_body
-from equilibrium.pictures.parts.style import bar, mark, nice_near, symbol
 from equilibrium.wrench_sets.margin import limit_words
+
+from .body import Frame, stated_body
+from .style import bar, mark, nice_near, symbol
 
 #: Lengths on paper, where the bodies fill [-1, 1]: the largest force, the arc of a torque, the
 #: largest displacement, half a pad.

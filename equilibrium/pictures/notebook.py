@@ -17,7 +17,7 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Solution
 from equilibrium.plane.states.equilibrium import Equilibrium
 
-from .grasp.grasp import draw_grasp
+from .grasp import draw_grasp
 
 #: How many equilibria are listed, and how long an exact number may be before it is rounded.
 MOST_PIECES, LONGEST = 8, 24

@@ -23,24 +23,24 @@ def _in_space(grasp: Grasp) -> bool:
 DRAWINGS = Drawings(
     "equilibrium.pictures",
     views={
-        "grasp": ViewEntry("grasp.grasp:draw_grasp"),
-        "resist": ViewEntry("wrenches.forces:draw_resist", _in_plane),
-        "slice": ViewEntry("wrenches.forces:draw_slice"),
-        "polar": ViewEntry("wrenches.polar:draw_polar", _in_plane),
-        "compare": ViewEntry("wrenches.forces:draw_compare", _in_plane),
-        "methods": ViewEntry("wrenches.forces:draw_methods"),
-        "proof": ViewEntry("grasp.proof:draw_proof"),
-        "wrench-set": ViewEntry("wrenches.wrench_set:draw_wrench_set", _in_plane),
+        "grasp": ViewEntry("grasp:draw_grasp"),
+        "resist": ViewEntry("forces:draw_resist", _in_plane),
+        "slice": ViewEntry("forces:draw_slice"),
+        "polar": ViewEntry("forces:draw_polar", _in_plane),
+        "compare": ViewEntry("forces:draw_compare", _in_plane),
+        "methods": ViewEntry("forces:draw_methods"),
+        "proof": ViewEntry("proof:draw_proof"),
+        "wrench-set": ViewEntry("wrench_set:draw_wrench_set", _in_plane),
     },
     models={
-        "wrench-set": ViewEntry("wrenches.wrench_page:wrench_set_model", _in_plane),
-        "grasp": ViewEntry("space.space_page:grasp_model", _in_space),
+        "wrench-set": ViewEntry("wrench_set:wrench_set_model", _in_plane),
+        "grasp": ViewEntry("space_grasp:grasp_model", _in_space),
     },
     pages={
         "resist": ViewEntry("lab.page:resist_page", _in_plane),
-        "proof": ViewEntry("grasp.proof_page:proof_page", _in_plane),
-        "wrench-set": ViewEntry("wrenches.wrench_page:wrench_set_page", _in_plane),
-        "grasp": ViewEntry("space.space_page:grasp_page", _in_space),
+        "proof": ViewEntry("proof:proof_page", _in_plane),
+        "wrench-set": ViewEntry("wrench_set:wrench_set_page", _in_plane),
+        "grasp": ViewEntry("space_grasp:grasp_page", _in_space),
     },
 )
 

@@ -34,8 +34,8 @@ from equilibrium.grasps.schemas import (
 )
 from equilibrium.methods.registry import METHODS
 from equilibrium.model.unit_normal import unit_normal
-from equilibrium.pictures.grasp.layout import Layout
 from equilibrium.pictures.lab.page import lab_page
+from equilibrium.pictures.layout import Layout
 from equilibrium.scenes import EngineScene
 from tests.schemas import validator
 

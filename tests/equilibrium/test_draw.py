@@ -28,11 +28,11 @@ from equilibrium.pictures import (
     draw_resist,
     draw_slice,
 )
-from equilibrium.pictures.grasp.layout import Layout
-from equilibrium.pictures.grasp.proof_page import proof_page
-from equilibrium.pictures.parts.body import body, frame_of
-from equilibrium.pictures.parts.style import nice
-from equilibrium.pictures.wrenches.forces import slices
+from equilibrium.pictures.body import body, frame_of
+from equilibrium.pictures.forces import slices
+from equilibrium.pictures.layout import Layout
+from equilibrium.pictures.proof import proof_page
+from equilibrium.pictures.style import nice
 from equilibrium.wrench_sets.plane import resisted_region
 from equilibrium.wrench_sets.search_map import search_map
 from tests.drawn import offences

@@ -17,14 +17,22 @@ from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, GraspError, Mesh, ResistedSet, read_grasp
 from equilibrium.cli.program import main
 from equilibrium.decide import RESISTED, UNDECIDED
-from equilibrium.pictures import draw_grasp, draw_proof, draw_slice
-from equilibrium.pictures.space import space_slice
-from equilibrium.pictures.space.solid_grasp import Screw, SolidGrasp
-from equilibrium.pictures.space.space_grasp import drawn_in_space
-from equilibrium.pictures.space.space_page import grasp_model, grasp_page
-from equilibrium.pictures.wrenches.wrench_box import WALLS, WrenchBox, wrench_box
-from equilibrium.pictures.wrenches.wrench_page import wrench_set_model, wrench_set_page
-from equilibrium.pictures.wrenches.wrench_set import draw_wrench_set
+from equilibrium.pictures import draw_grasp, draw_proof, draw_slice, space_slice
+from equilibrium.pictures.space_grasp import (
+    Screw,
+    SolidGrasp,
+    drawn_in_space,
+    grasp_model,
+    grasp_page,
+)
+from equilibrium.pictures.wrench_set import (
+    WALLS,
+    WrenchBox,
+    draw_wrench_set,
+    wrench_box,
+    wrench_set_model,
+    wrench_set_page,
+)
 from equilibrium.wrench_sets.spatial import SpatialMagnitudes
 from tests.drawn import offences
 from tests.instances import PLANAR

@@ -13,7 +13,7 @@ from equilibrium.decide.assemblies.ends import Giving
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.textbook import stack
 from equilibrium.pictures.assemblies import draw_assembly
-from equilibrium.pictures.grasp.grasp import draw_grasp
+from equilibrium.pictures.grasp import draw_grasp
 from equilibrium.wrench_sets.margin import limit_words
 
 from .strategies import directions, pinches

@@ -18,8 +18,8 @@ from equilibrium.certificate.law import law_problem, law_rows
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.instances import paths
+from equilibrium.pictures.body import body, frame_of
 from equilibrium.pictures.lab.page import lab_page
-from equilibrium.pictures.parts.body import body, frame_of
 from equilibrium.plane.states.contact_states import contact_states
 from tests.browser import Browser
 from tests.instances import is_in_space

@@ -20,7 +20,7 @@ from equilibrium.model.contact import contact_words, joined, spread
 from equilibrium.model.solution import PadForce
 from equilibrium.pictures import draw_grasp
 from equilibrium.pictures.lab.page import lab_page
-from equilibrium.pictures.space.solid_grasp import SolidGrasp
+from equilibrium.pictures.space_grasp import SolidGrasp
 
 HALF = Fraction(1, 2)
 #: A pad against a point, and a pad that floats in space.

@@ -20,8 +20,8 @@ from arrangement.drawing.pages import solid_page as solids
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, Template, place
 from arrangement.pictures.lab import arrangement_page as arrangement, lines
 from arrangement.pictures.lab.page import SHARED
-from equilibrium.pictures.grasp.proof_page import SCRIPTS as PROOF
 from equilibrium.pictures.lab import page as slip
+from equilibrium.pictures.proof import SCRIPTS as PROOF
 
 HERE = Path(__file__).parent
 #: The modules of each page, in their order.

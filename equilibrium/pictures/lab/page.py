@@ -25,7 +25,7 @@ from equilibrium.grasps.inputs.documents import question_document
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.pictures.parts.style import SKETCH_SCRIPT, SKETCH_STYLE, Wrench
+from equilibrium.pictures.style import SKETCH_SCRIPT, SKETCH_STYLE, Wrench
 from equilibrium.plane.states.state_system import State
 
 

@@ -17,9 +17,9 @@ from equilibrium.methods.cones import cones
 from equilibrium.methods.springs import linear_compliance
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Solution
-from equilibrium.pictures.grasp.grasp import draw_grasp, drawn
-from equilibrium.pictures.grasp.layout import Layout
-from equilibrium.pictures.wrenches.forces import draw_slice
+from equilibrium.pictures.forces import draw_slice
+from equilibrium.pictures.grasp import draw_grasp, drawn
+from equilibrium.pictures.layout import Layout
 
 from .notation import contact_notation
 

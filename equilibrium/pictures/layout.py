@@ -17,11 +17,12 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Polygon
 from equilibrium.model.solution import Solution
-from equilibrium.pictures.parts.body import body, frame_of, free_lengths, stated_body
-from equilibrium.pictures.parts.style import nice_near, rounded
 from equilibrium.plane.states.contact_states import states_at
 from equilibrium.plane.states.equilibrium import Equilibrium
 from equilibrium.plane.states.state_system import States
+
+from .body import body, frame_of, free_lengths, stated_body
+from .style import nearest_float, nice_near
 
 #: Lengths on paper, where the contacts fill [-1, 1]: cones, the largest force, its torque arc.
 CONE, FORCE, ARC = 0.42, 0.65, 0.2
@@ -122,7 +123,7 @@ def _cone_rim(curve: Floats | None, place: Floats, normal: Floats, friction: Fra
 
     It stays inside the outline, if there is one, and is shorter on all sides where that helps.
     """
-    half = math.atan(rounded(friction))
+    half = math.atan(nearest_float(friction))
     angles: Floats = math.atan2(normal[1], normal[0]) + np.linspace(-half, half, _RIM)
     ways: Floats = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     if curve is None:

@@ -19,10 +19,10 @@ from equilibrium.decide.known_loads import KnownLoads
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
-from equilibrium.pictures.parts.panel import SQUARE, row_of_panels
-from equilibrium.pictures.parts.style import SHADE, symbol
-from equilibrium.pictures.parts.window import ZERO, Window, clipped
 from equilibrium.wrench_sets.spatial import SpatialMagnitudes, spatial_magnitudes
+
+from .panel import SQUARE, ZERO, Window, clipped, row_of_panels
+from .style import SHADE, symbol
 
 NAMES = ("fx", "fy", "fz", "tx", "ty", "tz")
 _LABELS = ("$f_x$", "$f_y$", "$f_z$", r"$\tau_x$", r"$\tau_y$", r"$\tau_z$")
@@ -34,7 +34,7 @@ _HELD, _REFUTED = "#5f93bd", "#f6e3d3"
 
 
 def slice_in_space(grasp: Grasp, axes: Iterable[str], rays: int, width: float) -> Scene:
-    """Return the picture; see `equilibrium.pictures.wrenches.forces.draw_slice`."""
+    """Return the picture; see `equilibrium.pictures.forces.draw_slice`."""
     chosen = (axes if isinstance(axes, str) else ",".join(axes)).split(",")
     if len(set(chosen)) != 2 or not set(chosen) <= set(NAMES):
         raise GraspError(

@@ -28,9 +28,7 @@ Wrench: TypeAlias = Annotated[
 ]
 
 #: What pages draw grasps with.
-SKETCH_SCRIPT, SKETCH_STYLE = (
-    ("equilibrium.pictures.parts", f"sketch.{end}") for end in ("js", "css")
-)
+SKETCH_SCRIPT, SKETCH_STYLE = (("equilibrium.pictures", f"sketch.{end}") for end in ("js", "css"))
 #: Light to dark, by the number of sticking contacts: 0, 1, 2, 3 and more.
 FILLS = (*PALETTE[1:4], PALETTE[5])
 #: The fill, half transparent, and the edge of friction cones; the rim of polar maps.
@@ -42,7 +40,7 @@ SYMBOLS = {"stick": "●", "slip+": "+", "slip-": "−", "detached": "○"}
 _ONE = Fraction(1)
 
 
-def rounded(value: Fraction | int) -> float:
+def nearest_float(value: Fraction | int) -> float:
     """Return the nearest float; numbers beyond its range become infinite."""
     try:
         return float(value)
@@ -96,7 +94,7 @@ def nice(value: float) -> Fraction:
 
 def nice_near(value: Fraction) -> Fraction:
     """Return such a number for a positive value, itself where it is beyond floats."""
-    near = rounded(value)
+    near = nearest_float(value)
     return nice(near) if near and math.isfinite(near) else value
 
 

@@ -21,7 +21,11 @@ from equilibrium.model.displacement import NOT_SMALL, displacement_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Solution
-from equilibrium.pictures.parts.style import (
+from equilibrium.wrench_sets.margin import limit_words
+
+from .layout import ARC, FORCE, Layout, displaced
+from .space_grasp import drawn_in_space, solved_in_space
+from .style import (
     CONE_EDGE,
     CONE_FILL,
     Wrench,
@@ -32,10 +36,6 @@ from equilibrium.pictures.parts.style import (
     nice_near,
     symbol,
 )
-from equilibrium.pictures.space.space_grasp import drawn_in_space, solved_in_space
-from equilibrium.wrench_sets.margin import limit_words
-
-from .layout import ARC, FORCE, Layout, displaced
 
 
 @picture(20.0)

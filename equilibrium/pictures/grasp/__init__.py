@@ -1,1 +1,0 @@
-"""A grasp in the plane, its forces and motions, and proofs about it."""

@@ -1,1 +1,0 @@
-"""Grasps in space: their picture, page, proofs, and slices of what they resist."""

@@ -1,1 +1,0 @@
-"""Wrenches that are resisted: slices, directions, solids, and methods side by side."""
