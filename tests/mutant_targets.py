@@ -124,9 +124,10 @@ INSCRIBED = "tests/arrangement/test_inscribed.py"
 TARGETS = {
     "checker": Target("equilibrium.certificate.checker", (*CHECKER, PLANES, PYRAMIDS)),
     "leaf rule": Target(
-        "equilibrium.certificate.plane",
-        (*CHECKER, PLANES, PYRAMIDS, "tests/equilibrium/test_proof_view.py"),
+        "equilibrium.certificate.leaf_rule",
+        (*CHECKER, PLANES, PYRAMIDS, *ASSEMBLIES, *SPACE, "tests/equilibrium/test_proof_view.py"),
     ),
+    "tree walk": Target("equilibrium.certificate.tree", (*CHECKER, *ASSEMBLIES, *SPACE)),
     "law": Target(
         "equilibrium.certificate.law",
         (*CHECKER, SPACE[0], "tests/equilibrium/test_displacement.py"),
@@ -135,7 +136,6 @@ TARGETS = {
         "equilibrium.certificate.reading",
         (*CHECKER, *SPACE, PLANES, "tests/equilibrium/test_assembly_checker.py"),
     ),
-    "state rule": Target("equilibrium.certificate.states", (*ASSEMBLIES, *SPACE)),
     "assemblies": Target("equilibrium.certificate.assemblies", ASSEMBLIES),
     "touching": Target("equilibrium.grasps.touching", TOUCHING),
     "enclosure": Target("equilibrium.certificate.enclosure", SPACE),

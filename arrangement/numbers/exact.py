@@ -188,7 +188,12 @@ def rational_vector(
     scalar = isinstance(values, (str, bytes)) or not getattr(values, "ndim", 1)
     if scalar or not isinstance(values, Iterable):
         raise InputError(f"{name} is {shown(values)}; give a sequence of exact numbers")
-    return tuple(read(value, f"{name}[{i}]") for i, value in enumerate(values))
+    values = list(values)
+    try:
+        return tuple([read(value, name) for value in values])
+    except InputError:
+        # Names of entries take as long as reading them: only where one is wrong.
+        return tuple(read(value, f"{name}[{i}]") for i, value in enumerate(values))
 
 
 def plain_rows(rows: Sequence[Any]) -> list[IntegerVector] | None:

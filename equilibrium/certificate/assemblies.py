@@ -2,7 +2,7 @@
 
 The law is that of one body, in R^(3b): a contact has its rows in the numbers of body_a, and their
 negatives in those of body_b, so "resisted" is checked like that of a grasp. "not resisted" is a
-tree of contact states with the rule of `equilibrium.certificate.states`; its leaves have virtual
+tree of contact states with the rule of `equilibrium.certificate.leaf_rule`; its leaves have virtual
 motions for some bodies, 0 for the others. At the root the tree may instead be one of a *part*:
 bodies S that touch the rest at contacts of one body in S with one outside, or with the ground.
 Their balances add up to one in which only these contacts are left, and the law of these depends on
@@ -24,9 +24,9 @@ from equilibrium.model.displacement import displacement_entry
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
 
-from .checker import Report, walk
+from .checker import Report, tree_report
 from .law import LawRow, displacement_problem, frame, law_problem
-from .plane import PlanarQuestion
+from .leaf_rule import TreeQuestion
 from .reading import (
     KEYS,
     STATES,
@@ -38,7 +38,6 @@ from .reading import (
     read_motion,
 )
 from .robust import check_form, read_bounds, robust_problem
-from .states import StateQuestion
 
 
 @dataclass(frozen=True, repr=False)
@@ -124,7 +123,7 @@ def check_assembly(
     elif isinstance(document["tree"], Mapping) and "part" in document["tree"]:
         found = _part(document["tree"], assembly, wrenches, bound)
     else:
-        found = walk(document["tree"], StateQuestion(rows, load, form, (), bound))
+        found = tree_report(document["tree"], TreeQuestion(rows, load, form, (), bound))
     report = AssemblyReport(
         kind,
         found.problem,
@@ -203,8 +202,9 @@ def _part(
     zero: RationalVector = (Fraction(0),) * SIZE
     load = [sum(column) for column in zip(zero, *(wrenches[name] for name in part), strict=True)]
     grasp = Grasp(joint.contact for joint in inward)
-    question = PlanarQuestion(grasp, tuple(map(Fraction, load)), max_displacement)
-    report = walk(tree["tree"], question)
+    wrench = tuple(map(Fraction, load))
+    question = TreeQuestion.of(grasp, wrench, max_displacement=max_displacement)
+    report = tree_report(tree["tree"], question)
     if len({(joint.body_a, joint.body_b) for joint in inward}) > 1:
         problem = "tree.part: it touches the rest at more than one pair of bodies"
         return replace(report, problem=problem)

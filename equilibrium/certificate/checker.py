@@ -3,10 +3,9 @@
 * "resisted": a motion and forces that obey the law of `equilibrium.certificate.law`, or in space a
   box that holds them, see `equilibrium.certificate.enclosure`.
 * "not resisted": a tree. Each node cuts a region of motions, or distinguishes the states of one
-  contact; a split whose children do not cover it is refused here. Each leaf has a virtual motion,
-  on which load and contacts do work together, whatever the contacts do: the rule is that of
-  `equilibrium.certificate.plane`, or of `equilibrium.certificate.states`, where a tree has states
-  alone. So nothing balances the load at any motion.
+  contact; a split whose children do not cover it is refused by `equilibrium.certificate.tree`. Each
+  leaf has a virtual motion, on which load and contacts do work together, whatever the contacts do:
+  the rule of `equilibrium.certificate.leaf_rule`. So nothing balances the load at any motion.
 * With "bounds": for all grasps within them, see `equilibrium.certificate.robust`.
 
 Where contacts and load in space lie in one plane, and cones are round, a planar tree will do: out
@@ -17,7 +16,7 @@ there.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any, TypeAlias
@@ -33,28 +32,21 @@ from equilibrium.model.solution import Solution
 
 from .enclosure import enclosure_problem
 from .law import displacement_problem, law_problem, law_rows, short
-from .plane import Generator, PlanarQuestion, cut_edge, orthants
+from .leaf_rule import TreeQuestion
 from .reading import (
     FORMS,
-    STATES,
-    Leaf,
-    Place,
-    Split,
     read_bound,
     read_enclosure,
     read_equilibrium,
-    read_node,
     read_plane,
     read_question,
 )
 from .robust import read_bounds, robust_problem
-from .states import State, StateQuestion, split_states
+from .tree import walk
 from .uncertain import Bounds
 
 #: A grasp and a wrench.
 Question: TypeAlias = tuple[Grasp, RationalVector]
-#: Splits in a row; readers of JSON stop at some 1000 objects inside one another.
-MAX_DEPTH = 300
 
 
 @dataclass(frozen=True, repr=False)
@@ -205,22 +197,26 @@ def _tree_report(
     max_displacement: Fraction | None,
 ) -> Report:
     """Check a tree; in space also one in the plane that has all contacts and the load."""
-    form = FORMS[grasp.dimension]
-    plane = read_plane(tree) if form.tangents == 2 else None
-    if form.tangents == 1:
-        return walk(tree, PlanarQuestion(grasp, wrench, max_displacement))
+    plane = read_plane(tree) if grasp.dimension == 3 else None
     if plane is None:
-        return walk(tree, StateQuestion(law_rows(grasp), wrench, form, edges, max_displacement))
+        return tree_report(tree, TreeQuestion.of(grasp, wrench, edges, max_displacement))
     if edges:
         raise CertificateError("tree.plane is for round cones")
     try:
-        question = PlanarQuestion(*in_plane(grasp, wrench, plane.axes), max_displacement)
+        flat, load = in_plane(grasp, wrench, plane.axes)
     except GraspError as error:
         return Report("not resisted", f"tree.plane: {error}")
     if max_displacement is not None and not along_tangents(grasp, plane.axes):
         problem = "displacements along tangents that are at an angle to the plane are bounded"
         return Report("not resisted", f"tree.plane: {problem}")
-    return walk(plane.tree, question)
+    question = TreeQuestion.of(flat, load, max_displacement=max_displacement)
+    return tree_report(plane.tree, question)
+
+
+def tree_report(tree: Any, question: TreeQuestion) -> Report:
+    """Check all leaves of a tree."""
+    leaves, problem = walk(tree, question)
+    return Report("not resisted", problem, leaves)
 
 
 def _read_solution(document: Mapping[str, Any], grasp: Grasp) -> Solution:
@@ -259,52 +255,3 @@ def proof_problem(
 def edges_of(document: Mapping[str, Any]) -> tuple[RationalVector, ...]:
     """Return the edges of friction pyramids, none for round cones."""
     return pyramid_edges(document["pyramid"]) if "pyramid" in document else ()
-
-
-def walk(tree: Any, question: PlanarQuestion | StateQuestion) -> Report:
-    """Check all leaves. After the first that fails the rest is read, as its form may be wrong."""
-    leaves, problem = 0, ""
-    for leaf, place in placed_leaves(tree, question):
-        leaves += 1
-        problem = problem or question.leaf_problem(leaf, place)
-    return Report("not resisted", problem, leaves)
-
-
-def placed_leaves(
-    tree: Any, question: PlanarQuestion | StateQuestion
-) -> Iterator[tuple[Leaf, Place]]:
-    """Yield the leaves of a tree with their places, in the order of the document.
-
-    Raises:
-        CertificateError: what stands in a place is not a node, or a split that does not fit there.
-    """
-    waiting = [(tree, Place("tree", 0, question.root, {}))]
-    while waiting:
-        content, place = waiting.pop()
-        node = read_node(content, place.path, len(question.contacts), question.form)
-        if isinstance(node, Split):
-            waiting += reversed(_parts(node, place, question.edges))
-        else:
-            yield node, place
-
-
-def _parts(split: Split, place: Place, edges: Sequence[RationalVector]) -> list[tuple[Any, Place]]:
-    """Return the children of a node with their places; refuse a split that does not cover."""
-    path, depth, region, states = place
-    if depth == MAX_DEPTH:
-        raise CertificateError(f"{path[:60]}...: more than {MAX_DEPTH} splits in a row")
-    parts: list[tuple[Sequence[Generator], Mapping[int, State]]]
-    if split.kind in ("directions", "faces"):
-        parts = [(region, now) for _, now in split_states(split, states, path, edges)]
-    elif split.kind in STATES:
-        contact, due = split.at[0], "attached" if split.kind == "slip" else "undecided"
-        if states.get(contact, "undecided") != due:
-            raise CertificateError(f"{path}: contact {contact + 1} is not {due} here")
-        parts = [(region, {**states, contact: name}) for name in STATES[split.kind]]
-    elif (split.kind == "edge") != (len(region) == 4):
-        raise CertificateError(f"{path}: orthants cut the half space, an edge one of their cones")
-    else:
-        cut = cut_edge(region, *split.at) if split.kind == "edge" else orthants(region)
-        parts = [(cone, states) for cone in cut]
-    named = zip(split.children, parts, strict=True)
-    return [(child, Place(name, depth + 1, *part)) for (name, child), part in named]

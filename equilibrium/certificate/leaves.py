@@ -1,7 +1,7 @@
 """What the leaves of a proof say, in the plane and in space.
 
-The rules are those of `equilibrium.certificate.plane` and `equilibrium.certificate.states`; this
-module reads trees that the checker has accepted.
+The rule is that of `equilibrium.certificate.leaf_rule`; this module reads trees that the checker
+has accepted.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ from typing import Any, NamedTuple
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, vector_text
 from equilibrium.model.grasp import Grasp
 
-from .checker import edges_of, placed_leaves
+from .checker import edges_of
 from .law import applied, displacement_work, law_rows
-from .plane import PlanarQuestion
-from .reading import FORMS, Leaf, read_bound, read_plane, read_question
-from .states import SlipFace, State, StateQuestion, slip_faces
+from .leaf_rule import SlipFace, State, TreeQuestion
+from .reading import Leaf, read_bound, read_plane, read_question
+from .tree import placed_leaves, slip_faces
 
 
 class ClosedPart(NamedTuple):
@@ -52,7 +52,7 @@ class Works(NamedTuple):
 def parts(document: Mapping[str, Any]) -> Iterator[ClosedPart]:
     """Yield the parts of a valid certificate "not resisted", in the order of the document."""
     _, grasp, wrench = read_question(document)
-    for leaf, place in placed_leaves(document["tree"], PlanarQuestion(grasp, wrench)):
+    for leaf, place in placed_leaves(document["tree"], TreeQuestion.of(grasp, wrench)):
         yield ClosedPart(tuple(g.vector for g in place.region), place.states, leaf)
 
 
@@ -63,8 +63,8 @@ def works(
     max_displacement: Fraction | None = None,
 ) -> Works:
     """Return the works on the virtual motion of one part, or of several that share it."""
-    question = PlanarQuestion(grasp, wrench, max_displacement)
-    load = applied(question.rows, wrench)
+    question = TreeQuestion.of(grasp, wrench, max_displacement=max_displacement)
+    load = applied(law_rows(grasp), wrench)
     each = [_works(question, Fraction(dot(load, part.leaf.motion)), part) for part in together]
     factors = [
         min((factor for factor in some if factor is not None), default=None)
@@ -73,13 +73,12 @@ def works(
     return Works(each[0].load, factors, min(done.least for done in each))
 
 
-def _works(question: PlanarQuestion, load: Fraction, part: ClosedPart) -> Works:
+def _works(question: TreeQuestion, load: Fraction, part: ClosedPart) -> Works:
     region = [question.generator(vector) for vector in part.region]
-    _, taken = displacement_work(question.max_displacement, part.leaf.displacements)
-    found = question.leaf_work(part.leaf, taken, region, part.states)
-    pairs = zip(found.total, part.region, strict=True)
-    least = min(Fraction(work) / (found.unit * g[0]) for work, g in pairs if g[0])
-    factors = [pair and Fraction(pair[0]) / pair[1] for pair in found.factors]
+    work = question.leaf_work(part.leaf, region, part.states)
+    pairs = zip(work.total, part.region, strict=True)
+    least = min(Fraction(total) / (work.unit * g[0]) for total, g in pairs if g[0])
+    factors = [pair and Fraction(pair[0]) / pair[1] for pair in work.factors]
     return Works(load, factors, least - load)
 
 
@@ -104,10 +103,8 @@ def spatial_leaves(document: Mapping[str, Any]) -> Iterator[SpatialLeaf]:
     _, grasp, wrench = read_question(document)
     if read_plane(document["tree"]):
         return
-    form, edges, bound = FORMS[grasp.dimension], edges_of(document), read_bound(document)
-    rows = law_rows(grasp)
-    pull = applied(rows, (Fraction(0),) * len(wrench))
-    question = StateQuestion(rows, wrench, form, edges, bound)
+    pull = applied(law_rows(grasp), (Fraction(0),) * len(wrench))
+    question = TreeQuestion.of(grasp, wrench, edges_of(document), read_bound(document))
     for leaf, place in placed_leaves(document["tree"], question):
         works = (row[0] * grasp.contacts[i].preload for i, row in leaf.multipliers.items())
         _, taken = displacement_work(question.max_displacement, leaf.displacements)

@@ -45,6 +45,7 @@ tangents of a contact, three in space; see `equilibrium.certificate.law.displace
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -60,6 +61,8 @@ from equilibrium.model.solution import Enclosure
 from .robust import check_form
 
 SCHEMA_VERSION = 3
+#: Contacts as keys: numbers without leading zeros.
+_INDEX = re.compile("0|[1-9][0-9]{0,8}")
 #: What the proof of a verdict on one question has.
 KEYS = {"resisted": ("motion", "forces"), "not resisted": ("tree",)}
 #: Of older certificates.
@@ -339,13 +342,15 @@ def _by_contacts(given: Any, where: str, contacts: int) -> dict[int, Any]:
     """Return an object whose keys are contacts."""
     if not isinstance(given, Mapping):
         raise CertificateError(f"{where} is {shown(given)}; expected an object by contacts")
-    known = {str(i): i for i in range(contacts)} if given else {}
-    for key in given:
-        if key not in known:
+    places = {}
+    for key, row in given.items():
+        place = int(key) if isinstance(key, str) and _INDEX.fullmatch(key) else contacts
+        if place >= contacts:
             raise CertificateError(
                 f"{where}: {shown(key)} is not a contact from 0 to {contacts - 1}"
             )
-    return {known[key]: row for key, row in given.items()}
+        places[place] = row
+    return places
 
 
 def _rationals(value: Any, length: int, where: str) -> RationalVector:

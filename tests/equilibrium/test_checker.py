@@ -26,13 +26,14 @@ from equilibrium.certificate import (
     checker,
     enclosure,
     law,
-    plane,
+    leaf_rule,
     reading,
     robust,
-    states as state_rule,
+    tree,
 )
-from equilibrium.certificate.checker import MAX_DEPTH, Report, check
+from equilibrium.certificate.checker import Report, check
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
+from equilibrium.certificate.tree import MAX_DEPTH
 from equilibrium.grasps.schemas import certificate_schema
 from proofs_check.routes.oracle import Touch
 from tests.schemas import validator
@@ -226,19 +227,19 @@ def test_regions_are_those_of_the_definition(monkeypatch):
     """Each generator, and spring and slip there, computed step by step and at once."""
     places = []
     monkeypatch.setattr(
-        plane.PlanarQuestion, "leaf_problem", lambda _, leaf, place: places.append(place.region)
+        leaf_rule.TreeQuestion, "leaf_problem", lambda _, leaf, place: places.append(place.region)
     )
     for seed in range(20):
         document = with_tree(random_splits(Random(f"splits {seed}"), 6))
         places.clear()
         assert check(document)
-        asked = plane.PlanarQuestion(*judge.statement(document))
+        asked = leaf_rule.TreeQuestion.of(*judge.statement(document))
         due = list(judge.leaves(document["tree"]))
         for generators, (_, region, _) in zip(places, due, strict=True):
             assert [list(generator.vector) for generator in generators] == region
             for vector, springs, slips in generators:
                 assert springs == (sum(map(mul, asked.contacts[0].spring, vector)),)
-                assert slips == (sum(map(mul, asked.contacts[0].slip, vector)),)
+                assert slips == (sum(map(mul, asked.contacts[0].wrenches[1], vector)),)
 
 
 def test_load_on_a_grasp_without_contacts_is_refuted_by_any_motion_with_it() -> None:
@@ -276,7 +277,7 @@ def leaf_holds(
     grasp: Grasp, wrench: Any, leaf: Any, region: Any, states: Any, most: Fraction | None = None
 ) -> bool:
     """Return whether the checker accepts a leaf."""
-    asked = plane.PlanarQuestion(grasp, wrench, most)
+    asked = leaf_rule.TreeQuestion.of(grasp, wrench, max_displacement=most)
     generators = [asked.generator(tuple(map(int, vector))) for vector in region]
     node = reading.read_node(leaf, "leaf", len(grasp), asked.form)
     return not asked.leaf_problem(node, reading.Place("leaf", 0, generators, states))
@@ -533,7 +534,7 @@ def test_what_is_no_equilibrium_is_one_clear_error(motion, forces, words):
         check({**document, "motion": motion, "forces": forces})
 
 
-@pytest.mark.parametrize("module", [checker, enclosure, law, plane, reading, robust, state_rule])
+@pytest.mark.parametrize("module", [checker, enclosure, law, leaf_rule, reading, robust, tree])
 def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
     tree = ast.parse(inspect.getsource(module))
     imported = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
@@ -551,7 +552,7 @@ def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
     values |= {"equilibrium.model.errors", "equilibrium.model.contact", "collections.abc"}
     values |= {f"equilibrium.model.{name}" for name in ("plane", "displacement", "solution")}
     values |= {"arrangement.numbers.linear.rank", "equilibrium.model.subject"}
-    values |= {"enclosure", "law", "plane", "reading", "robust", "states", "uncertain"}
+    values |= {"enclosure", "law", "leaf_rule", "reading", "robust", "tree", "uncertain"}
     assert imported <= standard | values
     for node in ast.walk(tree):
         assert not (isinstance(node, ast.Constant) and isinstance(node.value, float))

@@ -22,13 +22,9 @@ from equilibrium.certificate.enclosure import (
     total,
 )
 from equilibrium.certificate.law import law_rows
+from equilibrium.certificate.leaf_rule import TreeQuestion, _is_below, broken_multipliers
 from equilibrium.certificate.reading import FORMS, Leaf, Place, Split, read_enclosure, read_node
-from equilibrium.certificate.states import (
-    StateQuestion,
-    _is_below,
-    broken_multipliers,
-    split_states,
-)
+from equilibrium.certificate.tree import slip_states
 from equilibrium.model.contact import Contact, pyramid_edges
 from equilibrium.model.solution import Enclosure, Solution
 
@@ -59,7 +55,7 @@ def plus(row, *terms):
 
 
 def question_of(contacts, load, edges=(), largest=None):
-    return StateQuestion(law_rows(contacts), load, FORMS[3], edges, largest)
+    return TreeQuestion(law_rows(contacts), load, FORMS[3], edges, largest)
 
 
 def leaf_problem(question, leaf, states):
@@ -78,8 +74,8 @@ def states_of(edges):
     for one, two in zip(across, (*across[1:], across[0]), strict=True):
         ends += [(one,), (one, two)]
     split = Split("faces", (0,), [("", None)] * len(ends))
-    parts = split_states(split, {0: "attached"}, "", edges)
-    return states + [(part[0], end) for (_, part), end in zip(parts, ends, strict=True)][1:]
+    parts = slip_states(split, {0: "attached"}, "", edges)
+    return states + list(zip(parts, ends, strict=True))[1:]
 
 
 def most(b, state, ends, edges):
@@ -224,10 +220,10 @@ def test_bounds_have_no_gap_between_whole_numbers():
     sector = ((F(1, 9), F(0)), (F(0), F(1, 9)))
     cases = {(1, 1): 2**0.5, (1, -1): 1, (-1, 1): 1, (-1, -1): -1, (0, -1): 0, (0, 0): 0}
     for (b, largest), mu, room in product(cases.items(), (F(1, 2), F(1), F(3)), range(-4, 6)):
-        assert _is_below(room, b, mu, sector, ()) == (room >= mu * largest)
+        assert _is_below(room, b, mu, sector) == (room >= mu * largest)
     # Below 0 at the bound, -1 for (4, 3), and less than 1 in the square beyond it, 1/2 for (1, 1).
-    assert _is_below(-1, (-1, 0), F(5, 4), ((4, -3), (4, 3)), ())
-    assert not _is_below(-1, (-1, 0), F(1), ((1, -1), (1, 1)), ())
+    assert _is_below(-1, (-1, 0), F(5, 4), ((4, -3), (4, 3)))
+    assert not _is_below(-1, (-1, 0), F(1), ((1, -1), (1, 1)))
     for state in ("undecided", "detached"):
         assert broken_multipliers(state, -1, (0, 0), is_below=True)
     question = question_of(table((0, 0), friction=0, preload=0), plus(ALONG))
@@ -301,8 +297,7 @@ def test_split_parts_are_sectors_between_directions():
 
     def states(kind, directions, children, state, edges=()):
         split = Split(kind, (1,), [leaf] * children, directions)
-        parts = split_states(split, {0: "stick", 1: state} if state else {}, "tree", edges)
-        return [part[1] for _, part in parts]
+        return slip_states(split, {0: "stick", 1: state} if state else {}, "tree", edges)
 
     cyclic = [(ends[0], ends[1]), (ends[1], ends[2]), (ends[2], ends[0])]
     assert states("directions", ends, 4, "attached") == ["stick", *cyclic]

@@ -1,0 +1,361 @@
+"""Why a leaf proves that nothing balances the load: the one rule of the checker, in four steps.
+
+A leaf stands for a region of motions in R^n and for states of contacts. It has a virtual motion
+lambda, and multipliers alpha, h of some contacts (Farkas multipliers of the rows of the law).
+
+1. *Region.* It is the cone of integer generators ``g = (g_0, d)`` with ``g_0 >= 0``, and has the
+   motions ``d / g_0``; in a tree that distinguishes states alone these are all motions, and the
+   generators e_0, +-e_1, ..., +-e_n. A contact with unit wrenches N and T (two T in space),
+   friction mu, stiffness k and preload q has the spring ``e = q g_0 - k N . d`` and the slip
+   ``s = T . d``; its normal force is ``max(0, e)``. States are closed conditions: e <= 0 if it is
+   detached, e >= 0 if it is attached, and then s = 0 in stick, s >= 0 in slip+, s <= 0 in slip-,
+   and s between the ends of a sector or of a part of a pyramid.
+2. *Factor.* With ``a = lambda . N`` and ``b = T lambda`` the work of a contact on lambda is at
+   least kappa times its normal force, by all friction that its slip allows. Kappa is a less mu
+   times the greatest product of b with the unit vectors in which the contact may slip: that is |b|
+   where all are possible; b in slip+ and -b in slip-, also where all s > 0, or all s < 0, while it
+   is undecided or attached; in the sector from u to v it is |b| if b is in the sector, else it is
+   at an end, ``u . b / |u|`` or ``v . b / |v|``; in a pyramid it is at an edge. Roots are compared
+   by their squares.
+3. *Least work.* The contact does at least ``alpha e + h s`` for every motion, if
+
+   * ``alpha >= 0`` where it is undecided or detached;
+   * ``alpha <= kappa`` unless it is detached;
+   * h = 0 but where it sticks, and where it slips with ``h . u <= 0`` for the ends u of the
+     directions.
+
+   A contact without multipliers has ``alpha = h = 0`` in a tree of states. In a region it does at
+   each generator at least
+
+   * 0, if it is detached or all e <= 0, as it has no force;
+   * ``kappa e``, if it is decided otherwise or all e >= 0;
+   * ``min(0, kappa) max(0, e)`` for the rest, which is concave in g: between generators it is not
+     below its interpolation.
+4. *Sum.* The load, with all adhesion, is a constant wrench w and does ``lambda . w g_0``. The leaf
+   holds if load and least works together are at least 0 at each generator, and above 0 where ``g_0
+   > 0``. Each motion of the region is a sum of generators, some with ``g_0 > 0``, so there load and
+   contacts do work on lambda together. Forces that balance do none. For all motions that says: what
+   depends on d cancels, and the rest is above 0.
+
+Where only displacements of contact points up to D count, a leaf may give numbers u of contacts, for
+the normal and each tangent. They take ``|u| D g_0 - u N . d`` and the same for tangents from the
+sum, which is at least 0 there: see `equilibrium.certificate.law.displacement_work`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import chain, product
+from typing import Any, NamedTuple, TypeAlias
+
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot
+from equilibrium.model.grasp import Grasp
+
+from .law import LawRow, applied, displacement_work, law_rows, short
+from .reading import FORMS, Leaf, Place, TreeForm
+
+#: A sector from u to v, counter-clockwise by less than half a turn.
+Sector: TypeAlias = tuple[RationalVector, RationalVector]
+
+
+class SlipFace(NamedTuple):
+    """Slip in the cone of one or two directions, with friction between some edges of a pyramid."""
+
+    ends: tuple[RationalVector, ...]
+    edges: tuple[RationalVector, ...]
+
+
+State: TypeAlias = str | Sector | SlipFace
+#: The directions of slip of the states with a sign, of one tangent.
+_SIGNS: dict[str, tuple[RationalVector, ...]] = {
+    "slip+": ((Fraction(1),),),
+    "slip-": ((Fraction(-1),),),
+}
+
+
+class Generator(NamedTuple):
+    """A generator of a region in the plane, with multiples of e and s of each contact there."""
+
+    vector: IntegerVector
+    springs: IntegerVector
+    slips: IntegerVector
+
+
+class LeafWork(NamedTuple):
+    """What load and contacts do on the virtual motion of a leaf.
+
+    Attributes:
+        broken: the condition on multipliers that fails, or nothing.
+        total: at least that at each generator, over `unit`; of all motions the sum's n + 1
+            coefficients.
+        factors: kappa of each contact and its unit; None where it has no force, or an irrational
+            factor.
+    """
+
+    broken: str
+    total: Sequence[Any]
+    unit: int
+    factors: Sequence[tuple[Any, int] | None]
+
+
+class _IntegerContact(NamedTuple):
+    """A contact; rows are homogeneous, of n + 1 numbers.
+
+    Attributes:
+        wrenches: (0, N), then (0, T) of each tangent, over `unit`.
+        spring: (q, -k N), over `spring_unit`.
+    """
+
+    wrenches: tuple[IntegerVector, ...]
+    unit: int
+    spring: IntegerVector
+    spring_unit: int
+    friction: Fraction
+
+
+class TreeQuestion:
+    """Contacts and load of a tree, in integers.
+
+    Args:
+        rows: of the contacts, in R^n.
+        form: of the tree.
+        edges: of friction pyramids; none for cones, in space round ones.
+        max_displacement: how far contact points may move, if bounded.
+    """
+
+    def __init__(
+        self,
+        rows: Sequence[LawRow],
+        load: RationalVector,
+        form: TreeForm,
+        edges: Sequence[RationalVector] = (),
+        max_displacement: Fraction | None = None,
+    ) -> None:
+        self.form, self.edges, self.max_displacement = form, edges, max_displacement
+        self._round = form.tangents == 2 and not edges
+        self.contacts: list[_IntegerContact] = []
+        load = applied(rows, load)
+        units = [_denominator(load)]
+        for row in rows:
+            spring = (row.preload, *(-row.stiffness * x for x in row.wrenches[0]))
+            unit, spring_unit = _denominator(chain(*row.wrenches)), _denominator(spring)
+            wrenches = tuple((0, *whole(wrench, unit)) for wrench in row.wrenches)
+            spring_row = whole(spring, spring_unit)
+            contact = _IntegerContact(wrenches, unit, spring_row, spring_unit, row.friction)
+            self.contacts.append(contact)
+            units.append(unit * spring_unit * row.friction.denominator)
+        #: Of sums, for a virtual motion in integers.
+        self.unit = math.lcm(*units)
+        self.load = whole(load, self.unit)
+
+    @classmethod
+    def of(
+        cls,
+        grasp: Grasp,
+        wrench: RationalVector,
+        edges: Sequence[RationalVector] = (),
+        max_displacement: Fraction | None = None,
+    ) -> TreeQuestion:
+        """Return the question of a tree about a grasp."""
+        return cls(law_rows(grasp), wrench, FORMS[grasp.dimension], edges, max_displacement)
+
+    @property
+    def root(self) -> list[Generator]:
+        """The generators of all motions: e_0, then +-e_1, +-e_2, ...; none in a tree of states."""
+        if "orthants" not in self.form.splits:
+            return []
+        size = self.form.size + 1
+        axes = [(0, 1), *product(range(1, size), (1, -1))]
+        return [self.generator(tuple(sign * (j == k) for j in range(size))) for k, sign in axes]
+
+    def generator(self, vector: IntegerVector) -> Generator:
+        """Return a generator with what each contact does there."""
+        springs = tuple(dot(contact.spring, vector) for contact in self.contacts)
+        slips = tuple(dot(contact.wrenches[1], vector) for contact in self.contacts)
+        return Generator(vector, springs, slips)
+
+    def leaf_problem(self, leaf: Leaf, place: Place) -> str:
+        """Return the inequality of a leaf that fails, or nothing."""
+        work = self.leaf_work(leaf, place.region, place.states)
+        if work.broken:
+            return f"{place.path}: {work.broken}"
+        if not place.region:
+            constant, *rest = work.total
+            if any(rest):
+                more = " and of the displacements" * bool(leaf.displacements)
+                return f"{place.path}: the sum of -alpha k N + h T{more} is not 0"
+            is_above = constant > 0
+            return "" if is_above else f"{place.path}: the work of load and contacts is not above 0"
+        for total, (vector, *_) in zip(work.total, place.region, strict=True):
+            if total < 0 or (total == 0 and vector[0]):
+                where, done = ", ".join(map(short, vector)), short(Fraction(total) / work.unit)
+                due = f"{done}, and must be {'above' if vector[0] else 'at least'} 0"
+                return (
+                    f"{place.path}: at generator ({where}) the work of load and contacts is {due}"
+                )
+        return ""
+
+    def leaf_work(
+        self, leaf: Leaf, region: Sequence[Generator], states: Mapping[int, State]
+    ) -> LeafWork:
+        """Return what load and contacts do on the virtual motion of a leaf.
+
+        Args:
+            region: its generators; none for all motions.
+        """
+        problem, taken = displacement_work(self.max_displacement, leaf.displacements)
+        if problem:
+            return LeafWork(problem, (), 1, ())
+        vectors = (leaf.motion, *leaf.multipliers.values(), *leaf.displacements.values())
+        scale = _denominator((taken, *chain(*vectors)))
+        motion = (0, *whole(leaf.motion, scale))
+        # Rows in (g_0, d) by their factors: what is linear. The rest, at each generator.
+        constant = dot(self.load, motion[1:]) - int(taken * scale) * self.unit
+        terms: list[tuple[Any, IntegerVector]] = [(constant, (1, *[0] * self.form.size))]
+        concave: list[Any] = [0] * len(region)
+        for i, numbers in leaf.displacements.items():
+            terms += self._pushes(self.contacts[i], whole(numbers, scale))
+        factors: list[tuple[Any, int] | None] = [None] * len(self.contacts)
+        none = (0,) * (self.form.tangents + 1)
+        no_rows: Any = [()] * len(self.contacts)
+        all_springs = zip(*(g.springs for g in region), strict=True) if region else no_rows
+        all_slips = zip(*(g.slips for g in region), strict=True) if region else no_rows
+        for i, (contact, springs, slips) in enumerate(
+            zip(self.contacts, all_springs, all_slips, strict=True)
+        ):
+            state, multipliers = states.get(i, "undecided"), leaf.multipliers.get(i)
+            is_idle = state == "detached" or (
+                state == "undecided" and bool(springs) and max(springs) <= 0
+            )
+            if is_idle and multipliers is None:
+                continue
+            a, *b = [dot(row, motion) for row in contact.wrenches]
+            alpha, *h = whole(multipliers, scale) if multipliers else none
+            mu, mu_unit = contact.friction.numerator, contact.friction.denominator
+            unit_of_kappa = contact.unit * mu_unit
+            if self._round:
+                is_below = _is_below(a - alpha * contact.unit, b, contact.friction, state)
+            else:
+                kappa = a * mu_unit - mu * _greatest(b, _with_sign(state, slips), self.edges)
+                is_below = alpha * unit_of_kappa <= kappa
+                factors[i] = None if is_idle else (kappa, scale * unit_of_kappa)
+            if multipliers or not region:
+                if broken := broken_multipliers(state, alpha, h, is_below=is_below):
+                    values = _numbers(multipliers or none, factors[i])
+                    words = f"contact {i + 1}, {state_text(state)}: {values}: {broken}"
+                    return LeafWork(words, (), 1, ())
+                if multipliers:
+                    terms.append((alpha * (self.unit // contact.spring_unit), contact.spring))
+                    terms += self._pushes(contact, (0, *h))
+                continue
+            kappa *= self.unit // (unit_of_kappa * contact.spring_unit)
+            if state != "undecided" or min(springs) >= 0:
+                terms.append((kappa, contact.spring))
+            elif kappa < 0:
+                concave = [x + kappa * max(0, e) for x, e in zip(concave, springs, strict=True)]
+        sizes, rows = zip(*terms, strict=True)
+        total = [dot(sizes, column) for column in zip(*rows, strict=True)]
+        if region:
+            total = [x + dot(total, g.vector) for x, g in zip(concave, region, strict=True)]
+        return LeafWork("", total, scale * self.unit, factors)
+
+    def _pushes(
+        self, contact: _IntegerContact, factors: Sequence[int]
+    ) -> Iterator[tuple[int, IntegerVector]]:
+        """Yield the wrenches of a contact with factors other than 0, in the unit of sums."""
+        per_wrench = self.unit // contact.unit
+        for factor, row in zip(factors, contact.wrenches, strict=True):
+            if factor:
+                yield factor * per_wrench, row
+
+
+def broken_multipliers(state: State, alpha: Any, h: Sequence[Any], *, is_below: bool) -> str:
+    """Return which condition of step 3 the multipliers of a contact break, or nothing.
+
+    Args:
+        is_below: whether alpha is at most kappa.
+    """
+    if alpha < 0 and state in ("undecided", "detached"):
+        return "alpha must be at least 0"
+    if any(h) and state != "stick":
+        if not (ends := _slip_ends(state)):
+            return "h must be 0"
+        if any(dot(h, end) > 0 for end in ends):
+            return "h has the wrong sign, a positive product with a direction of slip"
+    return "" if is_below or state == "detached" else _LARGE
+
+
+_LARGE = "alpha is larger than what the contact does on the virtual motion"
+
+
+def _slip_ends(state: State) -> tuple[RationalVector, ...]:
+    """Return what generates the directions of slip; nothing where there may be none."""
+    if isinstance(state, SlipFace):
+        return state.ends
+    return _SIGNS.get(state, ()) if isinstance(state, str) else state
+
+
+def _with_sign(state: State, slips: Sequence[int]) -> State:
+    """Return the state of a contact with its slip where it slips one way in a whole region."""
+    if slips and state in ("undecided", "attached"):
+        return "slip+" if min(slips) > 0 else "slip-" if max(slips) < 0 else state
+    return state
+
+
+def _greatest(b: Sequence[int], state: State, edges: Sequence[Sequence[Any]]) -> Any:
+    """Return the greatest product of b with directions of slip, of a cone that is not round."""
+    if len(b) == 1:
+        return -b[0] if state == "slip-" else b[0] if state == "slip+" else abs(b[0])
+    return max(dot(edge, b) for edge in (state.edges if isinstance(state, SlipFace) else edges))
+
+
+def _is_below(room: Any, b: Sequence[int], friction: Fraction, state: State) -> bool:
+    """Return whether mu times the greatest product of b with directions of slip is at most room.
+
+    Args:
+        room: ``a - alpha``, in the unit of b.
+        state: of a contact with a round cone.
+    """
+    square, size = dot(b, b), 1
+    if isinstance(state, tuple) and not (turn(state[0], b) >= 0 and turn(b, state[1]) >= 0):
+        # The nearer end: the squares compare as the products do, since both ends are in view.
+        along = [(dot(end, b), dot(end, end)) for end in state]
+        (square, size), (other, length) = [(x * abs(x), length) for x, length in along]
+        if other * size > square * length:
+            square, size = other, length
+    room *= friction.denominator
+    reach = room * room * size - friction.numerator**2 * abs(square)
+    # Below 0, alpha may be above a: at most a + mu |x . b|.
+    return bool(room >= 0 or reach <= 0) if square < 0 else bool(room >= 0 and reach >= 0)
+
+
+def _numbers(multipliers: Sequence[Fraction | int], kappa: tuple[Any, int] | None) -> str:
+    """Return the multipliers of a contact for a message, and its factor where it is rational."""
+    alpha, *h = map(short, multipliers)
+    words = f"alpha = {alpha}, h = {h[0] if len(h) == 1 else '(' + ', '.join(h) + ')'}"
+    return f"{words}, kappa = {short(Fraction(kappa[0]) / kappa[1])}" if kappa else words
+
+
+def state_text(state: State) -> str:
+    """Return a state for a message."""
+    if isinstance(state, str):
+        return state
+    ends = (f"({', '.join(map(short, end))})" for end in getattr(state, "ends", state))
+    return f"slip between {' and '.join(ends)}"
+
+
+def turn(left: Sequence[Any], right: Sequence[Any]) -> Any:
+    """Return a positive number where right is less than half a turn counter-clockwise of left."""
+    return left[0] * right[1] - left[1] * right[0]
+
+
+def _denominator(row: Iterable[Fraction | int]) -> int:
+    return math.lcm(*(x.denominator for x in row))
+
+
+def whole(row: Sequence[Fraction | int], unit: int = 0) -> IntegerVector:
+    """Return a row times a multiple of its denominators, the least one if none is given."""
+    unit = unit or _denominator(row)
+    return tuple(x.numerator * (unit // x.denominator) for x in row)
