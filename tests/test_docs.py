@@ -341,7 +341,7 @@ LIMITS = {
         "proofs_check.sweep.sweep:MOST",
         "arrangement.console.options.values:MAX_COUNT",
     ),
-    "of a proof": ("equilibrium.certificate.checker:MAX_DEPTH",),
+    "of a proof": ("equilibrium.certificate.tree:MAX_DEPTH",),
 }
 
 
