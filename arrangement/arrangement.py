@@ -437,7 +437,7 @@ class Arrangement(HintsMixin, Planes):
             InputError: an unknown view or option, or planes that the view cannot show.
             MissingExtraError: matplotlib is absent.
         """
-        made: Drawing = named("arrangement.pictures.views:draw")(self, view, **options)
+        made: Drawing = named("arrangement.pictures.views:DRAWINGS").draw(self, view, **options)
         return made
 
     def lab(self) -> Any:

@@ -393,10 +393,10 @@ def _identify(arguments: argparse.Namespace) -> int:
 
 def _draw(arguments: argparse.Namespace) -> int:
     from .drawing.command import given_options, write
-    from .pictures.views import drawings_of
+    from .pictures.views import DRAWINGS
 
     arrangement = _read(arguments)
-    drawings = drawings_of(arrangement)
+    drawings = DRAWINGS.of(arrangement)
     return write(arguments, drawings, arrangement, given_options(arguments, drawings))
 
 

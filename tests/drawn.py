@@ -13,11 +13,11 @@ import shapely
 from arrangement import InputError, read_arrangement
 from arrangement.drawing.output import PICTURES, own_settings, picture_bytes
 from arrangement.drawing.path_artist import figure
-from arrangement.drawing.registry import Drawings
 from arrangement.drawing.scene.curves import flattened
 from arrangement.drawing.scene.items import Item, Label, Path
 from arrangement.drawing.scene.scene import Scene, measure
 from arrangement.drawing.tikz.tikz import tikz
+from arrangement.drawing.views import Drawings
 from arrangement.library.families import generic
 from arrangement.pictures import DRAWINGS as OF_PLANES
 from equilibrium import read_grasp
@@ -33,7 +33,7 @@ NEEDED: dict[str, dict[str, Any]] = {
 
 
 def paths(figure: Any) -> list[Path]:
-    """Return the paths of all artists of a figure; see `arrangement.drawing.figure`."""
+    """Return the paths of all artists of a figure; see `arrangement.drawing.views`."""
     artists = [artist for axes in figure.axes for artist in axes.get_children()]
     return [item for artist in artists for item in getattr(artist, "items", ())]
 

@@ -7,7 +7,6 @@ import pytest
 
 from arrangement import read_arrangement
 from arrangement.pictures import DRAWINGS as OF_PLANES
-from arrangement.pictures.views import drawings_of
 from equilibrium.pictures import DRAWINGS as OF_GRASPS
 from tests.docpages import ROOT, blocks, commands
 
@@ -35,7 +34,7 @@ def drawn(words: list[str]) -> str:
     own = words[0] == "equilibrium" or words[2].endswith(".json")
     if own or not words[-1].endswith((".svg", ".pdf", ".png", ".tex")):
         return ""
-    return next(iter(drawings_of(read_arrangement(words[2])).views))
+    return next(iter(OF_PLANES.of(read_arrangement(words[2])).views))
 
 
 @pytest.mark.parametrize(("program", "drawings"), PROGRAMS)

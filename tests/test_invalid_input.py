@@ -146,8 +146,6 @@ ARRANGEMENT = [
     ("draw four.json -o a.svg --view planes", "of rank 4 in R^4"),
     ("draw generic.json -o a.svg --view planes --coordinates given", "at most 40"),
     ("draw coordinate-planes -o a.svg --labels letters", "expected one of signs, numbers, none"),
-    ("draw coordinate-planes -o a.svg --antipodes equal", "expected one of same, opposite"),
-    ("draw pencil -o a.svg --colour sides --antipodes same", "antipodes goes with"),
     ("draw braid-a3 -o a.svg --axes x,y", "three names"),
     ("draw coordinate-planes -o a.svg --legend belw", "did you mean below"),
     ("draw coordinate-planes -o a.html --legend below", "legend or theme is for pictures"),
@@ -189,7 +187,7 @@ ARRANGEMENT = [
     ("draw braid-a3 -o a.stl --model shadow", "expected one of dual, cells"),
     ("draw shi-a2-affine -o a.stl --model dual", "affine, of rank"),
     ("draw braid-a3 --view spere -o a.svg", "did you mean sphere"),
-    ("draw braid-a3 --view lattice --mobius -o a.svg", "did you mean --moebius"),
+    ("draw braid-a3 --view lattice --widht 60 -o a.svg", "did you mean --width"),
     ("draw braid-a3 --colour side -o a.svg", "did you mean sides"),
 ]
 THREE, PRELOADED = "paper-three-contacts", "paper-three-contacts-preload-1"

@@ -32,7 +32,7 @@ from arrangement.drawing.tikz.tex_text import tex_text
 from arrangement.drawing.tikz.tikz import tikz
 from arrangement.library.families import catalan, generic, shi
 from arrangement.pictures import DRAWINGS as OF_PLANES, compose, draw_sphere
-from arrangement.pictures.views import drawings_of, write_drawing
+from arrangement.pictures.views import write_drawing
 from equilibrium import read_grasp
 from equilibrium.cli import main as draw_grasps
 from equilibrium.grasps.inputs import from_float_data
@@ -82,7 +82,7 @@ LARGE = {
 @pytest.mark.parametrize("kind", ["view", "page", "model"])
 def test_normals_beyond_floats_are_drawn_or_refused(kind, normals, tmp_path):
     planes = Arrangement(normals)
-    drawings = drawings_of(planes)
+    drawings = OF_PLANES.of(planes)
     suffix = {"view": "svg", "page": "html", "model": "stl"}[kind]
     for name in getattr(drawings, f"{kind}s"):
         path = tmp_path / f"{name}.{suffix}"
@@ -117,7 +117,7 @@ def test_axes_without_names_are_on(planes, names, tmp_path):
 OTHER_OPTIONS: list[tuple[str, str, dict[str, Any]]] = [
     ("sphere", "reflection-b3", {"labels": "signs"}),
     ("sphere", "braid-a3", {"sides": True, "axes": "x,y,z"}),
-    ("sphere", "five-generic-planes", {"antipodes": "same", "width": 60.0}),
+    ("sphere", "five-generic-planes", {"width": 60.0}),
     ("planes", "cube-diagonals", {"lift": ["++++", "+-+-"], "sides": True, "axes": "x,y,z"}),
     ("planes", "braid-a3", {"lift": ["++++++"], "body": "cube"}),
     ("stereographic", "reflection-b3", {"whole": True, "labels": "signs"}),
@@ -129,7 +129,7 @@ OTHER_OPTIONS: list[tuple[str, str, dict[str, Any]]] = [
     ("lines", "pencil", {"projective": True, "sides": True}),
     ("lines", "shi-a2-affine", {"projective": True, "labels": "signs", "colour": "sides"}),
     ("cells", "cube-diagonals", {"body": "ball", "explode": 2}),
-    ("lattice", "reflection-b3", {"width": 180.0, "moebius": False}),
+    ("lattice", "reflection-b3", {"width": 180.0}),
     ("stereographic", "reflection-b3", {"whole": False}),
     ("stereographic", "reflection-b3", {"colour": "signs", "width": 60.0}),
     ("gnomonic", "reflection-b3", {"camera": (1, 0, 1), "colour": "none"}),
@@ -310,7 +310,8 @@ def test_dark_letters_are_light_and_mono_has_no_colour(drawings, view):
 
 
 def test_mono_keeps_apart_what_colours_keep_apart():
-    made = scene(OF_PLANES, "sphere", "five-generic-planes", antipodes="same")
+    own = "signs:#fdf0c0,#b9dfd3,#7fb9d8,#6a96c8,#8a7fb5,#d8a640"
+    made = scene(OF_PLANES, "sphere", "five-generic-planes", colour=own)
     mono = themed(made, "mono")
     pairs = {
         (str(old.style["fc"]), (new.style["fc"], new.style.get("hatch", "")))

@@ -102,13 +102,6 @@ class Colouring:
             return [(side_colour(k), f"{k} sides" if k > 1 else "1 side") for k in numbers]
         if self.name == "parity":
             return [(CHECKERS[0], "even"), (CHECKERS[1], "odd number of minus signs")]
-        if self.name == "opposite":
-            pairs = zip(("even", "odd"), CHECKERS[:2], CHECKERS[2:], strict=True)
-            return [
-                (fill, f"{text}{more}")
-                for text, light, dark in pairs
-                for more, fill in ((", first sign +", light), (", first sign \u2212", dark))
-            ]
         groups: dict[str, set[int]] = {}
         for region in drawn if self.name == "signs" else ():
             groups.setdefault(self.base(region), set()).add(region.signs.count(-1))
@@ -123,7 +116,6 @@ class Colouring:
 
 def colouring(
     colour: Choice | None,
-    antipodes: str | None,
     regions: Sequence[DrawnRegion],
     pairs: Sequence[tuple[int, int]],
     firsts: Sequence[int],
@@ -136,23 +128,18 @@ def colouring(
             name, or alone; or colours of some regions, as in "+-+=gold,++-=#0af". If omitted: the
             number of sides where it distinguishes neighbours, else the parity of minus signs, which
             always does. So two colours are enough for distinct planes.
-        antipodes: "same" or "opposite" colours for opposite regions of central planes. With
-            c distinct planes parity gives the same ones if c is even, else the two opposite ones.
-            Otherwise more colours are needed. Same and c odd: at least four if the planes are in
-            general position [Youngs1996]; as many as the rule of saturation (DSATUR) takes.
-            Opposite and c even: four, by parity and the side of plane 1.
         regions: all of them.
         pairs: the numbers of regions with a common side.
         firsts: the first plane of each class of coincident ones.
         orbits: returns the number of the orbit of each region, from 0, where that is known.
 
     Raises:
-        InputError: an unknown name or colour, or antipodes with another colouring than parity.
+        InputError: an unknown name or colour.
     """
     if isinstance(colour, str) and "=" in colour:
         colour = _some_regions(colour, regions)
     name, own = _read_choice(colour)
-    found = _colouring(name, antipodes, regions, pairs, firsts, orbits)
+    found = _colouring(name, regions, pairs, firsts, orbits)
     return found.with_own(own, regions) if own else found
 
 
@@ -195,18 +182,13 @@ def _some_regions(text: str, regions: Sequence[DrawnRegion]) -> Painter:
 
 def _colouring(
     colour: str | Painter | None,
-    antipodes: str | None,
     regions: Sequence[DrawnRegion],
     pairs: Sequence[tuple[int, int]],
     firsts: Sequence[int],
     orbits: Callable[[], Sequence[int]] | None,
 ) -> Colouring:
-    if antipodes not in (None, "same", "opposite"):
-        raise refusal(f"antipodes is {shown(antipodes)}", antipodes, ("same", "opposite"))
     if isinstance(colour, str) and colour not in COLOURINGS:
         raise refusal(f"the colouring is {shown(colour)}", colour, COLOURINGS)
-    if antipodes is not None and colour not in (None, "parity"):
-        raise InputError("antipodes goes with the colouring parity; leave out the other colouring")
     if colour == "orbits":
         if orbits is None:
             raise InputError(
@@ -221,35 +203,14 @@ def _colouring(
         )
     if colour is None:
         apart = all(regions[a].sides != regions[b].sides for a, b in pairs)
-        colour = "sides" if apart and pairs and antipodes is None else "parity"
+        colour = "sides" if apart and pairs else "parity"
     if colour != "parity":
         return Colouring(painter(colour), colour if isinstance(colour, str) else None)
 
     def parity(region: DrawnRegion) -> int:
         return sum(region.signs[k] < 0 for k in firsts) % 2
 
-    if antipodes == "opposite" and firsts and len(firsts) % 2 == 0:
-        return Colouring(
-            lambda region: CHECKERS[parity(region) + 2 * (region.signs[0] < 0)], "opposite"
-        )
-    if antipodes == "same" and len(firsts) % 2:
-        return Colouring(_projective(regions, pairs), "same")
     return Colouring(lambda region: CHECKERS[parity(region)], "parity")
-
-
-def _projective(regions: Sequence[DrawnRegion], pairs: Sequence[tuple[int, int]]) -> Painter:
-    """Return colours that opposite regions share and neighbours do not."""
-    import networkx as nx
-
-    names = [max(r.signs, tuple(-s for s in r.signs)) for r in regions]
-    graph = nx.Graph((names[a], names[b]) for a, b in pairs)
-    found = nx.greedy_color(graph, "DSATUR")
-
-    def paint(region: DrawnRegion) -> str:
-        name = max(region.signs, tuple(-s for s in region.signs))
-        return (*CHECKERS, *PALETTE[4:])[found.get(name, 0) % 6]
-
-    return paint
 
 
 def painter(colour: str | Painter) -> Painter:

@@ -21,7 +21,7 @@ from arrangement.console.options.signature import Option, options_of
 from arrangement.errors import InputError
 
 from .output import RENAMED_OPTIONS
-from .registry import KINDS, Drawings
+from .views import KINDS, Drawings, Printing
 
 #: The options that ``--help`` shows without a view.
 _COMMON = {"output", "view", "model", "width", "font", "font_size", "theme", "legend", "camera"}
@@ -68,7 +68,7 @@ def add_options(
         + more.get("output", ""),
     )
     _add_target(parser, drawings, more)
-    for option in options_of(Drawings.write, keywords=True).values():
+    for option in options_of(Printing).values():
         option.add_to(parser)
     uses = _uses(drawings)
     for flag in uses:
@@ -189,7 +189,7 @@ def given_options(
     model = getattr(arguments, "model", None)
     kind, name = drawings.target(arguments.output, arguments.view, model)
     taken = {option.flag: option for option in drawings.options(kind, name).values()}
-    names = options_of(Drawings.write, keywords=True)
+    names = options_of(Printing)
     printing = {name: getattr(arguments, name) for name in names}
     options = {name: value for name, value in printing.items() if value is not None}
     for flag, uses in _uses(known or drawings).items():

@@ -1,37 +1,68 @@
-"""What can be drawn of an arrangement, and what notebooks show."""
+"""All that can be drawn of an arrangement, a line each; and what notebooks show."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Mapping
 from html import escape
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import DrawnRegion as DrawnRegion
-from arrangement.drawing.figure import compose as compose
 from arrangement.drawing.output import require_matplotlib, save_figure as save_figure
-from arrangement.drawing.registry import KINDS, Drawings
+from arrangement.drawing.views import Drawings, ViewEntry, compose as compose
 from arrangement.errors import MissingExtraError
 from arrangement.numbers import budget
 from arrangement.planes.planes import Planes
 
-from .parts.registry import MODELS, PAGES, VIEWS, suited
+from .parts.coordinates import DUAL_MODEL, RANKS
 
-if TYPE_CHECKING:
-    from arrangement.drawing.path_artist import Drawing
+#: Where each view is.
+VIEWS = {
+    "sphere": "sphere.sphere:draw_sphere",
+    "planes": "space.planes:draw_planes",
+    "cells": "space.cells:draw_cells",
+    "lines": "diagrams.lines:draw_lines",
+    "stereographic": "sphere.stereographic:draw_stereographic",
+    "gnomonic": "sphere.gnomonic:draw_gnomonic",
+    "dual": "duals.dual:draw_dual",
+    "section": "space.planes:draw_section",
+    "graph": "duals.graph:draw_graph",
+    "poset": "duals.poset:draw_poset",
+    "lattice": "diagrams.lattice:draw_lattice",
+}
+MODELS = {
+    "dual": ViewEntry("duals.dual:dual_model", DUAL_MODEL),
+    "cells": ViewEntry("space.cells:cells_model", RANKS["cells"]),
+}
+PAGES = {
+    "arrangement": ViewEntry("lab.arrangement_page:arrangement_page", RANKS["sphere"]),
+    "cells": ViewEntry("space.cells:cells_page", RANKS["cells"]),
+}
 
-DRAWINGS = Drawings("arrangement.pictures", VIEWS, MODELS, PAGES)
+
+def best_first(views: Mapping[str, ViewEntry], planes: Planes) -> dict[str, ViewEntry]:
+    """Return views in the order in which they suit planes, those that cannot show them last."""
+    first = "sphere" if planes.is_central else "cells"
+    if planes.rank <= 2 and planes.dimension != 3:
+        first = "lines"
+    elif planes.rank == 4 and planes.is_central:
+        first = "graph"
+    elif planes.rank > 3:
+        first = "lattice"
+
+    def key(name: str) -> tuple[bool, bool]:
+        return not views[name].shows(planes), name != first
+
+    return {name: views[name] for name in sorted(views, key=key)}
 
 
-def drawings_of(planes: Planes) -> Drawings:
-    """Return what can be drawn of planes, what suits them best as the first."""
-    kinds: dict[str, Any] = {f"{kind}s": suited(DRAWINGS.entries(kind), planes) for kind in KINDS}
-    return replace(DRAWINGS, **kinds)
-
-
-def draw(planes: Planes, view: str | None = None, **options: Any) -> Drawing:
-    """Draw planes as a figure; arguments and errors are those of `Drawings.draw`."""
-    return drawings_of(planes).draw(planes, view, **options)
+DRAWINGS = Drawings(
+    "arrangement.pictures",
+    {name: ViewEntry(place, RANKS[name]) for name, place in VIEWS.items()},
+    MODELS,
+    PAGES,
+    best_first,
+)
 
 
 def write_drawing(planes: Planes, *args: Any, **options: Any) -> dict[str, Any]:
@@ -39,7 +70,7 @@ def write_drawing(planes: Planes, *args: Any, **options: Any) -> dict[str, Any]:
 
     Arguments and errors are those of `Drawings.write`.
     """
-    return drawings_of(planes).write(planes, *args, **options)
+    return DRAWINGS.of(planes).write(planes, *args, **options)
 
 
 #: Faces are counted for a table only where that takes no time worth noticing.

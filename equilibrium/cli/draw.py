@@ -69,7 +69,7 @@ def _add_options(draw: Parser) -> None:
 
 def _draw(arguments: argparse.Namespace) -> int:
     from arrangement.drawing.command import given_options, write
-    from equilibrium.pictures.views import DRAWINGS, drawings_of
+    from equilibrium.pictures.views import DRAWINGS
 
     document = assembly_document(arguments)
     if document is not None:
@@ -81,7 +81,7 @@ def _draw(arguments: argparse.Namespace) -> int:
         return _write_data(arguments, grasp)
     if arguments.origin is not None:
         raise GraspError("--origin is for the data of a slice; write them with -o FILE.json")
-    drawings = drawings_of(grasp)
+    drawings = DRAWINGS.of(grasp)
     options = given_options(arguments, drawings, DRAWINGS)
     kind, name = drawings.target(arguments.output, arguments.view, arguments.model)
     if "preload" in options and "preload" not in drawings.options(kind, name):

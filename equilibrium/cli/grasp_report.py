@@ -114,10 +114,10 @@ def _page(
 ) -> str:
     """Return the report as one HTML page, with the picture where matplotlib is installed."""
     from arrangement.drawing.pages.html_page import BASE_STYLE, framed
-    from equilibrium.pictures.views import drawings_of
+    from equilibrium.pictures.views import DRAWINGS
 
     options: dict[str, Any] = {} if wrench is None else {"wrench": wrench}
-    picture = drawings_of(grasp).svg(grasp, "grasp", **options)
+    picture = DRAWINGS.of(grasp).svg(grasp, "grasp", **options)
     lines = (f"<dt>{escape(title)}</dt><dd>{_lines(text)}</dd>" for title, text in rows)
     body = [
         "<h1>Grasp report</h1>",

@@ -353,7 +353,8 @@ class Grasp(HintsMixin):
             InputError: an unknown view or option, or a grasp that the view cannot show.
             MissingExtraError: matplotlib is absent.
         """
-        made: Drawing = named("equilibrium.pictures.views:draw")(self, view, **options)
+        drawings = named("equilibrium.pictures.views:DRAWINGS").of(self)
+        made: Drawing = drawings.draw(self, view, **options)
         return made
 
     def lab(self) -> Any:

@@ -10,12 +10,12 @@ import numpy as np
 
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
-from arrangement.drawing.figure import picture
 from arrangement.drawing.scene.curves import flattened
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import Labels
 from arrangement.drawing.scene.places import near
 from arrangement.drawing.scene.scene import AROUND, Scene, arrow, fitted, turning_arrow
+from arrangement.drawing.views import picture
 from arrangement.numbers.exact import RationalVector
 from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.assemblies.verdict import AssemblyVerdict

@@ -9,13 +9,12 @@ import numpy as np
 
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
-from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import Corner, Exact, Vector
 from arrangement.drawing.scene.curves import flattened, ring
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import Labels
 from arrangement.drawing.scene.places import near
 from arrangement.drawing.scene.scene import AROUND, Legend, Scene, arrow, fitted, turning_arrow
+from arrangement.drawing.views import Corner, Exact, Vector, picture
 from equilibrium.decide.solver import Solver
 from equilibrium.model.displacement import NOT_SMALL, displacement_words
 from equilibrium.model.errors import GraspError

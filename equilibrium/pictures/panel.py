@@ -12,11 +12,11 @@ from typing import Any
 import numpy as np
 
 from arrangement.drawing.colours import BLACK, GREY
-from arrangement.drawing.registry import Exact
 from arrangement.drawing.scene.items import Box, Floats, Place
 from arrangement.drawing.scene.labels import Labels, covering, keep_off, write_if_free
 from arrangement.drawing.scene.places import inside, near
 from arrangement.drawing.scene.scene import FONT, POINTS, Legend, Scene, area
+from arrangement.drawing.views import Exact
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, rational, shown
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
 from equilibrium.model.errors import GraspError

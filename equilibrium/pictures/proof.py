@@ -12,9 +12,7 @@ import numpy as np
 
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLUE, GREY, VERMILION, pale, plane_colour
-from arrangement.drawing.figure import picture
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, floats, one_page
-from arrangement.drawing.registry import Exact
 from arrangement.drawing.scene.curves import flattened
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import Labels, write_if_free
@@ -29,6 +27,7 @@ from arrangement.drawing.scene.scene import (
     checked_width,
     turning_arrow,
 )
+from arrangement.drawing.views import Exact, picture
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,

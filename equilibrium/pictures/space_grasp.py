@@ -15,7 +15,6 @@ from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
 from arrangement.drawing.output import millimetres
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage, page_face
-from arrangement.drawing.registry import Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import Labels
 from arrangement.drawing.scene.places import near
@@ -44,6 +43,7 @@ from arrangement.drawing.solids.sight import (
     views,
 )
 from arrangement.drawing.solids.surface import Patch, rounded
+from arrangement.drawing.views import Vector
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot
 from arrangement.numbers.linear.rank import cross, cycle_edges

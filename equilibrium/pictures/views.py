@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping
+from typing import Any
 
-from arrangement.drawing.registry import Drawings, ViewEntry
+from arrangement.drawing.views import Drawings, ViewEntry, showing
 from arrangement.numbers import budget
 from equilibrium.model.grasp import Grasp
-
-if TYPE_CHECKING:
-    from arrangement.drawing.path_artist import Drawing
 
 
 def _in_plane(grasp: Grasp) -> bool:
@@ -18,6 +16,12 @@ def _in_plane(grasp: Grasp) -> bool:
 
 def _in_space(grasp: Grasp) -> bool:
     return grasp.dimension == 3
+
+
+def _suited(views: Mapping[str, ViewEntry], grasp: Grasp) -> dict[str, ViewEntry]:
+    """Return what can be drawn of a grasp, in the plane or in space."""
+    budget.check_size(len(grasp), "contacts in a picture")
+    return showing(views, grasp)
 
 
 DRAWINGS = Drawings(
@@ -42,6 +46,7 @@ DRAWINGS = Drawings(
         "wrench-set": ViewEntry("wrench_set:wrench_set_page", _in_plane),
         "grasp": ViewEntry("space_grasp:grasp_page", _in_space),
     },
+    suited=_suited,
 )
 
 #: What can be drawn of an assembly, or of the verdict on one.
@@ -53,17 +58,6 @@ OF_ASSEMBLIES = Drawings(
 )
 
 
-def drawings_of(grasp: Grasp) -> Drawings:
-    """Return what can be drawn of a grasp, in the plane or in space."""
-    budget.check_size(len(grasp), "contacts in a picture")
-    return DRAWINGS.fitting(grasp)
-
-
-def draw(grasp: Grasp, view: str | None = None, **options: Any) -> Drawing:
-    """Draw a grasp as a figure; arguments and errors are those of `Drawings.draw`."""
-    return drawings_of(grasp).draw(grasp, view, **options)
-
-
 def write_drawing(grasp: Grasp, *args: Any, **options: Any) -> dict[str, Any]:
     """Draw a grasp into a file; arguments and errors are those of `Drawings.write`."""
-    return drawings_of(grasp).write(grasp, *args, **options)
+    return DRAWINGS.of(grasp).write(grasp, *args, **options)

@@ -18,9 +18,7 @@ import numpy as np
 
 from arrangement.console.number_form import LABEL, counted
 from arrangement.drawing.colours import BLACK, GREY, VERMILION, pale
-from arrangement.drawing.figure import picture
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage, page_face
-from arrangement.drawing.registry import Exact, Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import Legend, Scene
 from arrangement.drawing.solids.depth_tree import Node, SolidSheet, depth_tree
@@ -35,6 +33,7 @@ from arrangement.drawing.solids.sight import (
     views,
 )
 from arrangement.drawing.solids.surface import Patch, rounded, surface
+from arrangement.drawing.views import Exact, Vector, picture
 from arrangement.errors import InputError
 from arrangement.numbers.exact import (
     IntegerVector,

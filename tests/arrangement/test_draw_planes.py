@@ -34,14 +34,13 @@ from arrangement.pictures import (
     draw_sphere,
     write_drawing,
 )
-from arrangement.pictures.parts.essential import in_space
-from arrangement.pictures.parts.registry import fits
+from arrangement.pictures.parts.coordinates import in_space
 from arrangement.pictures.space.cells import cells_model
 from arrangement.pictures.space.lifted_cells import Lifted, lifted_cells
 from arrangement.pictures.space.planes import draw_planes
 from arrangement.pictures.space.planes_sheet import PlanesSheet
 from arrangement.pictures.space.stage import Facet, Stage, StagedAxes
-from arrangement.pictures.views import drawings_of
+from arrangement.pictures.views import DRAWINGS
 from tests.drawn import paths
 from tests.instances import PLANAR
 
@@ -405,13 +404,13 @@ def test_models_and_pages_are_made_of_the_essentialisation(planes):
 @pytest.mark.parametrize("name", PLANAR)
 def test_by_default_there_is_what_suits_the_planes(name, tmp_path):
     planes = read_arrangement(name)
-    found = drawings_of(planes)
+    found = DRAWINGS.of(planes)
     view = next(iter(found.views))
     expected = "lines" if planes.dimension == 2 else "sphere" if planes.is_central else "cells"
     assert view == expected
     assert write_drawing(planes, tmp_path / "a.svg") == {"view": view}
-    assert fits(next(iter(found.models)), planes)
-    assert fits(next(iter(found.pages)), planes)
+    assert next(iter(found.models.values())).shows(planes)
+    assert next(iter(found.pages.values())).shows(planes)
 
 
 CASES = {

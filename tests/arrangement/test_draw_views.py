@@ -41,10 +41,10 @@ from arrangement.pictures.diagrams.line_charts import LinesChart
 from arrangement.pictures.duals.graph import planar_graph
 from arrangement.pictures.duals.solids import dual_solid
 from arrangement.pictures.parts.coordinates import orbits
-from arrangement.pictures.parts.registry import fits
 from arrangement.pictures.sphere import gnomonic
 from arrangement.pictures.sphere.globe import Globe
-from arrangement.pictures.sphere.projections import CompressedChart, stereographic
+from arrangement.pictures.sphere.gnomonic import compressed
+from arrangement.pictures.sphere.projections import stereographic
 from arrangement.pictures.views import DRAWINGS
 from tests.drawn import elements, offences, paths, scene
 
@@ -76,7 +76,7 @@ CASES = [
     for name in [*NAMES, *OTHERS]
     # As nine planes, as the coordinates, as the braid arrangement.
     if name not in ("five-generic-planes", "paper-three-contacts", "reflection-b3", "near-pencil")
-    if fits({"half": "sphere", "whole": "sphere"}.get(view, view), read_arrangement(name))
+    if DRAWINGS.views["sphere" if view in ("half", "whole") else view].shows(read_arrangement(name))
     if view not in ("half", "sphere", "gnomonic", "stereographic") or name != "braid-a3-in-r4"
 ]
 
@@ -101,14 +101,16 @@ def test_elements_drawn_are_those_counted(view, name):
         options = {"camera": VIEW}
         *_, arcs, seen = f_vector(Arrangement([*planes.normals, VIEW]))
         expected = {"region": seen // 2, "front and limb": arcs}
-        if view == "gnomonic":
-            options["rim"] = True
     if view in ("half", "whole"):
         options["whole"] = view == "whole"
     made = scene(DRAWINGS, "stereographic" if view in ("half", "whole") else view, name, **options)
     names = [item.name for item in made.items]
     found = Counter(one.partition("-")[0] for one in (set(names) if view == "cells" else names))
     found["front and limb"] = 2 * found["front"] + found["limb"]
+    if view == "gnomonic":  # which leaves out what is far away
+        del expected["front and limb"]
+        [left_out] = re.findall(r"(\d+) region", str(made.legend.captions)) or [0]
+        found["region"] += int(left_out)
     assert {kind: found[kind] for kind in expected} == expected
     if view == "sphere":
         assert found["back"] == len(planes.distinct)
@@ -193,28 +195,24 @@ def test_stereographic_arcs_are_arcs_of_the_true_circles(normal, other, angle):
     assert np.allclose(radius * abs(n[2]), 1, atol=1e-5)
 
 
-def test_chart_is_to_scale_inside_and_takes_infinity_to_the_rim():
-    chart = CompressedChart(2.0)
-    near = chart.project(np.array([[0.3, 0.4, 0.5]]))[0]
-    assert np.allclose(near, np.array([0.6, 0.8]) * chart.inner / 2)
-    far = chart.project(np.array([[0.6, 0.8, 0.0], [0.6, 0.8, 1e-9]]))
+def test_evenness_is_measured_to_scale_inside_and_up_to_infinity():
+    near = compressed(np.array([[0.3, 0.4, 0.5]]), 2.0, 0.7)[0]
+    assert np.allclose(near, np.array([0.6, 0.8]) * 0.7 / 2)
+    far = compressed(np.array([[0.6, 0.8, 0.0], [0.6, 0.8, 1e-9]]), 2.0)
     assert np.allclose(far, [[0.6, 0.8]] * 2)
-    seam = chart.project(np.array([[2.0, 0.0, 1 + 1e-9], [2.0, 0.0, 1 - 1e-9]]))
-    assert np.allclose(seam, [[chart.inner, 0.0]] * 2)
+    seam = compressed(np.array([[2.0, 0.0, 1 + 1e-9], [2.0, 0.0, 1 - 1e-9]]), 2.0)
+    assert np.allclose(seam, [[0.7, 0.0]] * 2)
 
 
 def test_a_plane_at_infinity_is_named():
     planes = read_arrangement("coordinate-planes")
     for ahead, named in (((0, 0, 1), True), ((1, 1, 1), False)):
-        made = draw_gnomonic.scene(planes, camera=ahead, rim=True)
-        assert any("line at infinity, line 3;" in text for text, _ in made.legend.lines) == named
         made = draw_gnomonic.scene(planes, camera=ahead)
         assert any("farther out: line 3" in text for text in made.legend.captions) == named
 
 
-@pytest.mark.parametrize("rim", [False, True])
-def test_gnomonic_lines_straight_with_named_ends(rim):
-    figure = draw_gnomonic(read_arrangement("five-generic-planes"), rim=rim)
+def test_gnomonic_lines_straight_with_named_ends():
+    figure = draw_gnomonic(read_arrangement("five-generic-planes"))
     for path in paths(figure):
         if path.name.startswith("front"):
             a, *_, d = path.points
@@ -339,23 +337,18 @@ def test_colouring_by_a_function_of_the_region():
     assert fills == {"red", "blue"}
 
 
-@pytest.mark.parametrize("antipodes", [None, "same", "opposite"])
 @pytest.mark.parametrize("name", [*FEW, "coordinate-planes", "nine-generic-planes"])
-def test_neighbours_differ_and_opposite_regions_are_as_asked(name, antipodes):
+def test_neighbours_differ_by_parity(name):
     planes = read_arrangement(name)
     regions = [DrawnRegion(face.signs, 0) for face in planes.regions()]
     pairs = neighbours(planes)
-    found = colouring("parity", antipodes, regions, pairs, planes.firsts)
+    found = colouring("parity", regions, pairs, planes.firsts)
     fills = {region.signs: found.paint(region) for region in regions}
     assert pairs
     assert all(fills[regions[a].signs] != fills[regions[b].signs] for a, b in pairs)
     alike = {fills[signs] == fills[tuple(-s for s in signs)] for signs in fills}
-    natural = "opposite" if len(planes.distinct) % 2 else "same"
-    assert alike == {(antipodes or natural) == "same"}
-    if antipodes in (None, natural):
-        assert len(set(fills.values())) == 2
-    elif antipodes == "opposite":
-        assert len(set(fills.values())) == 4
+    assert alike == {len(planes.distinct) % 2 == 0}
+    assert len(set(fills.values())) == 2
 
 
 def neighbours(planes: Arrangement) -> list[tuple[int, int]]:
@@ -576,7 +569,7 @@ def test_rim_numbers_have_the_order_of_their_lines(normal, view):
         scene = view.scene(Arrangement(rows, offsets), projective=True, labels="none")
     else:
         cone = Arrangement([(*row, -c) for row, c in zip(rows, offsets, strict=True)])
-        scene = view.scene(cone, camera=(0, 0, 1), labels="none", coordinates="given", rim=True)
+        scene = view.scene(cone, camera=(0, 0, 1), labels="none", coordinates="given")
     numbers = [item for item in scene.items if isinstance(item, Label) and item.text in "123"]
     middle = np.array(np.mean([item.place for item in numbers], axis=0))
     for side in (1, -1):

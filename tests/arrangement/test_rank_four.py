@@ -21,10 +21,8 @@ from arrangement.numbers.exact import dot
 from arrangement.pictures import DRAWINGS, draw_poset
 from arrangement.pictures.duals.dual import dual_model
 from arrangement.pictures.duals.schlegel import symmetric_diagram
-from arrangement.pictures.parts.coordinates import orbits
-from arrangement.pictures.parts.essential import in_space
-from arrangement.pictures.parts.sections import cut_out
-from arrangement.pictures.views import drawings_of
+from arrangement.pictures.parts.coordinates import in_space, orbits
+from arrangement.pictures.space.sections import cut_out
 from tests.drawn import elements
 
 COINCIDENT = Arrangement(
@@ -46,13 +44,13 @@ EVERY = pytest.mark.parametrize("planes", FOUR.values(), ids=FOUR)
 
 def scene(planes, view, **options):
     with own_settings():
-        return drawings_of(planes)._scene(planes, view, None, options)
+        return DRAWINGS.of(planes)._scene(planes, view, None, options)
 
 
 @EVERY
 def test_regions_and_facets_are_those_counted_in_every_format(planes):
     *_, facets, regions = f_vector(planes)
-    for view in ("dual", "graph", "poset"):
+    for view in ("graph", "poset"):
         made = scene(planes, view)
         found = elements(made)
         assert (found["vertex"], found["edge"]) == (regions, facets)
@@ -66,8 +64,6 @@ def test_regions_and_facets_are_those_counted_in_every_format(planes):
 @EVERY
 def test_a_schlegel_diagram_divides_its_outer_cell(planes):
     """All vertices are inside it, the cells fill it, and no two edges cross in space."""
-    flat = scene(planes, "dual")
-    assert flat.legend.lines[0][0].startswith("Schlegel diagram")
     planes = in_space(planes, 4)
     diagram = symmetric_diagram(planes, None)
     places = diagram.places / np.abs(diagram.places).max()
@@ -195,7 +191,7 @@ def test_a_poset_rises_from_its_base_by_one_plane_at_a_time(base, signs):
 def test_orbits_and_models_of_rank_four():
     regions = [face.signs for face in coxeter("D4").regions()]
     assert set(orbits(coxeter("D4"), regions)) == {0}
-    keys = [key.text for key in scene(coxeter("A4"), "dual", colour="orbits").legend.keys]
+    keys = [key.text for key in scene(coxeter("A4"), "graph", colour="orbits").legend.keys]
     assert "orbit of 120" in keys
     content = dual_model(coxeter("A4"), ".glb")
     length = int.from_bytes(content[12:16], "little")
@@ -204,9 +200,9 @@ def test_orbits_and_models_of_rank_four():
 
 
 def test_too_large_to_draw_refused_before_listing():
-    for view in ("dual", "graph", "poset"):
+    for view in ("graph", "poset"):
         with pytest.raises(OutOfReachError, match="regions in a picture"):
             scene(generic(25, 4), view)
-    assert next(iter(drawings_of(coxeter("A4")).views)) == "dual"
-    assert next(iter(drawings_of(coxeter("A5")).views)) == "lattice"
-    assert set(DRAWINGS.views) == set(drawings_of(coxeter("A4")).views)
+    assert next(iter(DRAWINGS.of(coxeter("A4")).views)) == "graph"
+    assert next(iter(DRAWINGS.of(coxeter("A5")).views)) == "lattice"
+    assert set(DRAWINGS.views) == set(DRAWINGS.of(coxeter("A4")).views)

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import argparse
 import inspect
+import sys
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -118,7 +119,7 @@ def options_of(function: Callable[..., Any], keywords: bool = False) -> dict[str
         keywords: only those of keyword-only parameters, without ``**options``.
     """
     texts = argument_texts(inspect.getdoc(function) or "")
-    names = inspect.unwrap(function).__globals__
+    names = vars(sys.modules[inspect.unwrap(function).__module__])
     found = {}
     for name, parameter in inspect.signature(function).parameters.items():
         if keywords and parameter.kind is not parameter.KEYWORD_ONLY:

@@ -11,32 +11,31 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.counts import Flat, IntersectionLattice, intersection_lattice
-from arrangement.drawing.figure import picture
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import GAP, POINTS, Scene
+from arrangement.drawing.views import picture
 from arrangement.numbers import budget
-from arrangement.pictures.parts.essential import RAISED
+from arrangement.pictures.parts.coordinates import RAISED
 from arrangement.pictures.parts.names import plane_names
 
 _INK = "#882255"
 
 
 @picture()
-def draw_lattice(arrangement: Arrangement, *, width: float = 88.0, moebius: bool = True) -> Scene:
+def draw_lattice(arrangement: Arrangement, *, width: float = 88.0) -> Scene:
     """Draw the intersections of planes, ordered by reverse inclusion, as a Hasse diagram.
 
     One row for each rank, the whole space at the bottom; the planes stand in input order, and the
     order of the rows above keeps crossings few. A flat is named by the planes that contain it,
     counted from 1; runs of four and more are shortened. Where the names of a row do not fit even
     in small text they are rotated, and where they still do not fit the row has dots, and a note
-    says so. At the left stand the number of flats of the rank and, with `moebius`, the sum of
-    their Moebius values: the Whitney numbers.
+    says so. At the left stand the number of flats of the rank and the sum of their Moebius
+    values mu(whole space, X): the Whitney numbers. The value of a flat stands under its name.
 
     Elements: ``flat-2-5`` (rank, position in `IntersectionLattice.flats`) and ``cover-7``.
 
     Args:
         arrangement: any; for affine planes the diagram is a semilattice.
-        moebius: write mu(whole space, X) under the name of each flat X.
 
     Raises:
         InputError: more than 500 flats of one rank.
@@ -44,7 +43,7 @@ def draw_lattice(arrangement: Arrangement, *, width: float = 88.0, moebius: bool
     lattice = intersection_lattice(arrangement)
     largest = max(map(len, lattice.flats))
     budget.check_size(largest, "flats of one rank in a picture")
-    return _HasseDiagram(lattice, width, moebius).draw()
+    return _HasseDiagram(lattice, width).draw()
 
 
 @dataclass(frozen=True)
@@ -67,8 +66,8 @@ class _RankRow:
 
 
 class _HasseDiagram:
-    def __init__(self, lattice: IntersectionLattice, width: float, moebius: bool) -> None:
-        self.lattice, self.moebius = lattice, moebius
+    def __init__(self, lattice: IntersectionLattice, width: float) -> None:
+        self.lattice = lattice
         trial = Scene(width, 10.0)
         margins = [self._margin(rank) for rank in range(len(lattice.flats))]
         self.left = max(trial.measure(text, 6.0)[0] for text in margins) + 8.0
@@ -82,37 +81,31 @@ class _HasseDiagram:
         if dots:
             text = f"dots at rank {', '.join(dots)}: flats without their names"
             self.scene.legend.captions.append(text)
-        if moebius:
-            self.scene.legend.line(
-                "under each name: the M\u00f6bius value \u03bc(whole space, flat)"
-            )
+        self.scene.legend.line("under each name: the M\u00f6bius value \u03bc(whole space, flat)")
         self.margins = margins
 
     def _margin(self, rank: int) -> str:
         flats = self.lattice.flats[rank]
-        text = f"rank {rank}\n{counted(len(flats), 'flat')}"
-        if self.moebius:
-            total = sum(self.lattice.moebius[flat] for flat in flats)
-            text += f"\n\u03a3\u03bc = {_signed(total)}"
-        return text
+        total = sum(self.lattice.moebius[flat] for flat in flats)
+        return f"rank {rank}\n{counted(len(flats), 'flat')}\n\u03a3\u03bc = {_signed(total)}"
 
     def _row(self, scene: Scene, flats: tuple[Flat, ...]) -> _RankRow:
         names = [self._name(flat) for flat in flats]
-        values = [_signed(self.lattice.moebius[flat]) for flat in flats] if self.moebius else []
+        values = [_signed(self.lattice.moebius[flat]) for flat in flats]
         room = self.right - self.left
         for turned in (False, True):
             angle = 90.0 if turned else 0.0
             for size in (7.0, 6.0, 5.0):
                 boxes = [scene.measure(name, size, angle) for name in names]
                 small = [scene.measure(value, size - 0.5, angle) for value in values]
-                widths = [max(w, v) for (w, _), (v, _) in zip(boxes, small or boxes, strict=True)]
+                widths = [max(w, v) for (w, _), (v, _) in zip(boxes, small, strict=True)]
                 gap, most = (2.4 if turned else 5.0), max(widths)
                 if (most + gap) * len(flats) <= room:
                     widths = [most] * len(flats)
                 elif sum(widths) + gap * len(flats) > room:
                     continue
-                heights = (max(h for _, h in boxes), max((h for _, h in small), default=0.0))
-                if turned and small:
+                heights = (max(h for _, h in boxes), max(h for _, h in small))
+                if turned:
                     heights = (heights[0], heights[1] + 2.0)
                 free = (room - sum(widths)) / len(flats)
                 return _RankRow(names, values, size, turned, heights, [w + free for w in widths])

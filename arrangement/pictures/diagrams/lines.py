@@ -20,16 +20,15 @@ from arrangement.drawing.colours import (
     DrawnRegion,
     colouring,
 )
-from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import Corner
 from arrangement.drawing.scene.curves import along
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, sign_text, write_if_free
 from arrangement.drawing.scene.places import beside, beyond, fixed
 from arrangement.drawing.scene.scene import POINTS, Scene, arrow
+from arrangement.drawing.views import Corner
 from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import rational_vector, shown
-from arrangement.pictures.parts.coordinates import in_coordinates
+from arrangement.pictures.parts.coordinates import in_coordinates, planes_view
 from arrangement.pictures.parts.names import (
     Labels,
     RegionLabels,
@@ -40,7 +39,6 @@ from arrangement.pictures.parts.names import (
     plane_names,
     swatch,
 )
-from arrangement.pictures.parts.registry import shown_as
 from arrangement.pictures.sphere.disc import alone, label_regions
 
 from .line_charts import LinesChart
@@ -54,8 +52,7 @@ _LINE: dict[str, Any] = {"ec": "black", "zorder": 3, "role": "circle"}
 _WIDTH, _FEW, _THIN = 0.9, 9, 0.25
 
 
-@picture()
-@shown_as("lines")
+@planes_view("lines")
 def draw_lines(
     arrangement: Arrangement,
     *,
@@ -149,7 +146,7 @@ class _Sheet:
             fill = {True: _BOUNDED, False: _UNBOUNDED}
             self.colours = Colouring(lambda r: fill[r.signs in bounded], colour)
         else:
-            self.colours = colouring(colour, None, self.regions, (), chart.lines.firsts)
+            self.colours = colouring(colour, self.regions, (), chart.lines.firsts)
         self.paint = self.colours.paint
         self.lines: list[Floats] = []
         self.outlines: list[tuple[DrawnRegion, Floats]] = []

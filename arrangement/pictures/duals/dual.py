@@ -18,19 +18,22 @@ from arrangement.drawing.colours import (
     letter_colour,
     side_colour,
 )
-from arrangement.drawing.figure import picture
 from arrangement.drawing.output import millimetres
-from arrangement.drawing.registry import Vector
 from arrangement.drawing.scene.curves import ring
 from arrangement.drawing.scene.items import Box, Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
 from arrangement.drawing.scene.places import across, beside, tried
 from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import lit, unit, unit_vectors
+from arrangement.drawing.views import Vector
 from arrangement.duals.zonohedron import dual_polyhedron
-from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector
-from arrangement.pictures.parts.coordinates import in_coordinates
+from arrangement.pictures.parts.coordinates import (
+    DUAL_MODEL,
+    in_coordinates,
+    in_view_space,
+    planes_view,
+)
 from arrangement.pictures.parts.names import (
     Labels,
     RegionLabels,
@@ -38,43 +41,36 @@ from arrangement.pictures.parts.names import (
     plane_names,
     stroke,
 )
-from arrangement.pictures.parts.registry import brought, shown_as
 from arrangement.pictures.sphere.disc import HIDDEN, Disc, front, rim_width
 from arrangement.pictures.sphere.globe import Globe, clear_direction
 from arrangement.pictures.sphere.projections import orthographic
 
-from .schlegel import draw_schlegel, schlegel_model
+from .schlegel import schlegel_model
 from .solids import SeenSolid, dual_solid, hull_solid, unit_lengths
 
 #: Below this width the two panels stand one above the other; in millimetres.
 SIDE_BY_SIDE = 120.0
 
 
-@picture()
-@shown_as("dual")
+@planes_view("dual")
 def draw_dual(
     arrangement: Arrangement,
     *,
     camera: Vector | None = None,
     azimuth: float = 0.0,
     colour: Choice | None = None,
-    antipodes: str | None = None,
     labels: Labels | None = None,
     width: float = 180.0,
     hull: bool = False,
     coordinates: str | None = None,
 ) -> Scene:
-    """Draw the dual of central planes: up to rank 3 a polyhedron, beside the great circles in R^3.
+    """Draw the dual polyhedron of central planes beside the great circles in R^3.
 
     Both are seen from the same direction. A region of the sphere and its vertex of the dual have
     the same colour and sign vector; a circle and its zone of parallel edges have the same colour
     and number. Both are lit from the upper left, from in
     front. Hidden edges are dashed; which are hidden is decided exactly. The generators of
     the dual have length 1. In rank 2 the dual is a polygon, in rank 1 a segment.
-
-    In rank 4 it is a polytope in R^4, and there is its Schlegel diagram alone: seen through a
-    largest facet, of these a most symmetric one, the rest of its surface is inside this
-    facet. Near edges are thicker and pass over the others; vertices are those of `draw_graph`.
 
     With `hull` the second panel has instead the convex hull of one point of the unit sphere for
     each region (see `arrangement.duals.inscribed.hull`). Edges of the hull between
@@ -85,10 +81,10 @@ def draw_dual(
     ``face-2`` for the visible faces.
 
     Args:
-        arrangement: central, of rank 1 to 4; rank 3 for the hull.
+        arrangement: central, of rank 1 to 3; rank 3 for the hull.
         camera: the exact direction towards the viewer; if omitted, one from above in which no
             circle is edge-on and no vertex hides its opposite.
-        azimuth, colour, antipodes, labels: as for `draw_sphere`.
+        azimuth, colour, labels: as for `draw_sphere`.
         width: of the figure, in millimetres; below 120 the panels stand one above the other.
         hull: draw the hull of representatives.
         coordinates: as for `draw_sphere`; for the hull "given" if omitted.
@@ -99,11 +95,6 @@ def draw_dual(
     """
     if coordinates is None and hull:
         coordinates = "given"
-    if arrangement.rank == 4:
-        if hull:
-            raise InputError("the hull is that of regions in R^3; leave it out")
-        seen = (camera, azimuth)
-        return draw_schlegel(arrangement, coordinates, seen, colour, antipodes, labels, width)
     names = RegionLabels(arrangement, labels, items="circles")
     arrangement, camera = in_coordinates(coordinates, arrangement, camera)
     globe = Globe(arrangement, camera)
@@ -111,7 +102,7 @@ def draw_dual(
         globe = Globe(arrangement, _oblique_direction(globe))
     if azimuth:
         globe = Globe(arrangement, globe.direction, azimuth)
-    colours = globe.colouring(colour, antipodes)
+    colours = globe.colouring(colour)
     if hull:
         from arrangement.duals.inscribed.hull import representative_hull
 
@@ -327,7 +318,7 @@ def dual_model(
         coordinates: as for `draw_dual`, with generators of length 1; with "given" those of the
             file, in rank 3 of its lengths.
     """
-    arrangement, length = brought(arrangement, "dual"), millimetres(size, "size")
+    arrangement, length = in_view_space(arrangement, "dual", DUAL_MODEL), millimetres(size, "size")
     if arrangement.rank == 4:
         return schlegel_model(arrangement, suffix, length, explode, coordinates)
     arrangement, _ = in_coordinates(coordinates, arrangement)

@@ -16,9 +16,7 @@ from arrangement.drawing.colours import (
     DrawnRegion,
     colouring,
     letter_colour,
-    pale,
 )
-from arrangement.drawing.figure import picture
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
 from arrangement.drawing.scene.places import across, beside, tried
@@ -29,7 +27,7 @@ from arrangement.duals.zonotope import dual_polygon, dual_segment
 from arrangement.enumeration.regions import neighbours
 from arrangement.errors import extra
 from arrangement.numbers import budget
-from arrangement.pictures.parts.coordinates import in_coordinates, orbits, symmetry
+from arrangement.pictures.parts.coordinates import in_coordinates, orbits, planes_view, symmetry
 from arrangement.pictures.parts.names import (
     MOST,
     Labels,
@@ -39,7 +37,6 @@ from arrangement.pictures.parts.names import (
     plane_names,
     stroke,
 )
-from arrangement.pictures.parts.registry import shown_as
 
 from .solids import Edge, edges_of, flat_edges
 from .tutte import tutte_places
@@ -55,7 +52,7 @@ class PlacedGraph:
     """The graph of regions with places for a drawing.
 
     Attributes:
-        places: (V, 2), or (V, 3): to the right, up, and towards the viewer.
+        places: (V, 2); to the right and up.
         signs: the sign vector of each vertex's region.
         edges: vertex, vertex, and the class of planes of the edge.
         outer: of a planar drawing of rank 3, the outer face, in cyclic order.
@@ -67,13 +64,11 @@ class PlacedGraph:
     outer: tuple[int, ...] = ()
 
 
-@picture()
-@shown_as("graph")
+@planes_view("graph")
 def draw_graph(
     arrangement: Arrangement,
     *,
     colour: Choice | None = None,
-    antipodes: str | None = None,
     labels: Labels | None = None,
     width: float = 88.0,
 ) -> Scene:
@@ -96,7 +91,7 @@ def draw_graph(
 
     Args:
         arrangement: central of any rank, or affine.
-        colour, antipodes, labels: of vertices, as for `draw_sphere`; where edges cross, no labels
+        colour, labels: of vertices, as for `draw_sphere`; where edges cross, no labels
             for more than 40 regions if omitted.
 
     Raises:
@@ -111,7 +106,7 @@ def draw_graph(
         crossed = sorted({c for u, v, c in graph.edges if u in graph.outer and v in graph.outer})
         planes = plane_names(sorted(k for c in crossed for k in arrangement.distinct[c]))
         scene.legend.line(f"outer polygon: a ray on the planes {planes}")
-    GraphPicture(arrangement, graph, scene, names, colour, antipodes).draw()
+    GraphPicture(arrangement, graph, scene, names, colour).draw()
     return scene
 
 
@@ -206,10 +201,7 @@ def _cycle(arrangement: Arrangement) -> PlacedGraph:
 
 
 class GraphPicture:
-    """Regions as vertices and facets as edges at given places, as large as a sheet allows.
-
-    Where places have a depth, near edges are thicker and darker and pass over the others.
-    """
+    """Regions as vertices and facets as edges at given places, as large as a sheet allows."""
 
     def __init__(
         self,
@@ -218,7 +210,6 @@ class GraphPicture:
         scene: Scene,
         names: RegionLabels,
         colour: Choice | None = None,
-        antipodes: str | None = None,
         least: float = 0.0,
     ) -> None:
         """Take the least margin in points, too."""
@@ -229,19 +220,16 @@ class GraphPicture:
         full = arrangement.dimension in (3, arrangement.rank) and arrangement.is_central
         found = partial(orbits, arrangement, graph.signs) if full else None
         firsts = arrangement.firsts
-        self.colours = colouring(colour, antipodes, self.regions, pairs, firsts, found)
+        self.colours = colouring(colour, self.regions, pairs, firsts, found)
         self.fills = [self.colours.paint(region) for region in self.regions]
         widest = max(
             (form for s in graph.signs for form in names.forms(s)[:1]), key=len, default=""
         )
         margin = max(least, min(max(scene.measure(widest, 6.0)) + 6, 26.0))
-        flat, self.deep = graph.places[:, :2], graph.places.shape[1] > 2
-        low, high = flat.min(axis=0), flat.max(axis=0)
+        low, high = graph.places.min(axis=0), graph.places.max(axis=0)
         self.centre = np.array([scene.width, scene.height]) / 2
         scale = 2 * (self.centre - margin) / np.maximum(high - low, 1e-9)
-        self.places = self.centre + (flat - (low + high) / 2) * min(scale)
-        depths = graph.places[:, -1] if self.deep else np.zeros(len(flat))
-        self.near = 1 - (depths.max() - depths) / max(float(np.ptp(depths)), 1e-9)
+        self.places = self.centre + (graph.places - (low + high) / 2) * min(scale)
         self.segments = self.places[np.array(pairs)]
         lengths = np.linalg.norm(self.segments[:, 0] - self.segments[:, 1], axis=1)
         self.lengths = np.round(lengths, 4)
@@ -254,16 +242,9 @@ class GraphPicture:
         graph, scene = self.graph, self.scene
         thick = float(np.clip(0.75 * self.size, 0.3, 1.5 if graph.outer else 0.9))
         firsts = self.arrangement.firsts
-        above = np.zeros(len(self.places))
-        for e, (u, v, c) in enumerate(graph.edges):
-            near = (self.near[u] + self.near[v]) / 2
-            order, lw = 3 + 1.8 * near * self.deep, thick * (0.5 + 0.5 * near)
-            above[[u, v]] = np.maximum(above[[u, v]], order + 0.01)
-            if self.deep:
-                scene.line(self.segments[e], ec="white", lw=lw + 1.2, capstyle="butt", zorder=order)
-            colour = pale(letter_colour(c), 0.6 * (1 - near))
+        for e, (_, _, c) in enumerate(graph.edges):
             name = f"edge-{firsts[c] + 1}-{e + 1}"
-            scene.line(self.segments[e], ec=colour, lw=lw, zorder=order, gid=name)
+            scene.line(self.segments[e], ec=letter_colour(c), lw=thick, zorder=3, gid=name)
         for v, place in enumerate(self.places):
             odd = sum(graph.signs[v][k] < 0 for k in firsts) % 2
             shape, width = "square" if odd else "round", min(0.7, 0.35 * self.size)
@@ -272,9 +253,9 @@ class GraphPicture:
                 "ec": "black",
                 "lw": width,
                 "gid": self.names.element("vertex", graph.signs[v]),
-                "zorder": above[v] if self.deep else 5,
+                "zorder": 5,
             }
-            scene.marker(place, self.size * (0.6 + 0.4 * self.near[v]), shape, **style)
+            scene.marker(place, self.size, shape, **style)
         self._zones()
         self._labels()
         explain_regions(scene, self.colours, self.names, self.regions)

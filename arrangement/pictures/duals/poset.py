@@ -8,10 +8,10 @@ import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import Choice
-from arrangement.drawing.figure import picture
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import sign_text
 from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.views import picture
 from arrangement.enumeration.regions import distances
 from arrangement.numbers.exact import dot
 from arrangement.pictures.parts.names import Labels, RegionLabels
@@ -31,7 +31,6 @@ def draw_poset(
     *,
     bottom: str | None = None,
     colour: Choice | None = None,
-    antipodes: str | None = None,
     labels: Labels | None = None,
     width: float = 120.0,
 ) -> Scene:
@@ -48,7 +47,7 @@ def draw_poset(
         arrangement: any, central or not.
         bottom: the region at the bottom, by signs as ``"++-"`` or by number; if omitted, the one on
             the positive side of all planes where there is one, else region 1.
-        colour, antipodes, labels: as for `draw_sphere`; no labels for more than 150 regions if
+        colour, labels: as for `draw_sphere`; no labels for more than 150 regions if
             omitted.
 
     Raises:
@@ -75,7 +74,7 @@ def draw_poset(
     text = sign_text(lowest) if len(lowest) <= 24 else ""
     scene.legend.line(f"bottom: region {number}, {text}".rstrip(", "))
     graph = PlacedGraph(np.column_stack([across, tall * heights / max(top, 1)]), signs, edges)
-    drawn = GraphPicture(arrangement, graph, scene, names, colour, antipodes, _MARGIN)
+    drawn = GraphPicture(arrangement, graph, scene, names, colour, _MARGIN)
     drawn.draw()
     for row, count in rows.items():
         at = (4.0, float(drawn.places[heights == row][0, 1]))

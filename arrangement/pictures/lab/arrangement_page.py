@@ -20,15 +20,21 @@ from arrangement.drawing.pages.html_page import (
     one_page,
     own,
 )
-from arrangement.drawing.registry import Vector
 from arrangement.drawing.solids.sight import picture_axes, unit, unit_vectors
+from arrangement.drawing.views import Vector
 from arrangement.errors import refusal
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, shown
-from arrangement.pictures.parts.coordinates import CHOICES, even_map, is_narrow, symmetric_map
-from arrangement.pictures.parts.essential import caption
+from arrangement.pictures.parts.coordinates import (
+    CHOICES,
+    RANKS,
+    caption,
+    even_map,
+    in_view_space,
+    is_narrow,
+    symmetric_map,
+)
 from arrangement.pictures.parts.names import generator_text
-from arrangement.pictures.parts.registry import brought
 from arrangement.pictures.sphere.globe import Globe, clear_direction
 
 _OWN = "arrangement.pictures.lab"
@@ -74,7 +80,7 @@ def arrangement_page(
     if colour is not None and colour not in COLOURINGS:
         raise refusal(f"the colouring is {shown(colour)}", colour, COLOURINGS)
     summary = _summary(arrangement)
-    arrangement = brought(arrangement, "arrangement")
+    arrangement = in_view_space(arrangement, "arrangement", RANKS["sphere"])
     budget.check_size(len(arrangement.distinct), "great circles on a page")
     if coordinates is not None and coordinates not in CHOICES:
         raise refusal(f"the coordinates are {shown(coordinates)}", coordinates, CHOICES)

@@ -1,8 +1,11 @@
-"""Linear changes of coordinates for pictures: symmetric arrangements look it, nearly parallel ones
-open up.
+"""The space and the coordinates in which planes are drawn.
 
-Such a map changes no sign vector and no incidence. It is found in floats, rounded to rationals and
-applied exactly.
+*Space.* Planes of rank r in R^d are those of an arrangement in R^r, times a linear space. Most
+views are made for one space, R^2, R^3 or R^4; planes are brought there, and a caption says so.
+
+*Coordinates.* A linear map makes symmetric arrangements look it and opens nearly parallel ones.
+It changes no sign vector and no incidence. It is found in floats, rounded to rationals and applied
+exactly.
 
 *Symmetric.* The group of an arrangement is that of the linear maps that permute its planes, up to
 sign and scale of the normals. The inner product of the given coordinates, averaged over the group,
@@ -15,12 +18,13 @@ the weights are a mean of all bases, so they lie inside the polytope of bases.
 
 from __future__ import annotations
 
+import functools
 import itertools
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Annotated, Any, TypeAlias
+from typing import Annotated, Any, Concatenate, ParamSpec, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -28,9 +32,11 @@ import numpy.typing as npt
 from arrangement.arrangement import Arrangement
 from arrangement.console.options.signature import Syntax
 from arrangement.console.progress import note
-from arrangement.drawing.registry import Vector
+from arrangement.counts.configuration import pivot_columns
 from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import unit, unit_vectors
+from arrangement.drawing.views import DrawingView, Vector, picture
 from arrangement.errors import InputError, refusal
 from arrangement.library.families.classical import positive_roots
 from arrangement.numbers import budget
@@ -39,11 +45,14 @@ from arrangement.numbers.exact import IntegerVector, dot, primitive, shown
 from arrangement.numbers.linear.rank import cross, rank
 from arrangement.planes.planes import Planes
 
-from .essential import inverse_root, items_of, rounded_map
+P = ParamSpec("P")
 
 #: Names of axes, or True for those that suit.
 AxisNames: TypeAlias = Annotated[str | bool, Syntax(metavar="NAMES", words="?", bare=True)]
 
+RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+#: A linear map is rounded to multiples of 1 over this, or of a fraction of it.
+_SCALE = 1 << 12
 CHOICES = ("given", "symmetric", "even")
 #: More than the roundings of a determinant of three unit vectors.
 _SURE = 1e-12
@@ -59,6 +68,94 @@ _LEAST = 3
 _CLOSE = 1e-6
 #: Below this, sums of squares are singular in floats.
 _FLAT = 1e-12
+
+
+@dataclass(frozen=True)
+class Ranks:
+    """Which planes a view shows: those of ranks from `least` to `most`, or only central ones."""
+
+    most: float = math.inf
+    central: bool = False
+    least: int = 0
+
+    def __call__(self, planes: Planes) -> bool:
+        """Return whether it shows planes."""
+        in_range = self.least <= planes.rank <= self.most
+        return in_range and (planes.is_central or not self.central)
+
+
+_CENTRAL, _ALL = Ranks(3, central=True), Ranks()
+#: Which planes each view shows.
+RANKS = {
+    "sphere": _CENTRAL,
+    "planes": Ranks(3),
+    "cells": Ranks(3),
+    "lines": Ranks(2),
+    "stereographic": _CENTRAL,
+    "gnomonic": _CENTRAL,
+    "dual": _CENTRAL,
+    "section": Ranks(4, central=True, least=4),
+    "graph": _ALL,
+    "poset": _ALL,
+    "lattice": _ALL,
+}
+DUAL_MODEL = Ranks(4, central=True)
+
+
+def planes_view(
+    name: str,
+) -> Callable[
+    [Callable[Concatenate[Arrangement, P], Scene]], DrawingView[Concatenate[Arrangement, P]]
+]:
+    """Return a decorator: `picture` of a view `name` that draws planes of any space.
+
+    They are brought to the space of the view, and a caption says so.
+
+    Raises:
+        InputError: the view cannot show the planes; others that can are named.
+    """
+
+    def decorate(
+        view: Callable[Concatenate[Arrangement, P], Scene],
+    ) -> DrawingView[Concatenate[Arrangement, P]]:
+        @functools.wraps(view)
+        def draw(arrangement: Arrangement, /, *args: P.args, **options: P.kwargs) -> Scene:
+            scene = view(in_view_space(arrangement, name), *args, **options)
+            if text := caption(arrangement, _dimension(name, arrangement)):
+                scene.legend.captions.append(text)
+            return scene
+
+        return picture()(draw)
+
+    return decorate
+
+
+def in_view_space(arrangement: Arrangement, name: str, ranks: Ranks | None = None) -> Arrangement:
+    """Return planes in the space in which a view, model or page draws them.
+
+    Args:
+        ranks: those that it shows, if it is not a view.
+
+    Raises:
+        InputError: it cannot show them.
+    """
+    budget.check_size(len(arrangement), "planes in a picture")
+    shown = ranks or RANKS[name]
+    if not shown(arrangement):
+        kind = "central" if arrangement.is_central else "affine"
+        others = [view for view, own in RANKS.items() if own(arrangement)]
+        raise InputError(
+            f"{name} shows {'central ' * shown.central}planes of rank "
+            f"{'at most ' * (not shown.least)}{shown.most}; these are {kind}, of rank "
+            f"{arrangement.rank} in R^{arrangement.dimension}: "
+            f"for them there are {', '.join(others)}"
+        )
+    return in_space(arrangement, _dimension(name, arrangement))
+
+
+def _dimension(name: str, planes: Planes) -> int:
+    flat = name == "lines" or (name == "graph" and not planes.is_central)
+    return max(2 if flat else 3, planes.rank)
 
 
 @dataclass(frozen=True)
@@ -388,3 +485,74 @@ def within_reach(axes: Floats, half: float, most: float) -> float:
         most: the radius without axes.
     """
     return min(most, (half - 9.0) / (REACH * float(np.abs(axes[:, :2]).max())))
+
+
+def items_of(planes: Planes) -> str:
+    """Return what hyperplanes are called in their space."""
+    return {2: "lines", 3: "planes"}.get(planes.dimension, "hyperplanes")
+
+
+def caption(planes: Planes, dimension: int) -> str:
+    """Return what is said below a picture of planes in R^dimension; nothing in their own space."""
+    if planes.dimension == dimension:
+        return ""
+    essential = "essentialisation of an " * (planes.dimension > planes.rank)
+    space = f"arrangement in R{str(planes.dimension).translate(RAISED)}"
+    return (
+        f"{essential}{space}"
+        + ("", ", times a line", ", times a plane", ", times R³")[dimension - planes.rank]
+    )
+
+
+def in_space(arrangement: Arrangement, dimension: int) -> Arrangement:
+    """Return planes of rank r in R^n, n >= r, with the same signs, faces and offsets.
+
+    The first r coordinates are orthonormal ones of the span of the normals, rounded: angles stay
+    what they were but for less than 10^-3. The map is invertible, and applied exactly.
+
+    >>> braid = Arrangement([[1, -1, 0, 0], [0, 1, -1, 0], [0, 0, 1, -1]])
+    >>> in_space(braid, 3).rank
+    3
+    """
+    if arrangement.dimension == dimension:
+        return arrangement
+    normals = [plane[:-1] for plane in arrangement.integer_planes]
+    columns = pivot_columns(normals, arrangement.dimension)
+    scale, rows = 1, list(map(tuple, np.eye(len(columns), dtype=int).tolist()))
+    if len(columns) < arrangement.dimension and columns:
+        rows, scale = rounded_map(_isometry(normals, columns), _SCALE // 8)
+    zeros = (0,) * (dimension - len(columns))
+    chosen = ([normal[j] for j in columns] for normal in normals)
+    return Arrangement(
+        [(*(dot(row, normal) for row in rows), *zeros) for normal in chosen],
+        [offset * scale for offset in arrangement.offsets],
+        dimension=dimension,
+    )
+
+
+def _isometry(normals: Sequence[IntegerVector], columns: Sequence[int]) -> Floats:
+    """Return the symmetric matrix that makes chosen coordinates of normals orthonormal ones."""
+    largest = [max(map(abs, normal)) for normal in normals]
+    scaled = [[x / most for x in n] for n, most in zip(normals, largest, strict=True)]
+    span = np.linalg.svd(np.array(scaled), full_matrices=False)[2][: len(columns), columns]
+    return inverse_root(span.T @ span)
+
+
+def inverse_root(squares: Floats) -> Floats:
+    """Return the inverse of the symmetric root of a matrix of sums of squares."""
+    sizes, axes = np.linalg.eigh(squares)
+    root: Floats = (axes / np.sqrt(np.maximum(sizes, 1e-12))) @ axes.T
+    return root
+
+
+def rounded_map(matrix: Floats, scale: int) -> tuple[list[IntegerVector], int]:
+    """Return an invertible integer matrix that is nearly a float one times a scale, and the scale.
+
+    Args:
+        scale: times 8, or a higher power of 8 where rounding leaves no inverse.
+    """
+    rows: list[IntegerVector] = []
+    while rank(rows) < len(matrix):
+        scale *= 8
+        rows = [tuple(round(x * scale) for x in row) for row in matrix.tolist()]
+    return rows, scale

@@ -17,7 +17,7 @@ from arrangement.drawing.scene.scene import POINTS, Legend, Scene, Symbol
 from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import IntegerVector, shown, to_text
 
-from .essential import items_of
+from .coordinates import items_of
 
 #: Of regions: a word, or some regions, by sign vector or number, with or without texts.
 Labels: TypeAlias = Annotated[str | Mapping[Any, str] | Iterable[Any], Syntax(metavar="NAME")]

@@ -14,22 +14,25 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import EXACT, LABEL, counted, sign_text
 from arrangement.console.progress import note
 from arrangement.drawing.colours import SKIN, DrawnRegion, Painter, painter, pale, plane_colour
-from arrangement.drawing.figure import picture
 from arrangement.drawing.output import millimetres
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage
-from arrangement.drawing.registry import Exact, Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.depth_tree import plane_tree
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes, triangles
 from arrangement.drawing.solids.sight import picture_axes, turned, view_direction
+from arrangement.drawing.views import Exact, Vector
 from arrangement.duals.cells import Cell, Cells, cut_cells
 from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
 from arrangement.numbers.linear.rank import cycle_edges
-from arrangement.pictures.parts.coordinates import in_coordinates
-from arrangement.pictures.parts.essential import caption
+from arrangement.pictures.parts.coordinates import (
+    caption,
+    in_coordinates,
+    in_view_space,
+    planes_view,
+)
 from arrangement.pictures.parts.names import (
     Labels,
     RegionLabels,
@@ -37,7 +40,6 @@ from arrangement.pictures.parts.names import (
     generator_text,
     plane_names,
 )
-from arrangement.pictures.parts.registry import brought, shown_as
 
 from .lifted_cells import Lifted
 from .planes_sheet import PlanesSheet
@@ -47,8 +49,7 @@ from .stage import Stage, StagedAxes, clear_sight, sharp, unit_points, walls_of_
 _NAMED = 60
 
 
-@picture()
-@shown_as("cells")
+@planes_view("cells")
 def draw_cells(
     arrangement: Arrangement,
     *,
@@ -131,7 +132,7 @@ def cells_page(
         InputError: rank above 3, too many planes or cells, a bad factor.
     """
     number = counted(len(arrangement), "plane")
-    note, arrangement = caption(arrangement, 3), brought(arrangement, "cells")
+    note, arrangement = caption(arrangement, 3), in_view_space(arrangement, "cells")
     cells = _cells(arrangement, "cube", centre, radius, explode)
     towards = clear_sight(cells) if camera is None else view_direction(camera)
     points = unit_points(cells)
@@ -238,7 +239,7 @@ def cells_model(
     half = millimetres(size, "size") / 2
     if coordinates is None and not (centre is None and radius is None):
         coordinates = "given"
-    arrangement, _ = in_coordinates(coordinates, brought(arrangement, "cells"))
+    arrangement, _ = in_coordinates(coordinates, in_view_space(arrangement, "cells"))
     cells = cut_cells(arrangement, body, centre, radius)
     points = unit_points(cells) * half
     parts = [_part(cells, cell, points, explode - 1, paint) for cell in cells.cells]

@@ -8,25 +8,27 @@ import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import chosen, plane_colour
-from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import Exact, Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import light, lit, turned, view_direction
+from arrangement.drawing.views import Exact, Vector, picture
 from arrangement.duals.cells import cut_cells, read_signs
-from arrangement.pictures.parts.coordinates import AxisNames, drawn_axes, in_coordinates
-from arrangement.pictures.parts.essential import caption
+from arrangement.pictures.parts.coordinates import (
+    AxisNames,
+    caption,
+    drawn_axes,
+    in_coordinates,
+    planes_view,
+)
 from arrangement.pictures.parts.names import Labels, RegionLabels, equation
-from arrangement.pictures.parts.registry import shown_as
-from arrangement.pictures.parts.sections import Equation, cut_out
+from arrangement.pictures.space.sections import Equation, cut_out
 
 from .lifted_cells import lifted_cells
 from .planes_sheet import DrawnFacet, FacetPainter, PlanesSheet
 from .stage import Stage, StagedAxes, clear_sight
 
 
-@picture()
-@shown_as("planes")
+@planes_view("planes")
 def draw_planes(
     arrangement: Arrangement,
     *,

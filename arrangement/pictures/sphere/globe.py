@@ -93,13 +93,13 @@ class Globe:
         cut = enumerate(region_signs(self.cut))
         return {piece: sides[signs[:-1]] for piece, signs in cut if signs[-1] > 0}
 
-    def colouring(self, colour: Choice | None, antipodes: str | None) -> Colouring:
+    def colouring(self, colour: Choice | None) -> Colouring:
         """Return how the regions are coloured; see `colours.colouring`."""
         beside = self.whole.incidence.region[: 2 * self.whole.arc_count].tolist()
         pairs = list(zip(beside[::2], beside[1::2], strict=True))
         planes, signs = self.whole.arrangement, [region.signs for region in self.regions]
         found = partial(orbits, planes, signs)
-        return colouring(colour, antipodes, self.regions, pairs, planes.firsts, found)
+        return colouring(colour, self.regions, pairs, planes.firsts, found)
 
     @cached_property
     def limb(self) -> int:

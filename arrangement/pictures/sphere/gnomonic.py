@@ -1,4 +1,4 @@
-"""Planes as lines of the projective plane: a chart with its line at infinity as the rim."""
+"""Planes as lines of the projective plane, in a chart that touches the sphere."""
 
 from __future__ import annotations
 
@@ -11,38 +11,32 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.drawing.colours import Choice
-from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import Vector
-from arrangement.drawing.scene.curves import ring
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import best_view, picture_axes, unit_vectors, views
+from arrangement.drawing.views import Vector
 from arrangement.errors import extra
 from arrangement.numbers.exact import IntegerVector, dot, reduced, unoriented
 from arrangement.numbers.linear.rank import cross
-from arrangement.pictures.parts.coordinates import in_coordinates, symmetry
+from arrangement.pictures.parts.coordinates import in_coordinates, planes_view, symmetry
 from arrangement.pictures.parts.names import Labels, RegionLabels, explain_regions, plane_names
-from arrangement.pictures.parts.registry import shown_as
 
-from .disc import alone, front
+from .disc import alone
 from .globe import Globe, far_direction
-from .projections import CompressedChart, CutChart, Drawn, StraightChart, orthographic
+from .projections import CutChart, Drawn, orthographic
 
 _BOTH_ENDS = 16
 
 
-@picture()
-@shown_as("gnomonic")
+@planes_view("gnomonic")
 def draw_gnomonic(
     arrangement: Arrangement,
     *,
     camera: Vector | None = None,
     colour: Choice | None = None,
-    antipodes: str | None = None,
     labels: Labels | None = None,
     width: float = 88.0,
     coordinates: str | None = None,
-    rim: bool = False,
 ) -> Scene:
     """Draw central planes in R^3 as lines of the projective plane.
 
@@ -50,25 +44,17 @@ def draw_gnomonic(
     so that great circles become straight lines of this chart. The picture is a disc of it with
     most crossings; what is farther out is left out, and the legend says how much.
 
-    With `rim` the rim is the line at infinity; the two ends of a line are one point, and a region
-    that reaches the rim goes on at the opposite part of it, with all signs changed. Lines are
-    straight up to the rim when no two of them are parallel and no crossing is far away. Otherwise
-    the chart is to scale inside a thin dotted circle only. Outside it distances are compressed:
-    each line bends to the point of the rim in its own direction, and parallel lines meet there.
-
-    Every region of the chart and every arc is an element of its own (``region-3``, ``front-7``,
-    ``limb-2``). A number names a line, at both of its ends where there are few: k for the k-th
-    plane, counted from 1. If a plane is itself at infinity, the note says so, and the rim is drawn
-    thick.
+    Every region of the chart and every arc is an element of its own (``region-3``, ``front-7``).
+    A number names a line, at both of its ends where there are few: k for the k-th plane, counted
+    from 1.
 
     Args:
         arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
         camera: the exact direction of the middle; if omitted, one in which all rays stay far
             from infinity; of more than six planes an axis of most symmetries, if there is one, else
             one in which the crossings spread evenly.
-        colour, antipodes, labels: as for `draw_sphere`.
+        colour, labels: as for `draw_sphere`.
         coordinates: as for `draw_sphere`.
-        rim: show the line at infinity as a rim.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.
@@ -78,28 +64,20 @@ def draw_gnomonic(
     globe = Globe(arrangement, camera)
     if camera is None:
         globe = _upright(Globe(arrangement, _central_direction(globe)))
-    colours = globe.colouring(colour, antipodes)
-    disc = alone(globe, _chart(globe) if rim else _cut(globe), names, width)
-    dotted = []
-    if isinstance(disc.drawn.projection, CompressedChart):
-        inner = disc.drawn.projection.inner
-        style = {"lw": 0.5, "ls": (0, (1, 2)), "zorder": 2, "gid": "to-scale", "role": "line"}
-        disc.scene.circle(disc.centre, disc.radius * inner, fill=False, ec="black", **style)
-        dotted = [ring(disc.centre, disc.radius * inner)]
-    disc.draw(colours.paint, both_ends=globe.whole.circle_count <= _BOTH_ENDS, avoid=dotted)
-    shown = [r for piece, r in globe.front.items() if rim or len(disc.drawn.outline(piece))]
+    colours = globe.colouring(colour)
+    chart = _cut(globe)
+    disc = alone(globe, chart, names, width)
+    disc.draw(colours.paint, both_ends=globe.whole.circle_count <= _BOTH_ENDS)
+    shown = [r for piece, r in globe.front.items() if len(chart.outline(piece))]
     explain_regions(disc.scene, colours, names, shown)
-    if isinstance(disc.drawn, CutChart):
-        disc.scene.circle(disc.centre, disc.radius, fill=False, ec="black", lw=0.6, gid="border")
-        whole = globe.whole.arrangement
-        seen = {k for c, x in enumerate(whole.distinct) if disc.drawn.ends(c) for k in x}
-        out = [k for k in range(len(whole)) if k not in seen]
-        what = [f"line{'s' * (len(out) > 1)} {plane_names(out)}"] * bool(out)
-        what += [counted(len(globe.front) - len(shown), "region")] * (len(shown) < len(globe.front))
-        disc.scene.legend.captions += [f"farther out: {', '.join(what)}"] * bool(what)
-        disc.scene.legend.line("signs up to a common change")
-    else:
-        disc.scene.legend.line(_note(globe))
+    disc.scene.circle(disc.centre, disc.radius, fill=False, ec="black", lw=0.6, gid="border")
+    whole = globe.whole.arrangement
+    seen = {k for c, x in enumerate(whole.distinct) if chart.ends(c) for k in x}
+    out = [k for k in range(len(whole)) if k not in seen]
+    what = [f"line{'s' * (len(out) > 1)} {plane_names(out)}"] * bool(out)
+    what += [counted(len(globe.front) - len(shown), "region")] * (len(shown) < len(globe.front))
+    disc.scene.legend.captions += [f"farther out: {', '.join(what)}"] * bool(what)
+    disc.scene.legend.line("signs up to a common change")
     return disc.scene
 
 
@@ -114,42 +92,6 @@ def _cut(globe: Globe) -> CutChart:
     reach = max(0.5, 1.3 * farthest if farthest <= 3 * typical else 1.2 * typical)
     chart = Drawn(globe.cut, globe.points, globe.normals, orthographic)
     return CutChart(**vars(chart), limb=globe.limb, reach=reach)
-
-
-def _note(globe: Globe) -> str:
-    members = globe.cut.arrangement.distinct[globe.limb]
-    names = plane_names(members, len(globe.whole.arrangement))
-    if not names:
-        return "rim: the line at infinity; signs up to a common change"
-    many = "lines" if len(members) > 2 else "line"
-    return f"rim: the line at infinity, {many} {names}; signs up to a common change"
-
-
-def _chart(globe: Globe) -> Drawn:
-    """Return straight lines where they show everything, else the compressed chart."""
-    inside = globe.points[globe.points[:, 2] > 1e-9]
-    places = inside[:, :2] / inside[:, 2:]
-    incidence, limb = globe.cut.incidence, globe.limb
-    at_rim = [len(incidence.circles_at(v)) for v in incidence.crossings(limb).tolist()]
-    if not len(places):
-        places = np.zeros((1, 2))
-    middle = (places.min(axis=0) + places.max(axis=0)) / 2
-    distances = np.sort(np.linalg.norm(places - middle, axis=1))
-    typical, farthest = float(distances[(len(distances) - 1) // 2]), float(distances[-1])
-    few = globe.whole.circle_count <= _OPEN and max(at_rim, default=2) == 2
-    if few and farthest <= 5 * typical + 1e-9:
-        chart = Drawn(globe.cut, globe.points, globe.normals, orthographic)
-        # No line is to pass by near the rim or beyond it.
-        a, b, c = np.delete(globe.normals, limb, axis=0).T
-        gaps = np.abs(c + a * middle[0] + b * middle[1]) / np.hypot(a, b)
-        reach = max(0.5, 1.35 * farthest, 1.3 * float(gaps.max(initial=0.0)))
-        return StraightChart(**vars(chart), limb=limb, middle=middle, reach=reach)
-    return front(globe, _even_chart(np.linalg.norm(places, axis=1)))
-
-
-def _even_chart(spans: Floats) -> CompressedChart:
-    """Return a chart that is to scale for most points at these distances from its middle."""
-    return CompressedChart(max(0.3, float(np.quantile(spans, 0.7))))
 
 
 def _upright(globe: Globe) -> Globe:
@@ -213,7 +155,29 @@ def _evenness(axes: Floats, lines: Floats) -> float:
     points = lines @ axes.T
     points = np.where(points[:, 2:] < 0, -points, points)
     front = points[points[:, 2] > 1e-9]
-    chart = _even_chart(np.linalg.norm(front[:, :2] / front[:, 2:], axis=1))
-    places = chart.project(points)
+    spans = np.linalg.norm(front[:, :2] / front[:, 2:], axis=1)
+    places = compressed(points, max(0.3, float(np.quantile(spans, 0.7))))
     gaps = KDTree(places).query(places, k=2)[0][:, 1]
     return round(float(np.log(gaps + 0.005).mean()), 6)
+
+
+def compressed(points: Floats, reach: float, inner: float = 0.7) -> Floats:
+    """Return places in a disc of unit vectors (k, 3) in front of the limb, infinity at the rim.
+
+    Within `reach` of the middle the chart is to scale. Beyond it, distance from the middle is
+    compressed; directions are kept.
+
+    Args:
+        reach: where the compression begins; in radii of the sphere.
+        inner: the part of the disc's radius that is to scale.
+    """
+    outward = np.linalg.norm(points[:, :2], axis=1)
+    safe = np.maximum(outward, 1e-12)
+    slope = points[:, 2] / safe  # 1 / (distance from the middle of the chart)
+    rate = inner / (reach * (1 - inner))
+    low = np.minimum(slope, 1 / reach)  # nearer ones are to scale
+    far = 1 - (1 - inner) * low / (low + rate * (1 - reach * low))
+    near = outward / np.maximum(points[:, 2], 1e-12) * inner / reach
+    radius = np.where(slope * reach > 1, near, far)
+    placed: Floats = points[:, :2] * (radius / safe)[:, None]
+    return placed

@@ -1,4 +1,4 @@
-"""Arcs of great circles as curves on paper, in three projections.
+"""Arcs of great circles as curves on paper, in two projections.
 
 A projection takes an arc (unit normal of its circle, unit vector where it starts, angle through
 which it turns counter-clockwise about the normal; all in the axes right, up, towards the viewer)
@@ -59,42 +59,6 @@ def stereographic(normal: Floats, start: Floats, angle: float) -> Floats:
 
 
 @dataclass(frozen=True)
-class CompressedChart:
-    """The plane that touches the sphere at the viewer's point, with its line at infinity.
-
-    Within `reach` of the middle the chart is to scale, and arcs are straight. Beyond it, distance
-    from the middle is compressed so that infinity is the rim. Directions are kept.
-
-    Attributes:
-        reach: where the compression begins; in radii of the sphere.
-        inner: the part of the picture's radius that is to scale.
-    """
-
-    reach: float
-    inner: float = 0.7
-
-    def __call__(self, normal: Floats, start: Floats, angle: float) -> Floats:
-        """Return the arc in the chart."""
-        place, speed = _points(normal, start, angle, math.pi / 60)
-        h, step = 1e-5, angle / (len(place) - 1)
-        ahead, back = (self.project(place + s * h * speed) for s in (1, -1))
-        return joined(self.project(place), (ahead - back) / (2 * h) * step / 3)
-
-    def project(self, points: Floats) -> Floats:
-        """Return the places of unit vectors (k, 3) in front of, or at, the limb."""
-        outward = np.linalg.norm(points[:, :2], axis=1)
-        safe = np.maximum(outward, 1e-12)
-        slope = points[:, 2] / safe  # 1 / (distance from the middle of the chart)
-        rate = self.inner / (self.reach * (1 - self.inner))
-        low = np.minimum(slope, 1 / self.reach)  # nearer ones are to scale
-        far = 1 - (1 - self.inner) * low / (low + rate * (1 - self.reach * low))
-        near = outward / np.maximum(points[:, 2], 1e-12) * self.inner / self.reach
-        radius = np.where(slope * self.reach > 1, near, far)
-        placed: Floats = points[:, :2] * (radius / safe)[:, None]
-        return placed
-
-
-@dataclass(frozen=True)
 class Drawn:
     """The arcs and regions of an arrangement on the sphere, as curves on paper.
 
@@ -143,74 +107,6 @@ class Drawn:
             curve = self.arc(half_edge >> 1)
             curves.append(curve[::-1] if half_edge & 1 else curve)
         return np.concatenate([curves[0], *(curve[1:] for curve in curves[1:])])
-
-
-@dataclass(frozen=True)
-class StraightChart(Drawn):
-    """A chart with straight lines up to a rim that stands for the line at infinity.
-
-    All crossings are inside the rim and no two lines are parallel, so that nothing happens beyond
-    it: the ends of the lines come in the same order as their points at infinity.
-
-    Attributes:
-        limb: the circle at infinity.
-        middle: (2); the centre of the disc, in the chart.
-        reach: the radius of the disc, in the chart.
-    """
-
-    limb: int
-    middle: Floats
-    reach: float
-
-    @cached_property
-    def places(self) -> Floats:
-        """(V, 2); where the vertices are drawn, in units of the rim; 0 for those behind."""
-        found = np.zeros((len(self.points), 2))
-        for v, (x, y, z) in enumerate(self.points.tolist()):
-            if v in self._at_rim:
-                angle = self._at_rim[v]
-                found[v] = math.cos(angle), math.sin(angle)
-            elif z > 0:
-                found[v] = (np.array([x / z, y / z]) - self.middle) / self.reach
-        return found
-
-    @cached_property
-    def _at_rim(self) -> dict[int, float]:
-        """The angle at which each vertex of the limb is drawn."""
-        incidence, angles = self.sphere.incidence, {}
-        for v in incidence.crossings(self.limb).tolist():
-            circle = next(c for c in incidence.circles_at(v).tolist() if c != self.limb)
-            a, b, c = self.normals[circle]
-            length = math.hypot(a, b)
-            foot = -(c + a * self.middle[0] + b * self.middle[1]) / length / self.reach
-            along = math.sqrt(1 - foot * foot)
-            way = 1.0 if self.points[v] @ (-b, a, 0.0) > 0 else -1.0
-            x, y = foot * a - way * along * b, foot * b + way * along * a
-            angles[v] = math.atan2(y, x)
-        return angles
-
-    def _arc(self, arc: int) -> Floats:
-        """Return a straight line, or a part of the rim."""
-        incidence = self.sphere.incidence
-        start, stop = (int(v) for v in incidence.origin[2 * arc : 2 * arc + 2])
-        if int(incidence.arc_circle[arc]) != self.limb:
-            ends = self.places[[start, stop]]
-            return joined(ends, np.tile((ends[1] - ends[0]) / 3, (2, 1)))
-        normal = self.normals[self.limb]
-        if start < 0:
-            return self.projection(normal, across(normal), 2 * math.pi)
-        way = 1.0 if normal[2] > 0 else -1.0
-        sweep = way * (self._at_rim[stop] - self._at_rim[start]) % (2 * math.pi)
-        return self.projection(normal, np.array([*self.places[start], 0.0]), sweep)
-
-    def ends(self, circle: int) -> tuple[float, float]:
-        """Return the two angles at which a line meets the rim."""
-        first, second = (
-            self._at_rim[v]
-            for v in self.sphere.incidence.crossings(circle).tolist()
-            if v in self._at_rim
-        )
-        return first % (2 * math.pi), second % (2 * math.pi)
 
 
 @dataclass(frozen=True)

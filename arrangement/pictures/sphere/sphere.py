@@ -10,38 +10,35 @@ import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import Choice
-from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import Vector
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
 from arrangement.drawing.scene.places import beside
 from arrangement.drawing.scene.scene import Scene, arrow
 from arrangement.drawing.solids.sight import unit, unit_vectors
+from arrangement.drawing.views import Vector
 from arrangement.pictures.parts.coordinates import (
     INK,
     REACH,
     AxisNames,
     drawn_axes,
     in_coordinates,
+    planes_view,
     within_reach,
 )
 from arrangement.pictures.parts.names import Labels, RegionLabels, explain_regions
-from arrangement.pictures.parts.registry import shown_as
 
 from .disc import HIDDEN, Disc, alone, front
 from .globe import Globe
 from .projections import orthographic
 
 
-@picture()
-@shown_as("sphere")
+@planes_view("sphere")
 def draw_sphere(
     arrangement: Arrangement,
     *,
     camera: Vector | None = None,
     azimuth: float = 0.0,
     colour: Choice | None = None,
-    antipodes: str | None = None,
     labels: Labels | None = None,
     axes: AxisNames | None = None,
     sides: bool = False,
@@ -66,8 +63,6 @@ def draw_sphere(
             neighbours, else parity. Your own colours follow the name,
             ``"sides:white,gold,#0072b2"``, or stand alone; or some regions have one,
             ``"+-+=gold,++-=#0af"``, and the others are white.
-        antipodes: "same" or "opposite" colours for opposite regions (see `colours.colouring`); if
-            omitted, whatever two colours give.
         labels: of regions: "signs"; "numbers" in the order of `Arrangement.regions`, with a table
             of sign vectors below; "none". If omitted, signs of up to four planes, else numbers,
             with the table for up to 24 regions. For some regions only: these, by sign vector or
@@ -87,7 +82,7 @@ def draw_sphere(
     shown, coordinates = drawn_axes(arrangement, axes, coordinates)
     arrangement, camera = in_coordinates(coordinates, arrangement, camera)
     globe = Globe(arrangement, camera, azimuth)
-    colours = globe.colouring(colour, antipodes)
+    colours = globe.colouring(colour)
     disc = alone(globe, front(globe, orthographic), names, width, solid=True)
     arms, arrows = [], []
     if shown:

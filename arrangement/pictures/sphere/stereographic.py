@@ -14,16 +14,15 @@ from arrangement.drawing.colours import (
     DrawnRegion,
     Painter,
 )
-from arrangement.drawing.figure import picture
-from arrangement.drawing.registry import Vector
 from arrangement.drawing.scene.curves import along, flattened, ring
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
 from arrangement.drawing.scene.places import beside, inside
 from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import unit_vectors
+from arrangement.drawing.views import Vector
 from arrangement.errors import InputError
-from arrangement.pictures.parts.coordinates import in_coordinates
+from arrangement.pictures.parts.coordinates import in_coordinates, planes_view
 from arrangement.pictures.parts.names import (
     Labels,
     RegionLabels,
@@ -32,7 +31,6 @@ from arrangement.pictures.parts.names import (
     note_near,
     plane_names,
 )
-from arrangement.pictures.parts.registry import shown_as
 
 from .disc import HIDDEN, LINE_WIDTH, alone, front, label_regions, rim_width
 from .globe import Globe, far_direction
@@ -42,14 +40,12 @@ from .projections import Drawn, stereographic
 FARTHEST = 3.3
 
 
-@picture()
-@shown_as("stereographic")
+@planes_view("stereographic")
 def draw_stereographic(
     arrangement: Arrangement,
     *,
     camera: Vector | None = None,
     colour: Choice | None = None,
-    antipodes: str | None = None,
     labels: Labels | None = None,
     width: float = 88.0,
     whole: bool | None = None,
@@ -71,7 +67,7 @@ def draw_stereographic(
     Args:
         arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
         camera: the exact direction of the middle; if omitted, one is chosen.
-        colour, antipodes, labels: as for `draw_sphere`.
+        colour, labels: as for `draw_sphere`.
         whole: both halves, or the front half; if omitted, both where all circles stay within
             3.3 radii, as for few circles.
         coordinates: as for `draw_sphere`.
@@ -92,7 +88,7 @@ def draw_stereographic(
             globe, whole = central, True
     if whole is None:
         whole = 0 < _farthest(globe) <= FARTHEST
-    colours = globe.colouring(colour, antipodes)
+    colours = globe.colouring(colour)
     if not whole:
         disc = alone(globe, front(globe, stereographic), names, width)
         disc.draw(colours.paint)

@@ -1,22 +1,26 @@
-"""One registry of drawings for each package, and what both do with it: draw, write files.
+"""What a view is: a function, its options, what its help says, and the files that it writes.
 
-A view is one function in one file of a package of pictures, and one line in its registry. Its
-options are its keyword-only parameters (`arrangement.console.options.signature`): a view brings its
-kinds of options, as its line says what it can show. No module here knows any view.
+A view is one function in a package of pictures, and one line in the table of the package
+(`Drawings`). It returns a scene; `picture` makes it a function that returns a figure. Its options
+are its keyword-only parameters, its help is its docstring (`console.options.signature`). The
+command ``draw`` is made from the table (`drawing.command`). No module here knows any view.
 """
 
 from __future__ import annotations
 
+import functools
+import inspect
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, fields, replace
+from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any, ParamSpec, Protocol, TypeAlias, overload
 
 from arrangement.console.options.signature import Option, Syntax, options_of, summary
 from arrangement.console.options.values import rational_argument
-from arrangement.console.plugins import named
+from arrangement.console.progress import watched
 from arrangement.console.writing import write_bytes_atomically, write_text_atomically
 from arrangement.errors import InputError, MissingExtraError, refusal
 from arrangement.numbers.exact import shown
@@ -29,17 +33,27 @@ from .output import (
     PICTURES,
     THEMES,
     TIKZ,
+    check_choice,
     check_renamed,
     ending,
+    font_settings,
     millimetres,
+    movie_bytes,
     own_settings,
+    picture_bytes,
+    points,
+    require_matplotlib,
     svg_text,
 )
-from .printing import Printing, write_movie
+from .scene.layout import APART, composed, laid_out, picture_width
+from .scene.scene import FONT, NarrowError, Scene, checked_width
 
 if TYPE_CHECKING:
-    from .path_artist import Drawing
-    from .scene.scene import Scene
+    from matplotlib.figure import Figure
+
+    from .path_artist import Drawing, Room
+
+P = ParamSpec("P")
 
 #: Kinds of options that views of both packages have; other kinds are where the views are.
 Vector: TypeAlias = Annotated[Sequence[object], Syntax(rational_argument, ("X", "Y", "Z"), 3)]
@@ -55,17 +69,190 @@ TextKind: TypeAlias = Annotated[str | None, Syntax(metavar="KIND")]
 KINDS = ("view", "model", "page")
 #: Options that are lengths, in millimetres.
 LENGTHS = {"width", "size"}
+#: Text of SVG; the first one is the default.
+LETTERS = ("outlines", "text")
 #: The width of a sheet with panels, in millimetres.
 WHOLE = 180.0
 
 
-def _anything(_: Any) -> bool:
-    return True
+#: What holds for every view: said once, and added to the docstrings.
+_WIDTH = "    width: of the figure, in millimetres.\n"
+_AX = """    ax: axes, a figure or subfigure of matplotlib to draw into. The picture takes the room
+        that is there and has no legend; each element is an artist with its name as ``gid``.
+"""
+_ABSENT = "    MissingExtraError: matplotlib is absent.\n"
+
+
+class DrawingView(Protocol[P]):
+    """A view as a function: it returns the figure in which it has drawn."""
+
+    scene: Callable[..., Scene]
+
+    @overload
+    def __call__(self, *args: P.args, **options: P.kwargs) -> Drawing: ...
+    @overload
+    def __call__(self, subject: Any, /, *, ax: Room, **options: Any) -> Figure: ...
+
+
+def picture(least: float = 40.0) -> Callable[[Callable[P, Scene]], DrawingView[P]]:
+    """Return a decorator: a view draws its scene, with its legend, as a matplotlib figure.
+
+    The scene stays within reach, for other writers: ``draw_sphere.scene``. Every view has a width,
+    which is checked here.
+
+    Args:
+        least: the least width, in millimetres.
+    """
+
+    def decorate(view: Callable[P, Scene]) -> DrawingView[P]:
+        @functools.wraps(view)
+        def scene(*args: P.args, **options: P.kwargs) -> Scene:
+            check_renamed(options, view.__annotations__)
+            if "width" in options:
+                options["width"] = checked_width(options["width"], least)
+            return view(*args, **options)
+
+        @functools.wraps(view)
+        def draw(*args: Any, ax: Room | None = None, **options: Any) -> Figure:
+            if ax is None:
+                return drawing(scene(*args, **options))
+            require_matplotlib()
+            from .path_artist import into
+
+            return into(
+                ax, lambda width: laid_out(scene(*args, **{"width": width, **options}), "none")
+            )
+
+        text = inspect.cleandoc(view.__doc__ or "")  # Python 3.13 takes the indent away itself
+        if "    width:" not in text:
+            text = text.replace("\nRaises:", f"{_WIDTH}\nRaises:")
+        text = text.replace("\nRaises:", f"{_AX}\nRaises:")
+        draw.__doc__ = f"{text}\n{_ABSENT}"
+        draw.__annotations__ = {**view.__annotations__, "return": "Drawing"}
+        draw.scene = scene  # type: ignore[attr-defined]
+        made: Any = draw
+        return made  # type: ignore[no-any-return]
+
+    return decorate
+
+
+def drawing(scene: Scene) -> Drawing:
+    """Return a picture with its legend as a figure.
+
+    Raises:
+        MissingExtraError: matplotlib is absent.
+    """
+    require_matplotlib()
+    from .path_artist import Drawing
+
+    return Drawing(scene)
+
+
+@dataclass(frozen=True)
+class Printing:
+    """How a picture is printed; these options have all pictures.
+
+    Args:
+        font: of .svg, .pdf, .png: an installed font (default: DejaVu Sans).
+        font_size: size of the larger text, such as 8pt (default: 7pt); lines follow.
+        theme: light (default), dark, mono; mono is black on white with hatchings.
+        legend: below (default), right, none.
+        text: in .svg: outlines (default), which look the same everywhere, or text, which can
+            be edited.
+        fragment: in .tex: no document, for ``\\input``.
+        columns: of panels (default: 2).
+        frames: of a full turn in .gif, .mp4 (default: 36); without labels of regions, unless
+            these are asked for.
+    """
+
+    font: str | None = None
+    font_size: Length = None
+    theme: str | None = None
+    legend: LegendPlace = None
+    text: TextKind = None
+    fragment: bool = False
+    columns: int | None = None
+    frames: int | None = None
+
+    def check(self, kind: str, name: str, suffix: str) -> None:
+        """Refuse what does not go with a view, model or page, or with a kind of file."""
+        given = {name for name, x in asdict(self).items() if x is not None and x is not False}
+        for names, fits, what in (
+            (
+                {"font_size", "theme", "legend"},
+                kind == "view",
+                "a font size, legend or theme is for pictures",
+            ),
+            (
+                {"font"},
+                kind == "view" and suffix not in TIKZ,
+                "a font is for pictures other than TikZ, which TeX sets in its own",
+            ),
+            ({"fragment"}, suffix in TIKZ, "a fragment is TikZ, .tex"),
+            ({"text"}, suffix == ".svg", "text or outlines is a choice of .svg"),
+            ({"frames"}, suffix in MOVIES, "frames are for .gif and .mp4"),
+            ({"columns"}, "," in name, "columns are for several views, such as sphere,dual"),
+        ):
+            if given & names and not fits:
+                raise InputError(f"{what}, and the file name ends in {suffix}")
+        for name, known in (("theme", THEMES), ("legend", LEGENDS), ("text", LETTERS)):
+            if name in given:
+                check_choice(name, getattr(self, name), known)
+
+    @property
+    def scale(self) -> float:
+        """How large text and lines are, in units of the usual size."""
+        return 1.0 if self.font_size is None else points(self.font_size, "the font size") / FONT
+
+    def picture_width(self, width: float) -> float:
+        """Return the width of the picture itself at its usual size, on a sheet of a width."""
+        return picture_width(width, self.legend or LEGENDS[0]) / self.scale
+
+    @contextmanager
+    def explained(self, width: float) -> Iterator[None]:
+        """Explain why a picture is too narrow, where its own width is not that of the sheet."""
+        try:
+            yield
+        except NarrowError as error:
+            if self.picture_width(width) == width:
+                raise
+            why = [f"1/{self.scale:.3g} of it for the font size"] * (self.scale != 1)
+            why += ["without the legend at the right"] * (self.legend == "right")
+            counted = f"{width:.4g}, counted as {', '.join(why)}"
+            raise InputError(f"{error} (the width given is {counted})") from None
+
+    def finished(self, scene: Scene) -> Scene:
+        """Return the sheet with a picture, its legend and its captions, in the theme."""
+        from .path_artist import finished
+
+        return finished(scene, self.legend or LEGENDS[0], self.theme or THEMES[0], self.scale)
+
+    def write_movie(self, path: str | os.PathLike[str], make: Callable[..., Scene]) -> None:
+        """Write the pictures that `make` returns for angles ``azimuth`` all around.
+
+        Raises:
+            InputError: no such number of pictures, or no ffmpeg for ``.mp4``.
+            MissingExtraError: matplotlib is absent.
+        """
+        from .path_artist import figure
+
+        count = 36 if self.frames is None else self.frames
+        if not isinstance(count, int) or not 2 <= count <= 720:
+            raise InputError(f"a turn has {shown(count)} frames; give 2 to 720")
+        frames = []
+        for k in watched(range(count), "pictures"):
+            with own_settings(font_settings(self.font)):
+                drawn = functools.partial(figure, make(azimuth=360 * k / count))
+                frames.append(picture_bytes(".png", drawn, dpi=150, font=self.font))
+        write_bytes_atomically(path, movie_bytes(ending(path, MOVIES), frames))
+
+
+PRINTING = {field.name for field in fields(Printing)}
 
 
 @dataclass(frozen=True)
 class ViewEntry:
-    """A line of a registry.
+    """A line of the table of a package.
 
     Attributes:
         place: of the function, ``module:function`` below the package.
@@ -73,7 +260,12 @@ class ViewEntry:
     """
 
     place: str
-    shows: Callable[[Any], bool] = _anything
+    shows: Callable[[Any], bool] = lambda _: True
+
+
+def showing(views: Mapping[str, ViewEntry], subject: Any) -> dict[str, ViewEntry]:
+    """Return the views, models or pages that can show a subject."""
+    return {name: view for name, view in views.items() if view.shows(subject)}
 
 
 @contextmanager
@@ -98,12 +290,14 @@ class Drawings:
             default.
         models: likewise, ``f(subject, suffix, **options) -> bytes``.
         pages: likewise, ``f(subject, **options) -> str``.
+        suited: returns those of them that suit a subject, the best one first.
     """
 
     package: str
     views: Mapping[str, ViewEntry]
     models: Mapping[str, ViewEntry]
     pages: Mapping[str, ViewEntry]
+    suited: Callable[[Mapping[str, ViewEntry], Any], Mapping[str, ViewEntry]] = showing
 
     def entries(self, kind: str) -> Mapping[str, ViewEntry]:
         """Return the views, models or pages by name."""
@@ -112,7 +306,8 @@ class Drawings:
 
     def function(self, kind: str, name: str) -> Any:
         """Return the function of a view, model or page."""
-        return named(f"{self.package}.{self.entries(kind)[name].place}")
+        module, _, function = self.entries(kind)[name].place.partition(":")
+        return getattr(import_module(f"{self.package}.{module}"), function)
 
     def summary(self, kind: str, name: str) -> str:
         """Return what a view, model or page is: the first paragraph of the docstring."""
@@ -128,15 +323,10 @@ class Drawings:
             found["width"] = replace(found["width"], default=WHOLE)
         return found
 
-    def fitting(self, subject: Any) -> Drawings:
-        """Return what can be drawn of a subject."""
-        kinds: dict[str, Any] = {
-            f"{kind}s": {
-                name: view for name, view in self.entries(kind).items() if view.shows(subject)
-            }
-            for kind in KINDS
-        }
-        return replace(self, **kinds)
+    def of(self, subject: Any) -> Drawings:
+        """Return what suits a subject, the best view, model and page first."""
+        views, models, pages = (self.suited(self.entries(kind), subject) for kind in KINDS)
+        return replace(self, views=views, models=models, pages=pages)
 
     @_within_floats()
     def write(
@@ -145,15 +335,6 @@ class Drawings:
         path: str | os.PathLike[str],
         view: str | None = None,
         model: str | None = None,
-        *,
-        font: str | None = None,
-        font_size: Length = None,
-        theme: str | None = None,
-        legend: LegendPlace = None,
-        text: TextKind = None,
-        fragment: bool = False,
-        columns: int | None = None,
-        frames: int | None = None,
         **options: Any,
     ) -> dict[str, Any]:
         """Draw into a file, whole or not at all.
@@ -168,18 +349,9 @@ class Drawings:
                 such as ``"sphere,dual"``, are panels of one sheet with one legend, by default
                 180 mm wide; each takes the options that it has.
             model: the same for a model alone.
-            font_size: size of the larger text, such as 8pt (default: 7pt); lines follow.
-            font: of .svg, .pdf, .png: an installed font (default: DejaVu Sans).
-            theme: light (default), dark, mono; mono is black on white with hatchings.
-            legend: below (default), right, none.
-            text: in .svg: outlines (default), which look the same everywhere, or text, which can
-                be edited.
-            fragment: in .tex: no document, for ``\\input``.
-            columns: of panels (default: 2).
-            frames: of a full turn in .gif, .mp4 (default: 36); without labels of regions, unless
-                these are asked for.
-            options: those of the function of the view, model or page. The width of a view and the
-                size of a model are in millimetres, or texts with a unit: ``"8.4cm"``, ``"252pt"``.
+            options: those of `Printing`, and of the function of the view, model or page. The width
+                of a view and the size of a model are in millimetres, or texts with a unit:
+                ``"8.4cm"``, ``"252pt"``.
 
         Returns:
             What was written: ``{"view": name}``, ``{"model": name}`` or ``{"page": name}``; of a
@@ -192,10 +364,10 @@ class Drawings:
             TypeError: an option has another name now.
         """
         kind, name = self.target(path, view, model)
+        printing = Printing(**{key: options.pop(key) for key in PRINTING & options.keys()})
         self._check_options(kind, name, options)
         for length in LENGTHS & options.keys():
             options[length] = millimetres(options[length], f"the {length}")
-        printing = Printing(font, font_size, theme, legend, text, fragment, columns, frames)
         suffix = Path(path).suffix.lower()
         printing.check(kind, name, suffix)
         if kind == "view":
@@ -236,7 +408,7 @@ class Drawings:
         elif "azimuth" in known:
             if "labels" in known:
                 options.setdefault("labels", "none")
-            write_movie(path, scene, printing)
+            printing.write_movie(path, scene)
         else:
             able = [view for view in self.views if "azimuth" in self.options("view", view)]
             raise InputError(f"the view {name} does not turn; there are {', '.join(able)}")
@@ -246,8 +418,6 @@ class Drawings:
         self, subject: Any, name: str, columns: int | None, options: dict[str, Any]
     ) -> Scene:
         """Return the scene of a view, or of several as panels of a sheet."""
-        from .scene.layout import APART, composed
-
         names = name.split(",")
         if len(names) == 1:
             return self.function("view", name).scene(subject, **options)  # type: ignore[no-any-return]
@@ -275,14 +445,13 @@ class Drawings:
             MissingExtraError: matplotlib is absent.
             TypeError: an option has another name now.
         """
-        name = next(iter(self.views)) if view is None else view
+        drawings = self if view in self.views else self.of(subject)
+        name = next(iter(drawings.views)) if view is None else view
         own = {option: value for option, value in options.items() if option != "ax"}
-        self._check_options("view", name, own)
+        drawings._check_options("view", name, own)
         if "," not in name:
             made: Drawing = self.function("view", name)(subject, **options)
             return made
-        from .figure import drawing
-
         if len(own) < len(options):
             raise InputError("ax takes one view; draw each of several into axes of its own")
         return drawing(self._scene(subject, name, None, {"width": WHOLE, **own}))
@@ -293,14 +462,13 @@ class Drawings:
 
     def tikz(self, subject: Any, view: str, **options: Any) -> str | None:
         """Return a picture as TikZ for a document; None as `svg`."""
-        from .path_artist import finished
         from .tikz.tikz import tikz
 
         try:
             self._check_options("view", view, options)
             with own_settings(), _within_floats():
                 made = self._scene(subject, view, None, options)
-                return tikz(finished(made, LEGENDS[0], THEMES[0]), fragment=True)
+                return tikz(Printing().finished(made), fragment=True)
         except (InputError, MissingExtraError):
             return None
 
@@ -353,3 +521,27 @@ class Drawings:
         name = next(iter(known)) if name is None else name
         self._check_name(kind, name)
         return kind, name
+
+
+def compose(
+    figures: Iterable[Figure], columns: int = 2, titles: Sequence[str] | None = None
+) -> Drawing:
+    """Set figures beside each other, row by row, as panels of one figure with one legend.
+
+    Panels keep their sizes; two of 88 mm fill a page of 180 mm. What all legends say is said once;
+    what belongs to one panel, such as its captions, stands below it. Names of elements begin with
+    the panel, as in ``panel-2-region-3``.
+
+    Args:
+        figures: that a view of either package has drawn.
+        columns: how many panels stand side by side.
+        titles: above the panels; if omitted, (a), (b), ...; empty texts for none.
+
+    Raises:
+        InputError: there are none, or others; bad columns or titles.
+        MissingExtraError: matplotlib is absent.
+    """
+    scenes = [getattr(figure, "scene", None) for figure in figures]
+    if not scenes or not all(isinstance(scene, Scene) for scene in scenes):
+        raise InputError("compose takes figures that a view has drawn, without ax; give some")
+    return drawing(composed([scene for scene in scenes if scene], columns, titles))

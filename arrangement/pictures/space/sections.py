@@ -17,10 +17,14 @@ from arrangement.errors import InputError
 from arrangement.numbers.entries import real_vector
 from arrangement.numbers.exact import IntegerVector, dot, primitive, shown
 from arrangement.numbers.linear.rank import cut, rank, unit_vectors as standard_basis
-
-from .coordinates import coordinate_map, mapped
-from .essential import in_space, inverse_root, rounded_map
-from .registry import brought
+from arrangement.pictures.parts.coordinates import (
+    coordinate_map,
+    in_space,
+    in_view_space,
+    inverse_root,
+    mapped,
+    rounded_map,
+)
 
 Equation: TypeAlias = Annotated[Iterable[Any], Syntax(lambda text: text.split(","), "A,B,..,E")]
 
@@ -45,7 +49,7 @@ def cut_out(
     Raises:
         InputError: other planes, a hyperplane that is not one, or parallel to one of them.
     """
-    space = brought(arrangement, "section")
+    space = in_view_space(arrangement, "section")
     matrix = coordinate_map(coordinates, space)
     matrix = np.eye(4) if matrix is None else matrix
     normals = [row[:-1] for row in arrangement.integer_planes]
