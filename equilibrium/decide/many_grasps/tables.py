@@ -27,10 +27,10 @@ from arrangement.errors import InputError
 from arrangement.library.files.json_files import read_bytes, read_text
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, from_floats, rational, shown
-from equilibrium.grasps.inputs.csv_file import check_header, read_rows, table_rows
+from equilibrium.grasps.inputs.csv_file import check_header, exactly, read_rows, table_rows
 from equilibrium.model.contact import VALUES, WRENCH_SIZES
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import read_wrench
+from equilibrium.model.grasp import ask_contacts, read_wrench
 from equilibrium.model.labels import AS_ROUNDED
 
 from .arrays import near_float, read_arrays, read_wrenches
@@ -163,7 +163,9 @@ def read_grasps(path: str) -> ManyGrasps:
         arrays = read_arrays(given["points"], given["normals"], values, wrenches)
         return ManyGrasps([str(i + 1) for i in range(len(arrays[0]))], arrays)
     groups = _groups(path, lambda header: check_header(header, (_GRASP,)))
-    found = {name: read_rows(rows) for name, rows in groups.items()}
+    for rows in groups.values():
+        ask_contacts(len(rows))
+    found = {name: read_rows(rows, exactly()) for name, rows in groups.items()}
     remarks = ((name, x) for name, conversion in found.items() for x in conversion.remarks)
     return ManyGrasps(
         list(found),

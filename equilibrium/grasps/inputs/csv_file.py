@@ -19,10 +19,11 @@ import csv
 import io
 import os
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from arrangement.library.files.json_files import read_text
 from arrangement.numbers.exact import rational, shown
@@ -54,9 +55,10 @@ _SHORT = {"nx": "normal_x", "ny": "normal_y", "nz": "normal_z"} | {
     "pz": "z",
 }
 _SEPARATORS = (",", ";", "\t")
-T = TypeVar("T")
-#: Makes contacts of points, normals and columns of values.
-Convert: TypeAlias = Callable[[list[Any], list[Any], dict[str, Any]], Conversion]
+#: Line numbers, and entries by column.
+Rows: TypeAlias = Iterable[tuple[int, dict[str, str]]]
+#: Makes contacts of points, normals and values by name.
+Convert: TypeAlias = Callable[[list[Any], list[Any], list[dict[str, Any]]], Conversion]
 
 
 def read_csv(
@@ -89,7 +91,7 @@ def parse_csv(text: str, how: Rounding | None = None) -> Conversion:
     >>> found.grasp.contacts[0].normal, found.exact
     ((Fraction(1, 1), Fraction(0, 1)), True)
     """
-    return each_line(text, _exact_parts, _converting(how))
+    return read_rows(contact_rows(text), exactly(how))
 
 
 def read_bodies(
@@ -114,35 +116,13 @@ def read_bodies(
     if not re.search(rf"\b{_BODIES[0]}\b", next(_lines(text), "")):
         return None
     pairs: list[tuple[str, str | None]] = []
-
-    def read(row: dict[str, str]) -> tuple[Any, Any, dict[str, Any]]:
-        first, second = (row.pop(name) for name in _BODIES)
-        pairs.append((first, None if second in _GROUND else second))
-        return _exact_parts(row)
-
     how = rounding(0, tolerance, angle_tolerance, as_given)
-    found = each_line(text, read, _converting(how))
+    found = read_rows(contact_rows(text), exactly(how), pairs=pairs)
     if len(found.grasp) != len(pairs):
         raise GraspError("pad is for one body; leave the column out")
     contacts = [BodyContact(*pair, c) for pair, c in zip(pairs, found.grasp, strict=True)]
     names = dict.fromkeys(name for pair in pairs for name in pair if name is not None)
     return Assembly(names, contacts, data_error=found.grasp.data_error), found
-
-
-def _exact_parts(row: dict[str, str]) -> tuple[Any, Any, dict[str, Any]]:
-    if _BODIES[0] in row:
-        raise GraspError("the table has bodies; expected a grasp. `read_assembly` reads it")
-    return parts_of({name: rational(entry, name) for name, entry in row.items()})
-
-
-def _converting(how: Rounding | None) -> Convert:
-    used = how or rounding(0, DEFAULT_TOLERANCE, DEFAULT_TOLERANCE, False)
-
-    def convert(points: list[Any], normals: list[Any], values: dict[str, list[Any]]) -> Conversion:
-        rows = [dict(zip(values, row, strict=True)) for row in zip(*values.values(), strict=True)]
-        return converted([(point, Fraction(0)) for point in points], normals, rows, used)
-
-    return convert
 
 
 def _lines(text: str) -> Iterator[str]:
@@ -167,64 +147,72 @@ def tangential_arrangement(text: str) -> Arrangement | None:
     return found.grasp.tangential_arrangement()
 
 
-def parts_of(row: dict[str, T]) -> tuple[tuple[T, ...], tuple[T, ...], dict[str, T]]:
-    """Return point, normal and values of a contact, from its entries by column."""
-    axes = ("x", "y", "z") if "z" in row else ("x", "y")
-    values = {name: row[name] for name in VALUES if name in row}
-    return tuple(row[x] for x in axes), tuple(row[f"normal_{x}"] for x in axes), values
+def contact_rows(text: str) -> Rows:
+    """Return the lines of a table of contacts."""
+    ask_contacts(text.count("\n"))
+    return table_rows(text, check_header)
 
 
-def each_line(
-    text: str,
-    read: Callable[[dict[str, str]], tuple[Any, Any, dict[str, Any]]],
+def exactly(how: Rounding | None = None) -> Convert:
+    """Return what makes contacts of exact numbers; it rounds normals of irrational length."""
+    used = how or rounding(0, DEFAULT_TOLERANCE, DEFAULT_TOLERANCE, False)
+
+    def convert(points: list[Any], normals: list[Any], values: list[dict[str, Any]]) -> Conversion:
+        return converted([(point, Fraction(0)) for point in points], normals, values, used)
+
+    return convert
+
+
+def read_rows(
+    rows: Rows,
     convert: Convert,
+    number: Callable[[str, str], Any] = rational,
+    pairs: list[tuple[str, str | None]] | None = None,
 ) -> Conversion:
-    """Return the contacts that functions make from the lines; errors name the line.
+    """Return the contacts of some lines; errors name the line.
 
     Args:
-        read: gives point, normal and values of a line.
-        convert: makes contacts of them; each alone first, then all together.
+        number: reads an entry of a column.
+        pairs: is given the bodies of each contact; None refuses a table that has some.
     """
-    ask_contacts(text.count("\n"))
-    return _contacts(table_rows(text, check_header), read, convert)
-
-
-def read_rows(rows: Sequence[tuple[int, dict[str, str]]]) -> Conversion:
-    """Return the contacts of some lines, as `table_rows` yields them; errors name the line."""
-    ask_contacts(len(rows))
-    return _contacts(rows, _exact_parts, _converting(None))
-
-
-def _contacts(
-    rows: Iterable[tuple[int, dict[str, str]]],
-    read: Callable[[dict[str, str]], tuple[Any, Any, dict[str, Any]]],
-    convert: Convert,
-) -> Conversion:
-    parts: list[tuple[Any, Any, dict[str, Any]]] = []
-    extras: list[dict[str, Fraction]] = []
+    lines, points, normals, values, extras = [], [], [], [], []
     for line, row in rows:
-        try:
-            if _ANGLE in row:
-                normal = direction_of(rational(row[_ANGLE], _ANGLE))
-                row |= zip(("normal_x", "normal_y"), map(str, normal), strict=True)
-            extras.append({key: rational(row.pop(key), key) for key in EXTRAS if key in row})
-            parts.append(read({name: entry for name, entry in row.items() if name != _ANGLE}))
-            _together(parts[-1:], convert)
-        except ValueError as error:
-            raise GraspError(f"line {line}: {str(error).removeprefix('normals[0]: ')}") from None
-    return completed(_together(parts, convert), extras)
+        if pairs is None and _BODIES[0] in row:
+            raise GraspError("the table has bodies; expected a grasp. `read_assembly` reads it")
+        with _named(line):
+            if pairs is not None:
+                first, second = (row.pop(name) for name in _BODIES)
+                pairs.append((first, None if second in _GROUND else second))
+            exact = {key: rational(row.pop(key), key) for key in (_ANGLE, *EXTRAS) if key in row}
+            entries = {name: number(entry, name) for name, entry in row.items()}
+        if _ANGLE in exact:
+            direction = direction_of(exact.pop(_ANGLE))
+            entries |= zip(("normal_x", "normal_y"), direction, strict=True)
+        axes = "xyz" if "z" in entries else "xy"
+        lines.append(line)
+        points.append([entries[x] for x in axes])
+        normals.append([entries[f"normal_{x}"] for x in axes])
+        values.append({name: entries[name] for name in VALUES if name in entries})
+        extras.append(exact)
+    try:
+        return completed(convert(points, normals, values), extras)
+    except ValueError:
+        for line, point, normal, value in zip(lines, points, normals, values, strict=True):
+            with _named(line):
+                convert([point], [normal], [value])
+        raise
 
 
-def _together(parts: list[tuple[Any, Any, dict[str, Any]]], convert: Any) -> Conversion:
-    values = {name: [row[name] for _, _, row in parts] for name in (parts[0][2] if parts else ())}
-    values.setdefault(VALUES[0], [])
-    found: Conversion = convert([p for p, _, _ in parts], [n for _, n, _ in parts], values)
-    return found
+@contextmanager
+def _named(line: int) -> Iterator[None]:
+    """Let errors name the line."""
+    try:
+        yield
+    except ValueError as error:
+        raise GraspError(f"line {line}: {str(error).removeprefix('normals[0]: ')}") from None
 
 
-def table_rows(
-    text: str, check: Callable[[list[str]], None]
-) -> Iterator[tuple[int, dict[str, str]]]:
+def table_rows(text: str, check: Callable[[list[str]], None]) -> Rows:
     """Yield line numbers and entries by column, whose names a function may refuse."""
     lines = ["" if line.lstrip().startswith("#") else line for line in io.StringIO(text)]
     first = next(filter(str.strip, lines), "")

@@ -45,7 +45,7 @@ from .conversion import (
     extras_of,
     value_columns,
 )
-from .csv_file import each_line, parts_of
+from .csv_file import contact_rows, read_rows
 from .incidences import check_number, converted
 from .rounding import equal_numbers, rounding
 
@@ -161,11 +161,15 @@ def read_float_data(
         "as_given": as_given,
     }
     if isinstance(source, (str, os.PathLike)) and os.fspath(source).lower().endswith(".csv"):
-        return each_line(
-            read_text(Path(source))[0],
-            lambda row: parts_of({name: _number(entry, name) for name, entry in row.items()}),
-            lambda points, normals, values: from_float_data(points, normals, **values, **options),
-        )
+
+        def convert(
+            points: list[Any], normals: list[Any], values: list[dict[str, Any]]
+        ) -> Conversion:
+            names = values[0] if values else VALUES[:1]
+            columns: dict[str, Any] = {name: [row[name] for row in values] for name in names}
+            return from_float_data(points, normals, **columns, **options)
+
+        return read_rows(contact_rows(read_text(Path(source))[0]), convert, _number)
     document = read_contacts(source, "points", floats=float)
     extras: list[dict[str, Any]] = []
     if "contacts" in document:

@@ -28,9 +28,8 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Mesh, coordinates
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, contact_values, snapped
-from .glb_file import Facets
 from .incidences import converted
-from .mesh_files import read_triangles
+from .mesh_files import Facets, read_triangles
 from .rounding import rounding
 
 #: A point is on the surface when it is no farther away than this share of the size.

@@ -1,8 +1,9 @@
 """The triangles of STL, OBJ, PLY and GLB files, strictly read: geometry, and no second file.
 
 Counts and sizes that a file states are compared with what is in it before anything is made of
-them. Materials, textures, colours and normals are ignored; nothing that is only named is
-opened. The readers of trimesh do neither, and differ between its versions.
+them. Materials, textures, colours, normals and animations are ignored; nothing that is only named
+is opened. The readers of trimesh accept damaged text, round the numbers of PLY text to single
+precision, read no binary PLY files of mixed polygons, and differ between its versions.
 """
 
 from __future__ import annotations
@@ -14,18 +15,24 @@ from array import array
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice, pairwise
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from arrangement.errors import InputError, OutOfReachError
-from arrangement.library.files.json_files import read_bytes
+from arrangement.library.files.json_files import parse_json, read_bytes
+from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
 from arrangement.numbers.float_filter import Floats
 from equilibrium.model.errors import GraspError
 
-from .glb_file import Triangles, check_size, read_glb
+Facets: TypeAlias = NDArray[np.intp]
+#: Points (V, 3), and the numbers of those of each facet (F, 3).
+Triangles: TypeAlias = tuple[Floats, Facets]
 
+#: What a facet and a point take until the contacts are found, measured.
+_BYTES_OF_FACET, _BYTES_OF_POINT = 350, 100
 #: A line, and the header of a PLY file.
 _LONGEST = 2**20
 #: Products of four coordinates are floats.
@@ -34,30 +41,20 @@ _BINARY_STL = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attr
 #: The words of a facet of an ASCII STL file; empty where a number is.
 _STL_FACET = ["facet", "normal", *3 * [""], "outer", "loop", *3 * ["vertex", "", "", ""]]
 _STL_FACET += ["endloop", "endfacet"]
-_PLY_TYPES = {
-    "char": "b",
-    "int8": "b",
-    "uchar": "B",
-    "uint8": "B",
-    "short": "h",
-    "int16": "h",
-    "ushort": "H",
-    "uint16": "H",
-    "int": "i",
-    "int32": "i",
-    "uint": "I",
-    "uint32": "I",
-    "float": "f",
-    "float32": "f",
-    "double": "d",
-    "float64": "d",
-}
+_PLY_TYPES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I"}
+_PLY_TYPES |= {"int8": "b", "uint8": "B", "int16": "h", "uint16": "H", "int32": "i", "uint32": "I"}
+_PLY_TYPES |= {"float": "f", "float32": "f", "double": "d", "float64": "d"}
 #: The order of the bytes of numbers; empty where they are words.
 _PLY_FORMATS = {
     "format ascii 1.0": "",
     "format binary_little_endian 1.0": "<",
     "format binary_big_endian 1.0": ">",
 }
+_GLB_JSON = 0x4E4F534A
+_GLB_BINARY = 0x004E4942
+_GLB_TRIANGLES = 4
+_GLB_INDICES = {5121: "<u1", 5123: "<u2", 5125: "<u4"}
+_GLB_FLOAT = 5126
 _NUMBER = re.compile(
     r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?|[+-]?(nan|inf)", re.ASCII | re.IGNORECASE
 )
@@ -97,6 +94,15 @@ def read_triangles(path: Path) -> Triangles:
     return points, facets
 
 
+def check_size(facets: int, points: int = 0) -> None:
+    """Refuse a mesh that takes more memory than the budget has."""
+    budget.check_cost(
+        f"a mesh of {facets:,} facets",
+        "give a coarser mesh",
+        bytes=_BYTES_OF_FACET * facets + _BYTES_OF_POINT * points,
+    )
+
+
 class _Builder:
     """Points and facets in the order of a file, as numbers of eight bytes."""
 
@@ -119,13 +125,16 @@ class _Builder:
 
 def _stl(content: bytes) -> Triangles:
     number = int.from_bytes(content[80:84], "little")
-    if len(content) < 84 or len(content) != 84 + number * _BINARY_STL.itemsize:
-        return _ascii_stl(content)
-    corners = np.frombuffer(content, _BINARY_STL, number, 84)["corners"]
-    return _separate(corners.astype(np.float64).reshape(-1, 3))
+    if len(content) == 84 + number * _BINARY_STL.itemsize:
+        facets = np.frombuffer(content, _BINARY_STL, number, 84)
+        corners = facets["corners"].astype(np.float64).reshape(-1, 3)
+    else:
+        corners = np.frombuffer(_ascii_stl(content), np.float64).reshape(-1, 3)
+    return corners, np.arange(len(corners)).reshape(-1, 3)
 
 
-def _ascii_stl(content: bytes) -> Triangles:
+def _ascii_stl(content: bytes) -> array[float]:
+    """Return the coordinates of the corners of an ASCII STL file, facet by facet."""
     corners = array("d")
     begun = ended = 0
     facet: list[str] = []
@@ -146,12 +155,7 @@ def _ascii_stl(content: bytes) -> Triangles:
             "it is neither a binary STL file as long as its number of facets requires, nor an "
             "ASCII one from solid to endsolid"
         )
-    return _separate(np.frombuffer(corners, np.float64).reshape(-1, 3))
-
-
-def _separate(corners: Floats) -> Triangles:
-    """Return facets that share no points."""
-    return corners, np.arange(len(corners)).reshape(-1, 3)
+    return corners
 
 
 def _obj(content: bytes) -> Triangles:
@@ -250,7 +254,7 @@ def _ply(content: bytes) -> Triangles:
     found = _Builder()
     for name, number, properties in _ply_elements(lines[2:]):
         names = {p.name for p in properties}
-        corners = next(iter(names & {"vertex_indices", "vertex_index"}), "")
+        corners = next((x for x in ("vertex_indices", "vertex_index") if x in names), "")
         if name == "vertex" and not {"x", "y", "z"} <= names:
             raise GraspError("its vertices have no x, y and z")
         for _ in range(number if properties else 0):
@@ -310,5 +314,147 @@ def _integers(words: Sequence[str]) -> list[int]:
     return [int(word) for word in words]
 
 
+def _glb(content: bytes) -> Triangles:
+    """Return the triangles of the scene of a file."""
+    chunks = dict(_chunks(content))
+    if content[:8] != b"glTF\2\0\0\0" or _GLB_JSON not in chunks:
+        raise GraspError("a GLB file has the header of version 2 and a chunk of JSON")
+    budget.check_size(len(chunks[_GLB_JSON]), "bytes of a file", "the JSON of the GLB file")
+    scene = parse_json(
+        chunks[_GLB_JSON].decode("utf-8", errors="replace"), "its JSON", floats=float
+    )
+    try:
+        return _GlbScene(scene, chunks.get(_GLB_BINARY, b"")).triangles()
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise GraspError("its JSON is not that of a glTF scene") from None
+
+
+def _chunks(content: bytes) -> Iterator[tuple[int, bytes]]:
+    place = 12
+    while place + 8 <= len(content):
+        length, kind = struct.unpack_from("<II", content, place)
+        if place + 8 + length > len(content):
+            raise GraspError("it ends before the bytes that its chunks promise")
+        yield kind, content[place + 8 : place + 8 + length]
+        place += 8 + length
+
+
+class _GlbScene:
+    """The scene of a glTF document, all of whose numbers are in one block of bytes."""
+
+    def __init__(self, document: dict[str, Any], data: bytes) -> None:
+        self.document, self.data = document, data
+
+    def item(self, kind: str, number: Any) -> Any:
+        """Return an entry of a list of the document."""
+        entries = self.document.get(kind, [])
+        if type(number) is not int or not 0 <= number < len(entries):
+            raise GraspError(f"its {kind} have no number {shown(number)}")
+        return entries[number]
+
+    def triangles(self) -> Triangles:
+        """Return the triangles of the nodes of the scene, each mesh where its nodes put it."""
+        if not self.document.get("scenes"):
+            raise GraspError("it has no scene")
+        roots = self.item("scenes", self.document.get("scene", 0)).get("nodes", [])
+        waiting = [(node, np.eye(4)) for node in roots]
+        placed: list[tuple[Any, Floats]] = []
+        seen: set[int] = set()
+        facets = 0
+        while waiting:
+            number, outer = waiting.pop()
+            node = self.item("nodes", number)
+            if number in seen:
+                raise GraspError(f"node {number} of its scene has two places")
+            seen.add(number)
+            transform = outer @ _placement(node)
+            waiting += [(child, transform) for child in node.get("children", [])]
+            for part in self.item("meshes", node["mesh"])["primitives"] if "mesh" in node else ():
+                placed.append((part, transform))
+                facets += self.size(part)
+                check_size(facets)
+        parts = [self.part(part, transform) for part, transform in placed]
+        starts = np.cumsum([0, *(len(points) for points, _ in parts)])
+        joined = [corners + start for (_, corners), start in zip(parts, starts, strict=False)]
+        empty = np.empty((0, 3))
+        return (
+            np.concatenate([empty, *(points for points, _ in parts)]),
+            np.concatenate([empty.astype(np.intp), *joined]),
+        )
+
+    def size(self, part: dict[str, Any]) -> int:
+        """Return the number of points or facets of a part that its accessors state."""
+        accessors = (part.get("indices"), part["attributes"]["POSITION"])
+        return max(
+            int(self.item("accessors", number)["count"]) // 3
+            for number in accessors
+            if number is not None
+        )
+
+    def part(self, part: dict[str, Any], transform: Floats) -> Triangles:
+        """Return the points of a part of a mesh, moved, and its facets."""
+        if part.get("mode", _GLB_TRIANGLES) != _GLB_TRIANGLES:
+            raise GraspError("its meshes are not of single triangles (mode 4)")
+        place = part["attributes"]["POSITION"]
+        points = self.numbers(place, {_GLB_FLOAT: "<f4"}, "VEC3", 3).astype(np.float64)
+        indices = part.get("indices")
+        if indices is None:
+            corners = np.arange(len(points))
+        else:
+            corners = self.numbers(indices, _GLB_INDICES, "SCALAR", 1).astype(np.intp).ravel()
+        if len(corners) % 3 or (len(corners) and corners.max() >= len(points)):
+            raise GraspError(
+                f"a facet names a vertex that is not there; there are {len(points)}, from 0"
+            )
+        facets = corners.reshape(-1, 3)
+        if np.linalg.det(transform[:3, :3]) < 0:
+            facets = facets[:, ::-1]
+        return points @ transform[:3, :3].T + transform[:3, 3], facets
+
+    def numbers(self, number: Any, kinds: dict[int, str], form: str, width: int) -> NDArray[Any]:
+        """Return the (count, width) numbers of an accessor, which are in the file in full."""
+        accessor = self.item("accessors", number)
+        kind = kinds.get(accessor["componentType"])
+        if "sparse" in accessor or "bufferView" not in accessor:
+            raise GraspError(f"accessor {number} has no data of its own; write it in full")
+        if kind is None or accessor["type"] != form:
+            raise GraspError(f"accessor {number} is not of the type of points or of facets")
+        view = self.item("bufferViews", accessor["bufferView"])
+        if view["buffer"] != 0 or "uri" in self.item("buffers", 0):
+            raise GraspError("its numbers are in another file, which is not opened")
+        dtype = np.dtype(kind)
+        step = view.get("byteStride", width * dtype.itemsize)
+        begin, start = view.get("byteOffset", 0), accessor.get("byteOffset", 0)
+        count, length = accessor["count"], view["byteLength"]
+        if any(type(k) is not int or k < 0 for k in (step, begin, start, count, length)):
+            raise GraspError(f"accessor {number} has sizes that are not whole numbers")
+        needed = start + (count - 1) * step + width * dtype.itemsize if count else 0
+        if needed > length or begin + length > len(self.data) or step < dtype.itemsize:
+            raise GraspError(
+                f"accessor {number} has {count} entries, more than there are bytes for"
+            )
+        return np.ndarray((count, width), dtype, self.data, begin + start, (step, dtype.itemsize))
+
+
+def _placement(node: dict[str, Any]) -> Floats:
+    """Return the transform of a node: its matrix, or scale, rotation and translation."""
+    if "matrix" in node:
+        return np.array(node["matrix"], float).reshape(4, 4).T
+    found = np.eye(4)
+    x, y, z, w = np.array(node.get("rotation", (0, 0, 0, 1)), float)
+    turned = np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+    found[:3, :3] = turned * np.array(node.get("scale", (1, 1, 1)), float)
+    found[:3, 3] = np.array(node.get("translation", (0, 0, 0)), float)
+    return found
+
+
 #: How each kind of file is read.
-READERS = {".glb": read_glb, ".obj": _obj, ".ply": _ply, ".stl": _stl}
+READERS = {".glb": _glb, ".obj": _obj, ".ply": _ply, ".stl": _stl}
