@@ -47,14 +47,17 @@ class Frame:
 def frame_of(grasp: Grasp, outline: Outline | None = None) -> Frame:
     """Return the frame in which contacts and outline fill [-1, 1] in the longer direction."""
     places = [contact.point for contact in grasp]
-    if outline is not None:
-        places += outline.extremes
-    if not places:
-        return Frame((Fraction(0),) * grasp.dimension, Fraction(1))
-    lows, highs = ([end(column) for column in zip(*places, strict=True)] for end in (min, max))
-    spread = max(high - low for low, high in zip(lows, highs, strict=True)) / 2
+    return frame_around([*places, *(outline.extremes if outline else ())], grasp.dimension)
+
+
+def frame_around(points: Sequence[RationalVector], dimension: int = 2) -> Frame:
+    """Return the frame in which points fill [-1, 1] in the longer direction."""
+    if not points:
+        return Frame((Fraction(0),) * dimension, Fraction(1))
+    lows, highs = ([end(column) for column in zip(*points, strict=True)] for end in (min, max))
+    half = max(high - low for low, high in zip(lows, highs, strict=True)) / 2
     centre = tuple((low + high) / 2 for low, high in zip(lows, highs, strict=True))
-    return Frame(centre, spread or Fraction(1))
+    return Frame(centre, half or Fraction(1))
 
 
 def stated_body(outline: Outline, frame: Frame) -> Floats:

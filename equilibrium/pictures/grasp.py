@@ -2,39 +2,37 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
 from arrangement.console.number_form import LABEL
-from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
-from arrangement.drawing.scene.curves import flattened, ring
+from arrangement.drawing.scene.curves import flattened
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import Labels
-from arrangement.drawing.scene.places import near
-from arrangement.drawing.scene.scene import AROUND, Legend, Scene, arrow, fitted, turning_arrow
+from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.views import Corner, Exact, Vector, picture
+from arrangement.numbers.exact import sign
 from equilibrium.decide.solver import Solver
+from equilibrium.decide.verdict import Verdict
 from equilibrium.model.displacement import NOT_SMALL, displacement_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.outline import Polygon
 from equilibrium.model.solution import Solution
+from equilibrium.plane.states.contact_states import states_at
+from equilibrium.plane.states.equilibrium import Equilibrium
 from equilibrium.wrench_sets.margin import limit_words
 
-from .layout import ARC, FORCE, Layout, displaced
+from .body import body, frame_of, free_lengths, stated_body
+from .layout import DrawnBody, DrawnLoad, PlaneLayout
 from .space_grasp import drawn_in_space, solved_in_space
-from .style import (
-    CONE_EDGE,
-    CONE_FILL,
-    Wrench,
-    explain_grasp,
-    explain_scale,
-    mark,
-    name_wrench,
-    nice_near,
-    symbol,
-)
+from .style import Wrench, explain_grasp, nearest_float
+
+#: The length of a friction cone on paper, and points on its rim.
+CONE, _RIM = 0.42, 17
 
 
 @picture(20.0)
@@ -88,185 +86,112 @@ def draw_grasp(
         raise GraspError("without a wrench nothing is solved; give one with the equilibrium")
     solver = Solver(grasp, max_displacement)
     verdict = None if wrench is None else solver.solve(wrench)
-    scene = drawn(Layout(grasp, verdict, outline, equilibrium), width)
+    scene = drawn(GraspLayout(grasp, verdict, outline, equilibrium), width)
     for line in () if verdict is None else limit_words(solver, verdict.wrench):
         scene.legend.line(line)
     return scene
 
 
-def _content(layout: Layout) -> Floats:
-    """Return points whose box holds all that is drawn but labels."""
-    held = [np.array([layout.origin])]
-    if layout.curve is not None:
-        held.append(flattened(layout.curve))
-        if layout.step is not None:
-            held.append(displaced(layout, held[-1]))
-    held += layout.cones
-    for p, n, preload, arm in zip(
-        layout.places, layout.normals, layout.preloads, layout.arms, strict=True
-    ):
-        t = 0.1 * np.array([-n[1], n[0]])
-        held.append(np.array([p - max(preload, 0.1) * n, p - t, p + t]))
-        held.append(np.array([p if arm is None else p + arm]))
-    if layout.load is not None:
-        held.append(np.array([layout.origin + layout.load]))
-    if layout.applied is not None and layout.applied[2]:
-        held.append(layout.origin + ARC * 1.3 * np.array([[1, 1], [-1, -1]]))
-    if not layout.places:
-        held.append(np.array([[-1.0, -1.0], [1.0, 1.0]]))
-    return np.concatenate(held)
+class GraspLayout(PlaneLayout):
+    """A grasp as one body against the ground (see `draw_grasp` for the arguments).
+
+    Attributes:
+        body: the object.
+        equilibrium: that is drawn, if there is one; or `of_method`, the motion and the forces of
+            another method, which have no contact states.
+        by_model: whether it is an equilibrium of the full model.
+        moved: whether the wrench is drawn about the middle of the contacts, as the origin is far.
+        applied: the wrench as it is drawn.
+        states: often on the boundary of the set of solutions, where a contact that may slip does
+            not.
+    """
+
+    def __init__(
+        self,
+        grasp: Grasp,
+        verdict: Verdict | None = None,
+        outline: Iterable[Iterable[Any]] | None = None,
+        equilibrium: int = 1,
+        of_method: Solution | None = None,
+    ) -> None:
+        self.grasp, self.verdict, self.by_model = grasp, verdict, of_method is None
+        self.equilibrium = _chosen(verdict, equilibrium) if of_method is None else of_method
+        shape = grasp.outline if outline is None else Polygon(outline)
+        frame = frame_of(grasp, shape)
+        curve = body(grasp, frame) if shape is None else stated_body(shape, frame)
+        self.moved = any(abs(x) > Fraction(3, 2) * frame.half for x in frame.centre)
+        middle = frame.centre if self.moved else (Fraction(0), Fraction(0))
+        motion = None if self.equilibrium is None else self.equilibrium.motion
+        places = [frame.paper(c.point) for c in grasp] or [frame.paper(middle)]
+        self.body = DrawnBody(
+            curve, shape is not None, np.mean(places, axis=0), range(len(grasp)), motion
+        )
+        super().__init__(frame, grasp.contacts, [self.body])
+        self.origin = frame.paper(middle)
+        self.cones = [
+            _cone_rim(curve, place, normal, contact.friction)
+            for contact, place, normal in zip(grasp, self.places, self.normals, strict=True)
+        ]
+        self.applied, loads = None, []
+        if verdict is not None:
+            x, y, torque = verdict.wrench
+            self.applied = (x, y, torque - (middle[0] * y - middle[1] * x))
+            names = ("wrench-force", "wrench-torque")
+            loads.append(DrawnLoad((x, y), sign(self.applied[2]), self.origin, names))
+        shares = () if self.equilibrium is None else self.equilibrium.forces
+        forces = [[c.total_force(share)] for c, share in zip(grasp, shares, strict=False)]
+        self.scale_forces(forces or [[]] * len(grasp), loads, [c.preload for c in grasp])
+        if motion is not None and self.by_model:
+            self.states = states_at(grasp, motion)
+        self.numbers = [
+            (str(i), frame.paper(contact.point), -self.normals[group.start])
+            for i, (group, contact) in enumerate(zip(grasp.groups, grasp.joined(), strict=True), 1)
+        ]
 
 
-def drawn(layout: Layout, width: float, tallest: float | None = None) -> Scene:
+def drawn(layout: GraspLayout, width: float, tallest: float | None = None) -> Scene:
     """Return the picture; see `fitted` for its size."""
-    scene, scale, shift = fitted(width, (_content(layout), AROUND), tallest=tallest)
-    _describe(layout, scene.legend, scale)
-    picture = GraspPicture(layout, scene, scale, shift)
-    picture.body()
-    picture.contacts()
-    picture.wrench()
-    picture.letter()
-    picture.numbers()
+    scene, scale = layout.scene(width, tallest)
+    for line, emphasis in _lines(layout):
+        scene.legend.line(line, emphasis)
+    applied = () if layout.verdict is None else layout.verdict.wrench
+    explain_grasp(scene.legend, layout.grasp, applied, any(layout.arms))
+    motion = ""
+    if layout.equilibrium is not None and layout.step is not None:
+        shown = LABEL.vector(layout.equilibrium.motion)
+        motion = f"motion (x, y, r) = {shown} × {LABEL.number(layout.step)}"
+    layout.explain(scene.legend, motion, scale, layout.grasp.units)
     return scene
 
 
-class GraspPicture:
-    """Puts a layout on a scene: a place p on paper at ``scale * p + shift``."""
-
-    def __init__(self, layout: Layout, scene: Scene, scale: float, shift: Floats) -> None:
-        self.layout, self.scene, self.scale, self.shift = layout, scene, scale, shift
-        self.labels = Labels(scene)
-        self.places = [self.at(place) for place in layout.places]
-        self.ends: list[Floats] = []
-
-    def at(self, places: Any) -> Floats:
-        """Return places on paper in points of the scene."""
-        points: Floats = self.scale * np.asarray(places) + self.shift
-        return points
-
-    def body(self) -> None:
-        """Draw the outline, or links between the contacts, as they are and displaced."""
-        layout, scene = self.layout, self.scene
-        if layout.curve is not None:
-            dashes = "solid" if layout.given else (0, (5, 2.5))
-            curve = self.at(layout.curve)
-            scene.curve(curve, fc=PALE, ec="none", gid="body", zorder=0)
-            scene.curve(curve, fill=False, ec=GREY, lw=0.7, ls=dashes, gid="outline", zorder=2)
-            self.labels.avoid(flattened(curve))
-            if layout.step is not None:
-                moved = self.at(displaced(layout, layout.curve))
-                style = {"lw": 0.9, "ls": (0, (1, 1.5)), "gid": "motion", "role": "arrow"}
-                scene.curve(moved, fill=False, ec=BLUE, zorder=2.5, **style)
-                self.labels.avoid(flattened(moved))
-            return
-        middle = self.at(np.mean(layout.places, axis=0) if layout.places else layout.origin)
-        for i, place in enumerate(self.places):
-            scene.line(
-                [place, middle], ec=GREY, lw=0.5, ls=(0, (5, 2.5)), gid=f"link-{i + 1}", zorder=0.5
-            )
-            self.labels.avoid([place, middle])
-        if layout.step is not None:
-            ends = self.at(displaced(layout, np.array(layout.places)))
-            for i, (start, end) in enumerate(zip(self.places, ends, strict=True)):
-                if np.linalg.norm(end - start) > 1:
-                    self.labels.avoid(
-                        arrow(
-                            scene, start, end, fc=BLUE, ec="none", gid=f"motion-{i + 1}", zorder=5
-                        )
-                    )
-
-    def contacts(self) -> None:
-        """Draw cones, pads, preloads, forces and the marks of the states."""
-        layout, scene, labels = self.layout, self.scene, self.labels
-        seen: dict[Any, int] = {}
-        for i, (contact, p, n) in enumerate(
-            zip(layout.grasp, self.places, layout.normals, strict=True)
-        ):
-            t = np.array([-n[1], n[0]])
-            rim = self.at(np.vstack([layout.places[i], layout.cones[i]]))
-            style = {"fc": CONE_FILL, "ec": CONE_EDGE, "lw": 0.5, "gid": f"cone-{i + 1}"}
-            scene.polygon(rim, zorder=1, **style)
-            look: dict[str, Any] = {"ec": CONE_EDGE, "lw": 0.5, "ls": (0, (6, 2, 1, 2))}
-            scene.line([p, rim[len(rim) // 2]], gid=f"normal-{i + 1}", zorder=1.1, **look)
-            pad = 0.07 * self.scale * t
-            look = {"ec": BLACK, "lw": 1.6, "capstyle": "butt", "role": "point"}
-            scene.line([p - pad, p + pad], gid=f"pad-{i + 1}", zorder=3, **look)
-            labels.avoid([*rim, p], [p, rim[len(rim) // 2]], [p - pad, p + pad])
-            preload, arm = layout.preloads[i] * self.scale, layout.arms[i]
-            if preload > 0:
-                away = p - preload * n
-                tip = p - 3.2 * n * (preload > 12)
-                look = {"ec": GREY, "lw": 0.7, "gid": f"preload-{i + 1}", "zorder": 3.5}
-                edge = arrow(scene, away, tip, 1.6, fc="white", **look)
-                labels.avoid(edge)
-            if arm is not None:
-                look = {"fc": BLACK, "ec": "none", "gid": f"force-{i + 1}", "zorder": 5.5}
-                edge = arrow(scene, p, p + self.scale * arm, 1.0, **look)
-                labels.avoid(edge)
-            if layout.states:
-                # Marks of contacts at one place stand one behind the other.
-                again = seen[contact.point] = seen.get(contact.point, -1) + 1
-                place = p - 7.5 * again * n
-                mark(scene, layout.states[i], place, t, gid=f"mark-{i + 1}", zorder=6)
-                labels.avoid(ring(place, 4.0, 13), place + np.array([[-4, 0], [4, 0]]))
-
-    def wrench(self) -> None:
-        """Draw the origin and the applied wrench."""
-        layout, scene, labels = self.layout, self.scene, self.labels
-        o = self.at(layout.origin)
-        for way in (np.array([3, 0]), np.array([0, 3])):
-            scene.line([o - way, o + way], ec=GREY, lw=0.6, zorder=4.5, gid="origin")
-        if layout.applied is None:
-            return
-        if layout.load is not None:
-            load = self.scale * layout.load
-            style: dict[str, Any] = {"fc": VERMILION, "ec": "none", "gid": "wrench-force"}
-            labels.avoid(arrow(scene, o, o + load, zorder=5, **style))
-            self.ends = [o + load, o + 0.5 * load, o]
-        torque, reach = layout.applied[2], ARC * self.scale
-        if torque:
-            turn = 1 if torque > 0 else -1
-            turning_arrow(scene, o, reach, turn, color=VERMILION, gid="wrench-torque", zorder=5)
-            labels.avoid(ring(o, reach, 25), o + reach * np.array([[-1, 0], [1, 0]]))
-            self.ends += [o + reach * np.array(way) for way in ((0, 1), (0, -1), (1, 0), (-1, 0))]
-
-    def letter(self) -> None:
-        """Write w beside the wrench, never inside the arc of its torque."""
-        if self.ends and self.layout.applied is not None:
-            clear = ARC * self.scale + 7 if self.layout.applied[2] else 0.0
-            name_wrench(self.labels, self.ends, (self.at(self.layout.origin), clear))
-
-    def numbers(self) -> None:
-        """Write the number of every contact outside the object, near its preload."""
-        grasp, frame = self.layout.grasp, self.layout.frame
-        for i, (group, contact) in enumerate(zip(grasp.groups, grasp.joined(), strict=True), 1):
-            place, away = self.at(frame.paper(contact.point)), -self.layout.normals[group.start]
-            self.labels.write(str(i), near(place, away), gid=f"number-{i}")
-
-
-def _describe(layout: Layout, legend: Legend, scale: float) -> None:
-    """Describe in words and keys what is drawn, and the scale of forces."""
-    for line, emphasis in _lines(layout):
-        legend.line(line, emphasis)
-    applied = () if layout.verdict is None else layout.verdict.wrench
-    explain_grasp(legend, layout.grasp, applied, any(arm is not None for arm in layout.arms))
-    states = {state.rstrip("+-") for state in layout.states}
-    for name in ("stick", "slip", "detached"):
-        if name in states:
-            legend.key(symbol(name), name)
-    if layout.found is not None and layout.step is not None:
-        text = (
-            f"motion (x, y, r) = {LABEL.vector(layout.found.motion)} × {LABEL.number(layout.step)}"
+def _chosen(verdict: Verdict | None, number: int) -> Equilibrium | Solution | None:
+    """Return an equilibrium by its number; of many contacts the one that was found is the first."""
+    if verdict is None or (number == 1 and not (verdict.stable and verdict.lists_all())):
+        return None if verdict is None else verdict.solution
+    if not 1 <= number <= len(verdict.equilibria):
+        raise GraspError(
+            f"the equilibrium is number {number}; their number is {len(verdict.equilibria)}"
         )
-        legend.key(symbol("shift" if layout.curve is None else "motion"), text)
-    if layout.reference:
-        force = nice_near(layout.reference)
-        share = float(force / layout.reference) / layout.longest
-        explain_scale(legend, layout.grasp, force, share * FORCE * scale)
+    return verdict.equilibria[number - 1]
 
 
-def _lines(layout: Layout) -> Iterator[tuple[str, bool]]:
-    verdict, found = layout.verdict, layout.found
+def _cone_rim(curve: Floats | None, place: Floats, normal: Floats, friction: Fraction) -> Floats:
+    """Return points on the rim of a friction cone from edge to edge; their number is odd.
+
+    It stays inside the outline, if there is one, and is shorter on all sides where that helps.
+    """
+    half = math.atan(nearest_float(friction))
+    angles: Floats = math.atan2(normal[1], normal[0]) + np.linspace(-half, half, _RIM)
+    ways: Floats = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    if curve is None:
+        return place + CONE * ways
+    free = free_lengths(flattened(curve), place, angles)
+    reach = np.minimum(free, max(min(CONE, 0.92 * float(free.min())), CONE / 2))
+    return place + reach[:, None] * ways
+
+
+def _lines(layout: GraspLayout) -> Iterator[tuple[str, bool]]:
+    verdict, found = layout.verdict, layout.equilibrium
     if verdict is None or not layout.by_model:
         return
     if layout.moved:

@@ -1,136 +1,335 @@
-"""What a picture of a grasp shows, in paper coordinates: exact until the last division."""
+"""What a picture of bodies in the plane shows, in paper coordinates, and how it is painted.
+
+A grasp is one body against the ground, an assembly has several: both become a `PlaneLayout`, which
+is exact until the last division, and one `PlanePicture` paints it.
+"""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable
+from collections.abc import Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
-from arrangement.drawing.scene.curves import flattened
+from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
+from arrangement.drawing.scene.curves import flattened, ring
 from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.labels import Labels
+from arrangement.drawing.scene.places import near
+from arrangement.drawing.scene.scene import AROUND, Legend, Scene, arrow, fitted, turning_arrow
 from arrangement.numbers.exact import RationalVector
-from equilibrium.decide.verdict import Verdict
-from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp
-from equilibrium.model.outline import Polygon
-from equilibrium.model.solution import Solution
-from equilibrium.plane.states.contact_states import states_at
-from equilibrium.plane.states.equilibrium import Equilibrium
-from equilibrium.plane.states.state_system import States
+from equilibrium.model.contact import Contact
+from equilibrium.model.labels import Units
 
-from .body import body, frame_of, free_lengths, stated_body
-from .style import nearest_float, nice_near
+from .body import Frame
+from .style import CONE_EDGE, CONE_FILL, explain_scale, mark, name_wrench, nice_near, symbol
 
-#: Lengths on paper, where the contacts fill [-1, 1]: cones, the largest force, its torque arc.
-CONE, FORCE, ARC = 0.42, 0.65, 0.2
-#: The largest displacement that is drawn.
-MOVED = 0.22
-#: Points on the rim of a cone.
-_RIM = 17
+#: Lengths on paper, where contacts and outlines fill [-1, 1]: the largest force, the arc of a
+#: torque, the largest displacement, half a pad, room around a contact.
+FORCE, ARC, MOVED, PAD, NEAR = 0.65, 0.2, 0.22, 0.07, 0.1
 #: The least length of a force that is not zero.
 _LEAST = 1e-9
+_DASHES, _DOTS, _AXIS = (0, (5, 2.5)), (0, (1, 1.5)), (0, (6, 2, 1, 2))
 
 
-class Layout:
-    """What a picture of a grasp shows, in paper coordinates (see `draw_grasp` for the arguments).
+@dataclass
+class DrawnBody:
+    """A body on paper.
 
     Attributes:
-        found: the equilibrium that is drawn, if there is one; or `of_method`, the motion and the
-            forces of another method, which have no contact states.
-        by_model: whether it is an equilibrium of the full model.
-        moved: whether the wrench is drawn about the middle of the contacts, as the origin is far.
-        cones: the rim of each friction cone (see `_cone_rim`).
-        states: at the motion that is drawn, often on the boundary of the set of solutions, where
-            a contact that may slip does not.
-        step: the exact factor that the motion is drawn with, or None when nothing moves.
+        curve: its outline as cubic control points; None where no simple curve passes through the
+            contacts, so that dashed lines join them in the middle.
+        stated: whether the outline is its own; else it is dashed, as only indicative.
+        middle: of the contacts or the outline.
+        touching: the indices of its contacts.
+        motion: exact (x, y, r), if one is drawn.
+        tag: after the names of its elements.
+        name: that is written in it.
+    """
+
+    curve: Floats | None
+    stated: bool
+    middle: Floats
+    touching: Sequence[int]
+    motion: RationalVector | None = None
+    tag: str = ""
+    name: str = ""
+
+
+@dataclass
+class DrawnLoad:
+    """A wrench on a body.
+
+    Attributes:
+        force: exact; its arrow `arm` on paper is set with the scale of all forces.
+        turn: the sense of the torque that is shown, or 0.
+        place: where the force begins, and the middle of the arc of the torque.
+        names: of the elements for force and torque.
+    """
+
+    force: RationalVector
+    turn: int
+    place: Floats
+    names: tuple[str, str]
+    arm: Floats | None = None
+
+
+class PlaneLayout:
+    """Bodies, contacts, forces and wrenches in paper coordinates.
+
+    Attributes:
+        detail: factor of all lengths on paper; below 1 where bodies share the picture.
+        cones: the rim of each friction cone, if cones are drawn.
+        states: of contacts, at the motion that is drawn.
+        origin: of the wrench, if it is marked.
+        numbers: the text for each numbered contact, its place and the side to write it.
+        step: the exact factor that motions are drawn with, or None when nothing moves.
         reference: the largest force component; arrows of forces are `FORCE` for `longest` of it.
-        arms: for each contact the contact force on paper, or None; `load` that of the wrench.
+        arms: of each contact, the forces that act on bodies there.
     """
 
     def __init__(
         self,
-        grasp: Grasp,
-        verdict: Verdict | None = None,
-        outline: Iterable[Iterable[Any]] | None = None,
-        equilibrium: int = 1,
-        of_method: Solution | None = None,
+        frame: Frame,
+        contacts: Sequence[Contact],
+        bodies: Sequence[DrawnBody],
+        detail: float = 1.0,
     ) -> None:
-        shape = grasp.outline if outline is None else Polygon(outline)
-        self.grasp, self.verdict, self.given = grasp, verdict, shape is not None
-        self.frame = frame_of(grasp, shape)
-        self.curve = body(grasp, self.frame) if shape is None else stated_body(shape, self.frame)
-        self.applied = None if verdict is None else verdict.wrench
-        self.moved = any(abs(x) > Fraction(3, 2) * self.frame.half for x in self.frame.centre)
-        place = self.frame.centre if self.moved else (Fraction(0), Fraction(0))
-        self.origin = self.frame.paper(place)
-        if self.applied is not None:
-            x, y, torque = self.applied
-            self.applied = (x, y, torque - (place[0] * y - place[1] * x))
-        self.places = [self.frame.paper(c.point) for c in grasp]
-        self.normals = [np.array([float(x) for x in c.normal]) for c in grasp]
-        self.cones = [
-            _cone_rim(self.curve, place, normal, contact.friction)
-            for contact, place, normal in zip(grasp, self.places, self.normals, strict=True)
+        self.frame, self.contacts, self.bodies, self.detail = frame, contacts, bodies, detail
+        self.places = [frame.paper(c.point) for c in contacts]
+        self.normals = [np.array([float(x) for x in c.normal]) for c in contacts]
+        self.cones: Sequence[Floats] = ()
+        self.states: Sequence[str] = ()
+        self.origin: Floats | None = None
+        self.numbers: Sequence[tuple[str, Floats, Floats]] = ()
+        # A round factor with which no contact moves further than `MOVED` on paper.
+        shifts = [
+            abs(x)
+            for body in bodies
+            if body.motion is not None
+            for i in body.touching
+            for x in shift_at(body.motion, contacts[i].point)
         ]
-        self.by_model = of_method is None
-        self.found = _chosen(verdict, equilibrium) if of_method is None else of_method
-        self._scale_forces()
-        self.states: States = ()
-        self.step: Fraction | None = None
-        if self.found is not None:
-            self.states = states_at(grasp, self.found.motion) if self.by_model else ()
-            # A round factor with which no contact moves further than `MOVED` on paper.
-            shifts = [abs(x) for c in grasp for x in shift_at(self.found.motion, c.point)]
-            if any(shifts):
-                self.step = nice_near(Fraction(MOVED) * self.frame.half / max(shifts))
+        self.step = (
+            nice_near(Fraction(MOVED * detail) * frame.half / max(shifts)) if any(shifts) else None
+        )
 
-    def _scale_forces(self) -> None:
-        """Turn all forces into arrows of one scale; exact until the largest one is known."""
-        forces: list[RationalVector | None] = [None] * len(self.grasp)
-        if self.found is not None:
-            pairs = zip(self.grasp, self.found.forces, strict=True)
-            forces = [contact.total_force(shares) for contact, shares in pairs]
-        forces.append(None if self.applied is None else self.applied[:2])
-        every = [f for f in forces if f is not None]
-        preloads = [c.preload for c in self.grasp]
+    def scale_forces(
+        self,
+        forces: Sequence[Sequence[RationalVector]],
+        loads: Sequence[DrawnLoad],
+        preloads: Sequence[Fraction] = (),
+    ) -> None:
+        """Turn all forces into arrows of one scale; exact until the largest one is known.
+
+        Args:
+            forces: of each contact, those on bodies there.
+            preloads: that are drawn, of each contact.
+        """
+        every = [*(force for at in forces for force in at), *(load.force for load in loads)]
         self.reference = max((abs(x) for f in [*every, preloads] for x in f), default=Fraction(0))
         unit = self.reference or Fraction(1)
         lengths = [float(np.linalg.norm([float(x / unit) for x in f])) for f in every]
         longest = max([*lengths, *(float(q / unit) for q in preloads)], default=1.0)
         self.longest = longest or 1.0
-        factor = FORCE / self.longest
-        arms = [None if f is None or not any(f) else _arm(f, unit, factor) for f in forces]
-        *self.arms, self.load = arms
-        self.preloads = [max(factor * float(q / unit), _LEAST) if q else 0.0 for q in preloads]
+        factor = FORCE * self.detail / self.longest
+        self.arms = [[_arm(f, unit, factor) for f in at if any(f)] for at in forces]
+        self.loads = loads
+        for load in loads:
+            load.arm = _arm(load.force, unit, factor) if any(load.force) else None
+        lengths = [max(factor * float(q / unit), _LEAST) if q else 0.0 for q in preloads]
+        self.preloads = lengths or [0.0] * len(self.contacts)
+
+    def displaced(self, body: DrawnBody, places: Floats) -> Floats:
+        """Return paper points after the motion of a body, to first order, times `step`."""
+        assert body.motion is not None
+        assert self.step is not None
+        x, y = shift_at(body.motion, self.frame.centre)
+        shift = np.array([float(self.step * v / self.frame.half) for v in (x, y)])
+        turn = float(self.step * body.motion[2])
+        moved: Floats = places + shift + turn * np.stack([-places[:, 1], places[:, 0]], axis=1)
+        return moved
+
+    def moves(self, body: DrawnBody) -> bool:
+        """Return whether the displacement of a body is drawn."""
+        return self.step is not None and body.motion is not None and any(body.motion)
+
+    def content(self) -> Floats:
+        """Return points whose box holds all that is drawn but labels."""
+        held = [np.array([body.middle]) for body in self.bodies]
+        held += [] if self.origin is None else [np.array([self.origin])]
+        for body in self.bodies:
+            if body.curve is not None:
+                held.append(flattened(body.curve))
+                if self.moves(body):
+                    held.append(self.displaced(body, held[-1]))
+        held += self.cones
+        for p, n, preload, arms in zip(
+            self.places, self.normals, self.preloads, self.arms, strict=True
+        ):
+            near_by = NEAR * self.detail
+            t = near_by * np.array([-n[1], n[0]])
+            held.append(np.array([p - max(preload, near_by) * n, p - t, p + t]))
+            held += [np.array([p + arm]) for arm in arms]
+        for load in self.loads:
+            if load.arm is not None:
+                held.append(np.array([load.place, load.place + load.arm]))
+            if load.turn:
+                corner = 1.3 * ARC * self.detail * np.ones(2)
+                held.append(load.place + np.array([corner, -corner]))
+        if not self.places:
+            held.append(np.array([[-1.0, -1.0], [1.0, 1.0]]))
+        return np.concatenate(held)
+
+    def scene(self, width: float, tallest: float | None = None) -> tuple[Scene, float]:
+        """Return the picture, without legend, and its scale; see `fitted` for its size."""
+        scene, scale, shift = fitted(width, (self.content(), AROUND), tallest=tallest)
+        picture = PlanePicture(self, scene, scale, shift)
+        picture.bodies()
+        picture.contacts()
+        picture.wrenches()
+        picture.letter()
+        picture.numbers()
+        return scene, scale
+
+    def explain(self, legend: Legend, motion: str, scale: float, units: Units | None) -> None:
+        """Explain the marks of states, the motion, and the scale of forces."""
+        states = {state.rstrip("+-") for state in self.states}
+        for name in ("stick", "slip", "detached"):
+            if name in states:
+                legend.key(symbol(name), name)
+        if moving := [body for body in self.bodies if self.moves(body)]:
+            outlined = any(body.curve is not None for body in moving)
+            legend.key(symbol("motion" if outlined else "shift"), motion)
+        if self.reference:
+            force = nice_near(self.reference)
+            length = float(force / self.reference) / self.longest * FORCE * self.detail * scale
+            explain_scale(legend, units, force, length)
 
 
-def _chosen(verdict: Verdict | None, number: int) -> Equilibrium | Solution | None:
-    """Return an equilibrium by its number; of many contacts the one that was found is the first."""
-    if verdict is None or (number == 1 and not (verdict.stable and verdict.lists_all())):
-        return None if verdict is None else verdict.solution
-    if not 1 <= number <= len(verdict.equilibria):
-        raise GraspError(
-            f"the equilibrium is number {number}; their number is {len(verdict.equilibria)}"
-        )
-    return verdict.equilibria[number - 1]
+class PlanePicture:
+    """Puts a layout on a scene: a place p on paper at ``scale * p + shift``."""
 
+    def __init__(self, layout: PlaneLayout, scene: Scene, scale: float, shift: Floats) -> None:
+        self.layout, self.scene, self.scale, self.shift = layout, scene, scale, shift
+        self.labels = Labels(scene)
+        self.places = [self.at(place) for place in layout.places]
 
-def _cone_rim(curve: Floats | None, place: Floats, normal: Floats, friction: Fraction) -> Floats:
-    """Return points on the rim of a friction cone from edge to edge; their number is odd.
+    def at(self, places: Any) -> Floats:
+        """Return places on paper in points of the scene."""
+        points: Floats = self.scale * np.asarray(places) + self.shift
+        return points
 
-    It stays inside the outline, if there is one, and is shorter on all sides where that helps.
-    """
-    half = math.atan(nearest_float(friction))
-    angles: Floats = math.atan2(normal[1], normal[0]) + np.linspace(-half, half, _RIM)
-    ways: Floats = np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    if curve is None:
-        return place + CONE * ways
-    free = free_lengths(flattened(curve), place, angles)
-    reach = np.minimum(free, max(min(CONE, 0.92 * float(free.min())), CONE / 2))
-    return place + reach[:, None] * ways
+    def bodies(self) -> None:
+        """Draw outlines, or links between contacts, as they are and displaced."""
+        for body in self.layout.bodies:
+            if body.curve is None:
+                self._links(body)
+            else:
+                self._outline(body, body.curve)
+
+    def _outline(self, body: DrawnBody, outline: Floats) -> None:
+        curve, scene = self.at(outline), self.scene
+        dashes = "solid" if body.stated else _DASHES
+        scene.curve(curve, fc=PALE, ec="none", gid=f"body{body.tag}", zorder=0)
+        look: dict[str, Any] = {"ec": GREY, "lw": 0.7, "ls": dashes, "zorder": 2}
+        scene.curve(curve, fill=False, gid=f"outline{body.tag}", **look)
+        self.labels.avoid(flattened(curve))
+        if self.layout.moves(body):
+            moved = self.at(self.layout.displaced(body, outline))
+            look = {"ec": BLUE, "lw": 0.9, "ls": _DOTS, "role": "arrow", "zorder": 2.5}
+            scene.curve(moved, fill=False, gid=f"motion{body.tag}", **look)
+            self.labels.avoid(flattened(moved))
+
+    def _links(self, body: DrawnBody) -> None:
+        middle, places = self.at(body.middle), [self.layout.places[i] for i in body.touching]
+        for i, place in zip(body.touching, map(self.at, places), strict=True):
+            look: dict[str, Any] = {"ec": GREY, "lw": 0.5, "ls": _DASHES, "zorder": 0.5}
+            self.scene.line([place, middle], gid=f"link{body.tag}-{i + 1}", **look)
+            self.labels.avoid([place, middle])
+        if places and self.layout.moves(body):
+            ends = self.at(self.layout.displaced(body, np.array(places)))
+            for i, start, end in zip(body.touching, self.at(places), ends, strict=True):
+                if np.linalg.norm(end - start) > 1:
+                    look = {"fc": BLUE, "ec": "none", "zorder": 5}
+                    gid = f"motion{body.tag}-{i + 1}"
+                    self.labels.avoid(arrow(self.scene, start, end, gid=gid, **look))
+
+    def contacts(self) -> None:
+        """Draw friction cones, pads, preloads, contact forces and states."""
+        layout, scene, labels = self.layout, self.scene, self.labels
+        seen: dict[RationalVector, int] = {}
+        for i, (contact, p, n) in enumerate(
+            zip(layout.contacts, self.places, layout.normals, strict=True)
+        ):
+            t = np.array([-n[1], n[0]])
+            if layout.cones:
+                rim = self.at(np.vstack([layout.places[i], layout.cones[i]]))
+                look: dict[str, Any] = {"fc": CONE_FILL, "ec": CONE_EDGE, "lw": 0.5}
+                scene.polygon(rim, zorder=1, gid=f"cone-{i + 1}", **look)
+                look = {"ec": CONE_EDGE, "lw": 0.5, "ls": _AXIS}
+                scene.line([p, rim[len(rim) // 2]], gid=f"normal-{i + 1}", zorder=1.1, **look)
+                labels.avoid([*rim, p], [p, rim[len(rim) // 2]])
+            pad = PAD * layout.detail * self.scale * t
+            look = {"ec": BLACK, "lw": 1.6, "capstyle": "butt", "role": "point"}
+            scene.line([p - pad, p + pad], gid=f"pad-{i + 1}", zorder=3, **look)
+            labels.avoid([p - pad, p + pad])
+            preload = layout.preloads[i] * self.scale
+            if preload > 0:
+                away = p - preload * n
+                tip = p - 3.2 * n * (preload > 12)
+                look = {"ec": GREY, "lw": 0.7, "gid": f"preload-{i + 1}", "zorder": 3.5}
+                labels.avoid(arrow(scene, away, tip, 1.6, fc="white", **look))
+            for end, arm in zip(("", "-back"), layout.arms[i], strict=False):
+                look = {"fc": BLACK, "ec": "none", "gid": f"force-{i + 1}{end}", "zorder": 5.5}
+                labels.avoid(arrow(scene, p, p + self.scale * arm, 1.0, **look))
+            if layout.states:
+                # Marks of one body's contacts at one place stand one behind the other.
+                again = seen[contact.point] = seen.get(contact.point, -1) + 1
+                place = p - 7.5 * again * n * (len(layout.bodies) == 1)
+                mark(scene, layout.states[i], place, t, gid=f"mark-{i + 1}", zorder=6)
+                labels.avoid(ring(place, 4.0, 13), place + np.array([[-4, 0], [4, 0]]))
+
+    def wrenches(self) -> None:
+        """Draw the origin and the applied wrenches."""
+        scene, labels, reach = self.scene, self.labels, ARC * self.layout.detail * self.scale
+        if self.layout.origin is not None:
+            o = self.at(self.layout.origin)
+            for way in (np.array([3, 0]), np.array([0, 3])):
+                scene.line([o - way, o + way], ec=GREY, lw=0.6, zorder=4.5, gid="origin")
+        for load in self.layout.loads:
+            (force, torque), o = load.names, self.at(load.place)
+            if load.arm is not None:
+                look: dict[str, Any] = {"fc": VERMILION, "ec": "none", "zorder": 5, "gid": force}
+                labels.avoid(arrow(scene, o, o + self.scale * load.arm, **look))
+            if load.turn:
+                turning_arrow(scene, o, reach, load.turn, color=VERMILION, gid=torque, zorder=5)
+                labels.avoid(ring(o, reach, 25), o + reach * np.array([[-1, 0], [1, 0]]))
+
+    def letter(self) -> None:
+        """Write w beside the wrench of a grasp, never inside the arc of its torque."""
+        if self.layout.origin is None:
+            return
+        reach = ARC * self.layout.detail * self.scale
+        for load in self.layout.loads:
+            o, ends = self.at(load.place), []
+            if load.arm is not None:
+                ends = [o + share * self.scale * load.arm for share in (1, 0.5, 0)]
+            if load.turn:
+                ends += [o + reach * np.array(way) for way in ((0, 1), (0, -1), (1, 0), (-1, 0))]
+            if ends:
+                name_wrench(self.labels, ends, (o, reach + 7 if load.turn else 0.0))
+
+    def numbers(self) -> None:
+        """Write the number of every contact on the side of its preload, and the names of bodies."""
+        for i, (text, place, away) in enumerate(self.layout.numbers, 1):
+            self.labels.write(text, near(self.at(place), away), gid=f"number-{i}")
+        for body in self.layout.bodies:
+            if body.name:
+                places = near(self.at(body.middle), np.array([0.0, 1.0]))
+                self.labels.write(body.name, places, gid=f"name{body.tag}")
 
 
 def _arm(force: RationalVector, unit: Fraction, factor: float) -> Floats:
@@ -145,14 +344,3 @@ def _arm(force: RationalVector, unit: Fraction, factor: float) -> Floats:
 def shift_at(motion: RationalVector, point: RationalVector) -> RationalVector:
     """Return the displacement of a point, to first order."""
     return (motion[0] - motion[2] * point[1], motion[1] + motion[2] * point[0])
-
-
-def displaced(layout: Layout, places: Floats) -> Floats:
-    """Return paper points after the motion, to first order."""
-    assert layout.found is not None
-    assert layout.step is not None
-    x, y = shift_at(layout.found.motion, layout.frame.centre)
-    shift = np.array([float(layout.step * v / layout.frame.half) for v in (x, y)])
-    turn = float(layout.step * layout.found.motion[2])
-    moved: Floats = places + shift + turn * np.stack([-places[:, 1], places[:, 0]], axis=1)
-    return moved

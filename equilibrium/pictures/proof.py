@@ -46,8 +46,8 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 
 from .body import Frame, frame_of
-from .grasp import GraspPicture
-from .layout import MOVED, Layout, shift_at
+from .grasp import GraspLayout
+from .layout import MOVED, PlanePicture, shift_at
 from .panel import ABOVE, BELOW, GAP, LEFT, RIGHT, Panel, Window
 from .space_grasp import proof_in_space
 from .style import SKETCH_SCRIPT, SKETCH_STYLE, Wrench, nice_near, symbol
@@ -221,7 +221,7 @@ def draw_proof(
         return proof_in_space(grasp, wrench, width)
     maps = proof_maps(grasp, wrench, rotation)
     verdict, ranks = maps.verdict, maps.ranks
-    layout = Layout(grasp, verdict)
+    layout = GraspLayout(grasp, verdict)
     width = checked_width(width, 150.0)
     side = (width * POINTS - LEFT - RIGHT - GAP) / 2
     small = 0.6 * side
@@ -273,12 +273,14 @@ def _fill(rank: int) -> str:
     return pale(plane_colour(rank), 0.6)
 
 
-def _grasp(scene: Scene, layout: Layout, scale: float, middle: Floats, name: str) -> GraspPicture:
+def _grasp(
+    scene: Scene, layout: GraspLayout, scale: float, middle: Floats, name: str
+) -> PlanePicture:
     """Draw the grasp and its load; `name` comes before the names of all elements."""
-    drawn, first = GraspPicture(layout, scene, scale, middle), len(scene.items)
-    drawn.body()
+    drawn, first = PlanePicture(layout, scene, scale, middle), len(scene.items)
+    drawn.bodies()
     drawn.contacts()
-    drawn.wrench()
+    drawn.wrenches()
     named = (replace(item, name=item.name and name + item.name) for item in scene.items[first:])
     scene.items[first:] = named
     return drawn
@@ -286,7 +288,7 @@ def _grasp(scene: Scene, layout: Layout, scale: float, middle: Floats, name: str
 
 def _example(
     scene: Scene,
-    layout: Layout,
+    layout: GraspLayout,
     verdict: Verdict,
     together: list[ClosedPart],
     where: tuple[int, Floats, float],
@@ -455,8 +457,8 @@ def _directions(vectors: Sequence[RationalVector]) -> Any:
 
 def _grasp_data(grasp: Grasp) -> dict[str, Any]:
     """Return the contacts and the outline in paper coordinates, for ``sketch.js``."""
-    layout = Layout(grasp)
-    frame, curve = layout.frame, layout.curve
+    layout = GraspLayout(grasp)
+    frame, curve = layout.frame, layout.body.curve
     return {
         "contacts": [
             {
@@ -467,7 +469,7 @@ def _grasp_data(grasp: Grasp) -> dict[str, Any]:
             }
             for contact, place, rim in zip(grasp, layout.places, layout.cones, strict=True)
         ],
-        "stated": layout.given,
+        "stated": layout.body.stated,
         "outline": None if curve is None else floats(flattened(curve, 16)),
         "origin": floats(np.clip(frame.paper((Fraction(0),) * 2), -1.5, 1.5)),
         "centre": [float(x) for x in frame.centre],

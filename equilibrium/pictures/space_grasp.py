@@ -440,7 +440,9 @@ class _SpatialGraspPicture(SolidSheet):
         explain_grasp(legend, solid.grasp, solid.wrench, any(map(any, solid.forces)))
         if solid.largest_force:
             force = nice_near(Fraction(solid.largest_force))
-            explain_scale(legend, solid.grasp, force, float(force) * solid.force_scale * self.scale)
+            explain_scale(
+                legend, solid.grasp.units, force, float(force) * solid.force_scale * self.scale
+            )
         if solid.motion and solid.screw is None:
             legend.line(motion_text(solid))
         elif solid.motion:

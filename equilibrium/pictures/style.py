@@ -173,9 +173,9 @@ def explain_grasp(legend: Legend, grasp: Grasp, wrench: RationalVector, forces: 
             legend.key(symbol(kind), text)
 
 
-def explain_scale(legend: Legend, grasp: Grasp, force: Fraction, length: float) -> None:
+def explain_scale(legend: Legend, units: Units | None, force: Fraction, length: float) -> None:
     """Explain by a bar how long an arrow of a force is, in points; in space if seen aside."""
-    unit = f" {grasp.units.force}" if grasp.units else ""
+    unit = f" {units.force}" if units else ""
     legend.key(bar(length), f"force {LABEL.number(force)}{unit}")
 
 

@@ -49,8 +49,7 @@ from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.labels import AS_ROUNDED
 from equilibrium.wrench_sets import Piece, ResistedSet
 
-from .grasp import drawn
-from .layout import Layout
+from .grasp import GraspLayout, drawn
 from .panel import clipped, explain_error, read_extent
 from .style import MARKS, Wrench, nearest_float, symbol, ticks, wrench_text
 
@@ -275,7 +274,7 @@ def draw_wrench_set(
     if width < _BOTH:
         return _WrenchSetPicture(grasp, box, towards, applied, width).scene
     right = _WrenchSetPicture(grasp, box, towards, applied, width * 0.6).scene
-    left = drawn(Layout(grasp), width * 0.4, right.paper[1])
+    left = drawn(GraspLayout(grasp), width * 0.4, right.paper[1])
     scene = Scene(width, max(left.paper[1], right.paper[1]))
     scene.place(left, 0.0, (scene.height - left.height) / 2)
     scene.place(right, left.width, (scene.height - right.height) / 2)

@@ -34,8 +34,8 @@ from equilibrium.grasps.schemas import (
 )
 from equilibrium.methods.registry import METHODS
 from equilibrium.model.unit_normal import unit_normal
+from equilibrium.pictures.grasp import GraspLayout
 from equilibrium.pictures.lab.page import lab_page
-from equilibrium.pictures.layout import Layout
 from equilibrium.scenes import EngineScene
 from tests.schemas import validator
 
@@ -325,8 +325,8 @@ def test_works_of_a_leaf_count_adhesion():
 
 def test_arrows_of_forces_close_with_the_load():
     verdict = solve(HANGING, (0, -60, 0))
-    layout = Layout(HANGING, verdict)
-    assert np.allclose(sum(layout.arms) + layout.load, 0)
+    layout = GraspLayout(HANGING, verdict)
+    assert np.allclose(sum(arm for arms in layout.arms for arm in arms) + layout.loads[0].arm, 0)
 
 
 def test_arrays_of_many_grasps_have_adhesion():

@@ -30,7 +30,7 @@ from equilibrium.pictures import (
 )
 from equilibrium.pictures.body import body, frame_of
 from equilibrium.pictures.forces import slices
-from equilibrium.pictures.layout import Layout
+from equilibrium.pictures.grasp import GraspLayout
 from equilibrium.pictures.proof import proof_page
 from equilibrium.pictures.style import nice
 from equilibrium.wrench_sets.plane import resisted_region
@@ -211,8 +211,8 @@ def test_one_equilibrium_of_many_contacts_reported():
     grasp = random_grasp(24, 4)
     verdict = solve(grasp, (0, "-1/2", 0))
     assert verdict.solution is not None
-    layout = Layout(grasp, verdict)
-    assert layout.found is verdict.solution
+    layout = GraspLayout(grasp, verdict)
+    assert layout.equilibrium is verdict.solution
     said = texts(draw_grasp.scene(grasp, wrench=(0, "-1/2", 0)))
     assert "the equilibrium found; there may be others" in said
     assert "there may be others" in verdict._repr_html_()

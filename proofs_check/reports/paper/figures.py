@@ -18,8 +18,7 @@ from equilibrium.methods.springs import linear_compliance
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Solution
 from equilibrium.pictures.forces import draw_slice
-from equilibrium.pictures.grasp import draw_grasp, drawn
-from equilibrium.pictures.layout import Layout
+from equilibrium.pictures.grasp import GraspLayout, draw_grasp, drawn
 
 from .notation import contact_notation
 
@@ -93,9 +92,9 @@ def _method(grasp: Grasp, found: Any, outline: Sequence[Any], titles: list[str])
     """Return a grasp at rest, with the forces of a method, and with those of the full model."""
     verdict = solve(grasp, _DOWN)
     layouts = [
-        Layout(grasp, outline=outline),
-        Layout(grasp, verdict, outline, of_method=Solution(found.motion, found.forces)),
-        Layout(grasp, verdict, outline),
+        GraspLayout(grasp, outline=outline),
+        GraspLayout(grasp, verdict, outline, of_method=Solution(found.motion, found.forces)),
+        GraspLayout(grasp, verdict, outline),
     ]
     return composed([drawn(layout, _THIRD) for layout in layouts], 3, ["at rest", *titles])
 
