@@ -32,9 +32,19 @@ Limits and errors
 ``help(arrangement.Arrangement)`` lists the methods.
 """
 
-from .console.entry import lazy_names
+from .console.plugins import attach, lazy_names
 
 __version__ = "0.1.0"
+
+attach(
+    {
+        "Arrangement.draw": "arrangement.pictures.views:DRAWINGS",
+        "Arrangement.identify": "arrangement.library.census:identify",
+        "Arrangement.lab": "arrangement.pictures.lab.lines:lab_in_notebook",
+        "Arrangement._repr_html_": "arrangement.pictures.views:arrangement_html",
+        "Arrangement._repr_svg_": "arrangement.pictures.views:arrangement_svg",
+    }
+)
 
 # Without __all__, help() shows this page alone.
 __getattr__, __dir__ = lazy_names(__name__, __file__)

@@ -7,11 +7,11 @@ from .errors import (
     OutOfReachError as OutOfReachError,
 )
 from .library import census as census, families as families
-from .library.census import Identification as Identification
 from .library.files.table import read_arrangement as read_arrangement
 from .numbers.budget import limit as limit
 from .numbers.exact import from_floats as from_floats
 from .numbers.fields import AlgebraicNumber as AlgebraicNumber, NumberField as NumberField
 from .planes.faces import Face as Face
+from .planes.identification import Identification as Identification
 
 __version__: str

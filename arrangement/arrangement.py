@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import counts
-from .console.plugins import named
+from .console.plugins import attached
 from .console.writing import write_text_atomically
 from .counts import completeness
 from .counts.whitney import f_vector, region_count
@@ -24,6 +24,7 @@ from .enumeration.sequence import FaceSequence
 from .errors import HintsMixin, InputError
 from .numbers.exact import shown, vector_text
 from .planes.faces import Face
+from .planes.identification import Identification
 from .planes.planes import Planes
 
 if TYPE_CHECKING:
@@ -33,7 +34,6 @@ if TYPE_CHECKING:
     from .drawing.path_artist import Drawing
     from .duals.zonohedron import DualPolyhedron
     from .duals.zonotope import DualPolygon, DualPolytope, DualSegment
-    from .library.census import Identification
 
 
 class Arrangement(HintsMixin, Planes):
@@ -286,7 +286,7 @@ class Arrangement(HintsMixin, Planes):
         >>> Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]]).identify().planes
         3
         """
-        found: Identification = named("arrangement.library.census:identify")(self)
+        found: Identification = attached("Arrangement.identify")(self)
         return found
 
     def deletion(self, *planes: int) -> Arrangement:
@@ -324,9 +324,9 @@ class Arrangement(HintsMixin, Planes):
         >>> len(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]]).dual().vertices)
         8
         """
-        made: DualPolyhedron | DualPolygon | DualSegment | DualPolytope
-        made = named("arrangement.duals.zonohedron:dual_zonotope")(self, lengths)
-        return made
+        from .duals.zonohedron import dual_zonotope
+
+        return dual_zonotope(self, lengths)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the arrangement as a JSON file, whole or not at all; `read_arrangement` reads it.
@@ -437,7 +437,7 @@ class Arrangement(HintsMixin, Planes):
             InputError: an unknown view or option, or planes that the view cannot show.
             MissingExtraError: matplotlib is absent.
         """
-        made: Drawing = named("arrangement.pictures.views:DRAWINGS").draw(self, view, **options)
+        made: Drawing = attached("Arrangement.draw").draw(self, view, **options)
         return made
 
     def lab(self) -> Any:
@@ -450,14 +450,14 @@ class Arrangement(HintsMixin, Planes):
         Raises:
             InputError: other planes, or too many.
         """
-        return named("arrangement.pictures.lab.lines:lab_in_notebook")(self)
+        return attached("Arrangement.lab")(self)
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the great circles, where there are any."""
-        text: str | None = named("arrangement.pictures.views:arrangement_svg")(self)
+        text: str | None = attached("Arrangement._repr_svg_")(self)
         return text
 
     def _repr_html_(self) -> str | None:
         """Return what a notebook shows where there is no picture: a table of counts."""
-        text: str | None = named("arrangement.pictures.views:arrangement_html")(self)
+        text: str | None = attached("Arrangement._repr_html_")(self)
         return text

@@ -47,7 +47,7 @@ Pictures and errors
 """
 
 from arrangement import __version__ as __version__
-from arrangement.console.entry import lazy_names
+from arrangement.console.plugins import attach, lazy_names
 
 #: Other words for the names, and earlier names, each with what to write here.
 _SYNONYMS = {
@@ -82,6 +82,16 @@ _SYNONYMS = {
     "wrench_space": "GraspWrenchSpace(grasp)",
     "write_certificate": "Certificate.save(path)",
 }
+
+attach(
+    {
+        "Assembly.from_polygons": "equilibrium.grasps.touching:touching_polygons",
+        "Grasp.draw": "equilibrium.pictures.views:DRAWINGS",
+        "Grasp.lab": "equilibrium.pictures.lab.page:lab_in_notebook",
+        "Grasp._repr_svg_": "equilibrium.pictures.notebook:grasp_svg",
+        "Verdict._repr_html_": "equilibrium.pictures.notebook:verdict_html",
+    }
+)
 
 # Without __all__, help() shows this page alone.
 __getattr__, __dir__ = lazy_names(__name__, __file__, _SYNONYMS)

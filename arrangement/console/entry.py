@@ -4,47 +4,14 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from importlib import import_module
-from typing import Any
-
-from arrangement.errors import missing_attribute
 
 #: EX_SOFTWARE of sysexits.h: a fault must never look like a "no".
 FAULT = 70
 #: What a shell reports for a program that SIGINT ended (128 + the signal's number).
 INTERRUPTED = 130
-
-
-def lazy_names(
-    package: str, file: str, synonyms: Mapping[str, str] | None = None
-) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
-    """Return ``__getattr__`` and ``__dir__`` of a package whose names load when first used.
-
-    The names are those of ``__init__.pyi`` beside the file. A package has no ``__all__``, so that
-    ``help`` shows its docstring alone.
-
-    Args:
-        synonyms: other words for the names, each with what to write here.
-    """
-    try:
-        from lazy_loader import attach_stub
-    except ModuleNotFoundError as error:
-        absent = error
-
-        def unavailable(name: str) -> Any:
-            raise absent
-
-        return unavailable, list
-    found, names, known = attach_stub(package, file)
-
-    def get(name: str) -> Any:
-        if name in known:
-            return found(name)
-        raise missing_attribute(sys.modules[package], name, synonyms or {})
-
-    return get, names
 
 
 def entry(module: str) -> Callable[..., int]:

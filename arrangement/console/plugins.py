@@ -1,14 +1,17 @@
-"""What lies above a module and is looked up by name: kinds of files, instances, notebook pages.
+"""What lies above a module and is looked up by name: kinds of files, methods, public names.
 
 Nothing is imported before it is used, and a package that is absent adds nothing.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import sys
+from collections.abc import Callable, Mapping
 from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
+
+from arrangement.errors import missing_attribute
 
 #: What packages add: for each kind the names, and where the function behind each is.
 _ADDED: Mapping[str, Mapping[str, str]] = {
@@ -25,6 +28,23 @@ _ADDED: Mapping[str, Mapping[str, str]] = {
     },
 }
 
+#: Methods that work above their class, such as "Grasp.draw", and where that is which they call.
+_ATTACHED: dict[str, str] = {}
+
+
+def attach(places: Mapping[str, str]) -> None:
+    """Register methods that work above their class, as a package does that has all its layers.
+
+    Args:
+        places: for each method, as ``Class.method``, what it calls, as ``package.module:name``.
+    """
+    _ATTACHED.update(places)
+
+
+def attached(method: str) -> Any:
+    """Return what is registered for a method."""
+    return named(_ATTACHED[method])
+
 
 def added(kind: str) -> dict[str, str]:
     """Return what the packages that are there add of a kind: names, for `named`."""
@@ -35,6 +55,36 @@ def named(place: str) -> Any:
     """Return what a text such as ``package.module:function`` names."""
     module, _, name = place.partition(":")
     return getattr(import_module(module), name)
+
+
+def lazy_names(
+    package: str, file: str, synonyms: Mapping[str, str] | None = None
+) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
+    """Return ``__getattr__`` and ``__dir__`` of a package whose names load when first used.
+
+    The names are those of ``__init__.pyi`` beside the file. A package has no ``__all__``, so that
+    ``help`` shows its docstring alone.
+
+    Args:
+        synonyms: other words for the names, each with what to write here.
+    """
+    try:
+        from lazy_loader import attach_stub
+    except ModuleNotFoundError as error:
+        absent = error
+
+        def unavailable(name: str) -> Any:
+            raise absent
+
+        return unavailable, list
+    found, names, known = attach_stub(package, file)
+
+    def get(name: str) -> Any:
+        if name in known:
+            return found(name)
+        raise missing_attribute(sys.modules[package], name, synonyms or {})
+
+    return get, names
 
 
 class InlinePage:

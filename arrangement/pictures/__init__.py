@@ -4,6 +4,6 @@ The topology of every picture is exact; only coordinates on paper are floats. A 
 is the same byte for byte.
 """
 
-from arrangement.console.entry import lazy_names
+from arrangement.console.plugins import lazy_names
 
 __getattr__, __dir__ = lazy_names(__name__, __file__)

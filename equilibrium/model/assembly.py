@@ -18,7 +18,7 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 from arrangement.console.number_form import counted
-from arrangement.console.plugins import named
+from arrangement.console.plugins import attached
 from arrangement.console.writing import write_text_atomically
 from arrangement.errors import HintsMixin
 from arrangement.library.arguments import entries
@@ -310,9 +310,7 @@ class Assembly(HintsMixin):
         >>> made, [str(x) for x in made.weights["block"]]
         (<Assembly: 1 body, 2 contacts>, ['0', '-2', '-2'])
         """
-        made: Assembly = named("equilibrium.grasps.touching:touching_polygons")(
-            polygons, friction, **options
-        )
+        made: Assembly = attached("Assembly.from_polygons")(polygons, friction, **options)
         return made
 
     @classmethod

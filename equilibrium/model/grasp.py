@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 # Its facade is loaded when a grasp is asked for its planes; the checker never does.
 import arrangement
 from arrangement.console.number_form import counted
-from arrangement.console.plugins import named
+from arrangement.console.plugins import attached
 from arrangement.console.writing import write_text_atomically
 from arrangement.errors import HintsMixin
 from arrangement.library.arguments import entries, whole
@@ -353,8 +353,7 @@ class Grasp(HintsMixin):
             InputError: an unknown view or option, or a grasp that the view cannot show.
             MissingExtraError: matplotlib is absent.
         """
-        drawings = named("equilibrium.pictures.views:DRAWINGS").of(self)
-        made: Drawing = drawings.draw(self, view, **options)
+        made: Drawing = attached("Grasp.draw").of(self).draw(self, view, **options)
         return made
 
     def lab(self) -> Any:
@@ -366,13 +365,13 @@ class Grasp(HintsMixin):
         Raises:
             InputError: more than 8 contacts, or contacts in space.
         """
-        return named("equilibrium.pictures.lab.page:lab_in_notebook")(self)
+        return attached("Grasp.lab")(self)
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the picture, where matplotlib is installed."""
         if self.dimension != 2:
             return None
-        text: str | None = named("equilibrium.pictures.notebook:grasp_svg")(self)
+        text: str | None = attached("Grasp._repr_svg_")(self)
         return text
 
     def to_dict(self) -> dict[str, Any]:

@@ -4,6 +4,6 @@ Every verdict, force and polygon is exact; only coordinates on paper are floats.
 twice is the same byte for byte. Contacts are numbered from 1, as in the paper.
 """
 
-from arrangement.console.entry import lazy_names
+from arrangement.console.plugins import lazy_names
 
 __getattr__, __dir__ = lazy_names(__name__, __file__)

@@ -5,6 +5,8 @@ sign vectors are concerned. The list ships with the package; ``make census`` com
 checkout (`tests/census`).
 """
 
+from arrangement.planes.identification import Identification as Identification
+
 from .affine_lines import MOST_LINES as MOST_LINES, lines as lines
 from .catalogue import (
     MOST_PLANES as MOST_PLANES,
@@ -13,4 +15,4 @@ from .catalogue import (
     PUBLISHED_SIMPLE as PUBLISHED_SIMPLE,
     census as census,
 )
-from .identify import Identification as Identification, identify as identify
+from .identify import identify as identify
