@@ -1,6 +1,6 @@
 from . import pictures as pictures
-from .certificate.checker import Report as Report
 from .certificate.document import Certificate as Certificate
+from .certificate.report import Report as Report
 from .decide.assemblies.verdict import AssemblyVerdict as AssemblyVerdict
 from .decide.many_grasps.check import CheckedGrasps as CheckedGrasps, check_grasps as check_grasps
 from .decide.solver import solve as solve, solve_many as solve_many

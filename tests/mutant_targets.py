@@ -123,6 +123,7 @@ ENGINES = "tests/arrangement/test_engines.py"
 INSCRIBED = "tests/arrangement/test_inscribed.py"
 TARGETS = {
     "checker": Target("equilibrium.certificate.checker", (*CHECKER, PLANES, PYRAMIDS)),
+    "report": Target("equilibrium.certificate.report", (*CHECKER, *ASSEMBLIES)),
     "leaf rule": Target(
         "equilibrium.certificate.leaf_rule",
         (*CHECKER, PLANES, PYRAMIDS, *ASSEMBLIES, *SPACE, "tests/equilibrium/test_proof_view.py"),
@@ -329,6 +330,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_displacement.py",
     ): (
         "equilibrium.decide.solver",
+        "equilibrium.decide.planar",
         "equilibrium.decide.answer",
     ),
     (
@@ -514,6 +516,7 @@ EXCEPTIONS = {
     "arrangement.duals.cells": "shapes of pictures",
     "arrangement.duals.schlegel": "shapes of pictures",
     "arrangement.numbers.deadline": "a clock, which decides no answer but that the time is over",
+    "arrangement.planes.identification": "values that the census computes, and a text",
     "arrangement.planes.proved": "runs the program proved in Coq, which is not built everywhere",
     "proofs_check.routes.proved": "runs the program proved in Coq, which is not built everywhere",
     "equilibrium.methods.registry": "a table of names",

@@ -24,7 +24,6 @@ from equilibrium.model.displacement import displacement_entry
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
 
-from .checker import Report, tree_report
 from .law import LawRow, displacement_problem, frame, law_problem
 from .leaf_rule import TreeQuestion
 from .reading import (
@@ -37,6 +36,7 @@ from .reading import (
     read_index,
     read_motion,
 )
+from .report import Report, tree_report
 from .robust import check_form, read_bounds, robust_problem
 
 
@@ -96,16 +96,8 @@ class AssemblyReport(Report):
         }
 
 
-def check_assembly(
-    document: Mapping[str, Any],
-    question: tuple[Assembly, Wrenches] | None = None,
-    max_displacement: Fraction | None = None,
-) -> AssemblyReport:
+def check_assembly(document: Mapping[str, Any]) -> AssemblyReport:
     """Check a certificate about an assembly.
-
-    Args:
-        question: that it has to be about.
-        max_displacement: with a question, the largest displacement it has to be about.
 
     Raises:
         InputError: this is not a certificate, whatever its numbers are.
@@ -124,7 +116,7 @@ def check_assembly(
         found = _part(document["tree"], assembly, wrenches, bound)
     else:
         found = tree_report(document["tree"], TreeQuestion(rows, load, form, (), bound))
-    report = AssemblyReport(
+    return AssemblyReport(
         kind,
         found.problem,
         found.leaves,
@@ -133,7 +125,6 @@ def check_assembly(
         assembly=assembly,
         wrenches=wrenches,
     )
-    return report.asked(question, max_displacement=max_displacement)
 
 
 def read_assembly_question(document: Mapping[str, Any]) -> tuple[str, Assembly, Wrenches]:

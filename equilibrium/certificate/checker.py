@@ -16,22 +16,21 @@ there.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
-from typing import Any, TypeAlias
+from typing import Any
 
-from arrangement.console.number_form import ReprMixin
-from arrangement.console.plugins import named
-from arrangement.numbers.exact import RationalVector, to_text, vector_text
-from equilibrium.model.contact import VALUES, pyramid_edges
-from equilibrium.model.displacement import along_tangents, displacement_entry
+from arrangement.numbers.exact import RationalVector
+from equilibrium.model.contact import pyramid_edges
+from equilibrium.model.displacement import along_tangents
 from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp, in_plane
 from equilibrium.model.solution import Solution
 
+from .assemblies import check_assembly
 from .enclosure import enclosure_problem
-from .law import displacement_problem, law_problem, law_rows, short
+from .law import displacement_problem, law_problem, law_rows
 from .leaf_rule import TreeQuestion
 from .reading import (
     FORMS,
@@ -41,111 +40,8 @@ from .reading import (
     read_plane,
     read_question,
 )
+from .report import Question, Report, tree_report
 from .robust import read_bounds, robust_problem
-from .tree import walk
-from .uncertain import Bounds
-
-#: A grasp and a wrench.
-Question: TypeAlias = tuple[Grasp, RationalVector]
-
-
-@dataclass(frozen=True, repr=False)
-class Report(ReprMixin):
-    """What a check found; it is true exactly when the proof holds.
-
-    Attributes:
-        kind: "resisted" or "not resisted".
-        problem: the first inequality that fails and its place, or where the question is another
-            one than that asked; empty when all hold.
-        leaves: of the tree.
-        pyramid: edges of the friction pyramids that it is about; None for cones.
-        compared: whether the question that it is about was compared with one asked.
-        grasp, wrench: that question.
-        max_displacement: how far contact points may move for an equilibrium to count, if bounded.
-        bounds: of the grasps for all of which it holds; None: it is about one.
-    """
-
-    kind: str
-    problem: str
-    leaves: int = 0
-    pyramid: int | None = None
-    compared: bool = False
-    grasp: Grasp = field(default_factory=Grasp)
-    wrench: RationalVector = ()
-    max_displacement: Fraction | None = None
-    bounds: Bounds | None = None
-    repr_fields = ("kind", "problem", "leaves", "pyramid", "compared")
-
-    def __bool__(self) -> bool:
-        return not self.problem
-
-    def asked(
-        self,
-        question: Question | None,
-        pyramid: int | None = None,
-        max_displacement: Fraction | None = None,
-    ) -> Report:
-        """Return what this says of a question: nothing, if the certificate is about another one."""
-        if question is None:
-            return self
-        problem = _difference(question, (self.grasp, self.wrench))
-        if not problem and pyramid != self.pyramid:
-            problem = "it is about other cones of friction"
-        if not problem and max_displacement != self.max_displacement:
-            problem = "it is about other displacements of contacts"
-        return replace(self, problem=problem or self.problem, compared=True)
-
-    @property
-    def to_compare(self) -> str:
-        """How the command compares what it is about with a question."""
-        return "not compared with a grasp and wrench: give --grasp FILE --wrench W"
-
-    @property
-    def question(self) -> list[str]:
-        """What it is about, in lines: the wrench and each contact."""
-        contacts = [f"contact {i} {c.words}" for i, c in enumerate(self.grasp, 1)]
-        return [f"wrench {vector_text(self.wrench)}", *contacts]
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form."""
-        found: dict[str, Any] = {"problem": self.problem} if self.problem else {}
-        if self.pyramid is not None:
-            found["pyramid"] = self.pyramid
-        found |= displacement_entry(self.max_displacement)
-        if self.bounds is not None:
-            found["bounds"] = self.bounds.to_dict()
-        about = {"wrench": list(map(to_text, self.wrench)), "grasp": self.grasp.to_dict()}
-        return {
-            "valid": bool(self),
-            "certificate": self.kind,
-            "leaves": self.leaves,
-            **found,
-            **about,
-            "compared": self.compared,
-        }
-
-
-def _difference(asked: Question, found: Question) -> str:
-    """Return the first difference of a certificate from what is expected, or nothing."""
-    (wanted, load), (own, wrench) = asked, found
-    if not isinstance(wanted, Grasp):
-        return "it is about one body, not about an assembly"
-    if (own.dimension, len(own)) != (wanted.dimension, len(wanted)):
-        sizes = (f"{len(g)} contacts in {g.dimension} dimensions" for g in (own, wanted))
-        return "it is about another grasp: {}; expected one with {}".format(*sizes)
-    rows = [
-        (f"grasp: {name} of contact {i}", getattr(one, name), getattr(other, name))
-        for i, (one, other) in enumerate(zip(own, wanted, strict=True), 1)
-        for name in ("point", "normal", *VALUES, "tangent")
-    ]
-    for name, one, other in [*rows, ("wrench: it", wrench, own.read_wrench(load))]:
-        if one != other:
-            pair = [x if isinstance(x, tuple) else (x,) for x in (one, other)]
-            texts = [vector_text(x) if len(x) > 1 else short(*x) for x in pair]
-            apart = [abs(a - b) for a, b in zip(*pair, strict=True)]
-            unlike = f" ({short(max(apart))} apart)" if "≈" in "".join(texts) else ""
-            return f"it is about another {name} is {texts[0]}; expected {texts[1]}{unlike}"
-    return ""
 
 
 def check(
@@ -169,11 +65,11 @@ def check(
 
     Complexity: O(m) integer operations for each node of the tree.
     """
-    if isinstance(document, Mapping) and "assembly" in document:
-        report: Report = named("equilibrium.certificate.assemblies:check_assembly")(
-            document, question, max_displacement
-        )
-        return report
+    about = "assembly" if isinstance(document, Mapping) and "assembly" in document else "grasp"
+    return _CHECKS[about](document).asked(question, pyramid, max_displacement)
+
+
+def _check_grasp(document: Mapping[str, Any]) -> Report:
     kind, grasp, wrench = read_question(document)
     bound = read_bound(document)
     if "bounds" in document:
@@ -185,8 +81,14 @@ def check(
     else:
         report = _tree_report(document["tree"], grasp, wrench, edges_of(document), bound)
     pyramid_of = document.get("pyramid")
-    report = replace(report, pyramid=pyramid_of, max_displacement=bound, grasp=grasp, wrench=wrench)
-    return report.asked(question, pyramid, max_displacement)
+    return replace(report, pyramid=pyramid_of, max_displacement=bound, grasp=grasp, wrench=wrench)
+
+
+#: The check of each form of certificate, by the key of what it is about.
+_CHECKS: Mapping[str, Callable[[Mapping[str, Any]], Report]] = {
+    "assembly": check_assembly,
+    "grasp": _check_grasp,
+}
 
 
 def _tree_report(
@@ -211,12 +113,6 @@ def _tree_report(
         return Report("not resisted", f"tree.plane: {problem}")
     question = TreeQuestion.of(flat, load, max_displacement=max_displacement)
     return tree_report(plane.tree, question)
-
-
-def tree_report(tree: Any, question: TreeQuestion) -> Report:
-    """Check all leaves of a tree."""
-    leaves, problem = walk(tree, question)
-    return Report("not resisted", problem, leaves)
 
 
 def _read_solution(document: Mapping[str, Any], grasp: Grasp) -> Solution:

@@ -18,8 +18,9 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Solution
 from equilibrium.model.subject import Subject, points_of
 
-from .checker import Report, check
+from .checker import check
 from .reading import SCHEMA_VERSION
+from .report import Report
 
 
 @dataclass(frozen=True)

@@ -27,7 +27,7 @@ from .arguments import (
 from .assemblies import asked_assembly, assembly_document
 
 if TYPE_CHECKING:
-    from equilibrium.certificate.checker import Report
+    from equilibrium.certificate.report import Report
 
 #: Lines of the question of a proof.
 _MOST_LINES = 21
@@ -72,8 +72,8 @@ def _by_python_checker(arguments: argparse.Namespace, question: Any) -> Report:
 
 def _by_verified_checker(arguments: argparse.Namespace, question: Any) -> Report:
     from equilibrium.certificate.assemblies import AssemblyReport, read_assembly_question
-    from equilibrium.certificate.checker import Report
     from equilibrium.certificate.reading import read_question
+    from equilibrium.certificate.report import Report
     from equilibrium.grasps.files import read_certificate, verify_proved
 
     path, max_displacement = arguments.certificate, read_displacement(arguments.max_displacement)

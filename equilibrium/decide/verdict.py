@@ -16,12 +16,13 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from arrangement.console.plugins import named
+from arrangement.console.plugins import attached
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, dot, to_text, vector_text
-from equilibrium.certificate.checker import Report, check, proof_problem
+from equilibrium.certificate.checker import check, proof_problem
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
+from equilibrium.certificate.report import Report
 from equilibrium.model.contact import pyramid_edges, pyramid_words
 from equilibrium.model.displacement import (
     displacement,
@@ -312,5 +313,5 @@ class Verdict(AnswerMixin):
 
     def _repr_html_(self) -> str | None:
         """Return what a notebook shows: every equilibrium with its forces."""
-        text: str | None = named("equilibrium.pictures.notebook:verdict_html")(self)
+        text: str | None = attached("Verdict._repr_html_")(self)
         return text

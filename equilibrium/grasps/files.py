@@ -20,9 +20,10 @@ from arrangement.library.files.json_files import (
 )
 from arrangement.numbers import budget
 from arrangement.numbers.exact import to_text
-from equilibrium.certificate.checker import Question, Report, check
+from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.reading import SCHEMA_VERSION
+from equilibrium.certificate.report import Question, Report
 from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp
 

@@ -35,7 +35,8 @@ from arrangement.library.files.json_files import (
 )
 from arrangement.library.files.table import read_arrangement
 from arrangement.numbers.exact import rational, rational_vector, shown
-from equilibrium.certificate.checker import Report, check
+from equilibrium.certificate.checker import check
+from equilibrium.certificate.report import Report
 from equilibrium.model.grasp import Grasp
 from proofs_check.errors import OwnClaimError
 from proofs_check.own_claims.claim_file import defined, id_of, line_of

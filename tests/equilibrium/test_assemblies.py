@@ -30,7 +30,8 @@ from equilibrium import (
     solve,
     verify,
 )
-from equilibrium.certificate.assemblies import check_assembly, joint_rows
+from equilibrium.certificate.assemblies import joint_rows
+from equilibrium.certificate.checker import check
 from equilibrium.certificate.law import law_problem
 from equilibrium.cli import main
 from equilibrium.core.cones import LineCones
@@ -157,7 +158,7 @@ class TestDisplacement:
             assert found.proof["max_displacement"] == bound
             schema = validator(assembly_certificate_schema())
             assert schema.is_valid(found.proof)
-            assert not check_assembly(found.proof, (STACK, found.wrenches))
+            assert not check(found.proof, (STACK, found.wrenches))
         assert "among displacements of contacts up to 3/2" in str(
             solve(STACK, WEIGHTS, max_displacement="3/2").lines()
         )
@@ -167,12 +168,12 @@ class TestDisplacement:
         found = solve(assembly, wrenches, max_displacement="1/4")
         assert found.verdict == "not resisted"
         assert "displacements" in json.dumps(found.proof)
-        assert not check_assembly({**found.proof, "max_displacement": "1000"})
+        assert not check({**found.proof, "max_displacement": "1000"})
         unbounded = {key: x for key, x in found.proof.items() if key != "max_displacement"}
-        assert not check_assembly(unbounded)
+        assert not check(unbounded)
         much = solve(assembly, wrenches, max_displacement=10)
         assert much.verdict == "resisted"
-        assert not check_assembly({**much.proof, "max_displacement": "1/100"})
+        assert not check({**much.proof, "max_displacement": "1/100"})
 
     def agree(self, seeds, most):
         for seed in seeds:
@@ -444,7 +445,7 @@ class TestForged:
     def test_question_of_a_certificate_is_compared(self):
         proof = solve(STACK, WEIGHTS).proof
         other = STACK.read_wrenches({"upper": [0, -1, 0]})
-        assert "another" in check_assembly(proof, (STACK, other)).problem
+        assert "another" in check(proof, (STACK, other)).problem
 
 
 def change(document, parts, rng):

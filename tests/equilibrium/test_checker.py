@@ -23,16 +23,19 @@ from arrangement.errors import InputError
 from arrangement.numbers.exact import vector_text
 from equilibrium import CertificateError, Contact, Grasp, Solution
 from equilibrium.certificate import (
+    assemblies,
     checker,
     enclosure,
     law,
     leaf_rule,
     reading,
+    report,
     robust,
     tree,
 )
-from equilibrium.certificate.checker import Report, check
+from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
+from equilibrium.certificate.report import Report
 from equilibrium.certificate.tree import MAX_DEPTH
 from equilibrium.grasps.schemas import certificate_schema
 from proofs_check.routes.oracle import Touch
@@ -534,7 +537,10 @@ def test_what_is_no_equilibrium_is_one_clear_error(motion, forces, words):
         check({**document, "motion": motion, "forces": forces})
 
 
-@pytest.mark.parametrize("module", [checker, enclosure, law, leaf_rule, reading, robust, tree])
+@pytest.mark.parametrize(
+    "module",
+    [assemblies, checker, enclosure, law, leaf_rule, reading, report, robust, tree],
+)
 def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
     tree = ast.parse(inspect.getsource(module))
     imported = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
@@ -548,11 +554,11 @@ def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
         "equilibrium.model.grasp",
     }
     values |= {"equilibrium.model.contact", "arrangement.console.number_form"}
-    values |= {"arrangement.console.plugins"}  # names the checker of assemblies
     values |= {"equilibrium.model.errors", "equilibrium.model.contact", "collections.abc"}
-    values |= {f"equilibrium.model.{name}" for name in ("plane", "displacement", "solution")}
+    values |= {f"equilibrium.model.{name}" for name in ("assembly", "displacement", "solution")}
     values |= {"arrangement.numbers.linear.rank", "equilibrium.model.subject"}
-    values |= {"enclosure", "law", "leaf_rule", "reading", "robust", "tree", "uncertain"}
+    values |= {"assemblies", "enclosure", "law", "leaf_rule", "reading", "report", "robust"}
+    values |= {"tree", "uncertain"}
     assert imported <= standard | values
     for node in ast.walk(tree):
         assert not (isinstance(node, ast.Constant) and isinstance(node.value, float))

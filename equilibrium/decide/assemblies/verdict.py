@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from arrangement.console.number_form import counted, number, vector
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, dot, to_text
-from equilibrium.certificate.assemblies import AssemblyReport, check_assembly
+from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import Certificate, certificate
+from equilibrium.certificate.report import Report
 from equilibrium.decide.answer import AnswerMixin, undecided
 from equilibrium.decide.proofs_for_all import NO_DEADLINE
 from equilibrium.model.assembly import SIZE, Assembly, Wrenches
@@ -164,14 +165,14 @@ class AssemblyVerdict(AnswerMixin):
         forces = [list(map(to_text, force)) for force in self.forces]
         return certificate(*question, motion=_texts(self.motions), forces=forces)
 
-    def verify(self) -> AssemblyReport:
+    def verify(self) -> Report:
         """Check the certificate, and that it answers this question; the report is true if so.
 
         Raises:
             UndecidedError: there is no certificate.
         """
         question = self.assembly, self.wrenches
-        return check_assembly(self.proof, question, self.max_displacement)
+        return check(self.proof, question, max_displacement=self.max_displacement)
 
     def to_dict(self, every: bool = False) -> dict[str, Any]:
         """Return a JSON form; exact numbers are strings of rationals.
