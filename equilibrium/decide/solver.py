@@ -12,33 +12,30 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property, lru_cache, partial
 from itertools import chain, repeat
-from typing import TYPE_CHECKING, TypeAlias, overload
+from typing import TYPE_CHECKING, Any, TypeAlias, cast, overload
 
 import numpy as np
 
 from arrangement.console.number_form import ReprMixin
-from arrangement.console.plugins import named
 from arrangement.console.progress import watched
 from arrangement.console.workers import done, due
-from arrangement.errors import OutOfReachError
 from arrangement.library.arguments import entries
 from arrangement.numbers import budget
 from arrangement.numbers.exact import Rational, RationalVector, vector_text
-from equilibrium.core.contacts import FloatContacts, IntegerContacts, are_moderate, nearest
+from equilibrium.core.contacts import FloatContacts, are_moderate, nearest
 from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.displacement import read_displacement
-from equilibrium.model.effort import Effort
-from equilibrium.model.errors import EquilibriumError, GraspError, TimeLimitError
+from equilibrium.model.effort import STEPS, Effort
+from equilibrium.model.errors import EquilibriumError, GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Open, Outcome, Solution, Tree
 from equilibrium.plane.coplanar import decide_in_plane
-from equilibrium.plane.search.motion_regions import resistance
-from equilibrium.plane.search.units import SearchUnits
 
 from . import NOT_RESISTED, RESISTED, UNDECIDED
 from .as_printed import PrintedVerdict, solve_as_printed
+from .planar import PlanarEngine
 from .state_choices import StateChoices
 from .verdict import Verdict
 
@@ -136,10 +133,9 @@ def solve(
     limits = {"time_limit": time_limit, "nodes": nodes, "max_displacement": max_displacement}
     if isinstance(grasp, Assembly):
         _take_none("an assembly", others | {"as_printed": as_printed})
-        found: AssemblyVerdict = named("equilibrium.decide.assemblies.solver:solve_assembly")(
-            grasp, wrench, **limits
-        )
-        return found
+        from .assemblies.solver import solve_assembly
+
+        return solve_assembly(grasp, cast("Mapping[str, Any]", wrench), **cast("Any", limits))
     if as_printed is not None:
         _take_none("as_printed", limits | others)
         return solve_as_printed(grasp, wrench, as_printed)
@@ -185,8 +181,6 @@ def solve_many(
     return Solver(grasp, max_displacement, pyramid).solve_many(wrenches, jobs=jobs, dask=dask)
 
 
-#: Steps of one question in the plane and in space, see `Effort`: about 20 and 60 seconds.
-STEPS = {2: 200_000_000, 3: 600_000_000}
 #: Wrenches that a process takes at once, with one memory in space.
 WRENCHES_PER_TASK = 100
 #: Steps (see `Effort`) in which a process starts, with room for what it shares the machine with.
@@ -213,7 +207,6 @@ class Solver(ReprMixin):
         self.grasp, self.max_displacement = grasp, read_displacement(max_displacement)
         self.pyramid = pyramid
         self._edges = None if pyramid is None else pyramid_edges(pyramid, grasp.dimension)
-        self._scaled: dict[Fraction | None, IntegerContacts] = {}
 
     @property
     def no_wrench(self) -> RationalVector:
@@ -229,9 +222,13 @@ class Solver(ReprMixin):
         return Solver(self.grasp, max_displacement, self.pyramid)
 
     @cached_property
+    def _planar(self) -> PlanarEngine:
+        return PlanarEngine(self.grasp, self.max_displacement)
+
+    @property
     def choices(self) -> StateChoices:
         """In the plane all choices of contact states."""
-        return StateChoices(self.grasp, self.max_displacement)
+        return self._planar.choices
 
     @cached_property
     def _memory(self) -> Memory:
@@ -270,13 +267,8 @@ class Solver(ReprMixin):
         applied = self.grasp.read_wrench(wrench)
         if self.grasp.dimension == 3:
             return self._proved(applied, self._search(applied, effort, nodes, memory).decide())
-        try:
-            return self._verdict(applied, self._in_plane(applied, effort, shorten)).accepted()
-        except TimeoutError as late:
-            if effort.spent <= effort.steps:
-                raise TimeLimitError(f"undecided: {late}; give more time, or none") from None
-            more = budget.raised_limit(math.ceil(2 * budget.times()))
-            raise OutOfReachError(f"undecided: {late}; {more} allows more") from None
+        outcome = self._planar.outcome(applied, effort, shorten=shorten)
+        return self._verdict(applied, outcome).accepted()
 
     def solve_many(
         self, wrenches: Iterable[Iterable[Rational]], *, jobs: int = 1, dask: str | None = None
@@ -326,20 +318,6 @@ class Solver(ReprMixin):
 
     def _usual_effort(self) -> Effort:
         return Effort.usual(STEPS[self.grasp.dimension])
-
-    def _in_plane(self, wrench: RationalVector, effort: Effort, shorten: bool) -> Solution | Tree:
-        """Search in the plane, in units that keep numbers small."""
-        load = self.grasp.total_load(wrench)
-        units = SearchUnits.of(self.grasp, load)
-        # Without preload no number of the contacts depends on the unit of force, with it that is
-        # the grasp's own; so all wrenches share them but for the largest displacement.
-        bound = units.displacement(self.max_displacement)
-        scaled = self._scaled.get(bound)
-        if scaled is None:
-            scaled = IntegerContacts(units.grasp(self.grasp), bound)
-            self._scaled = {bound: scaled}
-        found = resistance(scaled, units.wrench(load), effort, shorten)
-        return units.solution_back(found) if isinstance(found, Solution) else units.tree_back(found)
 
     def _search(
         self,

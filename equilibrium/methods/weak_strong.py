@@ -30,7 +30,6 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import vector
-from arrangement.console.plugins import named
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector, primitive, rational, shown
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
@@ -217,7 +216,9 @@ def _decide_frictionless_assembly(assembly: Assembly, wrenches: Wrenches) -> Out
 
 
 def _balances(assembly: Assembly, wrenches: Wrenches) -> bool:
-    return named("equilibrium.decide.assemblies.rigid:rigid_forces")(assembly, wrenches) is not None
+    from equilibrium.decide.assemblies.rigid import rigid_forces
+
+    return rigid_forces(assembly, wrenches) is not None
 
 
 def _decide_strong(grasp: Grasp, wrench: RationalVector) -> Outcome:

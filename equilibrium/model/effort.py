@@ -7,6 +7,9 @@ import math
 from arrangement.numbers import budget
 from arrangement.numbers.deadline import Deadline
 
+#: Steps of one question in the plane and in space, see `Effort`: about 20 and 60 seconds.
+STEPS = {2: 200_000_000, 3: 600_000_000}
+
 
 class Effort(Deadline):
     """The steps that are left to a search, and its time limit.

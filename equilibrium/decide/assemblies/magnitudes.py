@@ -27,9 +27,8 @@ from arrangement.numbers.linear.intervals import (
     where_positive,
 )
 from equilibrium.core.contact_program import ContactProgram, LinearQuestion, Node
-from equilibrium.decide.solver import STEPS
 from equilibrium.model.assembly import Assembly, Wrenches
-from equilibrium.model.effort import Effort
+from equilibrium.model.effort import STEPS, Effort
 from equilibrium.model.errors import UndecidedError
 
 from .parts import AssemblyPart, parts_of, with_root_as_ground

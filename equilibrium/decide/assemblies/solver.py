@@ -17,10 +17,10 @@ from arrangement.numbers.linear.intervals import Interval
 from equilibrium.certificate.assemblies import joint_rows
 from equilibrium.certificate.law import displacement_problem, law_problem
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
-from equilibrium.decide.solver import STEPS, Solver
+from equilibrium.decide.planar import PlanarEngine
 from equilibrium.model.assembly import SIZE, Assembly, Wrenches
 from equilibrium.model.displacement import read_displacement
-from equilibrium.model.effort import Effort
+from equilibrium.model.effort import STEPS, Effort
 from equilibrium.model.errors import EquilibriumError, TimeLimitError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Open, Solution
@@ -176,17 +176,20 @@ def _decide_part(
     if len(part.bodies) > 1:
         return _searched(inside, part, limits)
     (name,) = part.bodies
-    grasp = Grasp(c.contact for c in inside.contacts)
+    grasp, load = Grasp(c.contact for c in inside.contacts), part.wrenches[name]
+    engine = PlanarEngine(grasp, limits.max_displacement)
     try:
-        verdict = Solver(grasp, limits.max_displacement).decide(part.wrenches[name], limits.effort)
+        outcome = engine.outcome(load, limits.effort)
     except (OutOfReachError, TimeLimitError) as late:
         return str(late).removeprefix("undecided: ")
-    if verdict.solution is not None:
-        # Where a contact slips freely the least motion is the one to show.
-        least = verdict.equilibria[0] if len(grasp) <= _FEW else verdict.solution
-        return Solution(least.motion, least.forces)
-    contacts = list(part.contacts)
-    return {"part": list(part.hanging[name]), "contacts": contacts, "tree": verdict.tree}
+    if not isinstance(outcome, Solution):
+        contacts = list(part.contacts)
+        return {"part": list(part.hanging[name]), "contacts": contacts, "tree": outcome}
+    if len(grasp) > _FEW:
+        return outcome
+    # Where a contact slips freely the least motion is the one to show.
+    least = engine.choices.equilibria(load)[0]
+    return Solution(least.motion, least.forces)
 
 
 def _searched(

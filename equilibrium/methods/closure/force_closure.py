@@ -15,7 +15,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from arrangement.console.plugins import named
 from arrangement.numbers.exact import RationalVector, dot, primitive, to_text
 from arrangement.numbers.linear.rank import cut, unit_vectors
 from equilibrium.certificate.law import closure_problem, escape_problem
@@ -99,7 +98,9 @@ def _proofs(grasp: Grasp) -> Iterator[ForceClosure]:
     load = tuple(sum(column, Fraction(0)) for column in columns)
     try:
         if grasp.dimension == 3:
-            search = named("equilibrium.methods.closure.search:ClosureSearch")(grasp, load)
+            from .search import ClosureSearch
+
+            search = ClosureSearch(grasp, load)
             yield ForceClosure(False, free_motion=search.motion())
             yield from (ForceClosure(True, forces) for forces in search.forces())
             yield ForceClosure(False, free_motion=search.boundary_motion())
