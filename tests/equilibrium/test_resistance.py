@@ -18,9 +18,9 @@ from equilibrium import Contact, Grasp, TimeLimitError, read_grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate
 from equilibrium.core.contacts import IntegerContacts
-from equilibrium.decide.solver import STEPS, Solver
+from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
-from equilibrium.model.effort import Effort
+from equilibrium.model.effort import STEPS, Effort
 from equilibrium.plane.search import units
 from equilibrium.plane.search.motion_regions import HALF_SPACE, MotionRegions
 from equilibrium.plane.search.part_program import PartProgram

@@ -31,11 +31,11 @@ from equilibrium.core.leaves import Leaves, cancelled
 from equilibrium.core.relaxation import Relaxation
 from equilibrium.core.tree import SpatialSearch
 from equilibrium.decide.known_loads import Border, KnownLoads, KnownMagnitudes, _same, blends
-from equilibrium.decide.solver import STEPS, Solver
+from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs import random_grasp, random_wrench, read_any
 from equilibrium.grasps.schemas import certificate_schema
 from equilibrium.model.contact import Contact, pyramid_edges
-from equilibrium.model.effort import Effort
+from equilibrium.model.effort import STEPS, Effort
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.rows import ContactRows
 from equilibrium.plane.coplanar import decide_in_plane
