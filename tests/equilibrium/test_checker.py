@@ -547,7 +547,7 @@ def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
     imported |= {
         a.name for node in ast.walk(tree) if isinstance(node, ast.Import) for a in node.names
     }
-    standard = {"__future__", "math", "typing", "fractions", "itertools", "dataclasses"}
+    standard = {"__future__", "math", "re", "typing", "fractions", "itertools", "dataclasses"}
     values = {
         "arrangement.numbers.exact",
         "arrangement.library.files.json_files",
