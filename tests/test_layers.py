@@ -43,8 +43,6 @@ EXCEPTIONS = {
     ("arrangement.console.plugins", "arrangement.library"): "what packages add; any may be absent",
     ("arrangement.console.plugins", "equilibrium"): "what packages add; any may be absent",
     ("arrangement.counts.whitney", "arrangement.counts.orbits"): "may be absent",
-    ("arrangement.pictures.parts.registry", "arrangement.pictures"): "the table of views, in "
-    "which a view finds the planes that it shows, and which others show the rest",
 }
 
 
