@@ -1,32 +1,33 @@
 """The claims of the paper: `claims.toml` has their words, modules the functions that check them.
 
-Each module has a tuple CLAIMS; `registry` collects them in the order of the paper. The words are
-read without them, so that listing claims is quick.
+A claim is in the module that its `topic` names, in the tuple CLAIMS. The words are read without
+these modules, so that listing claims is quick, and a claim is made when it is asked for.
 """
 
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator
-from functools import cache
+from collections.abc import Mapping
+from functools import cache, partial
 from importlib import import_module
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from proofs_check.statements.statement import Registry
-
-#: Modules of this package.
-TOPICS = "counting dual sphere model tables equations methods space others"
+    from proofs_check.statements.statement import Claim, Registry
 
 
 def registry() -> Registry:
     """Return a new registry with every claim of the package, in the order of the paper."""
     from proofs_check.statements.statement import Registry
 
-    modules = [import_module(f"{__name__}.{topic}") for topic in TOPICS.split()]
-    claims = {claim.id: claim for module in modules for claim in module.CLAIMS}
-    return Registry(claims[id] for _, id, _ in entries())
+    return Registry(later={id: partial(_made, id) for id in entries()})
+
+
+def _made(id: str) -> Claim:
+    _, words = entries()[id]
+    claims: tuple[Claim, ...] = import_module(f"{__name__}.{words['topic']}").CLAIMS
+    return next(claim for claim in claims if claim.id == id)
 
 
 def paper() -> dict[str, str]:
@@ -34,12 +35,15 @@ def paper() -> dict[str, str]:
     return {"title": plain(_document()["title"]), "about": plain(_document()["source"])}
 
 
-def entries() -> Iterator[tuple[str, str, dict[str, Any]]]:
-    """Yield the heading, the id and what `claims.toml` has of each claim, in the paper's order."""
-    for number, title in _document()["sections"].items():
-        heading = title if number == "beyond" else f"{number}. {title}"
-        for id, said in _document()[number].items():
-            yield heading, id, said
+@cache
+def entries() -> Mapping[str, tuple[str, dict[str, Any]]]:
+    """Return the heading and the words of each claim, by its id, in the paper's order."""
+    return {
+        id: (heading, {**words, "section": heading})
+        for number, title in _document()["sections"].items()
+        for heading in [title if number == "beyond" else f"{number}. {title}"]
+        for id, words in _document()[number].items()
+    }
 
 
 def plain(text: str) -> str:

@@ -12,10 +12,26 @@ from collections.abc import Callable, Iterator
 from itertools import combinations
 from typing import Any
 
+from arrangement import counts
+from arrangement.arrangement import Arrangement
 from arrangement.enumeration.great_circles import sphere_arrangement
+from arrangement.enumeration.paper_steps import published_enumeration
+from arrangement.library.census.chirotopes import Signs
+from arrangement.numbers.float_filter import Booleans
+from proofs_check.instances.arrangements import (
+    TYPES,
+    arrangement_case,
+    census_cases,
+    random_arrangement,
+    simple_arrangement,
+    smallest_arrangements,
+    types_and_samples,
+)
 from proofs_check.instances.printed import STATE_COUNTS
+from proofs_check.routes.many_types import f_vectors
+from proofs_check.statements.statement import Case
 
-from .parts import *
+from .stated import at_most, stated
 
 
 def _states_counted(planes: Arrangement) -> int:
@@ -153,24 +169,24 @@ def _enumerated(planes: Arrangement) -> tuple[int, ...]:
 CLAIMS = (
     stated(
         "great-circle-regions",
-        lambda planes: sphere_arrangement(planes).region_count,
-        counts.region_count,
+        circles=lambda planes: sphere_arrangement(planes).region_count,
+        chi=counts.region_count,
         judge=_region_maximum,
         many_types=_region_maxima,
         cases=types_and_samples(12, per_count=4),
     ),
     stated(
         "slip-state-counts",
-        lambda planes: len(published_enumeration(planes).states),
-        _published_predicted,
+        steps=lambda planes: len(published_enumeration(planes).states),
+        theorem=_published_predicted,
         judge=lambda planes, listed: listed == STATE_COUNTS[len(planes)],
         cases=_in_general_position(*STATE_COUNTS),
         explain=_explain_published,
     ),
     stated(
         "different-slip-states",
-        lambda planes: len({face.signs for face in planes.faces()}),
-        _states_counted,
+        enumeration=lambda planes: len({face.signs for face in planes.faces()}),
+        theorem=_states_counted,
         judge=lambda planes, states: states == STATE_COUNTS[len(planes)],
         cases=_in_general_position(*STATE_COUNTS),
         search=lambda: smallest_arrangements(range(2, 4), distinct=True),
@@ -178,29 +194,29 @@ CLAIMS = (
     ),
     stated(
         "state-formula",
-        _enumerated,
-        counts.f_vector,
+        enumeration=_enumerated,
+        theorem=counts.f_vector,
         judge=lambda planes, f: f == _general_f(len(planes)),
         cases=_simple_types,
     ),
     stated(
         "fukuda-bound",
-        _enumerated,
-        counts.f_vector,
+        enumeration=_enumerated,
+        theorem=counts.f_vector,
         judge=lambda planes, f: at_most(f, _bound(planes)),
         cases=_bound_cases,
     ),
     stated(
         "fukuda-bound-attained",
-        _enumerated,
-        counts.f_vector,
+        enumeration=_enumerated,
+        theorem=counts.f_vector,
         judge=lambda planes, f: f == _bound(planes),
         cases=_simple_affine,
     ),
     stated(
         "bound-not-attained",
-        _enumerated,
-        counts.f_vector,
+        enumeration=_enumerated,
+        theorem=counts.f_vector,
         judge=lambda planes, f: sum(f) < sum(_bound(planes)),
         cases=types_and_samples(10),
         covers=lambda planes: len(planes) >= 4,
@@ -208,8 +224,8 @@ CLAIMS = (
     ),
     stated(
         "step-1-square-bound",
-        lambda planes: planes.faces().f_vector[3],
-        counts.region_count,
+        enumeration=lambda planes: planes.faces().f_vector[3],
+        chi=counts.region_count,
         judge=lambda planes, regions: regions <= len(planes) ** 2,
         cases=types_and_samples(12),
         covers=lambda planes: len(planes) >= 2,
@@ -217,24 +233,24 @@ CLAIMS = (
     ),
     stated(
         "step-1-time",
-        _tests_by_signs,
-        _tests_by_theorem,
+        regions=_tests_by_signs,
+        chi=_tests_by_theorem,
         judge=lambda planes, tests: tests <= len(planes) ** 3,
         cases=_counted_cases,
         explain=_growth(lambda m: 1 + sum(map(_most_regions, range(1, m)))),
     ),
     stated(
         "step-2-time",
-        lambda planes: sum(1 for _ in combinations(_signs(planes), 2)),
-        lambda planes: math.comb(counts.region_count(planes), 2),
+        regions=lambda planes: sum(1 for _ in combinations(_signs(planes), 2)),
+        chi=lambda planes: math.comb(counts.region_count(planes), 2),
         judge=lambda planes, pairs: pairs <= len(planes) ** 4,
         cases=_counted_cases,
         explain=_growth(lambda m: math.comb(_most_regions(m), 2)),
     ),
     stated(
         "step-3-time",
-        _graph_traced,
-        lambda planes: counts.f_vector(planes)[3:1:-1],
+        circles=_graph_traced,
+        theorem=lambda planes: counts.f_vector(planes)[3:1:-1],
         judge=lambda planes, found: (
             found[0] <= _most_regions(len(planes)) and found[1] <= 2 * len(planes) ** 2
         ),

@@ -8,12 +8,31 @@ from functools import lru_cache, partial
 
 import networkx as nx
 
-from proofs_check.routes.many_types import cycle_bases_are_faces
+from arrangement import counts
+from arrangement.arrangement import Arrangement
+from arrangement.enumeration.paper_steps import published_enumeration
+from arrangement.library.census.chirotopes import Signs
+from arrangement.numbers.float_filter import Booleans
+from proofs_check.instances.arrangements import (
+    TYPES,
+    census_cases,
+    mixed_cases,
+    smallest_arrangements,
+    types_and_samples,
+)
+from proofs_check.routes.dual_graph import (
+    DualGraph,
+    distances,
+    from_covectors,
+    from_signs,
+    is_sphere,
+    is_three_connected,
+    minimum_cycle_lengths,
+)
+from proofs_check.routes.many_types import cycle_bases_are_faces, f_vectors
+from proofs_check.statements.statement import Case
 
-from .parts import *
-
-#: What a slip state contributes to V, E and F of the dual.
-_VEF = (lambda planes: _vef(planes.faces().f_vector), lambda planes: _vef(counts.f_vector(planes)))
+from .stated import stated
 
 
 def _edge_and_face_bounds(signs: Signs, n: int) -> Booleans:
@@ -115,27 +134,36 @@ def _has_rank_3(planes: Arrangement) -> bool:
 
 
 #: True of most planes; the smallest counterexample to the rest is looked for.
-_saved = partial(stated, search=lambda: smallest_arrangements(range(1, 4), 1))
+def _smallest() -> Iterator[Case]:
+    return smallest_arrangements(range(1, 4), 1)
+
+
+_saved = partial(stated, search=_smallest)
+#: On V, E and F of the dual.
+_of_vef = partial(
+    stated,
+    enumeration=lambda planes: _vef(planes.faces().f_vector),
+    theorem=lambda planes: _vef(counts.f_vector(planes)),
+)
 
 CLAIMS = (
-    _saved(
+    _of_vef(
         "euler",
-        *_VEF,
+        search=_smallest,
         judge=lambda planes, vef: vef[0] - vef[1] + vef[2] == 2,
         cases=types_and_samples(10, per_count=4),
         covers=_has_rank_3,
     ),
-    _saved(
+    _of_vef(
         "dual-edge-and-face-bounds",
-        *_VEF,
+        search=_smallest,
         judge=lambda planes, vef: vef[1] <= 3 * vef[0] - 6 and vef[2] <= 2 * vef[0] - 4,
         many_types=_edge_and_face_bounds,
         cases=types_and_samples(10, per_count=4),
         covers=lambda planes: planes.rank >= 2,
     ),
-    stated(
+    _of_vef(
         "dual-bipartite-bounds",
-        *_VEF,
         judge=lambda planes, vef: (
             vef[1] <= 2 * vef[0] - 4
             and vef[2] <= vef[0] - 2
@@ -146,24 +174,24 @@ CLAIMS = (
     ),
     _saved(
         "dual-planar-3-connected",
-        _planar_by_networkx,
-        _planar_by_sphere,
+        networkx=_planar_by_networkx,
+        covectors=_planar_by_sphere,
         judge=lambda planes, value: value == (True, True),
         cases=types_and_samples(6),
         covers=_has_rank_3,
     ),
     _saved(
         "hamming-edges",
-        lambda planes: _hamming(_faces_graph(planes)),
-        lambda planes: _hamming(_covector_graph(planes)),
+        faces=lambda planes: _hamming(_faces_graph(planes)),
+        covectors=lambda planes: _hamming(_covector_graph(planes)),
         judge=lambda planes, value: value[0] == value[1] and value[2],
         cases=types_and_samples(6),
         covers=lambda planes: len(planes.distinct) == len(planes),
     ),
     _saved(
         "cycle-basis-faces",
-        _published_cycles,
-        _horton_cycles,
+        steps=_published_cycles,
+        covectors=_horton_cycles,
         judge=lambda planes, value: value[1],
         many_types=cycle_bases_are_faces,
         cases=types_and_samples(6, counts=range(3, 7)),

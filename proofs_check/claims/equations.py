@@ -15,12 +15,22 @@ from typing import Any
 
 from arrangement.numbers.linear.programs import some_point
 from arrangement.numbers.linear.rank import determinant, gauss_jordan
-from equilibrium.decide.solver import solve
+from equilibrium.decide.solver import Solver, solve
 from equilibrium.plane.states.state_system import StateSystem, state_system
 from equilibrium.wrench_sets.line import resisted_magnitudes
-from proofs_check.routes.oracle import Interval, Reading
+from proofs_check.instances import printed
+from proofs_check.instances.grasps import (
+    grasp_case,
+    grasp_of,
+    listed_states,
+    paper_question,
+    smallest_questions,
+)
+from proofs_check.routes import oracle
+from proofs_check.routes.oracle import Interval, Question, Reading, project
+from proofs_check.statements.statement import Case, Claim
 
-from .parts import *
+from .stated import stated
 
 #: The deviations of the printed equations, by the names of
 #: `equilibrium.decide.as_printed`.
@@ -238,72 +248,74 @@ def _search(contacts: range, **options: Any) -> Callable[[], Iterator[Case]]:
 _on_tables = partial(stated, cases=_table_cases)
 
 
-def _deviation(
-    id: str, by_elimination: Callable[..., Pair], *options: str, **checked: Any
-) -> Claim:
+def _deviation(id: str, *options: str, **checked: Any) -> Claim:
     """Return a claim on the verdicts with some points taken as printed, and those of the model."""
     checked = {"judge": _equal, "search": _search(range(1, 3)), **checked}
-    routes = partial(by_elimination, options), partial(_pair_by_solver, options)
-    return _on_tables(id, *routes, **checked)
+    return _on_tables(id, solver=partial(_pair_by_solver, options), **checked)
+
+
+def _of_steps(id: str, *options: str, **checked: Any) -> Claim:
+    """Return the same, with the states of contacts that Steps 1 to 3 list."""
+    return _deviation(id, *options, steps=partial(_listed_pair, options), **checked)
 
 
 CLAIMS = (
     _on_tables(
         "printed-equations",
-        partial(_by_oracle, DEVIATIONS),
-        partial(_by_literal, DEVIATIONS),
+        elimination=partial(_by_oracle, DEVIATIONS),
+        solver=partial(_by_literal, DEVIATIONS),
         judge=lambda question, value: value == _PRINTED[question].stable,
         explain=_explain_printed,
     ),
     # One deviation alone: it should change no verdict of the model.
-    *(_deviation(f"printed-{name}", _pair_by_oracle, name) for name in DEVIATIONS),
+    *(
+        _deviation(f"printed-{name}", name, elimination=partial(_pair_by_oracle, [name]))
+        for name in DEVIATIONS
+    ),
     stated(
         "constraint-count",
-        _counted,
-        _added,
+        writing=_counted,
+        adding=_added,
         judge=lambda case, count: count == 3 + case[0] + 2 * (case[0] - case[1]),
         cases=lambda _: _constraint_cases(6),
         search=partial(_constraint_cases, 2),
     ),
-    _deviation(
+    _of_steps(
         "algorithm-2-sound",
-        _listed_pair,
         "cell-check",
         "detachment",
         judge=lambda question, pair: pair != ("Yes", "No"),
     ),
-    _deviation(
+    _of_steps(
         "algorithm-2-complete",
-        _listed_pair,
         "cell-check",
         "detachment",
         judge=lambda question, pair: pair != ("No", "Yes"),
     ),
-    _deviation(
+    _of_steps(
         "all-stick-listed",
-        _listed_pair,
         "all-stick",
         search=lambda: smallest_questions(range(3, 4), WRENCHES[:1], preloads=(1,)),
     ),
     _on_tables(
         "single-solution",
-        oracle.normal_forces,
-        _normal_forces_solved,
+        elimination=oracle.normal_forces,
+        solver=_normal_forces_solved,
         judge=_single,
         search=_search(range(1, 3), preloads=(1,)),
     ),
     stated(
         "binary-search",
-        _held_by_elimination,
-        lambda question: resisted_magnitudes(grasp_of(question), question.wrench).intervals,
+        elimination=_held_by_elimination,
+        solver=lambda question: resisted_magnitudes(grasp_of(question), question.wrench).intervals,
         judge=lambda question, held: len(held) <= 1 and all(low == 0 for low, _ in held),
         cases=_axis_cases,
         search=lambda: smallest_questions(range(3, 4), AXES, preloads=(1,)),
     ),
     stated(
         "algorithm-2-null-space",
-        _by_null_space,
-        _at_once,
+        null_space=_by_null_space,
+        elimination=_at_once,
         judge=lambda question, found: bool(found[0]) == oracle.stable(question, _ATTACHED),
         cases=_null_space_cases,
         explain=lambda question, found: (

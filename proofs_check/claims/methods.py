@@ -11,7 +11,7 @@ from itertools import combinations, product
 from math import hypot
 from typing import Any
 
-from equilibrium.decide.solver import solve
+from equilibrium.decide.solver import Solver, solve
 from equilibrium.methods.compare import predict
 from equilibrium.methods.form_closure import form_closure
 from equilibrium.methods.grasp_robustness import (
@@ -20,10 +20,16 @@ from equilibrium.methods.grasp_robustness import (
     grasp_robustness,
 )
 from equilibrium.methods.weak_strong import weak_strong
-from proofs_check.routes.oracle import Touch
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
+from proofs_check.instances import printed
+from proofs_check.instances.grasps import grasp_case, grasp_of, paper_question, smallest_questions
+from proofs_check.routes import oracle
+from proofs_check.routes.oracle import Question, Row, Touch, project
 from proofs_check.routes.rigid_loads import classes, immobile, within_bound
+from proofs_check.statements.statement import Case, Claim
 
-from .parts import *
+from .stated import stated
 
 System = tuple[list[Row], list[Row]]
 #: At rest with preload 1 the contacts 1 and 3 carry friction (Table I, second row).
@@ -152,7 +158,7 @@ def _cones(_rng: random.Random) -> Iterator[Case]:
 def _method(id: str, **checked: Any) -> Claim:
     """Return a claim on what a method says, and on what is right."""
     checked = {"judge": lambda asked, found: found == asked.says, **checked}
-    return stated(id, _by_packages, _by_elimination, **checked)
+    return stated(id, solver=_by_packages, elimination=_by_elimination, **checked)
 
 
 _TRIPLES = ((3, 4, 5), (5, 12, 13), (8, 15, 17))
@@ -296,8 +302,8 @@ def _robust(
     """Return the claim that all wrenches within a bound are resisted in the full model."""
     return stated(
         id,
-        _covered,
-        _covered_by_minors,
+        method=_covered,
+        minors=_covered_by_minors,
         judge=lambda _, found: found[1] or not found[0],
         cases=partial(_jaws, bound, states),
     )
@@ -329,8 +335,8 @@ CLAIMS = (
     *(
         stated(
             f"form-closure-in-{place}",
-            lambda grasp: form_closure(grasp).accepts is True,
-            lambda grasp: immobile(c.normal_wrench for c in grasp),
+            linear_program=lambda grasp: form_closure(grasp).accepts is True,
+            elimination=lambda grasp: immobile(c.normal_wrench for c in grasp),
             judge=_enough,
             cases=partial(_closure_cases, dimension),
         )
@@ -338,16 +344,16 @@ CLAIMS = (
     ),
     stated(
         "strong-is-virtual-work",
-        _classes,
-        classes,
+        faces=_classes,
+        elimination=classes,
         judge=lambda _, found: found[0] == found[1],
         cases=_loads,
         search=lambda: smallest_questions(range(1, 3), _SIDEWAYS, preloads=(0,)),
     ),
     stated(
         "frictionless-implies-strong",
-        _classes,
-        classes,
+        faces=_classes,
+        elimination=classes,
         judge=lambda _, found: found[0] or not found[1],
         cases=_frictionless,
     ),

@@ -10,9 +10,14 @@ from itertools import chain, combinations, product
 from math import comb
 from typing import Any
 
+from arrangement import counts
 from arrangement.numbers.linear.rank import determinant
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
+from proofs_check.routes.oracle import Row, project
+from proofs_check.statements.statement import Case, Claim
 
-from .parts import *
+from .stated import at_most, stated
 
 #: Rational unit normals: multiples of 1/5, 1/13 and 1/17, turned and mirrored below.
 _TRIPLES = ((3, 4, 5), (5, 12, 13), (8, 15, 17), (1, 0, 1))
@@ -161,43 +166,41 @@ def _equal_contacts(most: int) -> Iterator[Case]:
 def _state_tree(id: str, *, closed: bool, **checked: Any) -> Claim:
     return stated(
         id,
-        partial(_nodes_of_faces, closed),
-        lambda grasp: _by_elimination(grasp, closed)[0],
+        faces=partial(_nodes_of_faces, closed),
+        elimination=lambda grasp: _by_elimination(grasp, closed)[0],
         judge=lambda grasp, nodes: nodes <= _depth_by_faces(grasp),
         explain=lambda grasp, nodes: f"{nodes} nodes, depth by faces {_depth_by_faces(grasp)}",
         **checked,
     )
 
 
-_FACES = (
-    lambda grasp: grasp.motion_arrangement().faces().f_vector,
-    lambda grasp: counts.f_vector(grasp.motion_arrangement()),
+_of_faces = partial(
+    stated,
+    enumeration=lambda grasp: grasp.motion_arrangement().faces().f_vector,
+    theorem=lambda grasp: counts.f_vector(grasp.motion_arrangement()),
 )
 
 CLAIMS = (
-    stated(
+    _of_faces(
         "model-faces-without-preload",
-        *_FACES,
         judge=_within,
         cases=partial(_grasps, 7, (False,)),
     ),
-    stated(
+    _of_faces(
         "model-faces-with-preload",
-        *_FACES,
         judge=_within,
         cases=partial(_grasps, 5, (True,)),
     ),
-    stated(
+    _of_faces(
         "model-linear-by-regions",
-        *_FACES,
         judge=lambda grasp, f: all(f[k] <= comb(3, k) * f[3] for k in range(3)),
         cases=partial(_grasps, 5, (False, True)),
     ),
     stated(
         "model-states",
         # The slip of a contact that is detached is not a state.
-        lambda grasp: len(_choices_of_faces(grasp)),
-        lambda grasp: _by_elimination(grasp)[1],
+        faces=lambda grasp: len(_choices_of_faces(grasp)),
+        elimination=lambda grasp: _by_elimination(grasp)[1],
         judge=lambda grasp, states: (
             states <= sum(most_faces(len(grasp), preload=_has_preload(grasp)))
         ),

@@ -12,16 +12,20 @@ from random import Random
 
 import networkx as nx
 
+from arrangement import counts
+from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.library.census import PUBLISHED, PUBLISHED_SIMPLE, census
 from arrangement.library.families.simplicial import printed_vectors, simplicial, simplicial_entries
 from arrangement.library.published import PublishedCount, published_counts
-from arrangement.numbers.exact import primitive
+from arrangement.numbers.exact import RationalVector, primitive
+from equilibrium.grasps.files import read_grasp
 from equilibrium.modes import ContactModes
 from proofs_check.routes.contact_modes import mode_counts
-from proofs_check.routes.dual_graph import Signs as RegionSigns
+from proofs_check.routes.dual_graph import DualGraph, Edge, Signs as RegionSigns, from_covectors
+from proofs_check.statements.statement import Case
 
-from .parts import *
+from .stated import stated
 
 
 def _listed(m: int) -> Iterator[Arrangement]:
@@ -240,8 +244,8 @@ _modes_claim = partial(stated, judge=lambda t, number: number == t.said)
 CLAIMS = (
     stated(
         "census-types",
-        _by_codes,
-        _by_isomorphism,
+        codes=_by_codes,
+        isomorphism=_by_isomorphism,
         judge=lambda m, found: (
             found == (PUBLISHED[m], PUBLISHED_SIMPLE[m]) and len(census(m)) == found[0]
         ),
@@ -249,8 +253,8 @@ CLAIMS = (
     ),
     stated(
         "simplicial-catalogue",
-        _by_lattice,
-        _by_great_circles,
+        lattice=_by_lattice,
+        circles=_by_great_circles,
         judge=lambda planes, vectors: vectors == printed_vectors(*_catalogue()[planes]),
         cases=lambda _: (
             Case(f"A{entry}", planes, planes.to_dict()) for planes, entry in _catalogue().items()
@@ -258,32 +262,32 @@ CLAIMS = (
     ),
     _in_print_claim(
         "regions-in-print",
-        counts.region_count,
-        _enumerated,
+        chi=counts.region_count,
+        enumeration=_enumerated,
         cases=_entries_with(0, _MOST_COUNTED),
     ),
     _in_print_claim(
         "small-regions-in-print",
-        counts.region_count,
-        _enumerated,
+        chi=counts.region_count,
+        enumeration=_enumerated,
         cases=_entries_with(0, _MOST_REGIONS),
     ),
     _in_print_claim(
         "large-regions-in-print",
-        counts.region_count,
-        _enumerated,
+        chi=counts.region_count,
+        enumeration=_enumerated,
         cases=_entries_with(_MOST_COUNTED, math.inf),
     ),
     _modes_claim(
         "contacting-modes-of-a-box",
-        lambda t: len(t.modes.contacting_separating),
-        _modes_counted(0),
+        faces=lambda t: len(t.modes.contacting_separating),
+        generators=_modes_counted(0),
         cases=_walls,
     ),
     _modes_claim(
         "sliding-modes-depend-on-tangents",
-        lambda t: t.modes.sliding_sticking_count,
-        _modes_counted(1),
+        faces=lambda t: t.modes.sliding_sticking_count,
+        theorem=_modes_counted(1),
         cases=_tangents,
     ),
 )

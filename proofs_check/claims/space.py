@@ -12,17 +12,28 @@ from operator import mul
 from random import Random
 from typing import TypeAlias
 
+from arrangement import counts
+from arrangement.arrangement import Arrangement
+from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.programs import some_point
-from equilibrium.decide.solver import solve
+from equilibrium.decide.solver import Solver, solve
 from equilibrium.decide.verdict import Verdict
+from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.model.assembly import Assembly, BodyContact
+from equilibrium.model.contact import Contact
+from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
+from proofs_check.instances import printed
 from proofs_check.instances.bodies import BodiesQuestion, textbook_questions
+from proofs_check.instances.grasps import grasp_case, grasp_of, paper_question
+from proofs_check.routes import oracle
 from proofs_check.routes.bodies import resisted
 from proofs_check.routes.leaves import leaf_count
+from proofs_check.routes.oracle import Question
+from proofs_check.statements.statement import Case
 
-from .parts import *
+from .stated import stated
 
 #: The verdicts in the plane and in space.
 _Pair: TypeAlias = tuple[bool, bool]
@@ -323,8 +334,8 @@ def _checked(question: Question) -> int:
 CLAIMS = (
     stated(
         "more-edges-hold-no-less",
-        lambda grasp: tuple(solve(grasp, _LET_GO, pyramid=edges).stable for edges in _FINER),
-        _by_proofs,
+        solver=lambda grasp: tuple(solve(grasp, _LET_GO, pyramid=edges).stable for edges in _FINER),
+        certificates=_by_proofs,
         judge=lambda grasp, verdicts: list(verdicts) == sorted(verdicts),
         cases=lambda _: [
             Case("two fingers, w = (0, 1, 2, 0, 0, 1)", _TWO_FINGERS, _TWO_FINGERS.to_dict())
@@ -333,43 +344,43 @@ CLAIMS = (
     ),
     stated(
         "boxes-change-verdicts",
-        _boxed_by_programs,
-        _boxed_by_hand,
+        linear_programs=_boxed_by_programs,
+        hand=_boxed_by_hand,
         judge=lambda finger, verdicts: verdicts[0] == verdicts[1],
         cases=_fingers,
         explain=lambda finger, verdicts: f"resisted {verdicts[0]}, within the bounds {verdicts[1]}",
     ),
     stated(
         "slip-states-in-space",
-        lambda grasp: _slips_listed(ContactRows.of_grasp(grasp)),
-        lambda grasp: _slips_counted(ContactRows.of_grasp(grasp)),
+        faces=lambda grasp: _slips_listed(ContactRows.of_grasp(grasp)),
+        theorem=lambda grasp: _slips_counted(ContactRows.of_grasp(grasp)),
         judge=lambda grasp, numbers: numbers[0] <= numbers[1],
         cases=_slip_planes,
         explain=lambda grasp, numbers: f"{numbers[0]} of at most {numbers[1]}",
     ),
     stated(
         "slip-states-of-two-bodies",
-        _slips_listed,
-        _slips_counted,
+        faces=_slips_listed,
+        theorem=_slips_counted,
         judge=lambda rows, numbers: numbers[0] <= numbers[1],
         cases=_slips_of_two,
         explain=lambda rows, numbers: f"{numbers[0]} of at most {numbers[1]}",
     ),
     stated(
         "slip-states-of-a-stack",
-        _product(lambda planes: len({face.signs for face in planes.faces()})),
-        _product(lambda planes: sum(counts.f_vector(planes))),
+        faces=_product(lambda planes: len({face.signs for face in planes.faces()})),
+        theorem=_product(lambda planes: sum(counts.f_vector(planes))),
         judge=lambda stack, numbers: numbers[0] == numbers[1],
         cases=_stacks,
         explain=lambda stack, numbers: f"{numbers[0]}, and the product is {numbers[1]}",
     ),
     stated(
         "stacks-are-decided-apart",
-        lambda question: (
+        brute_force=lambda question: (
             _bodies_by_force(question),
             all(map(oracle.stable, _apart(question))),
         ),
-        lambda question: (
+        solvers=lambda question: (
             _bodies_solved(question),
             all(_decided(one).stable for one in _apart(question)),
         ),
@@ -379,16 +390,16 @@ CLAIMS = (
     ),
     stated(
         "textbook-bodies",
-        _bodies_by_force,
-        _bodies_solved,
+        brute_force=_bodies_by_force,
+        solver=_bodies_solved,
         judge=lambda question, verdict: verdict == question.resisted,
         cases=_textbook,
         explain=lambda question, verdict: "resisted" if verdict else "not resisted",
     ),
     stated(
         "planar-verdicts-embed",
-        lambda question: (oracle.stable(question), solve(*_in_space(question)).stable),
-        lambda question: (
+        states=lambda question: (oracle.stable(question), solve(*_in_space(question)).stable),
+        certificates=lambda question: (
             _proved(grasp_of(question), question.wrench),
             _proved(*_in_space(question), 4),
         ),
@@ -398,8 +409,8 @@ CLAIMS = (
     ),
     stated(
         "leaves-do-not-grow",
-        _checked,
-        lambda question: leaf_count(question, _decided(question).proof["tree"]),
+        checker=_checked,
+        generators=lambda question: leaf_count(question, _decided(question).proof["tree"]),
         judge=lambda question, leaves: leaves <= _checked(_jaws(4, question.wrench)),
         cases=lambda _: (
             grasp_case(_jaws(m, load), f"m = {m}, w = ({', '.join(map(str, load))})")

@@ -11,15 +11,19 @@ from itertools import combinations, product
 
 import networkx as nx
 
+from arrangement.arrangement import Arrangement
 from arrangement.duals.inscribed.certificates import FarkasCertificate, WeightCertificate
 from arrangement.duals.inscribed.hull import representative_hull
 from arrangement.duals.inscribed.report import inscribability
 from arrangement.duals.zonohedron import dual_polyhedron
-from arrangement.numbers.exact import to_text
+from arrangement.numbers.exact import RationalVector, to_text
+from proofs_check.instances.arrangements import census_cases, smallest_arrangements
 from proofs_check.routes import rivin
+from proofs_check.routes.dual_graph import from_covectors, from_signs
 from proofs_check.routes.many_types import edges_have_weights, have_weights
+from proofs_check.statements.statement import Case
 
-from .parts import *
+from .stated import stated
 
 _answer = lru_cache(maxsize=64)(inscribability)
 
@@ -163,8 +167,8 @@ _smallest = partial(smallest_arrangements, range(3, 5), 1, distinct=True, rank=3
 CLAIMS = (
     stated(
         "sphere-dual-weights",
-        _weights_by_hand,
-        _weights_by_flows,
+        cycles=_weights_by_hand,
+        flow=_weights_by_flows,
         judge=lambda planes, exist: exist,
         many_types=have_weights,
         cases=_types,
@@ -172,8 +176,8 @@ CLAIMS = (
     ),
     stated(
         "sphere-dual-convex",
-        _verified,
-        _checked_afresh,
+        criterion=_verified,
+        covectors=_checked_afresh,
         judge=lambda planes, inscribable: inscribable,
         cases=_types,
         search=_smallest,
@@ -181,8 +185,8 @@ CLAIMS = (
     ),
     stated(
         "sphere-hull-edges",
-        _edge_counts_by_hull,
-        _edge_counts_by_supports,
+        qhull=_edge_counts_by_hull,
+        planes=_edge_counts_by_supports,
         judge=lambda chosen, found: found == (0, 0),
         cases=_middle_points,
         search=_cube_choices,

@@ -9,9 +9,15 @@ from fractions import Fraction
 from functools import partial
 from itertools import product
 
+from equilibrium.decide.solver import Solver
 from equilibrium.wrench_sets.line import resisted_magnitudes
+from proofs_check.instances import printed
+from proofs_check.instances.grasps import grasp_case, grasp_of, paper_question
+from proofs_check.routes import oracle
+from proofs_check.routes.oracle import Question, Row
+from proofs_check.statements.statement import Case
 
-from .parts import *
+from .stated import stated
 
 TINY = Fraction(1, 10**30)
 
@@ -155,30 +161,30 @@ _table = partial(
 CLAIMS = (
     _table(
         "table-three-contacts",
-        _substituted,
-        _solved,
+        substitution=_substituted,
+        solver=_solved,
         explain=_explain_row,
         cases=partial(_rows, printed.THREE_CONTACT_GRASP, printed.THREE_CONTACTS),
     ),
     _table(
         "table-four-contacts",
-        _substituted,
-        _solved,
+        substitution=_substituted,
+        solver=_solved,
         explain=_explain_row,
         cases=partial(_rows, printed.FOUR_CONTACT_GRASP, printed.FOUR_CONTACTS),
     ),
-    _table("downward-forces", _substituted, _solved, cases=_downward),
+    _table("downward-forces", substitution=_substituted, solver=_solved, cases=_downward),
     stated(
         "vertical-limits",
-        _held_exactly,
-        _held_solved,
+        elimination=_held_exactly,
+        solver=_held_solved,
         judge=lambda probes, held: held == probes.holds,
         cases=_rays,
     ),
     stated(
         "vertical-limit-every-friction",
-        oracle.resisted,
-        _held_both_ways,
+        elimination=oracle.resisted,
+        solver=_held_both_ways,
         judge=_up_to_four_friction,
         cases=_four_contacts,
     ),

@@ -23,8 +23,9 @@ if TYPE_CHECKING:
 def list_claims(arguments: argparse.Namespace) -> int:
     """List the claims of the paper or of a file, or describe one claim."""
     if arguments.source is None and not arguments.json:
-        said = ((id, entry["locator"], entry["statement"]) for _, id, entry in claims.entries())
-        rows = [tuple(map(claims.plain, row)) for row in said]
+        entries = claims.entries().items()
+        words = ((id, entry["locator"], entry["statement"]) for id, (_, entry) in entries)
+        rows = [tuple(map(claims.plain, row)) for row in words]
         print("\n".join(text.table(rows, width())))
         return terminal.YES
     # What loads the claims of the paper takes longer.

@@ -192,7 +192,7 @@ def _claims() -> list[str]:
     """Return the ids of the claims of the paper."""
     from proofs_check.claims import entries
 
-    return [id for _, id, _ in entries()]
+    return list(entries())
 
 
 def _later(function: str) -> Callable[[argparse.Namespace], int]:

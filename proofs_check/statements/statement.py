@@ -314,12 +314,19 @@ class Claim(ReprMixin):
 
 
 class Registry(ReprMixin):
-    """Claims by id, in order of entry; ids are unique."""
+    """Claims by id, in order of entry; ids are unique.
+
+    Args:
+        claims: to enter first.
+        later: what makes the claim of an id when it is asked for, so that a topic loads alone.
+    """
 
     repr_fields = ("ids",)
 
-    def __init__(self, claims: Iterable[Claim] = ()) -> None:
-        self._claims: dict[str, Claim] = {}
+    def __init__(
+        self, claims: Iterable[Claim] = (), later: Mapping[str, Callable[[], Claim]] | None = None
+    ) -> None:
+        self._claims: dict[str, Callable[[], Claim]] = dict(later or {})
         for claim in claims:
             self.add(claim)
 
@@ -336,7 +343,7 @@ class Registry(ReprMixin):
             raise OwnClaimError(
                 f"claim {shown(claim.id)} has one route twice; expected different ones"
             )
-        self._claims[claim.id] = claim
+        self._claims[claim.id] = lambda: claim
 
     @property
     def ids(self) -> tuple[str, ...]:
@@ -344,14 +351,14 @@ class Registry(ReprMixin):
         return tuple(self._claims)
 
     def __iter__(self) -> Iterator[Claim]:
-        return iter(self._claims.values())
+        return (make() for make in self._claims.values())
 
     def __len__(self) -> int:
         return len(self._claims)
 
     def __getitem__(self, id: str) -> Claim:
         if id in self._claims:
-            return self._claims[id]
+            return self._claims[id]()
         near = get_close_matches(id, self._claims, n=3, cutoff=0.4)
         hint = f"the nearest are {', '.join(near)}" if near else "no id is near"
         raise UnknownClaimError(

@@ -1,5 +1,7 @@
 """The verdict follows from the evidence, and from nothing else."""
 
+import subprocess
+import sys
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from random import Random
@@ -22,6 +24,7 @@ from proofs_check import (
     evaluate,
     registry,
 )
+from proofs_check.claims.stated import stated
 from proofs_check.errors import UnknownClaimError
 from proofs_check.statements.evidence import verdict_of
 
@@ -166,3 +169,21 @@ def test_every_claim_says_what_it_states_and_where():
         assert entry.expected is not ClaimVerdict.HOLDS_UNDER_HYPOTHESIS or (
             entry.hypothesis or entry.id == "table-four-contacts"
         ), entry.id
+
+
+def test_claims_of_the_paper_are_made_when_asked_for():
+    program = (
+        "import sys; from proofs_check import registry; registry()['table-three-contacts']\n"
+        "loaded = {n[20:] for n in sys.modules if n.startswith('proofs_check.claims.')}\n"
+        "assert loaded == {'tables', 'stated'}, loaded\n"
+        "assert 'networkx' not in sys.modules"
+    )
+    run = subprocess.run([sys.executable, "-c", program], timeout=60, check=False)
+    assert run.returncode == 0
+    assert len(Registry(registry())) == len(registry().ids)
+
+
+@pytest.mark.parametrize("words", [{"solver"}, {"elimination", "solver", "other"}])
+def test_words_of_implementations_are_those_of_the_text(words):
+    with pytest.raises(ValueError, match="expected elimination, solver"):
+        stated("single-solution", cases=numbers, judge=strictly, **dict.fromkeys(words, abs))

@@ -2,6 +2,7 @@
 
 import sys
 from collections.abc import Iterator
+from functools import cache
 from itertools import islice
 from pathlib import Path
 from random import Random
@@ -10,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from proofs_check.claims import registry
+from proofs_check.claims import entries, registry
 from proofs_check.statements.statement import Claim
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -127,6 +128,52 @@ CERTIFIED = {
 }
 
 
+#: What an implementation of this name runs: files, or functions of them.
+RUNS = {
+    "adding": ["proofs_check/claims/equations.py: _added"],
+    "brute_force": ["proofs_check/routes/bodies.py"],
+    "certificates": ["equilibrium/certificate/document.py"],
+    "checker": ["equilibrium/certificate/checker.py: check"],
+    "chi": ["arrangement/counts/"],
+    "circles": ["arrangement/enumeration/great_circles/"],
+    "codes": ["proofs_check/claims/others.py: _by_codes"],
+    "covectors": ["proofs_check/routes/dual_graph.py: from_covectors"],
+    "criterion": ["arrangement/duals/inscribed/report.py: Inscribability.verify"],
+    "cycles": ["proofs_check/claims/sphere.py: _weights_by_hand"],
+    "elimination": ["proofs_check/routes/oracle.py: project"],
+    "enumeration": ["arrangement/enumeration/"],
+    "faces": [
+        "arrangement/enumeration/",
+        "equilibrium/methods/weak_strong.py: weak_strong",
+        "equilibrium/modes.py",
+    ],
+    "flow": ["proofs_check/claims/sphere.py: _weights_by_flows"],
+    "generators": [
+        "proofs_check/routes/leaves.py: leaf_count",
+        "proofs_check/routes/contact_modes.py: mode_counts",
+    ],
+    "hand": ["proofs_check/claims/space.py: _boxed_by_hand"],
+    "isomorphism": ["proofs_check/claims/others.py: _by_isomorphism"],
+    "lattice": ["arrangement/counts/lattice.py"],
+    "linear_program": ["equilibrium/methods/form_closure.py"],
+    "linear_programs": ["arrangement/numbers/linear/programs.py"],
+    "method": ["equilibrium/methods/grasp_robustness.py"],
+    "minors": ["proofs_check/routes/rigid_loads.py: within_bound"],
+    "networkx": ["proofs_check/claims/dual.py: _planar_by_networkx"],
+    "null_space": ["equilibrium/plane/states/state_system.py"],
+    "planes": ["proofs_check/claims/sphere.py: _edge_counts_by_supports"],
+    "qhull": ["arrangement/duals/inscribed/hull.py"],
+    "regions": ["arrangement/enumeration/"],
+    "solver": ["equilibrium/decide/solver.py", "equilibrium/decide/as_printed.py"],
+    "solvers": ["equilibrium/decide/assemblies/solver.py"],
+    "states": ["proofs_check/routes/oracle.py: stable"],
+    "steps": ["arrangement/enumeration/paper_steps.py", "proofs_check/instances/grasps.py"],
+    "substitution": ["proofs_check/claims/tables.py: _substituted"],
+    "theorem": ["arrangement/counts/"],
+    "writing": ["proofs_check/routes/oracle.py: Systems.rows"],
+}
+
+
 def caches() -> Iterator[Any]:
     for name, module in list(sys.modules.items()):
         if name.split(".")[0] in PACKAGES:
@@ -142,10 +189,12 @@ def third(claim: Claim) -> Any:
     return list(islice(found, 3))[-1].subject
 
 
-def called(claim: Claim, route: int) -> set[CodeType]:
+@cache
+def called(id: str, route: int) -> frozenset[CodeType]:
     """Return the code of the packages that an implementation runs."""
-    for cache in caches():
-        cache.cache_clear()
+    claim = CLAIMS[id]
+    for kept in caches():
+        kept.cache_clear()
     codes, subject = set(), third(claim)
 
     def note(frame: FrameType, event: str, _: object) -> None:
@@ -158,7 +207,7 @@ def called(claim: Claim, route: int) -> set[CodeType]:
     finally:
         sys.setprofile(None)
     folders = tuple(f"{ROOT / name}/" for name in PACKAGES)
-    return {code for code in codes if code.co_filename.startswith(folders)}
+    return frozenset(code for code in codes if code.co_filename.startswith(folders))
 
 
 def file_of(code: CodeType) -> str:
@@ -175,7 +224,7 @@ def test_implementations_share_what_is_argued(id):
         if id in ids.split():
             file, _, names = place.partition(": ")
             argued.setdefault(file, set()).update(names.split())
-    first, second = (called(CLAIMS[id], route) for route in (0, 1))
+    first, second = (called(id, route) for route in (0, 1))
     common = (*COMMON, "arrangement/", "equilibrium/") if id in CERTIFIED else COMMON
     found = {}
     for code in first & second:
@@ -184,3 +233,26 @@ def test_implementations_share_what_is_argued(id):
             found.setdefault(file, set()).update([name] if argued.get(file, True) else [])
     assert found == argued
     assert id not in CERTIFIED or CERTIFIED[id] in map(file_of, second)
+
+
+def runs(id: str, route: int, word: str) -> bool:
+    """Return whether an implementation runs what the word of a name stands for."""
+    places = [place.partition(": ") for place in RUNS[word]]
+    return any(
+        file_of(code).startswith(file) and name in ("", code.co_qualname)
+        for code in called(id, route)
+        for file, _, name in places
+    )
+
+
+@pytest.mark.parametrize("id", entries())
+def test_exchanged_names_of_implementations_are_noticed(id):
+    """The word of a name is in its text and not in the other; so is what it runs."""
+    (one, text), (two, other) = entries()[id][1]["routes"].items()
+    for word, own, others in ((one, text, other), (two, other, text)):
+        assert word.replace("_", " ") in own.lower()
+        assert word.replace("_", " ") not in others.lower()
+    if id in CLAIMS:
+        assert runs(id, 0, one)
+        assert runs(id, 1, two)
+        assert not (runs(id, 0, two) and runs(id, 1, one))
