@@ -32,8 +32,7 @@ if TYPE_CHECKING:
     import sympy
 
     from .drawing.path_artist import Drawing
-    from .duals.zonohedron import DualPolyhedron
-    from .duals.zonotope import DualPolygon, DualPolytope, DualSegment
+    from .duals.zonotope import Zonotope
 
 
 class Arrangement(HintsMixin, Planes):
@@ -309,9 +308,7 @@ class Arrangement(HintsMixin, Planes):
         """Return the central arrangement one dimension higher; see `counts.cone`."""
         return counts.cone(self)
 
-    def dual(
-        self, lengths: Iterable[Any] | None = None
-    ) -> DualPolyhedron | DualPolygon | DualSegment | DualPolytope:
+    def dual(self, lengths: Iterable[Any] | None = None) -> Zonotope:
         """Return the dual zonotope of a central arrangement of rank 1 or more.
 
         Args:

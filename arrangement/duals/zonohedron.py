@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
@@ -18,7 +17,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.console.number_form import ReprMixin
 from arrangement.console.writing import write_bytes_atomically
 from arrangement.drawing.solids.meshes import KINDS, ClosedSurface, model_bytes, triangles
 from arrangement.enumeration.great_circles import (
@@ -31,25 +29,13 @@ from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
     dot,
-    largest,
-    quotient,
     rational_vector,
     shown,
 )
 from arrangement.numbers.linear.rank import cross, cycle_edges, difference
 from arrangement.planes.planes import Planes
 
-from .zonotope import (
-    DualPolygon,
-    DualPolytope,
-    DualSegment,
-    Generators,
-    VolumeMixin,
-    dual_polygon,
-    dual_polytope,
-    dual_segment,
-    generators,
-)
+from .zonotope import Zonotope, generators
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -59,23 +45,12 @@ _GREY = "#c8c8c8"
 _CHUNK = 1 << 22
 
 
-@dataclass(frozen=True, eq=False)
-class DualPolyhedron(ReprMixin, VolumeMixin):
-    """The zonohedron ``sum_i [-g_i, g_i]`` of an arrangement of rank 3 in R^3.
+class DualPolyhedron(Zonotope):
+    """The dual of planes of rank 3 in R^3, with its edges and faces.
 
     Frame: the space of the normals. Vertex v belongs to a region of the arrangement, edge e to a
-    facet (one class of coincident planes separates its two regions), face f to a ray. Each part is
-    computed when it is first read.
-
-    Attributes:
-        arrangement: the planes.
-        generators: the vectors ``g_i = lengths[i] * n_i``; those of coincident planes add up.
+    facet (one class of coincident planes separates its two regions), face f to a ray.
     """
-
-    arrangement: Planes
-    generators: Generators
-
-    dimension = 3
 
     @cached_property
     def _sphere(self) -> SphereArrangement:
@@ -87,15 +62,6 @@ class DualPolyhedron(ReprMixin, VolumeMixin):
         packed = self._sphere.packed_region_signs
         bits = np.unpackbits(packed, axis=1, count=len(self.arrangement))
         return bits.astype(np.int8) * 2 - 1
-
-    @cached_property
-    def integer_vertices(self) -> tuple[IntegerVector, ...]:
-        """The vertices times ``generators.denominator``, integers."""
-        vectors = self.generators.vectors
-        # In machine integers if no sum can leave them.
-        kind: Any = np.int64 if largest(vectors) * len(vectors) < 2**62 else object
-        sums = self.signs.astype(kind) @ np.array(vectors, dtype=kind)
-        return tuple(map(tuple, sums.tolist()))
 
     @cached_property
     def edges(self) -> npt.NDArray[np.int64]:
@@ -125,12 +91,6 @@ class DualPolyhedron(ReprMixin, VolumeMixin):
     def f_vector(self) -> tuple[int, int, int]:
         """The numbers of vertices, edges and faces."""
         return len(self.integer_vertices), len(self.edges), len(self.faces)
-
-    @cached_property
-    def vertices(self) -> tuple[RationalVector, ...]:
-        """The exact vertices ``sum_i s_i g_i``, with the normals in their stored scaling."""
-        d = self.generators.denominator
-        return tuple(tuple(quotient(x, d) for x in v) for v in self.integer_vertices)
 
     @cached_property
     def is_inscribed(self) -> bool:
@@ -292,10 +252,8 @@ def around_rays(topology: Incidence) -> tuple[tuple[int, ...], ...]:
     return tuple(cycles)
 
 
-def dual_zonotope(
-    arrangement: Planes, lengths: Iterable[Any] | None = None
-) -> DualPolyhedron | DualPolygon | DualSegment | DualPolytope:
-    """Return the dual of any rank from 1 on, each as the type that it is.
+def dual_zonotope(arrangement: Planes, lengths: Iterable[Any] | None = None) -> Zonotope:
+    """Return the dual of central planes of any rank from 1 on.
 
     Normals are stored as coprime integers, so their lengths are forgotten: `zonotope` keeps them.
 
@@ -303,18 +261,12 @@ def dual_zonotope(
     >>> dual_zonotope(Arrangement([[1, 0, 0], [1, 1, 0]])).dimension
     2
     """
-    if arrangement.rank == 1:
-        return dual_segment(arrangement, lengths)
-    if arrangement.rank == 2:
-        return dual_polygon(arrangement, lengths)
-    if arrangement.rank > 3:
-        return dual_polytope(arrangement, lengths)
-    return dual_polyhedron(arrangement, lengths)
+    if arrangement.rank == 3:
+        return dual_polyhedron(arrangement, lengths)
+    return Zonotope(arrangement, generators(arrangement, lengths))
 
 
-def zonotope(
-    generators: Iterable[Iterable[Any]],
-) -> DualPolyhedron | DualPolygon | DualSegment | DualPolytope:
+def zonotope(generators: Iterable[Iterable[Any]]) -> Zonotope:
     """Return the zonotope ``sum_i [-g_i, g_i]`` of vectors, with their lengths and multiplicities.
 
     It is the dual of the planes with these normals, whose `lengths` are those of the vectors.

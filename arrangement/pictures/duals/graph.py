@@ -22,8 +22,7 @@ from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
 from arrangement.drawing.scene.places import across, beside, tried
 from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import unit, unit_vectors
-from arrangement.duals.zonohedron import dual_polyhedron
-from arrangement.duals.zonotope import dual_polygon, dual_segment
+from arrangement.duals.zonohedron import dual_polyhedron, dual_zonotope
 from arrangement.enumeration.regions import neighbours
 from arrangement.errors import extra
 from arrangement.numbers import budget
@@ -192,7 +191,7 @@ def planar_graph(arrangement: Arrangement) -> PlacedGraph:
 
 def _cycle(arrangement: Arrangement) -> PlacedGraph:
     """Return the cycle of a pencil, or the one edge of a single plane."""
-    signs = (dual_polygon if arrangement.rank == 2 else dual_segment)(arrangement).signs
+    signs = dual_zonotope(arrangement).signs
     count = len(signs)
     at = math.pi * (1 - 1 / count) - 2 * math.pi * np.arange(count) / count
     at += math.pi / 2 * (count == 2)

@@ -12,8 +12,7 @@ import numpy as np
 
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.solids.sight import face_normal, unit_vectors
-from arrangement.duals.zonohedron import DualPolyhedron, dual_polyhedron
-from arrangement.duals.zonotope import dual_polygon, dual_segment
+from arrangement.duals.zonohedron import DualPolyhedron, dual_polyhedron, dual_zonotope
 from arrangement.numbers.exact import IntegerVector, dot
 from arrangement.numbers.linear.rank import cycle_edges, difference, triple_product
 from arrangement.numbers.real import rational_near
@@ -61,7 +60,7 @@ def dual_solid(arrangement: Planes, direction: IntegerVector, axes: Floats) -> S
     lengths = unit_lengths(arrangement)
     if arrangement.rank == 3:
         return _polyhedron(dual_polyhedron(arrangement, lengths), direction, axes)
-    flat = (dual_polygon if arrangement.rank == 2 else dual_segment)(arrangement, lengths)
+    flat = dual_zonotope(arrangement, lengths)
     edges = flat_edges(arrangement, flat.signs)
     seen = np.array([[float(x) for x in corner] for corner in flat.vertices]) @ axes.T
     shown = (False,) * len(flat.signs)
