@@ -20,18 +20,17 @@ from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, largest
 from arrangement.numbers.linear.rank import (
-    PRIME,
     ask_elimination,
     determinant,
-    echelon,
+    gauss_jordan,
     rank,
-    spanning,
     spread,
 )
-from arrangement.numbers.symbolic import exact_matrix
 from arrangement.planes.planes import Planes
 
 Indices = int | Iterable[int]
+#: Minors are expanded modulo this prime.
+PRIME = 2**26 - 5
 #: Maximal minors that are looked at.
 _MINORS = 10_000_000
 #: With more that a prime divides, the vectors are taken for special ones.
@@ -71,19 +70,15 @@ def configuration(arrangement: Planes) -> Configuration:
 
 
 def pivot_columns(rows: Sequence[IntegerVector], width: int) -> tuple[int, ...]:
-    """Return columns that form a basis of the column space; their number is the rank.
-
-    Columns that are independent modulo a prime are; where they are as many as the rank, they do.
-    """
-    if len(rows) > 2 * width and rank(spread(rows, 2 * width)) == width:
-        return tuple(range(width))
-    if len(rows) and largest(rows) < math.inf:
-        pivots = echelon(rows, reduced=False)[1]
-        if len(pivots) in (width, len(rows)) or len(pivots) == rank(rows):
-            return tuple(pivots)
-    ask_elimination(rows, width)
-    found: tuple[int, ...] = exact_matrix(spanning(rows), width).rref_den()[2]
-    return found
+    """Return columns that form a basis of the column space; their number is the rank."""
+    if not len(rows):
+        return ()
+    sample = spread(rows, 2 * width)
+    ask_elimination(sample, width)
+    pivots = gauss_jordan(sample)[1]
+    if len(sample) < len(rows) and len(pivots) < width and len(pivots) < rank(rows):
+        pivots = gauss_jordan(rows)[1]
+    return tuple(pivots)
 
 
 def indices(arrangement: Planes, planes: Indices) -> tuple[int, ...]:
@@ -124,9 +119,13 @@ def is_generic(config: Configuration) -> bool:
     rank, others = config.rank, len(rows) - config.rank
     if math.comb(len(rows), rank) > _MINORS or not others or largest(rows) == math.inf:
         return len(rows) == rank
-    reduced, pivots = echelon(list(zip(*rows, strict=True)))
-    if len(pivots) < rank:
+    from flint import nmod_mat
+
+    echelon, count = nmod_mat(list(map(list, zip(*rows, strict=True))), PRIME).rref()
+    if count < rank:
         return False
+    reduced = np.array([list(map(int, row)) for row in echelon.tolist()])
+    pivots = (reduced != 0).argmax(axis=1)
     left = np.delete(np.arange(len(rows)), pivots)
     matrix = reduced[:, left]
     minors = np.ones((1, 1), dtype=np.int64)

@@ -16,14 +16,13 @@ from arrangement.numbers.entries import entry
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
-    largest,
     one_way,
     primitive,
     quotient,
     rational_vector,
     unoriented,
 )
-from arrangement.numbers.linear.rank import ask_elimination, echelon, rank, spread
+from arrangement.numbers.linear.rank import ask_elimination, gauss_jordan, rank, spread
 from arrangement.numbers.symbolic import entries, exact_matrix
 from arrangement.planes.planes import Planes
 
@@ -239,19 +238,11 @@ def _parts(arrangement: Planes) -> list[list[IntegerVector]]:
 
 
 def _circuits(normals: Sequence[IntegerVector]) -> list[set[int]]:
-    """Return the finest parts that split no circuit of normals.
-
-    Where the rank modulo a prime is the true one, parts are split there as well.
-    """
+    """Return the finest parts that split no circuit of normals."""
     columns = list(zip(*normals, strict=True))
-    if largest(normals) < math.inf:
-        rows, _ = echelon(columns)
-        parts = _joined(set(np.flatnonzero(row).tolist()) for row in rows)
-        if sum(rank([normals[i] for i in part]) for part in parts) == len(rows):
-            return parts
     ask_elimination(columns, len(normals))
-    exact = exact_matrix(columns, len(normals)).rref_den()[0].to_sparse().rep.values()
-    return _joined(set(row) for row in exact)
+    rows, pivots, _ = gauss_jordan(columns)
+    return _joined({i for i, x in enumerate(row) if x} for row in rows[: len(pivots)])
 
 
 def _joined(circuits: Iterable[set[int]]) -> list[set[int]]:

@@ -223,7 +223,7 @@ def cancelled(columns: Sequence[IntegerVector], values: list[int], n: int) -> tu
     whole = list(zip(*columns, strict=True)) or [()] * n
     for count in (n, n + _MORE_MULTIPLIERS, len(columns)):
         rows = [(*row[:count], dot(row[count:], values[count:])) for row in whole]
-        reduced, pivots, scale = gauss_jordan(rows, by_flint=True)
+        reduced, pivots, scale = gauss_jordan(rows)
         if len(rows[0]) - 1 in pivots:
             continue
         sign = 1 if scale > 0 else -1

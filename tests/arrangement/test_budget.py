@@ -17,11 +17,10 @@ import sympy
 from arrangement import Arrangement, InputError, OutOfReachError, counts, families
 from arrangement.cli import main as arrangement_main
 from arrangement.counts import whitney
-from arrangement.counts.configuration import configuration, is_generic
+from arrangement.counts.configuration import PRIME, configuration, is_generic
 from arrangement.enumeration.choose import most_faces
 from arrangement.library.files import table
 from arrangement.numbers import budget
-from arrangement.numbers.linear.rank import PRIME
 from equilibrium.cli.program import main as equilibrium_main
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.methods.compare import compare

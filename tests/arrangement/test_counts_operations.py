@@ -11,6 +11,7 @@ from hypothesis import given, strategies as st
 
 from arrangement import Arrangement, InputError, counts
 from arrangement.counts.configuration import (
+    PRIME,
     configuration,
     flats_foreseen,
     is_generic,
@@ -18,7 +19,6 @@ from arrangement.counts.configuration import (
 )
 from arrangement.counts.operations import flat_chart
 from arrangement.numbers.exact import dot
-from arrangement.numbers.linear.rank import PRIME
 
 from .oracle import T, rank
 from .strategies import RATIONALS, arrangements
