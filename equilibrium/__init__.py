@@ -85,6 +85,7 @@ _SYNONYMS = {
 
 attach(
     {
+        "AnswerMixin._repr_svg_": "equilibrium.pictures.notebook:verdict_svg",
         "Assembly.from_polygons": "equilibrium.grasps.touching:touching_polygons",
         "Grasp.draw": "equilibrium.pictures.views:DRAWINGS",
         "Grasp.lab": "equilibrium.pictures.lab.page:lab_in_notebook",

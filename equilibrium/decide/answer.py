@@ -6,6 +6,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
+from arrangement.console.plugins import attached
 from arrangement.errors import HintsMixin
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector
@@ -122,6 +123,11 @@ class AnswerMixin(HintsMixin):
         within the rounding error".
         """
         return self.verdict if self.rounding is None else self.rounding.answer
+
+    def _repr_svg_(self) -> str | None:
+        """Return what a notebook shows: bodies, wrenches and the forces of an equilibrium."""
+        picture: str | None = attached("AnswerMixin._repr_svg_")(self)
+        return picture
 
     def _verdict_in_repr(self) -> str:
         """Return the verdict; of converted data, where others are not asked for this, as theirs."""

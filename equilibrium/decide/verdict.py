@@ -312,6 +312,6 @@ class Verdict(AnswerMixin):
             return UNDECIDED
 
     def _repr_html_(self) -> str | None:
-        """Return what a notebook shows: every equilibrium with its forces."""
+        """Return what a notebook shows: the picture, and every equilibrium with its forces."""
         text: str | None = attached("Verdict._repr_html_")(self)
         return text

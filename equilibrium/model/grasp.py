@@ -369,8 +369,6 @@ class Grasp(HintsMixin):
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the picture, where matplotlib is installed."""
-        if self.dimension != 2:
-            return None
         text: str | None = attached("Grasp._repr_svg_")(self)
         return text
 

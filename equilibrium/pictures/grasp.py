@@ -28,7 +28,7 @@ from equilibrium.wrench_sets.margin import limit_words
 
 from .body import body, frame_of, free_lengths, stated_body
 from .layout import DrawnBody, DrawnLoad, PlaneLayout
-from .space_grasp import drawn_in_space, solved_in_space
+from .space_grasp import decided_in_space, drawn_in_space, solved_in_space
 from .style import Wrench, explain_grasp, nearest_float
 
 #: The length of a friction cone on paper, and points on its rim.
@@ -90,6 +90,14 @@ def draw_grasp(
     for line in () if verdict is None else limit_words(solver, verdict.wrench):
         scene.legend.line(line)
     return scene
+
+
+def verdict_scene(verdict: Verdict, width: float = 88.0) -> Scene:
+    """Return the picture of a verdict: the grasp with its wrench, and an equilibrium if any."""
+    if verdict.grasp.dimension == 3:
+        solid, note = decided_in_space(verdict)
+        return drawn_in_space(solid, None, 0.0, width, note)
+    return drawn(GraspLayout(verdict.grasp, verdict), width)
 
 
 class GraspLayout(PlaneLayout):

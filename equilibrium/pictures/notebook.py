@@ -1,30 +1,70 @@
-"""What a notebook shows: a grasp as its picture, a verdict as a table of exact forces.
+"""What a notebook shows: grasps and verdicts as pictures, with a table of exact forces.
 
 Tables are plain HTML without scripts, for which no extra is needed.
 """
 
 from __future__ import annotations
 
+import base64
 from collections.abc import Iterable
+from contextlib import suppress
 from fractions import Fraction
 from html import escape
+from typing import TYPE_CHECKING
 
 from arrangement.console.number_form import Form, counted
 from arrangement.drawing.output import svg_text
+from arrangement.drawing.views import drawing
+from arrangement.numbers import budget
 from arrangement.numbers.exact import to_text
+from equilibrium.decide.assemblies.verdict import AssemblyVerdict
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Solution
 from equilibrium.plane.states.equilibrium import Equilibrium
 
-from .grasp import draw_grasp
+from .assemblies import draw_assembly
+from .grasp import draw_grasp, verdict_scene
+
+if TYPE_CHECKING:
+    from arrangement.drawing.path_artist import Drawing
 
 #: How many equilibria are listed, and how long an exact number may be before it is rounded.
 MOST_PIECES, LONGEST = 8, 24
 _CELL = Form(longest=LONGEST)
 
 
+def verdict_svg(verdict: Verdict | AssemblyVerdict) -> str | None:
+    """Return bodies, wrenches and an equilibrium as SVG text; None without matplotlib.
+
+    None as well of too many contacts, and of numbers beyond floats.
+    """
+
+    def made() -> Drawing:
+        if isinstance(verdict, AssemblyVerdict):
+            return draw_assembly(verdict)
+        budget.check_size(len(verdict.grasp), "contacts in a picture")
+        return drawing(verdict_scene(verdict))
+
+    with suppress(OverflowError):
+        return svg_text(made)
+    return None
+
+
 def verdict_html(verdict: Verdict) -> str:
+    """Return the answer as HTML: the picture, and the table of `verdict_table`."""
+    return f"<div>{image(verdict_svg(verdict), 'the grasp')}{verdict_table(verdict)}</div>"
+
+
+def image(svg: str | None, alt: str) -> str:
+    """Return a picture as an element of HTML that needs nothing else; empty without one."""
+    if svg is None:
+        return ""
+    data = base64.b64encode(svg.encode("utf-8")).decode("ascii")
+    return f'<img alt="{escape(alt)}" src="data:image/svg+xml;base64,{data}"/>'
+
+
+def verdict_table(verdict: Verdict) -> str:
     """Return the answer as HTML: state, normal and tangential force of each contact.
 
     Contacts are numbered from 1, as in pictures. Of many contacts, and in space, only the

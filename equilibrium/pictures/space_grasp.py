@@ -50,6 +50,7 @@ from arrangement.numbers.linear.rank import cross, cycle_edges
 from equilibrium.certificate.leaves import spatial_leaves
 from equilibrium.decide import NOT_RESISTED
 from equilibrium.decide.solver import solve
+from equilibrium.decide.verdict import Verdict
 from equilibrium.model.displacement import NOT_SMALL, displacement_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
@@ -325,16 +326,20 @@ def solved_in_space(
     """Return the pieces of a grasp, with the equilibrium under a wrench, and what is said of it."""
     if wrench is None:
         return SolidGrasp(grasp), ""
-    verdict = solve(grasp, wrench, max_displacement=max_displacement)
-    found = verdict.solution
-    if found is None:
+    return decided_in_space(solve(grasp, wrench, max_displacement=max_displacement))
+
+
+def decided_in_space(verdict: Verdict) -> tuple[SolidGrasp, str]:
+    """Return the pieces of a grasp with the equilibrium of a verdict, and what is said of it."""
+    grasp, solution = verdict.grasp, verdict.solution
+    if solution is None:
         answer = verdict.verdict + displacement_words(verdict.max_displacement)
         note = "; ".join(filter(None, (answer, verdict.doubt)))
         return SolidGrasp(grasp, wrench=verdict.wrench), note
-    pairs = zip(grasp, found.forces, strict=True)
+    pairs = zip(grasp, solution.forces, strict=True)
     forces = [contact.total_force(shares) for contact, shares in pairs]
     note = "; ".join(filter(None, (NOT_SMALL if verdict.warnings else "", verdict.doubt)))
-    return SolidGrasp(grasp, list(found.motion), forces, verdict.wrench), note
+    return SolidGrasp(grasp, list(solution.motion), forces, verdict.wrench), note
 
 
 def drawn_in_space(

@@ -1,5 +1,6 @@
-"""What notebooks show: forces of a verdict as a table, a grasp as its picture."""
+"""What notebooks show: verdicts as a picture with a table of forces, a grasp as its picture."""
 
+import base64
 import sys
 from fractions import Fraction
 from typing import Any
@@ -10,8 +11,9 @@ from hypothesis import given
 
 from arrangement.numbers.exact import to_text
 from equilibrium import Contact, Grasp, Report, Units, read_grasp, solve, unit_normal
+from equilibrium.grasps.textbook import wedge
 from equilibrium.model.outline import Circle, Polygon
-from equilibrium.pictures.notebook import MOST_PIECES
+from equilibrium.pictures.notebook import MOST_PIECES, verdict_table
 
 from .strategies import grasps, wrenches
 
@@ -23,7 +25,7 @@ def shown(grasp: Grasp, wrench: Any) -> str:
 @given(grasp=grasps(), wrench=wrenches)
 def test_tables_hold_every_state_and_exact_force(grasp, wrench):
     verdict = solve(grasp, wrench)
-    page = ET.fromstring(shown(grasp, wrench))
+    page = ET.fromstring(verdict_table(verdict))
     pieces = verdict.equilibria[:MOST_PIECES]
     expected = [
         [str(i), state, *map(to_text, pair)]
@@ -60,6 +62,47 @@ def test_a_grasp_shows_its_picture(monkeypatch):
     assert ET.fromstring(picture).tag.endswith("svg")
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     assert grasp._repr_svg_() is None
+
+
+def named(picture: str | None) -> set[str]:
+    """Return the names of the elements of a picture."""
+    assert picture is not None
+    return {item.get("id", "").partition("-")[0] for item in ET.fromstring(picture).iter()}
+
+
+@pytest.mark.parametrize(
+    ("name", "wrench", "forces"),
+    [
+        ("paper-four-contacts-preload-1", (0, 1, 0), True),
+        ("paper-four-contacts", (0, -1, 0), False),
+        ("two-opposed-fingers", (0, 0, -1, 0, 0, 0), True),
+    ],
+)
+def test_verdict_shows_the_grasp_with_its_forces(name, wrench, forces, monkeypatch):
+    verdict = solve(read_grasp(name), wrench)
+    picture = verdict._repr_svg_()
+    assert {"wrench", "cone"} <= named(picture)
+    assert ("force" in named(picture)) is forces is verdict.stable
+    (image,) = ET.fromstring(verdict._repr_html_()).iter("img")
+    data = image.get("src", "").removeprefix("data:image/svg+xml;base64,")
+    assert base64.b64decode(data).decode() == picture
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    assert verdict._repr_svg_() is None
+    assert verdict._repr_html_() == f"<div>{verdict_table(verdict)}</div>"
+
+
+def test_verdict_on_an_assembly_shows_its_bodies():
+    assert {"body", "force", "wrench"} <= named(solve(*wedge())._repr_svg_())
+
+
+def test_what_has_no_picture_still_has_a_table():
+    """Numbers beyond floats in space, and more contacts than a picture holds."""
+    far = Grasp([Contact((0, 0, 0), (0, 0, 1), 1)])
+    many = Grasp([Contact((x, 0), (0, 1), 0) for x in range(201)])
+    for grasp, wrench in ((far, (0, 0, -(10**400), 0, 0, 0)), (many, (0, 1, 0))):
+        verdict = solve(grasp, wrench)
+        assert verdict._repr_svg_() is None
+        assert "resisted" in verdict._repr_html_()
 
 
 @pytest.mark.parametrize(
