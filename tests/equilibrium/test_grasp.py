@@ -126,9 +126,9 @@ class TestValues:
         assert lines[1] == ' "schema_version": 1,\n'
         assert lines[-1] == "}\n"
 
-    def test_notebook_shows_planar_grasps_only(self, monkeypatch):
-        monkeypatch.setattr(model, "named", lambda _: len)
-        assert [Grasp([contact])._repr_svg_() for contact in (FLAT, DEEP)] == [1, None]
+    def test_notebook_shows_grasps_in_the_plane_and_in_space(self, monkeypatch):
+        monkeypatch.setattr(model, "attached", lambda _: len)
+        assert [Grasp([contact])._repr_svg_() for contact in (FLAT, DEEP)] == [1, 1]
 
 
 def test_normal_that_is_not_unit_names_the_remedy():
