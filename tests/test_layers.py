@@ -83,9 +83,9 @@ def test_each_exception_would_close_a_circle(arrow):
             {"arrangement.planes.planes", "arrangement.pictures.views"},
         ),
         (
-            "arrangement.pictures.parts.names",
-            "def draw():\n    from arrangement.pictures.sphere import projections",
-            {"arrangement.pictures.parts", "arrangement.pictures.sphere"},
+            "arrangement.drawing.colours",
+            "def draw():\n    from arrangement.drawing.solids import flat_polygons",
+            {"arrangement.drawing.colours", "arrangement.drawing.solids"},
         ),
         (
             "equilibrium.model.contact",

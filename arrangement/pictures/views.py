@@ -12,31 +12,30 @@ from arrangement.drawing.output import require_matplotlib, save_figure as save_f
 from arrangement.drawing.views import Drawings, ViewEntry, compose as compose
 from arrangement.errors import MissingExtraError
 from arrangement.numbers import budget
+from arrangement.pictures.coordinates import DUAL_MODEL, RANKS
 from arrangement.planes.planes import Planes
-
-from .parts.coordinates import DUAL_MODEL, RANKS
 
 #: Where each view is.
 VIEWS = {
-    "sphere": "sphere.sphere:draw_sphere",
-    "planes": "space.planes:draw_planes",
-    "cells": "space.cells:draw_cells",
-    "lines": "diagrams.lines:draw_lines",
-    "stereographic": "sphere.stereographic:draw_stereographic",
-    "gnomonic": "sphere.gnomonic:draw_gnomonic",
-    "dual": "duals.dual:draw_dual",
-    "section": "space.planes:draw_section",
-    "graph": "duals.graph:draw_graph",
-    "poset": "duals.poset:draw_poset",
-    "lattice": "diagrams.lattice:draw_lattice",
+    "sphere": "sphere:draw_sphere",
+    "planes": "planes:draw_planes",
+    "cells": "cells:draw_cells",
+    "lines": "lines:draw_lines",
+    "stereographic": "sphere:draw_stereographic",
+    "gnomonic": "sphere:draw_gnomonic",
+    "dual": "dual:draw_dual",
+    "section": "planes:draw_section",
+    "graph": "graph:draw_graph",
+    "poset": "graph:draw_poset",
+    "lattice": "lattice:draw_lattice",
 }
 MODELS = {
-    "dual": ViewEntry("duals.dual:dual_model", DUAL_MODEL),
-    "cells": ViewEntry("space.cells:cells_model", RANKS["cells"]),
+    "dual": ViewEntry("dual:dual_model", DUAL_MODEL),
+    "cells": ViewEntry("cells:cells_model", RANKS["cells"]),
 }
 PAGES = {
     "arrangement": ViewEntry("lab.arrangement_page:arrangement_page", RANKS["sphere"]),
-    "cells": ViewEntry("space.cells:cells_page", RANKS["cells"]),
+    "cells": ViewEntry("cells:cells_page", RANKS["cells"]),
 }
 
 

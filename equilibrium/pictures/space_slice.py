@@ -13,7 +13,7 @@ from arrangement.drawing.colours import BLACK, VERMILION
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import Legend, Scene
 from arrangement.numbers.exact import shown
-from arrangement.pictures.parts.names import stroke
+from arrangement.pictures.names import stroke
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
 from equilibrium.decide.known_loads import KnownLoads
 from equilibrium.model.errors import GraspError

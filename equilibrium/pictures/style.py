@@ -18,7 +18,7 @@ from arrangement.drawing.scene.labels import Labels
 from arrangement.drawing.scene.places import fixed
 from arrangement.drawing.scene.scene import POINTS, Legend, Scene, Symbol, arc, arrow
 from arrangement.numbers.exact import RationalVector
-from arrangement.pictures.parts.names import HALF, WIDTH, canvas, stroke, swatch
+from arrangement.pictures.names import HALF, WIDTH, canvas, stroke, swatch
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.labels import Units
 

@@ -17,8 +17,8 @@ from arrangement.library.families import (
     simplicial,
     type_b,
 )
-from arrangement.pictures.duals.graph import planar_graph
-from arrangement.pictures.parts.coordinates import CHOICES, even_map, in_coordinates, symmetry
+from arrangement.pictures.coordinates import CHOICES, even_map, in_coordinates, symmetry
+from arrangement.pictures.graph import planar_graph
 
 from .strategies import arrangements
 

@@ -34,12 +34,10 @@ from arrangement.pictures import (
     draw_sphere,
     write_drawing,
 )
-from arrangement.pictures.parts.coordinates import in_space
-from arrangement.pictures.space.cells import cells_model
-from arrangement.pictures.space.lifted_cells import Lifted, lifted_cells
-from arrangement.pictures.space.planes import draw_planes
-from arrangement.pictures.space.planes_sheet import PlanesSheet
-from arrangement.pictures.space.stage import Facet, Stage, StagedAxes
+from arrangement.pictures.cells import Lifted, cells_model, lifted_cells
+from arrangement.pictures.coordinates import in_space
+from arrangement.pictures.planes import PlanesSheet, draw_planes
+from arrangement.pictures.stage import Facet, Stage, StagedAxes
 from arrangement.pictures.views import DRAWINGS
 from tests.drawn import paths
 from tests.instances import PLANAR

@@ -34,17 +34,16 @@ from arrangement.pictures import (
     draw_sphere,
     draw_stereographic,
     save_figure,
+    sphere,
     write_drawing,
 )
-from arrangement.pictures.diagrams.lattice import layered_orders
-from arrangement.pictures.diagrams.line_charts import LinesChart
-from arrangement.pictures.duals.graph import planar_graph
-from arrangement.pictures.duals.solids import dual_solid
-from arrangement.pictures.parts.coordinates import orbits
-from arrangement.pictures.sphere import gnomonic
-from arrangement.pictures.sphere.globe import Globe
-from arrangement.pictures.sphere.gnomonic import compressed
-from arrangement.pictures.sphere.projections import stereographic
+from arrangement.pictures.coordinates import orbits
+from arrangement.pictures.dual import dual_solid
+from arrangement.pictures.globe import Globe, stereographic
+from arrangement.pictures.graph import planar_graph
+from arrangement.pictures.lattice import layered_orders
+from arrangement.pictures.lines import LinesChart
+from arrangement.pictures.sphere import compressed
 from arrangement.pictures.views import DRAWINGS
 from tests.drawn import elements, offences, paths, scene
 
@@ -729,8 +728,8 @@ def test_a_gnomonic_chart_shows_lines_where_the_planes_meet_it(planes):
     (rim,) = (item for item in made.items if item.name == "border")
     units = np.array([[float(x) for x in plane[:3]] for plane in planes.integer_planes])
     units /= np.linalg.norm(units, axis=1)[:, None]
-    globe = gnomonic._upright(Globe(planes, ahead)).axes
-    reach = gnomonic._cut(Globe(planes, ahead)).reach
+    globe = sphere._upright(Globe(planes, ahead)).axes
+    reach = sphere._cut(Globe(planes, ahead)).reach
     places = {}
     for item in made.items:
         flat = (getattr(item, "points", np.zeros((1, 2))) - rim.points) / rim.radius * reach

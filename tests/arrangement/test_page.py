@@ -11,7 +11,7 @@ import pytest
 from arrangement import Arrangement, families, read_arrangement
 from arrangement.console.number_form import sign_text
 from arrangement.pictures import arrangement_page, cells_page
-from arrangement.pictures.parts.names import equation
+from arrangement.pictures.names import equation
 from tests.arrangement.test_lab import arrangements
 from tests.browser import Browser
 

@@ -19,10 +19,9 @@ from arrangement.errors import OutOfReachError
 from arrangement.library.families import catalan, coxeter, generic, random_integer, shi
 from arrangement.numbers.exact import dot
 from arrangement.pictures import DRAWINGS, draw_poset
-from arrangement.pictures.duals.dual import dual_model
-from arrangement.pictures.duals.schlegel import symmetric_diagram
-from arrangement.pictures.parts.coordinates import in_space, orbits
-from arrangement.pictures.space.sections import cut_out
+from arrangement.pictures.coordinates import in_space, orbits
+from arrangement.pictures.dual import dual_model, symmetric_diagram
+from arrangement.pictures.planes import cut_out
 from tests.drawn import elements
 
 COINCIDENT = Arrangement(

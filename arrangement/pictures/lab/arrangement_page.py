@@ -25,7 +25,7 @@ from arrangement.drawing.views import Vector
 from arrangement.errors import refusal
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, shown
-from arrangement.pictures.parts.coordinates import (
+from arrangement.pictures.coordinates import (
     CHOICES,
     RANKS,
     caption,
@@ -34,8 +34,8 @@ from arrangement.pictures.parts.coordinates import (
     is_narrow,
     symmetric_map,
 )
-from arrangement.pictures.parts.names import generator_text
-from arrangement.pictures.sphere.globe import Globe, clear_direction
+from arrangement.pictures.globe import Globe, clear_direction
+from arrangement.pictures.names import generator_text
 
 _OWN = "arrangement.pictures.lab"
 _LAB = ("circles", "cells", "words", "ball_view")

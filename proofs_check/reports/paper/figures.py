@@ -9,8 +9,8 @@ from typing import Any, ClassVar
 from arrangement.drawing.scene.layout import composed
 from arrangement.drawing.scene.scene import Scene
 from arrangement.library.files.table import read_arrangement
-from arrangement.pictures.duals.dual import draw_dual
-from arrangement.pictures.space.planes import draw_planes
+from arrangement.pictures.dual import draw_dual
+from arrangement.pictures.planes import draw_planes
 from equilibrium.decide.solver import solve
 from equilibrium.grasps.files import read_grasp
 from equilibrium.methods.cones import cones

@@ -15,8 +15,8 @@ from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.scene import GAP, POINTS, Scene
 from arrangement.drawing.views import picture
 from arrangement.numbers import budget
-from arrangement.pictures.parts.coordinates import RAISED
-from arrangement.pictures.parts.names import plane_names
+from arrangement.pictures.coordinates import RAISED
+from arrangement.pictures.names import plane_names
 
 _INK = "#882255"
 

@@ -1,9 +1,18 @@
-"""Lines of the plane: cut to a window that shows all vertices, or with the line at infinity."""
+"""Lines of the plane: cut to a window that shows all vertices, or with the line at infinity.
+
+Both come from the great circles of the cone over the lines, cut at the line at infinity. So which
+faces there are, which of them are bounded, and what the window cuts, is exact. Lines that are
+nearly parallel cross far away. When a window with all crossings would make most bounded regions
+too small to be seen, the farthest crossings are left out.
+"""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
 from operator import ne
 from typing import Any
 
@@ -25,23 +34,298 @@ from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, sign_text, write_if_free
 from arrangement.drawing.scene.places import beside, beyond, fixed
 from arrangement.drawing.scene.scene import POINTS, Scene, arrow
+from arrangement.drawing.solids.flat_polygons import between, clipped
 from arrangement.drawing.views import Corner
+from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.errors import InputError, refusal
-from arrangement.numbers.exact import rational_vector, shown
-from arrangement.pictures.parts.coordinates import in_coordinates, planes_view
-from arrangement.pictures.parts.names import (
+from arrangement.numbers.exact import (
+    IntegerVector,
+    RationalVector,
+    dot,
+    primitive,
+    quotient,
+    rational_vector,
+    shown,
+    sign,
+)
+from arrangement.numbers.linear.rank import cycle_edges
+from arrangement.numbers.real import rational_near
+from arrangement.pictures.coordinates import in_coordinates, planes_view
+from arrangement.pictures.globe import (
+    Drawn,
+    Globe,
+    alone,
+    label_regions,
+    region_signs,
+    sign_vectors,
+    stereographic,
+)
+from arrangement.pictures.names import (
     Labels,
     RegionLabels,
-    dot,
     explain_regions,
     near_classes,
     note_near,
     plane_names,
     swatch,
+    vertex_symbol,
 )
-from arrangement.pictures.sphere.disc import alone, label_regions
 
-from .line_charts import LinesChart
+#: The direction from which the cone is seen: the plane of the lines is at height 1 above it.
+ABOVE = (0, 0, 1)
+#: Room around the vertices as a share of the window.
+_ROOM = Fraction(1, 2)
+#: The least width of the window over its height, and the least height over its width.
+_LEAST = Fraction(4, 5), Fraction(11, 20)
+#: A region below this share of the window cannot be seen: a millimetre in a column of text.
+_SEEN = 1 / 80
+#: Shares of the crossings that a window may have, tried in turn.
+_SHARES = (1.0, 0.98, 0.95, 0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6, 0.55, 0.5)
+
+
+@dataclass(frozen=True)
+class LineWindow:
+    """A rectangle of the plane.
+
+    Attributes:
+        middle, half: its middle and half sides.
+        vertices: the crossings in it, or rational points near them.
+        left_out: how many crossings are not in it, because of which regions can be seen.
+    """
+
+    middle: RationalVector
+    half: RationalVector
+    vertices: Sequence[RationalVector]
+    left_out: int = 0
+
+    @classmethod
+    def between(cls, lines: Arrangement, corners: Sequence[RationalVector]) -> LineWindow:
+        """Return the window with two opposite corners."""
+        columns = [sorted(column) for column in zip(*corners, strict=True)]
+        middle, half = (tuple((b + s * a) / 2 for a, b in columns) for s in (1, -1))
+        vertices = _crossings(lines)[0].values()
+        return cls(middle, half, [p for p in vertices if _inside(p, middle, half)])
+
+    @classmethod
+    def of(cls, lines: Arrangement) -> LineWindow:
+        """Return the window in which most bounded regions are seen, with all crossings if it can.
+
+        Lines without a crossing are shown around their points nearest to 0.
+        """
+        found, boxes = _crossings(lines)
+        vertices = list(found.values())
+        if not vertices:
+            feet = (((a * c, b * c), a * a + b * b) for a, b, c in lines.integer_planes)
+            nearest = [tuple(rational_near(quotient(x, square)) for x in p) for p, square in feet]
+            return cls(*_around(nearest), [])
+        places = np.array(vertices, dtype=float)
+        away = np.abs(places - np.median(places, axis=0)).max(axis=1)
+        order = np.argsort(away, kind="stable").tolist()
+        best, fewest = cls(*_around(vertices), vertices), len(boxes) + 1
+        for share in _SHARES:
+            middle, half = _around([vertices[k] for k in order[: round(share * len(order))]])
+            unseen = len(boxes) - _seen(boxes, middle, half)
+            if unseen < fewest:
+                inside = [p for p in vertices if _inside(p, middle, half)]
+                best = cls(middle, half, inside, len(vertices) - len(inside))
+                fewest = unseen
+            if 2 * unseen <= len(boxes):
+                break
+        return best
+
+    @property
+    def unit(self) -> Fraction:
+        """The length that the disc draws half-way to infinity or nearer."""
+        sizes = (
+            max(abs(x - c) for x, c in zip(p, self.middle, strict=True)) for p in self.vertices
+        )
+        away = sorted(size for size in sizes if size)
+        if not away:
+            return max(self.half) / 2
+        return max(away[len(away) // 2] * Fraction(5, 4), away[-1] / 5)
+
+
+def cone(lines: Arrangement, middle: RationalVector, unit: Fraction) -> Arrangement:
+    """Return the cone over lines in the coordinates ``(x - middle) / unit``."""
+    planes = lines.integer_planes
+    rows = [(unit * a, unit * b, dot((a, b), middle) - c) for a, b, c in planes]
+    return Arrangement(rows, dimension=3)
+
+
+def _crossings(lines: Arrangement) -> tuple[dict[int, RationalVector], Floats]:
+    """Return crossings, or rational points near them, and the boxes of the bounded regions.
+
+    A box is ``(left, low, right, high)``, shape (regions, 4).
+    """
+    sphere = Globe(cone(lines, (Fraction(0),) * 2, Fraction(1)), ABOVE).whole
+    found: dict[int, RationalVector] = {}
+    for v in range(sphere.vertex_count):
+        x, y, w = sphere.ray(v)
+        if w > 0:
+            found[v] = (rational_near(quotient(x, w)), rational_near(quotient(y, w)))
+    return found, _boxes(sphere, found)
+
+
+def _boxes(sphere: SphereArrangement, found: dict[int, RationalVector]) -> Floats:
+    places = np.full((sphere.vertex_count, 2), np.nan)
+    for v, place in found.items():
+        places[v] = [float(x) for x in place]
+    boxes = [np.empty((0, 4))]
+    for r in range(sphere.region_count if sphere.rank == 3 else 0):
+        corners = places[sphere.incidence.origin[sphere.incidence.boundary(r)]]
+        if not np.isnan(corners).any():  # all on the side of the plane: the region is bounded
+            boxes.append(np.concatenate([corners.min(axis=0), corners.max(axis=0)])[None])
+    return np.concatenate(boxes)
+
+
+def _around(points: Sequence[RationalVector]) -> tuple[RationalVector, RationalVector]:
+    """Return middle and half sides of a window around points."""
+    columns = list(zip(*points, strict=True)) or [(Fraction(0),)] * 2
+    middle = tuple((min(column) + max(column)) / 2 for column in columns)
+    sizes = [(max(column) - min(column)) / 2 for column in columns]
+    room = (max(sizes) or Fraction(1)) * _ROOM
+    largest = max(sizes) + room
+    return middle, tuple(max(s + room, largest * x) for s, x in zip(sizes, _LEAST, strict=True))
+
+
+def _inside(point: RationalVector, middle: RationalVector, half: RationalVector) -> bool:
+    return all(abs(x - c) <= h for x, c, h in zip(point, middle, half, strict=True))
+
+
+def _seen(boxes: Floats, middle: RationalVector, half: RationalVector) -> int:
+    """Return how many regions have their middle in a window, and a size that is seen."""
+    centres, sizes = (boxes[:, :2] + boxes[:, 2:]) / 2, (boxes[:, 2:] - boxes[:, :2]).max(axis=1)
+    centre, room = (np.array([float(x) for x in v]) for v in (middle, half))
+    within = (np.abs(centres - centre) <= room).all(axis=1)
+    return int((within & (sizes >= _SEEN * 2 * room.max())).sum())
+
+
+class LinesChart:
+    """The faces of lines of R^2 that are not at infinity, as points of the plane.
+
+    Places are those of the plane, moved and scaled so that the window has its middle at 0 and
+    most vertices are at a distance below 1.
+
+    Attributes:
+        lines: the arrangement.
+        half: exact half sides of the window.
+        left_out: how many far crossings the window leaves out.
+        globe: the great circles of the cone, with the same coordinates, cut at the limb, which is
+            the line at infinity.
+    """
+
+    def __init__(self, lines: Arrangement, window: Sequence[RationalVector] = ()) -> None:
+        """Take lines, and opposite corners of the window, if it is not to be chosen."""
+        self.lines = lines
+        chosen = LineWindow.between(lines, window) if window else LineWindow.of(lines)
+        self.left_out, unit = chosen.left_out, chosen.unit
+        self.half = [x / unit for x in chosen.half]
+        self.globe = Globe(cone(lines, chosen.middle, unit), ABOVE)
+        self.sphere, self.incidence = self.globe.cut, self.globe.cut.incidence
+
+    @cached_property
+    def regions(self) -> dict[int, tuple[int, ...]]:
+        """The sign vectors of the regions, by their numbers on the sphere."""
+        found = region_signs(self.sphere)
+        return {r: signs[:-1] for r, signs in enumerate(found) if signs[-1] > 0}
+
+    @cached_property
+    def edges(self) -> dict[int, tuple[int, ...]]:
+        """The sign vectors of the edges, by their numbers on the sphere."""
+        found = sign_vectors(self.sphere, self.sphere.packed_arc_signs)
+        return {a: signs[:-1] for a, signs in enumerate(found) if signs[-1] > 0}
+
+    @cached_property
+    def vertices(self) -> dict[int, tuple[int, ...]]:
+        """The sign vectors of the vertices, by their numbers on the sphere."""
+        found = sign_vectors(self.sphere, self.sphere.packed_vertex_signs)
+        return {v: signs[:-1] for v, signs in enumerate(found) if signs[-1] > 0}
+
+    @cached_property
+    def parallels(self) -> list[int]:
+        """The points at infinity, on the sphere, in which two or more lines meet."""
+        ends = self.incidence.crossings(self.globe.limb).tolist() if self.lines.rank else []
+        return [v for v in ends if len(self.incidence.circles_at(v)) > 2]
+
+    @cached_property
+    def bounded(self) -> set[tuple[int, ...]]:
+        """The sign vectors of the bounded regions: those without a vertex at infinity."""
+        ends = {r: self.incidence.origin[self._boundary(r)].tolist() for r in self.regions}
+        return {
+            self.regions[r]
+            for r, cycle in ends.items()
+            if cycle and self.vertices.keys() >= {*cycle}
+        }
+
+    @cached_property
+    def sides(self) -> dict[tuple[int, ...], int]:
+        """The number of edges of each region."""
+        edges = self.edges.keys()
+        return {
+            signs: len(edges & set((self._boundary(r) >> 1).tolist()))
+            for r, signs in self.regions.items()
+        }
+
+    def _boundary(self, region: int) -> np.ndarray[tuple[int], np.dtype[np.int32]]:
+        return self.incidence.boundary(region) if self.lines.rank else np.empty(0, np.int32)
+
+    # In the window
+
+    @cached_property
+    def corners(self) -> list[IntegerVector]:
+        """The homogeneous corners of the window, counter-clockwise."""
+        x, y = self.half
+        turns = ((-1, -1), (1, -1), (1, 1), (-1, 1))
+        return [primitive((s * x, t * y, Fraction(1))) for s, t in turns]
+
+    def outline(self, region: int) -> Floats:
+        """Return the corners of the part of a region in the window."""
+        return _places(self._clipped(self.corners, region))
+
+    def edge(self, arc: int) -> Floats:
+        """Return the ends of the part of an edge in the window, (2, 2)."""
+        ends = self._ends(int(self.incidence.arc_circle[arc]))
+        return _places(dict.fromkeys(self._clipped(ends, int(self.incidence.region[2 * arc]))))
+
+    def vertex(self, vertex: int) -> Floats:
+        """Return the place of a vertex."""
+        x, y, w = self.sphere.ray(vertex)
+        return np.array([x / w, y / w])
+
+    def line(self, label: int) -> Floats:
+        """Return the ends of a class of lines at the boundary of the window, (2, 2)."""
+        return _places(self._ends(label))
+
+    def _ends(self, circle: int) -> list[IntegerVector]:
+        row, found = self.sphere.circle_normals[circle], []
+        for p, q in cycle_edges(self.corners):
+            at_p, at_q = dot(row, p), dot(row, q)
+            if at_p == 0:
+                found.append(p)
+            elif at_p * at_q < 0:
+                found.append(between(p, q, at_p, at_q))
+        return found
+
+    def _clipped(self, loop: list[IntegerVector], region: int) -> list[IntegerVector]:
+        """Return the part of a convex polygon of homogeneous points in the closure of a region."""
+        inside = self.sphere.region_witness(region)
+        circles = self.incidence.arc_circle[self._boundary(region) >> 1].tolist()
+        for row in (self.sphere.circle_normals[circle] for circle in circles):
+            side = sign(dot(row, inside))
+            loop = clipped(loop, [side * dot(row, p) for p in loop])
+        return loop
+
+    # Whole
+
+    @property
+    def drawn(self) -> Drawn:
+        """Arcs and regions of the half sphere as circular arcs in a disc."""
+        return Drawn(self.sphere, self.globe.points, self.globe.normals, stereographic)
+
+
+def _places(points: Iterable[IntegerVector]) -> Floats:
+    return np.array([[x / w, y / w] for x, y, w in points]).reshape(-1, 2)
+
 
 #: Room around the window for the names of the lines, in points.
 MARGIN = 14.0
@@ -174,7 +458,7 @@ class _Sheet:
         for text in self.notes:
             legend.line(text)
         if self.notes and self.chart.parallels:
-            legend.key(dot("round", fc="black"), "parallel lines meet")
+            legend.key(vertex_symbol("round", fc="black"), "parallel lines meet")
 
     def label_regions(self) -> None:
         """Write the names of the regions."""

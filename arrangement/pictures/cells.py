@@ -1,4 +1,4 @@
-"""All cells of an arrangement in a cube or a ball, apart: a picture, and an interactive page.
+"""All cells of an arrangement in a cube or a ball, apart: a picture, a page, a model.
 
 Each cell moves away from the centre by the same multiple of the way to its own middle. Planes keep
 the cells apart after that: if x and the middle c of a cell are beyond a plane ``n . x = b``, then
@@ -27,23 +27,18 @@ from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
 from arrangement.numbers.linear.rank import cycle_edges
-from arrangement.pictures.parts.coordinates import (
-    caption,
-    in_coordinates,
-    in_view_space,
-    planes_view,
+from arrangement.pictures.coordinates import caption, in_coordinates, in_view_space, planes_view
+from arrangement.pictures.names import Labels, RegionLabels, equation, generator_text, plane_names
+from arrangement.pictures.planes import PlanesSheet
+from arrangement.pictures.stage import (
+    Lifted,
+    Stage,
+    StagedAxes,
+    clear_sight,
+    sharp,
+    unit_points,
+    walls_of_edges,
 )
-from arrangement.pictures.parts.names import (
-    Labels,
-    RegionLabels,
-    equation,
-    generator_text,
-    plane_names,
-)
-
-from .lifted_cells import Lifted
-from .planes_sheet import PlanesSheet
-from .stage import Stage, StagedAxes, clear_sight, sharp, unit_points, walls_of_edges
 
 #: Up to this many cells have labels.
 _NAMED = 60

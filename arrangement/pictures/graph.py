@@ -1,44 +1,118 @@
-"""The graph of regions: drawn without crossings where it is planar, else as the dual is seen."""
+"""The graph of regions, and the poset of regions, drawn flat."""
 
 from __future__ import annotations
 
 import math
+from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 
 from arrangement.arrangement import Arrangement
 from arrangement.counts import region_count
-from arrangement.drawing.colours import (
-    CHECKERS,
-    Choice,
-    DrawnRegion,
-    colouring,
-    letter_colour,
-)
+from arrangement.drawing.colours import CHECKERS, Choice, DrawnRegion, colouring, letter_colour
 from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
+from arrangement.drawing.scene.labels import SIZES, keep_off, sign_text, write_if_free
 from arrangement.drawing.scene.places import across, beside, tried
 from arrangement.drawing.scene.scene import Scene
 from arrangement.drawing.solids.sight import unit, unit_vectors
+from arrangement.drawing.views import picture
 from arrangement.duals.zonohedron import dual_polyhedron, dual_zonotope
-from arrangement.enumeration.regions import neighbours
+from arrangement.enumeration.regions import distances, neighbours
 from arrangement.errors import extra
 from arrangement.numbers import budget
-from arrangement.pictures.parts.coordinates import in_coordinates, orbits, planes_view, symmetry
-from arrangement.pictures.parts.names import (
+from arrangement.numbers.exact import dot
+from arrangement.numbers.linear.rank import cycle_edges
+from arrangement.pictures.coordinates import in_coordinates, orbits, planes_view, symmetry
+from arrangement.pictures.dual import Edge, edges_of, flat_edges
+from arrangement.pictures.names import (
     MOST,
     Labels,
     RegionLabels,
-    dot,
     explain_regions,
     plane_names,
     stroke,
+    vertex_symbol,
 )
+from arrangement.planes.faces import Face
 
-from .solids import Edge, edges_of, flat_edges
-from .tutte import tutte_places
+Indices: TypeAlias = npt.NDArray[np.int64]
+
+#: How often the weight of an edge grows with its length and with the areas beside it, which evens
+#: out both.
+_ROUNDS = 80
+#: Weights stay between these, so that rounding cannot move a vertex across an edge.
+_LEAST, _MOST = 1e-4, 1e4
+
+
+def tutte_places(count: int, faces: Sequence[Sequence[int]], outer: Sequence[int]) -> Floats:
+    """Return places (V, 2) with the outer face as a regular polygon in the unit circle.
+
+    Args:
+        count: the number of vertices V.
+        faces: all faces of a 3-connected planar graph, as cycles.
+        outer: one of them; its order decides which way round it is drawn.
+    """
+    at = math.pi / 2 + (2 * np.arange(len(outer)) + 1) * math.pi / len(outer)
+    places = np.zeros((count, 2))
+    places[list(outer)] = np.stack([np.cos(at), np.sin(at)], axis=1)
+    inner = np.setdiff1d(np.arange(count), outer)
+    inside = [cycle for cycle in faces if set(cycle) != set(outer)]
+    pairs, beside = _edges(inside)
+    weights = np.ones(len(pairs))
+    corners = np.concatenate([np.array(cycle) for cycle in inside])
+    following = np.concatenate([np.roll(cycle, -1) for cycle in inside])
+    starts = np.cumsum([0, *map(len, inside[:-1])])
+    places[inner] = _means(places, pairs, weights, inner)
+    for _ in range(_ROUNDS):
+        steps = places[pairs[:, 0]] - places[pairs[:, 1]]
+        lengths = _even(np.hypot(steps[:, 0], steps[:, 1]))
+        (x, y), (right, up) = places[corners].T, places[following].T
+        areas = _even(np.abs(np.add.reduceat(x * up - y * right, starts)) / 2)
+        mean = np.sqrt(areas[beside[:, 0]] * areas[beside[:, 1]])
+        weights = np.asarray(np.clip(weights * mean**0.15 * lengths**0.05, _LEAST, _MOST))
+        places[inner] = _means(places, pairs, weights, inner)
+    return np.round(places, 9) + 0.0
+
+
+def _edges(faces: Sequence[Sequence[int]]) -> tuple[Indices, Indices]:
+    """Return the edges (E, 2) of some faces, and for each the faces beside it (one: twice)."""
+    found: dict[tuple[int, int], list[int]] = {}
+    for f, cycle in enumerate(faces):
+        for u, v in cycle_edges(cycle):
+            found.setdefault((min(u, v), max(u, v)), []).append(f)
+    return np.array(list(found)), np.array([(f[0], f[-1]) for f in found.values()])
+
+
+def _even(values: Floats) -> Floats:
+    """Return values divided by their geometric mean."""
+    return values / math.exp(float(np.log(values).mean()))
+
+
+def _means(places: Floats, pairs: Indices, weights: Floats, inner: Indices) -> Floats:
+    """Solve for the inner vertices, the others being fixed."""
+    with extra("figures"):
+        from scipy.sparse import coo_array
+        from scipy.sparse.linalg import spsolve
+
+    size, index = len(inner), np.full(len(places), -1)
+    index[inner] = np.arange(size)
+    ends, others = np.concatenate([pairs, pairs[:, ::-1]]).T
+    kept = index[ends] >= 0
+    rows, others, pulls = index[ends][kept], others[kept], np.tile(weights, 2)[kept]
+    columns, diagonal = index[others], np.arange(size)
+    free = columns >= 0
+    entries = np.concatenate([-pulls[free], np.bincount(rows, pulls, size)])
+    at = np.concatenate([[rows[free], columns[free]], [diagonal, diagonal]], axis=1)
+    matrix = coo_array((entries, (at[0], at[1])), shape=(size, size)).tocsc()
+    fixed = (pulls[:, None] * places[others])[~free].T
+    right = np.stack([np.bincount(rows[~free], x, size) for x in fixed], axis=1)
+    return np.asarray(spsolve(matrix, right))
+
 
 #: Up to this many regions have labels where edges cross.
 FEW = 40
@@ -268,7 +342,7 @@ class GraphPicture:
             even += f", coincident {self.names.items} counted once"
         shapes = (("round", even), ("square", "odd"))
         for (shape, text), fill in zip(shapes, fills, strict=False):
-            self.scene.legend.key(dot(shape, fc=fill, lw=0.7), text)
+            self.scene.legend.key(vertex_symbol(shape, fc=fill, lw=0.7), text)
         if parity:
             self.colours = replace(self.colours, name=None)
 
@@ -319,3 +393,90 @@ class GraphPicture:
         nexts = [*angles[1:], angles[0] + 2 * math.pi]
         at = max(((round(b - a, 6), (a + b) / 2) for a, b in zip(angles, nexts, strict=True)))[1]
         return math.cos(at), math.sin(at)
+
+
+#: This many directions are tried in which rows are sorted.
+_TRIED_DIRECTIONS = 60
+#: Room for the numbers at the left, in points.
+_MARGIN = 22.0
+
+
+@picture()
+def draw_poset(
+    arrangement: Arrangement,
+    *,
+    bottom: str | None = None,
+    colour: Choice | None = None,
+    labels: Labels | None = None,
+    width: float = 120.0,
+) -> Scene:
+    """Draw the poset of regions with its base at the bottom, as a Hasse diagram.
+
+    A region is as high as planes lie between it and the base; the numbers at the left count the
+    regions of each height. Rows are sorted as a zonotope shows them whose edges all rise by one,
+    so that most edges across one plane go the same way. Vertices, colours and numbers of planes
+    are those of `draw_graph`.
+
+    Elements: ``vertex-3`` and ``edge-7``.
+
+    Args:
+        arrangement: any, central or not.
+        bottom: the region at the bottom, by signs as ``"++-"`` or by number; if omitted, the one on
+            the positive side of all planes where there is one, else region 1.
+        colour, labels: as for `draw_sphere`; no labels for more than 150 regions if
+            omitted.
+
+    Raises:
+        InputError: no such region, too many regions, unknown colouring.
+    """
+    signs, edges = region_edges(arrangement)
+    names = RegionLabels(arrangement, labels)
+    positive = (1,) * len(arrangement)
+    lowest = names.signs_of(bottom or ("1" if positive not in signs else positive))
+    regions = arrangement.regions()
+    first = regions[signs.index(lowest)]
+    heights = np.array(distances(arrangement, regions, first))
+    across, rows = np.empty(len(signs)), Counter(heights.tolist())
+    most = max(rows.values())
+    sums = _risen(arrangement, first, signs, heights)
+    for row, count in rows.items():
+        members = np.flatnonzero(heights == row)
+        order = members[np.argsort(sums[members], kind="stable")]
+        across[order] = (np.arange(count) - (count - 1) / 2) / most
+    top = int(heights.max())
+    tall = min(1.3, max(0.4, 0.18 * top))
+    scene = Scene(width, width * tall)
+    number = names.element("region", lowest).removeprefix("region-")
+    text = sign_text(lowest) if len(lowest) <= 24 else ""
+    scene.legend.line(f"bottom: region {number}, {text}".rstrip(", "))
+    graph = PlacedGraph(np.column_stack([across, tall * heights / max(top, 1)]), signs, edges)
+    drawn = GraphPicture(arrangement, graph, scene, names, colour, _MARGIN)
+    drawn.draw()
+    for row, count in rows.items():
+        at = (4.0, float(drawn.places[heights == row][0, 1]))
+        scene.write(at, str(count), 6.0, anchor=(0.0, 0.5), color="0.25")
+    return scene
+
+
+def _risen(
+    arrangement: Arrangement, first: Face, signs: tuple[tuple[int, ...], ...], heights: Floats
+) -> Floats:
+    """Return how far to the right each region is on a zonotope whose edges all rise by one.
+
+    Its generators are the planes ``(n, -b)``, divided by their values at a point of the base; seen
+    from a direction of some in which regions of one height are not near each other.
+    """
+    point = (*first.witness, 1)
+    ways = []
+    for plane in arrangement.distinct_planes:
+        normal = (*plane[:-1], -plane[-1])
+        height = abs(dot(normal, point))
+        ways.append([float(x / height) for x in normal])
+    sums = np.array(signs)[:, list(arrangement.firsts)] @ np.array(ways)
+    steps = np.arange(1, _TRIED_DIRECTIONS + 1)[:, None] * np.log(np.arange(sums.shape[1]) + 2.0)
+    seen = sums @ (steps % 1 - 0.5).T
+    seen /= np.maximum(np.abs(seen).max(axis=0), 1e-12)
+    rows = np.sort(seen + 4.0 * heights[:, None], axis=0)
+    gaps = np.diff(rows, axis=0).min(axis=0, initial=1.0)
+    chosen: Floats = seen[:, int(np.argmax(np.round(gaps, 9)))]
+    return chosen

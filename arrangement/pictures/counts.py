@@ -19,7 +19,7 @@ from arrangement.drawing.views import picture
 from arrangement.errors import InputError
 from arrangement.library.families import braid, generic, near_pencil, pencil, type_b
 from arrangement.numbers.exact import shown
-from arrangement.pictures.parts.names import dot, stroke
+from arrangement.pictures.names import stroke, vertex_symbol
 
 #: Room in points left of a panel, below it, above it, and right of it.
 _LEFT, _BELOW, _ABOVE, _RIGHT = 30.0, 26.0, 16.0, 8.0
@@ -147,7 +147,7 @@ class _CountsPanel:
         for m, count in points:
             size = 1.4 if self.largest > 15 else 2.0
             self.scene.marker(self.at(m, count), size, shape, gid=f"{name}-{m}", zorder=3, **style)
-        self.scene.legend.key(dot(shape, **style), text)
+        self.scene.legend.key(vertex_symbol(shape, **style), text)
 
 
 def _generic(panel: _CountsPanel) -> None:

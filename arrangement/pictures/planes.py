@@ -1,31 +1,143 @@
-"""The sheet on which planes and cells in a body are painted and named."""
+"""Planes of R^3 cut out by a ball or a cube, and sections of planes of R^4."""
 
 from __future__ import annotations
 
+import itertools
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import groupby
-from typing import Any, TypeAlias
+from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 
+from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import sign_text
-from arrangement.drawing.colours import SKIN, pale
+from arrangement.console.options.signature import Syntax
+from arrangement.counts.configuration import pivot_columns
+from arrangement.drawing.colours import SKIN, chosen, pale, plane_colour
 from arrangement.drawing.scene.items import Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
 from arrangement.drawing.scene.places import beside, beyond, inside, spread, turn
-from arrangement.drawing.scene.scene import area, arrow, measure
+from arrangement.drawing.scene.scene import Scene, area, arrow, measure
 from arrangement.drawing.solids.depth_tree import SolidSheet
-from arrangement.drawing.solids.sight import lit, unit
+from arrangement.drawing.solids.sight import light, lit, turned, unit, unit_vectors, view_direction
 from arrangement.drawing.solids.surface import Patch
-from arrangement.errors import extra
-from arrangement.pictures.parts.coordinates import INK
-from arrangement.pictures.parts.names import RegionLabels, plane_names, thinner
+from arrangement.drawing.views import Exact, Vector, picture
+from arrangement.duals.cells import cut_cells, read_signs
+from arrangement.errors import InputError, extra
+from arrangement.numbers.entries import real_vector
+from arrangement.numbers.exact import IntegerVector, dot, primitive, shown
+from arrangement.numbers.linear.rank import cut, rank, unit_vectors as standard_basis
+from arrangement.pictures.coordinates import (
+    INK,
+    AxisNames,
+    caption,
+    coordinate_map,
+    drawn_axes,
+    in_coordinates,
+    in_space,
+    in_view_space,
+    inverse_root,
+    mapped,
+    planes_view,
+    rounded_map,
+)
+from arrangement.pictures.names import Labels, RegionLabels, equation, plane_names, thinner
+from arrangement.pictures.stage import (
+    Facet,
+    Lifted,
+    Sides,
+    Stage,
+    StagedAxes,
+    clear_sight,
+    lifted_cells,
+    with_lifted,
+)
 
-from .lifted_cells import Lifted, with_lifted
-from .stage import Facet, Sides, Stage, StagedAxes
+Equation: TypeAlias = Annotated[Iterable[Any], Syntax(lambda text: text.split(","), "A,B,..,E")]
+
+#: Cosines below this are zero; what zeros cost.
+_NEVER, _COST = 1e-9, 1.0
+
+
+def cut_out(
+    arrangement: Arrangement, plane: Equation | None, coordinates: str | None
+) -> tuple[Arrangement, IntegerVector]:
+    """Return what planes cut out on a hyperplane, and the hyperplane.
+
+    Args:
+        arrangement: central, of rank 4.
+        plane: its equation ``a . x = e`` as ``(a_1, ..., a_d, e)``, a in the span of the normals;
+            if omitted, one that meets lines of intersection not far off.
+        coordinates: see `in_coordinates`; on the hyperplane they are orthonormal ones, rounded.
+
+    Returns:
+        Planes of R^3 with the signs of the given ones, and the equation in given coordinates.
+
+    Raises:
+        InputError: other planes, a hyperplane that is not one, or parallel to one of them.
+    """
+    space = in_view_space(arrangement, "section")
+    matrix = coordinate_map(coordinates, space)
+    matrix = np.eye(4) if matrix is None else matrix
+    normals = [row[:-1] for row in arrangement.integer_planes]
+    if plane is None:
+        equation: IntegerVector = (*_clear_normal(normals, mapped(matrix, space)[0]), 1)
+    else:
+        equation = primitive(real_vector(plane, "section"))
+        d = arrangement.dimension
+        if len(equation) != d + 1 or not any(equation[:-1]):
+            raise InputError(
+                f"the section is {shown(plane)}; give {d} coefficients, not all 0, and what the "
+                "sum is equal to"
+            )
+        if rank([*normals, equation[:-1]]) > 4:
+            raise InputError(
+                f"the section {shown(plane)} is not of the space of the planes; give a sum of "
+                "their normals"
+            )
+    both = Arrangement([*normals, equation[:-1]], [0] * len(normals) + [equation[-1]])
+    *given, (*normal, offset) = mapped(matrix, in_space(both, 4))[0].integer_planes
+    basis = cut(standard_basis(4), normal)
+    lengths = np.array([math.hypot(*map(float, row)) for row in basis])
+    units = np.array(basis, dtype=float) / lengths[:, None]
+    scale = math.ceil(lengths.max()) << 10
+    rows, scale = rounded_map(inverse_root(units @ units.T) / lengths, scale)
+    axes = [[dot(row, column) for column in zip(*basis, strict=True)] for row in rows]
+    square = dot(normal, normal)
+    found = [[square * dot(axis, row[:-1]) for axis in axes] for row in given]
+    if flat := [k + 1 for k, row in enumerate(found) if not any(row)]:
+        raise InputError(f"plane {flat[0]} does not meet the section, to which it is parallel")
+    offsets = [-scale * offset * dot(normal, row[:-1]) for row in given]
+    return Arrangement(found, offsets), equation
+
+
+def _clear_normal(normals: list[IntegerVector], space: Arrangement) -> IntegerVector:
+    """Return a small sum of independent normals that is parallel to none, and orthogonal to no ray.
+
+    Of the latter at least to none nearly, where lines that never meet the hyperplane cost little.
+
+    Args:
+        space: the same planes as they are drawn, in R^4.
+    """
+    chosen = pivot_columns(list(zip(*normals, strict=True)), len(normals))
+    rays = unit_vectors([face.witness for face in space.faces(1)])
+    drawn = unit_vectors([plane[:-1] for plane in space.integer_planes])
+    basis = np.array([[float(x) for x in space.integer_planes[k][:-1]] for k in chosen])
+    sums = sorted(itertools.product(range(-2, 3), repeat=4), key=lambda s: (sum(map(abs, s)), s))
+    sums = [row for row in sums if any(row) and primitive(row) == row and row > (0, 0, 0, 0)]
+    found = np.array(sums) @ basis
+    found /= np.linalg.norm(found, axis=1, keepdims=True)
+    near = np.abs(found @ rays.T)
+    missed = near < _NEVER
+    score = np.where(missed, 1.0, near).min(axis=1) - _COST * missed.any(axis=1)
+    score -= (np.abs(found @ drawn.T) > 1 - _NEVER).any(axis=1)
+    best = sums[int(np.argmax(np.round(score, 6)))]
+    own = [normals[k] for k in chosen]
+    return tuple(dot(best, column) for column in zip(*own, strict=True))
+
 
 #: Opacity of the facets; what lies behind them shows through.
 OPACITY = 0.82
@@ -342,3 +454,138 @@ def _pale(colour: str) -> str:
     from matplotlib.colors import to_hex
 
     return pale(to_hex(colour))
+
+
+@planes_view("planes")
+def draw_planes(
+    arrangement: Arrangement,
+    *,
+    body: str = "ball",
+    centre: Vector | None = None,
+    radius: Exact | None = None,
+    camera: Vector | None = None,
+    azimuth: float = 0.0,
+    lift: Iterable[str] = (),
+    colour: str | FacetPainter = "planes",
+    labels: Labels | None = None,
+    axes: AxisNames | None = None,
+    sides: bool = False,
+    width: float = 88.0,
+    coordinates: str | None = None,
+) -> Scene:
+    """Draw the planes of an arrangement in R^3 inside a ball or a cube, cell by cell.
+
+    Every facet is a polygon of its own (``facet-3-plane-1``), cut at the other planes. They are
+    painted back to front in an exact order (see `depth_tree`), so that nothing hides wrongly. The
+    projection is orthographic. A number beside the body names a plane: k for the k-th, counted
+    from 1. For planes that are not central, the body contains all vertices (see `body_around`).
+
+    Args:
+        arrangement: of rank at most 3, central or not, coincident planes allowed; in another space
+            than R^3 its essentialisation.
+        body: "ball" or "cube".
+        centre, radius: exact, of the body, instead of one that contains all vertices. For planes
+            whose vertices are far apart; what is outside is left out.
+        camera: exact vector to the viewer; if omitted, one in which no plane is edge-on.
+        azimuth: as for `draw_sphere`.
+        lift: sign vectors of cells such as ``"+-+"``, over the input planes. These cells are
+            drawn as solids, moved outward.
+        colour: "planes" (each its own colour), "shade" (grey by the angle to the light), "none",
+            or a function from a `DrawnFacet` to a colour.
+        labels: of lifted cells, as for `draw_sphere`.
+        axes: names of the axes; True for ``x,y,z``; or "none"; if omitted, there are some
+            where the coordinates have a meaning, as x, y, r of the motions of a grasp.
+        sides: mark the positive side of each plane by an arrow.
+        coordinates: as for `draw_sphere`; "given" if omitted and the body has a given place.
+
+    Raises:
+        InputError: another space, too many planes, no such cell, lifted cells that run into
+            each other, unknown body or colouring.
+    """
+    paint = _painter(colour)
+    texts = [lift] if isinstance(lift, str) else list(lift)
+    raised = [read_signs(arrangement, text) for text in texts]
+    names = RegionLabels(arrangement, labels, len(raised))
+    if coordinates is None and not (centre is None and radius is None):
+        coordinates = "given"
+    shown, coordinates = drawn_axes(arrangement, axes, coordinates)
+    arrangement, camera = in_coordinates(coordinates, arrangement, camera)
+    toward = None if camera is None else view_direction(camera)
+    cells = cut_cells(arrangement, body, centre, radius)
+    if toward is None:
+        toward = clear_sight(cells, raised)
+    stage = Stage(cells, turned(toward, azimuth))
+    lifted = lifted_cells(stage, raised)
+    sheet = PlanesSheet(stage, lifted, paint, width, StagedAxes(stage, shown))
+    if sides:
+        sheet.mark_sides()
+    sheet.number_planes()
+    sheet.name_axes()
+    sheet.name_cells(names)
+    names.explain(sheet.scene.legend, raised)
+    return sheet.scene
+
+
+@picture()
+def draw_section(
+    arrangement: Arrangement,
+    *,
+    section: Equation | None = None,
+    body: str = "ball",
+    camera: Vector | None = None,
+    azimuth: float = 0.0,
+    lift: Iterable[str] = (),
+    colour: str | FacetPainter = "planes",
+    labels: Labels | None = None,
+    sides: bool = False,
+    width: float = 88.0,
+    coordinates: str | None = None,
+) -> Scene:
+    """Draw what central hyperplanes of rank 4 cut out on another one, as planes in R^3.
+
+    A caption has the equation of the hyperplane. Elements and signs are those of planes in R^3.
+
+    Args:
+        arrangement: central, of rank 4.
+        section: the hyperplane ``a x1 + b x2 + c x3 + d x4 = e`` as ``a,b,c,d,e``; if omitted, one
+            with small coefficients that meets lines of intersection not far off.
+        body, azimuth, lift, colour, labels, sides: as for `draw_planes`.
+        camera: as for `draw_planes`, in orthonormal coordinates of the hyperplane.
+        coordinates: as for `draw_sphere`.
+
+    Raises:
+        InputError: other planes, a bad hyperplane; or as for `draw_planes`.
+    """
+    flat, (*normal, offset) = cut_out(arrangement, section, coordinates)
+    scene: Scene = draw_planes.scene(
+        flat,
+        body=body,
+        camera=camera,
+        azimuth=azimuth,
+        lift=lift,
+        colour=colour,
+        labels=labels,
+        sides=sides,
+        width=width,
+        coordinates="given",
+    )
+    cut = equation(tuple(normal), offset).replace("-", "\u2212")
+    scene.legend.captions.append(f"section by {cut}")
+    if text := caption(arrangement, 4):
+        scene.legend.captions.append(text)
+    return scene
+
+
+def _painter(colour: str | FacetPainter) -> FacetPainter:
+    painters: dict[str, FacetPainter] = {
+        "planes": lambda facet: lit(plane_colour(facet.label), _facing(facet), 0.7),
+        "shade": lambda facet: lit("#ffffff", _facing(facet), 0.1),
+        "none": lambda facet: "#ffffff",
+    }
+    return chosen(colour, painters)
+
+
+def _facing(facet: DrawnFacet) -> Floats:
+    """Return the normal of a facet on the side of the light."""
+    normal = np.array(facet.normal)
+    return normal if light(normal) else -normal

@@ -16,8 +16,7 @@ from arrangement.drawing.scene.labels import sign_text
 from arrangement.drawing.scene.scene import POINTS, Legend, Scene, Symbol
 from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import IntegerVector, shown, to_text
-
-from .coordinates import items_of
+from arrangement.pictures.coordinates import items_of
 
 #: Of regions: a word, or some regions, by sign vector or number, with or without texts.
 Labels: TypeAlias = Annotated[str | Mapping[Any, str] | Iterable[Any], Syntax(metavar="NAME")]
@@ -171,7 +170,7 @@ def stroke(**style: Any) -> Symbol:
     return scene.items, WIDTH
 
 
-def dot(shape: str, **style: Any) -> Symbol:
+def vertex_symbol(shape: str, **style: Any) -> Symbol:
     """Return a vertex, "round" or "square"."""
     scene = canvas()
     scene.marker((WIDTH / 2, 0), 2.8, shape, **{"ec": "black", **style})

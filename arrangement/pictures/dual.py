@@ -1,52 +1,236 @@
-"""The dual polyhedron beside the great circles, in corresponding colours."""
+"""The dual polyhedron beside the great circles, in corresponding colours; and as a model."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from fractions import Fraction
+from math import isqrt
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.progress import note
-from arrangement.drawing.colours import (
-    BLUE,
-    VERMILION,
-    Choice,
-    Painter,
-    letter_colour,
-    side_colour,
-)
+from arrangement.counts import region_count
+from arrangement.drawing.colours import BLUE, VERMILION, Choice, Painter, letter_colour, side_colour
 from arrangement.drawing.output import millimetres
 from arrangement.drawing.scene.curves import ring
 from arrangement.drawing.scene.items import Box, Floats
 from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
 from arrangement.drawing.scene.places import across, beside, tried
 from arrangement.drawing.scene.scene import Scene
-from arrangement.drawing.solids.sight import lit, unit, unit_vectors
+from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
+from arrangement.drawing.solids.sight import face_normal, lit, unit, unit_vectors
 from arrangement.drawing.views import Vector
-from arrangement.duals.zonohedron import dual_polyhedron
-from arrangement.numbers.exact import IntegerVector
-from arrangement.pictures.parts.coordinates import (
+from arrangement.duals.schlegel import SchlegelDiagram, schlegel_diagram
+from arrangement.duals.zonohedron import DualPolyhedron, dual_polyhedron, dual_zonotope
+from arrangement.numbers import budget
+from arrangement.numbers.exact import IntegerVector, dot
+from arrangement.numbers.linear.rank import cycle_edges, difference, triple_product
+from arrangement.numbers.real import rational_near
+from arrangement.pictures.cells import centroid
+from arrangement.pictures.coordinates import (
     DUAL_MODEL,
     in_coordinates,
     in_view_space,
     planes_view,
+    symmetry,
 )
-from arrangement.pictures.parts.names import (
-    Labels,
-    RegionLabels,
-    explain_regions,
-    plane_names,
-    stroke,
+from arrangement.pictures.globe import (
+    HIDDEN,
+    Disc,
+    Globe,
+    clear_direction,
+    front,
+    orthographic,
+    rim_width,
 )
-from arrangement.pictures.sphere.disc import HIDDEN, Disc, front, rim_width
-from arrangement.pictures.sphere.globe import Globe, clear_direction
-from arrangement.pictures.sphere.projections import orthographic
+from arrangement.pictures.names import Labels, RegionLabels, explain_regions, plane_names, stroke
+from arrangement.planes.planes import Planes
 
-from .schlegel import schlegel_model
-from .solids import SeenSolid, dual_solid, hull_solid, unit_lengths
+if TYPE_CHECKING:
+    from arrangement.duals.inscribed.hull import RepresentativeHull
+
+#: Vertex, vertex, and class of planes.
+Edge: TypeAlias = tuple[int, int, int]
+
+
+@dataclass(frozen=True)
+class SeenSolid:
+    """A polyhedron, polygon or segment, seen from a direction.
+
+    Attributes:
+        corners: (V, 3); the vertices in the axes of the picture: right, up, towards the viewer.
+        signs: the sign vector of each vertex's region.
+        edges: vertex, vertex, and the class of planes of the edge, or -1.
+        edge_hidden: for each edge.
+        vertex_hidden: for each vertex.
+        faces: the visible faces, as cycles of vertices, each with its outer unit normal.
+    """
+
+    corners: Floats
+    signs: tuple[tuple[int, ...], ...]
+    edges: tuple[tuple[int, int, int], ...]
+    edge_hidden: tuple[bool, ...]
+    vertex_hidden: tuple[bool, ...]
+    faces: tuple[tuple[tuple[int, ...], Floats], ...]
+
+    @property
+    def places(self) -> Floats:
+        """(V, 2); the vertices on paper, in any unit."""
+        return self.corners[:, :2]
+
+
+def dual_solid(arrangement: Planes, direction: IntegerVector, axes: Floats) -> SeenSolid:
+    """Return the dual of a central arrangement of rank 1 to 3 in R^3.
+
+    The generators have length 1, up to a rational error of 10^-6; those of coincident planes
+    share it.
+    """
+    lengths = unit_lengths(arrangement)
+    if arrangement.rank == 3:
+        return _polyhedron(dual_polyhedron(arrangement, lengths), direction, axes)
+    flat = dual_zonotope(arrangement, lengths)
+    edges = flat_edges(arrangement, flat.signs)
+    seen = np.array([[float(x) for x in corner] for corner in flat.vertices]) @ axes.T
+    shown = (False,) * len(flat.signs)
+    faces = ((tuple(range(len(shown))), np.array([0.0, 0.0, 1.0])),) if len(shown) > 2 else ()
+    return SeenSolid(seen, tuple(flat.signs), edges, shown[: len(edges)], shown, faces)
+
+
+def flat_edges(arrangement: Planes, signs: Sequence[tuple[int, ...]]) -> tuple[Edge, ...]:
+    """Return the edges of a dual polygon, or of a segment, between regions in cyclic order."""
+    count = len(signs)
+    pairs = [(k, (k + 1) % count) for k in range(count if count > 2 else 1)]
+    crossed = (
+        next(i for i, (s, t) in enumerate(zip(signs[u], signs[v], strict=True)) if s != t)
+        for u, v in pairs
+    )
+    return tuple((*pair, arrangement.class_of[i]) for pair, i in zip(pairs, crossed, strict=True))
+
+
+def edges_of(dual: DualPolyhedron) -> tuple[Edge, ...]:
+    """Return the edges of a dual polyhedron: vertex, vertex, and class of planes."""
+    return tuple(
+        (u, v, c) for (u, v), c in zip(dual.edges.tolist(), dual.edge_classes.tolist(), strict=True)
+    )
+
+
+def unit_lengths(arrangement: Planes) -> tuple[Fraction, ...]:
+    """Return factors that give every class of planes generators of total length about 1."""
+    million = 10**6
+    sizes = [len(arrangement.distinct[label]) for label in arrangement.class_of]
+    squares = [rational_near(dot(plane[:-1], plane[:-1])) for plane in arrangement.integer_planes]
+    roots = [n * isqrt(int(x * million**2)) for n, x in zip(sizes, squares, strict=True)]
+    if max(roots, default=0) < 10**18:
+        return tuple(Fraction(million, root) for root in roots)
+    common = max(roots) * million  # many long denominators would have a huge one in common
+    return tuple(Fraction(million * common // root, common) for root in roots)
+
+
+def _polyhedron(dual: DualPolyhedron, direction: IntegerVector, axes: Floats) -> SeenSolid:
+    towards = [dot(normal, direction) for normal in dual.face_normals]
+    edges = edges_of(dual)
+    pairs = [(u, v) for u, v, _ in edges]
+    edge_hidden, vertex_hidden = _hidden(pairs, dual.faces, towards, len(dual.signs))
+    unit = dual.generators.denominator
+    points = np.array([[float(x / unit) for x in vertex] for vertex in dual.integer_vertices])
+    normals = unit_vectors(dual.face_normals) @ axes.T
+    visible = tuple(
+        (cycle, normal)
+        for cycle, normal, ahead in zip(dual.faces, normals, towards, strict=True)
+        if ahead > 0
+    )
+    signs = tuple(map(tuple, dual.signs.tolist()))
+    return SeenSolid(points @ axes.T, signs, edges, edge_hidden, vertex_hidden, visible)
+
+
+def hull_solid(hull: RepresentativeHull, direction: IntegerVector, axes: Floats) -> SeenSolid:
+    """Return the hull of representatives; edges that are not edges of the hull come last.
+
+    The class of an edge is -1 for an edge of the hull alone and -2 for an adjacency that is not
+    an edge of the hull; the latter is a chord, hidden if its middle is.
+    """
+    points = [tuple(map(Fraction, point)) for point in hull.hull.points]
+    corners = ([points[v] for v in triangle] for triangle in hull.hull.triangles)
+    # How far the outer normals look towards the viewer.
+    towards = [triple_product(direction, difference(q, p), difference(r, p)) for p, q, r in corners]
+    true, missing = sorted(hull.hull.true_edges), sorted(hull.missing)
+    shared = {(min(u, v), max(u, v)): c for u, v, c in edges_of(hull.dual)}
+    edge_hidden, vertex_hidden = _hidden(true, hull.hull.triangles, towards, len(points))
+    heights = [dot(point, direction) for point in points]
+    edges = [(u, v, shared.get((u, v), -1)) for u, v in true] + [(u, v, -2) for u, v in missing]
+    edge_hidden += tuple(heights[u] + heights[v] < 0 for u, v in missing)
+    seen = np.array([[float(x) for x in point] for point in points]) @ axes.T
+    faces = tuple(
+        (triangle, face_normal(seen[list(triangle)]))
+        for triangle, ahead in zip(hull.hull.triangles, towards, strict=True)
+        if ahead > 0
+    )
+    signs = tuple(map(tuple, hull.dual.signs.tolist()))
+    return SeenSolid(seen, signs, tuple(edges), edge_hidden, vertex_hidden, faces)
+
+
+def _hidden(
+    edges: Sequence[tuple[int, int]],
+    faces: Sequence[Sequence[int]],
+    towards: Sequence[int | Fraction],
+    count: int,
+) -> tuple[tuple[bool, ...], tuple[bool, ...]]:
+    """Return what no face that looks towards the viewer, or is seen edge-on, contains."""
+    seen_edges: set[tuple[int, int]] = set()
+    seen_vertices: set[int] = set()
+    for cycle, ahead in zip(faces, towards, strict=True):
+        if ahead >= 0:
+            seen_vertices.update(cycle)
+            seen_edges.update(cycle_edges(cycle))
+    edge_hidden = tuple((u, v) not in seen_edges and (v, u) not in seen_edges for u, v in edges)
+    return edge_hidden, tuple(v not in seen_vertices for v in range(count))
+
+
+def symmetric_diagram(arrangement: Arrangement, coordinates: str | None) -> SchlegelDiagram:
+    """Return the dual with generators of length 1, seen through one of its largest facets.
+
+    Of these it is a most symmetric one, and of those a round one.
+
+    Raises:
+        OutOfReachError: more regions than a picture can show.
+    """
+    budget.check_size(region_count(arrangement), "regions in a picture")
+    arrangement, _ = in_coordinates(coordinates, arrangement)
+    found = symmetry(arrangement)
+    units = unit_vectors([plane[:-1] for plane in arrangement.distinct_planes])
+
+    def fitness(ray: IntegerVector) -> tuple[float, ...]:
+        kept = 1 if found is None else int(found.stabilizers(unit_vectors([ray]))[0])
+        own = units[[not dot(plane[:-1], ray) for plane in arrangement.distinct_planes]]
+        return kept, round(float(np.linalg.eigvalsh(own.T @ own)[1]), 6)
+
+    return schlegel_diagram(arrangement, unit_lengths(arrangement), fitness)
+
+
+def schlegel_model(
+    arrangement: Arrangement, suffix: str, size: float, explode: float, coordinates: str | None
+) -> bytes:
+    """Return the cells of the Schlegel diagram as closed parts that stand apart."""
+    diagram = symmetric_diagram(arrangement, coordinates)
+    whole = diagram.places * (size / np.ptp(diagram.places, axis=0).max())
+    parts = []
+    for k, cell in enumerate(diagram.cells):
+        used = sorted({v for face in cell for v in face})
+        number = {v: i for i, v in enumerate(used)}
+        points, middle = whole[used], whole[used].mean(axis=0)
+        faces = []
+        for cycle in cell:
+            face = tuple(number[v] for v in cycle)
+            outward = face_normal(points[list(face)]) @ (points[face[0]] - middle) > 0
+            faces.append(face if outward else face[::-1])
+        shift = centroid(points, tuple(faces)) * (explode - 1)
+        colours = tuple(side_colour(len(face)) for face in faces)
+        parts.append(ClosedSurface(f"cell-{k + 1}", points, tuple(faces), colours, tuple(shift)))
+    return model_bytes(parts, suffix, f"Schlegel diagram: {len(parts)} cells")
+
 
 #: Below this width the two panels stand one above the other; in millimetres.
 SIDE_BY_SIDE = 120.0

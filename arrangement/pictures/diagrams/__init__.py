@@ -1,1 +1,0 @@
-"""Lines in the plane, the lattice of flats, and counts as charts."""

@@ -1,1 +1,0 @@
-"""Duals and graphs of regions, and solids as model files."""

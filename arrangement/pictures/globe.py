@@ -1,0 +1,603 @@
+"""A half globe on paper: great circles, cut exactly at the limb, as curves in a disc.
+
+The plane of the limb joins the arrangement as one more plane, so that the exact engine itself does
+the cutting. Floats begin when arcs become curves. A projection takes an arc (unit normal of its
+circle, unit vector where it starts, angle through which it turns counter-clockwise about the
+normal; all in the axes right, up, towards the viewer) and returns control points (3k + 1, 2) of
+cubic curves, in units of the limb.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property, partial
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from arrangement.arrangement import Arrangement
+from arrangement.drawing.colours import (
+    Choice,
+    Colouring,
+    DrawnRegion,
+    Painter,
+    colouring,
+    letter_colour,
+)
+from arrangement.drawing.scene.curves import along, flattened, ring
+from arrangement.drawing.scene.items import Box, Floats
+from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
+from arrangement.drawing.scene.leaders import Leaders
+from arrangement.drawing.scene.places import inside, spread, turn
+from arrangement.drawing.scene.scene import Scene, joined
+from arrangement.drawing.solids.sight import (
+    Score,
+    across,
+    best_view,
+    picture_axes,
+    turned,
+    unit_vectors,
+    view_direction,
+    views,
+)
+from arrangement.enumeration.great_circles import SphereArrangement, sphere_arrangement
+from arrangement.enumeration.great_circles.signs import PackedSigns, unpack
+from arrangement.numbers import budget
+from arrangement.numbers.exact import IntegerVector, dot
+from arrangement.numbers.linear.rank import cross
+from arrangement.pictures.coordinates import orbits
+from arrangement.pictures.names import RegionLabels, near_classes, note_near, plane_names, thinner
+from arrangement.planes.planes import Planes
+
+Projection: TypeAlias = Callable[[Floats, Floats, float], Floats]
+
+
+def orthographic(normal: Floats, start: Floats, angle: float) -> Floats:
+    """Return the arc as seen from far away; within 10^-5 of the true ellipse."""
+    place, speed = _points(normal, start, angle, math.pi / 8)
+    step = angle / (len(place) - 1)
+    return joined(place[:, :2], speed[:, :2] * (4 / 3 * math.tan(step / 4)))
+
+
+def stereographic(normal: Floats, start: Floats, angle: float) -> Floats:
+    """Return the arc seen from the far pole, on the plane of the limb: a circular arc.
+
+    The circle with normal (a, b, c) becomes the one with centre (a/c, b/c) and radius 1/|c|. The
+    far pole must not lie on it, or the arc must keep away from that pole. Curves are within 10^-6
+    of the true circle, in units of its radius.
+    """
+    a, b, c = normal
+    if abs(c) < 1e-9:
+        ends, _ = _points(normal, start, angle, angle)
+        flat = ends[:, :2] / (1 + ends[:, 2:])
+        return joined(flat, np.tile((flat[1] - flat[0]) / 3, (2, 1)))
+    centre, radius = np.array([a / c, b / c]), 1 / abs(c)
+    ends, _ = _points(normal, start, angle, angle)
+    first, last = ends[:, :2] / (1 + ends[:, 2:]) - centre
+    way = 1.0 if c > 0 else -1.0
+    sweep = way * (math.atan2(last[1], last[0]) - math.atan2(first[1], first[0])) % (2 * math.pi)
+    if angle > 2 * math.pi - 1e-9:
+        sweep = 2 * math.pi
+    pieces = max(1, math.ceil(sweep / (math.pi / 8)))
+    at = math.atan2(first[1], first[0]) + way * np.linspace(0, sweep, pieces + 1)
+    spoke = radius * np.stack([np.cos(at), np.sin(at)], axis=1)
+    speed = way * np.stack([-spoke[:, 1], spoke[:, 0]], axis=1)
+    return joined(centre + spoke, speed * (4 / 3 * math.tan(sweep / pieces / 4)))
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """The arcs and regions of an arrangement on the sphere, as curves on paper.
+
+    Attributes:
+        sphere: the arrangement.
+        points: (V, 3); its vertices as unit vectors in the axes of the picture.
+        normals: (c, 3); the unit normals of its circles, likewise.
+        projection: how arcs become curves.
+    """
+
+    sphere: SphereArrangement
+    points: Floats
+    normals: Floats
+    projection: Projection
+
+    @cached_property
+    def _arcs(self) -> dict[int, Floats]:
+        return {}
+
+    def arc(self, arc: int) -> Floats:
+        """Return the control points (3k + 1, 2) of an arc."""
+        if arc not in self._arcs:
+            self._arcs[arc] = self._arc(arc)
+        return self._arcs[arc]
+
+    def _arc(self, arc: int) -> Floats:
+        incidence = self.sphere.incidence
+        normal = self.normals[int(incidence.arc_circle[arc])]
+        start, stop = incidence.origin[2 * arc], incidence.origin[2 * arc + 1]
+        if start < 0:
+            return self.projection(normal, across(normal), 2 * math.pi)
+        p, q = self.points[start], self.points[stop]
+        angle = math.atan2(math.hypot(*cross(p.tolist(), q.tolist())), float(p @ q))
+        return self.projection(normal, p, angle)
+
+    def ends(self, circle: int) -> tuple[float, ...]:
+        """Return the two angles at which a circle meets the limb, opposite to each other."""
+        x, y, _ = self.normals[circle]
+        angle = math.atan2(x, -y)
+        return angle % (2 * math.pi), (angle + math.pi) % (2 * math.pi)
+
+    def outline(self, region: int) -> Floats:
+        """Return the closed boundary of a region, as control points (3k + 1, 2)."""
+        curves = []
+        for half_edge in self.sphere.incidence.boundary(region).tolist():
+            curve = self.arc(half_edge >> 1)
+            curves.append(curve[::-1] if half_edge & 1 else curve)
+        return np.concatenate([curves[0], *(curve[1:] for curve in curves[1:])])
+
+
+@dataclass(frozen=True)
+class CutChart(Drawn):
+    """A chart to scale, with straight lines, cut off at a circle; infinity is left out.
+
+    Attributes:
+        limb: the circle at infinity.
+        reach: the radius of the part that is shown, in radii of the sphere.
+    """
+
+    limb: int
+    reach: float
+
+    @cached_property
+    def _far(self) -> float:
+        """A distance beyond all vertices, in units of the part that is shown."""
+        front = self.points[self.points[:, 2] > 1e-9]
+        spans = np.linalg.norm(front[:, :2] / front[:, 2:], axis=1) / self.reach
+        return 4 * max(10.0, float(spans.max(initial=0.0)))
+
+    def _line(self, circle: int) -> tuple[Floats, Floats]:
+        """Return the point of a line nearest to the middle, and its direction."""
+        a, b, c = self.normals[circle]
+        length = math.hypot(a, b)
+        return -c / length / self.reach * np.array([a, b]) / length, np.array([-b, a]) / length
+
+    def _place(self, vertex: int, circle: int) -> Floats:
+        """Return where a vertex is on a line; far away if it is at infinity."""
+        x, y, z = self.points[vertex]
+        if z > 1e-9:
+            return np.array([x / z, y / z]) / self.reach
+        foot, way = self._line(circle)
+        return foot + math.copysign(self._far, float(np.array([x, y]) @ way)) * way
+
+    def _ends(self, arc: int) -> list[Floats]:
+        """Return the ends of an arc, and points between them if it is a part of infinity."""
+        start, stop = self.sphere.incidence.origin[2 * arc : 2 * arc + 2].tolist()
+        circle = int(self.sphere.incidence.arc_circle[arc])
+        if circle != self.limb:
+            return [self._place(start, circle), self._place(stop, circle)]
+        normal = self.normals[circle]
+        begin = across(normal) if start < 0 else self.points[start]
+        sweep = 2 * math.pi
+        if start >= 0:
+            one, two = (math.atan2(*self.points[v][1::-1]) for v in (start, stop))
+            sweep = math.copysign(1.0, normal[2]) * (two - one) % (2 * math.pi)
+        return list(self._far * _points(normal, begin, sweep, math.pi / 8)[0][:, :2])
+
+    def _arc(self, arc: int) -> Floats:
+        """Return the part of an arc that is shown; nothing if there is none, or at infinity."""
+        if int(self.sphere.incidence.arc_circle[arc]) == self.limb:
+            return np.empty((0, 2))
+        start, stop = self._ends(arc)
+        foot, way = self._line(int(self.sphere.incidence.arc_circle[arc]))
+        half = math.sqrt(max(0.0, 1 - float(foot @ foot)))
+        low, high = sorted(max(-half, min(half, float((p - foot) @ way))) for p in (start, stop))
+        if high - low < 1e-9:
+            return np.empty((0, 2))
+        ends = foot + np.array([[low], [high]]) * way
+        return joined(ends, np.tile((ends[1] - ends[0]) / 3, (2, 1)))
+
+    def outline(self, region: int) -> Floats:
+        """Return the boundary of the part of a region that is shown, or nothing."""
+        import shapely
+
+        corners: list[Floats] = []
+        for half_edge in self.sphere.incidence.boundary(region).tolist():
+            ends = self._ends(half_edge >> 1)
+            corners += ends[::-1] if half_edge & 1 else ends
+        seen = shapely.Polygon(corners).buffer(0).intersection(shapely.Polygon(ring((0, 0), 1.0)))
+        if seen.area < 1e-9:
+            return np.empty((0, 2))
+        edge = shapely.get_coordinates(seen)
+        steps = np.diff(edge, axis=0) / 3
+        handles = np.stack([edge[:-1] + steps, edge[1:] - steps, edge[1:]], axis=1)
+        return np.concatenate([edge[:1], handles.reshape(-1, 2)])
+
+    def ends(self, circle: int) -> tuple[float, ...]:
+        """Return the angles at which a line leaves what is shown, if it is in it."""
+        if circle == self.limb:
+            return ()
+        foot, way = self._line(circle)
+        half = 1 - float(foot @ foot)
+        if half <= 0:
+            return ()
+        tips = (foot + sign * math.sqrt(half) * way for sign in (1, -1))
+        return tuple(math.atan2(y, x) % (2 * math.pi) for x, y in tips)
+
+
+def _points(normal: Floats, start: Floats, angle: float, most: float) -> tuple[Floats, Floats]:
+    """Return points along an arc, at most `most` apart, and the unit tangents there."""
+    side = np.array(cross(normal.tolist(), start.tolist()))
+    steps = max(1, math.ceil(angle / max(most, 1e-3) - 1e-9))
+    at = np.linspace(0, angle, steps + 1)[:, None]
+    return np.cos(at) * start + np.sin(at) * side, np.cos(at) * side - np.sin(at) * start
+
+
+class Globe:
+    """A central arrangement in R^3 seen from a direction, in the orthographic projection.
+
+    Attributes:
+        whole: the arrangement on the sphere.
+        cut: the same with the limb as one more plane, the last one.
+        direction: the primitive integer direction towards the viewer.
+        axes: (3, 3); the unit vectors right, up and towards the viewer.
+    """
+
+    def __init__(
+        self,
+        arrangement: Arrangement,
+        direction: Sequence[object] | None = None,
+        azimuth: float = 0.0,
+    ) -> None:
+        budget.check_size(len(arrangement.distinct), "great circles in a picture")
+        self.whole = sphere_arrangement(arrangement)
+        if direction is not None:
+            self.direction = view_direction(direction)
+        else:
+            self.direction = clear_direction(*self.lines())
+        self.direction = turned(self.direction, azimuth)
+        self.cut = sphere_arrangement(Arrangement([*arrangement.normals, self.direction]))
+        self.axes = picture_axes(self.direction)
+
+    def lines(self) -> tuple[list[IntegerVector], list[float]]:
+        """Return what is to stay off the limb, normals and rays, and how many times nearer it may.
+
+        A ray on three planes or more is to stay away farthest.
+        """
+        whole = self.whole
+        count = [len(whole.incidence.circles_at(v)) for v in range(whole.vertex_count)]
+        many = max(count, default=2) > 2
+        times = [2.0 * many or 1.0] * whole.circle_count
+        times += [3.0 if many and k == 2 else 1.0 for k in count]
+        return [*whole.circle_normals, *map(whole.ray, range(whole.vertex_count))], times
+
+    @cached_property
+    def points(self) -> Floats:
+        """(V, 3); the vertices of `cut`, in the axes of the picture."""
+        rays = [self.cut.ray(v) for v in range(self.cut.vertex_count)]
+        return unit_vectors(rays) @ self.axes.T
+
+    @cached_property
+    def normals(self) -> Floats:
+        """(c, 3); the unit normals of the circles of `cut`, in the axes of the picture."""
+        return unit_vectors(self.cut.circle_normals) @ self.axes.T
+
+    @cached_property
+    def regions(self) -> tuple[DrawnRegion, ...]:
+        """All regions of `whole`, in its order."""
+        degrees = self.whole.incidence.region_degree.tolist()
+        return tuple(map(DrawnRegion, region_signs(self.whole), degrees))
+
+    @cached_property
+    def front(self) -> dict[int, DrawnRegion]:
+        """The regions of `cut` on the near side, each with the region of which it is a part."""
+        sides = {region.signs: region for region in self.regions}
+        cut = enumerate(region_signs(self.cut))
+        return {piece: sides[signs[:-1]] for piece, signs in cut if signs[-1] > 0}
+
+    def colouring(self, colour: Choice | None) -> Colouring:
+        """Return how the regions are coloured; see `colours.colouring`."""
+        beside = self.whole.incidence.region[: 2 * self.whole.arc_count].tolist()
+        pairs = list(zip(beside[::2], beside[1::2], strict=True))
+        planes, signs = self.whole.arrangement, [region.signs for region in self.regions]
+        found = partial(orbits, planes, signs)
+        return colouring(colour, self.regions, pairs, planes.firsts, found)
+
+    @cached_property
+    def limb(self) -> int:
+        """The circle of the limb."""
+        return int(self.cut.plane_circle[-1])
+
+
+def region_signs(sphere: SphereArrangement) -> list[tuple[int, ...]]:
+    """Return the sign vectors of all regions."""
+    positive = sphere.packed_region_signs
+    return sign_vectors(sphere, (positive, ~positive))
+
+
+def sign_vectors(
+    sphere: SphereArrangement, packed: tuple[PackedSigns, PackedSigns]
+) -> list[tuple[int, ...]]:
+    """Return sign vectors, given where they are + and where they are -."""
+    return [tuple(row) for row in unpack(*packed, len(sphere.arrangement)).tolist()]
+
+
+def clear_direction(
+    lines: Sequence[IntegerVector], times: Sequence[float] = (), also: Score | None = None
+) -> IntegerVector:
+    """Return a direction from above that is as far as can be from orthogonal to all `lines`.
+
+    With the normals of planes as lines no plane is seen edge-on; with the rays as well, no ray
+    is near the limb. A line may be `times` as near as others; `also` returns more numbers to be
+    kept from 0.
+    """
+    units = unit_vectors([*lines, (0, 0, 1)])
+
+    def score(seen: Sequence[IntegerVector]) -> Floats:
+        least = (np.abs(unit_vectors(seen) @ units.T) * [*(times or [1.0] * len(lines)), 1.0]).min(
+            axis=1
+        )
+        # A line alone is not seen from straight ahead.
+        least = np.minimum(least, 1.2 - least)
+        found: Floats = least if also is None else np.minimum(least, also(seen))
+        return found
+
+    return best_view(views(range(1, 8), range(-7, 8), range(1, 7), low=0.25, high=0.75), score)
+
+
+def far_direction(arrangement: Planes, lines: Floats) -> IntegerVector:
+    """Return the direction farthest from orthogonal to unit vectors, on the fewest planes."""
+    return best_view(
+        views(*[range(-7, 8)] * 3),
+        lambda seen: np.abs(unit_vectors(seen) @ lines.T).min(axis=1),
+        lambda seen: [sum(arrangement.signs_at(v)) for v in seen],
+    )
+
+
+#: Room for the numbers of the planes between the rim and the boundary, at least; in points.
+RIM = 13.0
+#: What is hidden: thinner, lighter, dashed. One rule for spheres and polyhedra.
+HIDDEN: dict[str, Any] = {"lw": 0.5, "ls": (0, (3, 3)), "alpha": 0.5, "zorder": 2, "role": "hidden"}
+#: More regions than this get no leader lines.
+_MOST_LEADERS = 150
+#: Of most lines, in points; what is narrower is covered by them.
+LINE_WIDTH = 0.9
+
+
+@dataclass(frozen=True)
+class Disc:
+    """A place on a scene for the front half of a globe.
+
+    Attributes:
+        scene: the scene.
+        centre, radius: of the limb, in points.
+        globe: what is seen.
+        drawn: its arcs and regions, cut at the limb, as curves.
+        names: of the regions.
+        ink: the colour of each class of planes; if omitted, black.
+        solid: whether it is a ball, shaded, with the arcs on its far side dashed.
+    """
+
+    scene: Scene
+    centre: tuple[float, float]
+    radius: float
+    globe: Globe
+    drawn: Drawn
+    names: RegionLabels
+    ink: Callable[[int], str] | None = None
+    solid: bool = False
+
+    def on_paper(self, points: Floats) -> Floats:
+        """Return points of the disc in points of the scene."""
+        return np.array(self.centre) + self.radius * points
+
+    def draw(
+        self,
+        paint: Painter,
+        *,
+        both_ends: bool = False,
+        avoid: Sequence[Floats] = (),
+        within: Box | None = None,
+    ) -> list[Floats]:
+        """Draw everything, labels of regions off the lines `avoid`; return all lines, (k, 2)."""
+        outlines, arcs, hidden = self.curves(paint, both_ends=both_ends)
+        inner = [*hidden, *avoid]
+        wide, high = self.scene.width, self.scene.height
+        box = within or (0.0, high - wide, wide, high)
+        lines = [*arcs, *inner]
+        label_regions(self.scene, self.names, outlines, lines, inner, box)
+        return lines
+
+    def curves(
+        self, paint: Painter, *, both_ends: bool = False
+    ) -> tuple[list[tuple[DrawnRegion, Floats]], list[Floats], list[Floats]]:
+        """Draw everything but labels of regions; return outlines, near arcs and far arcs."""
+        outlines = []
+        for piece, region in self.globe.front.items():
+            outline = self.on_paper(self.drawn.outline(piece))
+            if not len(outline):
+                continue
+            self.scene.curve(
+                outline, fc=paint(region), ec="none", gid=self.names.element("region", region.signs)
+            )
+            outlines.append((region, flattened(outline)))
+        if self.solid:
+            self.scene.ball(self.centre, self.radius, "#ffffff55", "#0000003c", zorder=1.5)
+        hidden = self._hidden()
+        self._names(both_ends)
+        return outlines, self._arcs(), hidden
+
+    def _hidden(self) -> list[Floats]:
+        """Draw the half of each circle on the far side, dashed; return points along them."""
+        globe, found = self.globe, []
+        for circle, normal in enumerate(globe.normals if self.solid else ()):
+            if circle != globe.limb:
+                start = np.array([normal[1], -normal[0], 0.0]) / math.hypot(normal[0], normal[1])
+                curve = self.on_paper(self.drawn.projection(normal, start, math.pi))
+                ink = self.ink(circle) if self.ink is not None else "black"
+                style = {**HIDDEN, "lw": HIDDEN["lw"] * thinner(globe.whole.circle_count)}
+                name = f"back-{globe.whole.arrangement.firsts[circle] + 1}"
+                self.scene.curve(curve, fill=False, ec=ink, gid=name, **style)
+                found.append(along(curve))
+        return found
+
+    def _arcs(self) -> list[Floats]:
+        """Draw the arcs on the near side and the limb; return points along them."""
+        globe, drawn, found = self.globe, self.drawn, []
+        is_plane = len(globe.cut.arrangement.distinct[globe.limb]) > 1
+        for arc, circle in enumerate(drawn.sphere.incidence.arc_circle.tolist()):
+            colour = self.ink(circle) if self.ink is not None else "black"
+            number = f"{globe.cut.arrangement.firsts[circle] + 1}-{arc + 1}"
+            style: dict[str, Any] = {"fill": False, "capstyle": "round", "zorder": 3}
+            if circle == globe.limb:
+                colour = colour if is_plane else "black"
+                name = f"limb-{number}" if is_plane else f"limb-{arc + 1}"
+                style |= {"ec": colour, "lw": 1.6 if is_plane else 0.6, "gid": name}
+            elif dot(globe.cut.arc_witness(arc), globe.direction) > 0:
+                thick = 1.3 if self.ink is not None else 0.9
+                thick *= thinner(globe.whole.circle_count)
+                style |= {"ec": colour, "lw": thick, "gid": f"front-{number}"}
+            else:
+                continue
+            curve = self.on_paper(drawn.arc(arc))
+            if not len(curve):
+                continue
+            self.scene.curve(curve, **style)
+            found.append(along(curve))
+        return found
+
+    def _names(self, both_ends: bool) -> None:
+        """Write the numbers of the planes outside the rim, pushed apart along it."""
+        wanted: list[tuple[float, float, str, int]] = []
+        globe, distinct = self.globe, self.globe.cut.arrangement.distinct
+        # Angles between planes; on paper circles are at most so many radii apart.
+        units = globe.normals / np.linalg.norm(globe.normals, axis=1)[:, None]
+        signs = np.sign(units @ units.T)
+
+        def apart(one: int, other: int) -> float:
+            if globe.limb in (one, other):
+                return math.inf
+            away = units[one] - signs[one, other] * units[other]
+            return self.radius * float(np.linalg.norm(away))
+
+        groups = near_classes(len(distinct), apart, LINE_WIDTH)
+        joint = []
+        for group in groups:
+            circle = group[0]
+            members = sorted(k for c in group for k in distinct[c])
+            text = plane_names(members, len(globe.whole.arrangement))
+            if not text:
+                continue
+            joint += [text] * (len(group) > 1)
+            at_rim = circle == globe.limb and not isinstance(self.drawn, CutChart)
+            ends = [0.25] if at_rim else list(self.drawn.ends(circle))
+            if not ends:
+                continue
+            if circle != globe.limb and not both_ends:
+                gap = [min((abs(turn(a - b)) for b, *_ in wanted), default=4.0) for a in ends]
+                ends = ends[:1] if gap[0] >= gap[1] - 1e-9 else ends[1:]
+            # Angles of one point of the rim differ by rounding, also by a whole turn.
+            near = [(end + 1e-9) % (2 * math.pi) - 1e-9 for end in ends]
+            wanted += [(round(a, 8), self._lean(circle, a), text, circle) for a in near]
+        note_near(self.scene.legend, self.names.items, joint)
+        self.names.joined = bool(joint)
+        wanted.sort()
+        placed = spread([angle for angle, *_ in wanted], 9.0 / (self.radius + RIM / 2))
+        for (angle, _, text, circle), at in zip(wanted, placed, strict=True):
+            ends_at = np.array([[math.cos(angle), math.sin(angle)], [math.cos(at), math.sin(at)]])
+            leader = self.on_paper(ends_at * [[1.0], [1 + 2.6 / self.radius]])
+            colour = self.ink(circle) if self.ink is not None else "black"
+            self.scene.line(leader, ec=colour, lw=0.4, zorder=2)
+            self._name(ends_at[1], text, letter_colour(circle) if self.ink else "black")
+
+    def _lean(self, circle: int, angle: float) -> float:
+        """Return how far a circle leans counter-clockwise from a point of the rim inwards."""
+        x, y, z = self.globe.normals[circle].tolist()
+        across = y * math.cos(angle) - x * math.sin(angle)
+        return -z / across if circle != self.globe.limb else 0.0
+
+    def _name(self, outward: Floats, text: str, colour: str) -> None:
+        def places(half: Floats) -> Floats:
+            out = self.radius + 3.4 + float(np.abs(outward) @ half) + np.array([[0], [2], [4]])
+            centres: Floats = np.array(self.centre) + out * outward
+            return centres
+
+        write_if_free(self.scene, [text], SIZES, places, color=colour, style="italic")
+
+
+def label_regions(
+    scene: Scene,
+    names: RegionLabels,
+    outlines: Sequence[tuple[DrawnRegion, Floats]],
+    lines: Sequence[Floats],
+    inner: Sequence[Floats],
+    within: Box,
+    flat: bool = False,
+) -> None:
+    """Write the names of regions, first inside, then those that do not fit on leader lines.
+
+    Args:
+        scene: where to.
+        names: counts those that are left out.
+        outlines: of the regions.
+        lines: all lines drawn, each (k, 2); no label covers one.
+        inner: those among them that are not boundaries of regions.
+        within: a part of the scene that leader lines must not leave.
+        flat: whether no region is seen from the side.
+    """
+    names.unseen += sum(_is_unseen(outline, flat or names.joined) for _, outline in outlines)
+    off = keep_off(inner)
+    small = [
+        (region, outline)
+        for region, outline in outlines
+        if names.forms(region.signs)
+        and not write_if_free(scene, names.forms(region.signs), SIZES, inside(scene, outline, off))
+    ]
+    leaders = Leaders(scene, lines, within, [outline for _, outline in outlines])
+    for region, outline in small:
+        texts = names.forms(region.signs)[:1]
+        names.left_out += len(outlines) > _MOST_LEADERS or not leaders.write(
+            outline, texts, SIZES[1:]
+        )
+
+
+def _is_unseen(outline: Floats, narrow: bool) -> bool:
+    """Return whether lines cover a region: it is as small as their width, or as narrow.
+
+    Args:
+        narrow: whether it is unseen where it is narrow; at the rim of a ball it is only seen
+            from the side.
+    """
+    if not narrow:
+        return bool((np.ptp(outline, axis=0) < LINE_WIDTH).all())
+    along, nexts = np.asarray(outline), np.roll(outline, -1, axis=0)
+    area = abs(float(np.sum(along[:, 0] * nexts[:, 1] - along[:, 1] * nexts[:, 0]))) / 2
+    length = float(np.hypot(*(nexts - along).T).sum())
+    return 2 * area < LINE_WIDTH * length
+
+
+def alone(
+    globe: Globe, drawn: Drawn, names: RegionLabels, width: float, *, solid: bool = False
+) -> Disc:
+    """Return a disc that fills its scene; `width` in millimetres."""
+    scene = Scene(width, width)
+    centre = (scene.width / 2, scene.width / 2)
+    radius = scene.width / 2 - rim_width(scene, globe, names)
+    return Disc(scene, centre, radius, globe, drawn, names, solid=solid)
+
+
+def rim_width(scene: Scene, globe: Globe, names: RegionLabels | None = None) -> float:
+    """Return the room that numbers of planes and short labels need outside the limb, in points."""
+    arrangement = globe.whole.arrangement
+    widths = [5.5 + scene.measure(plane_names(x), 7.0)[0] for x in arrangement.distinct]
+    # Up to three signs fit into most regions.
+    beside_ball = names and names.kind == "signs" and len(arrangement) > 3
+    forms = names.forms((1,) * len(arrangement)) if names and beside_ball else []
+    beside = min(24.0, 3.5 + max((scene.measure(text, SIZES[1])[0] for text in forms), default=0.0))
+    return max([RIM, beside, *widths])
+
+
+def front(globe: Globe, projection: Projection) -> Drawn:
+    """Return the arrangement with the limb as one more circle, in a projection."""
+    return Drawn(globe.cut, globe.points, globe.normals, projection)

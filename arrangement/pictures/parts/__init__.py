@@ -1,1 +1,0 @@
-"""What several views of planes share: their space, coordinates, names and axes."""

@@ -1,1 +1,0 @@
-"""Planes and their cells in space."""

@@ -1,0 +1,501 @@
+"""The sphere of central planes seen from outside, and in its stereographic and gnomonic charts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+
+from arrangement.arrangement import Arrangement
+from arrangement.console.number_form import counted
+from arrangement.drawing.colours import Choice, DrawnRegion, Painter
+from arrangement.drawing.scene.curves import along, flattened, ring
+from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
+from arrangement.drawing.scene.places import beside, inside
+from arrangement.drawing.scene.scene import Scene, arrow
+from arrangement.drawing.solids.sight import best_view, picture_axes, unit, unit_vectors, views
+from arrangement.drawing.views import Vector
+from arrangement.errors import InputError, extra
+from arrangement.numbers.exact import IntegerVector, dot, reduced, unoriented
+from arrangement.numbers.linear.rank import cross
+from arrangement.pictures.coordinates import (
+    INK,
+    REACH,
+    AxisNames,
+    drawn_axes,
+    in_coordinates,
+    planes_view,
+    symmetry,
+    within_reach,
+)
+from arrangement.pictures.globe import (
+    HIDDEN,
+    LINE_WIDTH,
+    CutChart,
+    Disc,
+    Drawn,
+    Globe,
+    alone,
+    far_direction,
+    front,
+    label_regions,
+    orthographic,
+    rim_width,
+    stereographic,
+)
+from arrangement.pictures.names import (
+    Labels,
+    RegionLabels,
+    explain_regions,
+    near_classes,
+    note_near,
+    plane_names,
+)
+
+
+@planes_view("sphere")
+def draw_sphere(
+    arrangement: Arrangement,
+    *,
+    camera: Vector | None = None,
+    azimuth: float = 0.0,
+    colour: Choice | None = None,
+    labels: Labels | None = None,
+    axes: AxisNames | None = None,
+    sides: bool = False,
+    width: float = 88.0,
+    coordinates: str | None = None,
+) -> Scene:
+    """Draw the great circles of central planes in R^3 as seen from a direction.
+
+    The ball is lit from the upper left, from in front; arcs on its far side are dashed. A number
+    at the limb names a circle: k for the k-th plane, counted from 1. A label that does not fit
+    into its region stands beside it, with a line to a dot inside. Every visible region and every
+    arc, cut at the limb, is an element of its own with a name (``region-3``, ``front-7``); so
+    is the far half of a circle (``back-2``).
+
+    Args:
+        arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
+        camera: exact vector to the viewer; if omitted, one in which no circle is edge-on.
+        azimuth: degrees by which the viewer moves to the right.
+        colour: "sides" (by number of sides), "parity" (two colours, by number of minus signs),
+            "signs" (shades, by number of minus signs), "orbits" (of the symmetry), "none", or a
+            function from a `DrawnRegion` to a colour; if omitted, sides if they distinguish
+            neighbours, else parity. Your own colours follow the name,
+            ``"sides:white,gold,#0072b2"``, or stand alone; or some regions have one,
+            ``"+-+=gold,++-=#0af"``, and the others are white.
+        labels: of regions: "signs"; "numbers" in the order of `Arrangement.regions`, with a table
+            of sign vectors below; "none". If omitted, signs of up to four planes, else numbers,
+            with the table for up to 24 regions. For some regions only: these, by sign vector or
+            number, ``"+-+,3"``, or with texts, ``"+-+=A,3=B"`` or ``{"+-+": "A", 3: "B"}``.
+        axes: names of the axes; True for ``x,y,z``; or "none"; if omitted, there are some
+            where the coordinates have a meaning, as x, y, r of the motions of a grasp.
+        sides: mark the positive side of each plane by an arrow.
+        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
+            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
+            omitted, symmetric (nearly parallel planes: even), but for planes of motions and with
+            axes.
+
+    Raises:
+        InputError: another space, planes off the origin, too many circles, unknown colouring.
+    """
+    names = RegionLabels(arrangement, labels, items="circles")
+    shown, coordinates = drawn_axes(arrangement, axes, coordinates)
+    arrangement, camera = in_coordinates(coordinates, arrangement, camera)
+    globe = Globe(arrangement, camera, azimuth)
+    colours = globe.colouring(colour)
+    disc = alone(globe, front(globe, orthographic), names, width, solid=True)
+    arms, arrows = [], []
+    if shown:
+        disc = replace(disc, radius=within_reach(globe.axes.T, disc.scene.width / 2, disc.radius))
+        arms = [_axis(disc, k) for k in range(3)]
+        disc.scene.circle(disc.centre, 1.0, fc=INK, ec="none", zorder=2.5, gid="origin")
+    if sides:
+        arrows = [_side(disc, c) for c in range(globe.whole.circle_count)]
+    lines = disc.draw(colours.paint, avoid=[*arms, *arrows])
+    off = keep_off(lines)
+    for name, (_, tip) in zip(shown, arms, strict=True):
+        places = beside(tip, away=tip - np.array(disc.centre), distance=2.0)
+        write_if_free(disc.scene, [name], SIZES[:2], places, off=off, style="italic")
+    explain_regions(disc.scene, colours, names, globe.front.values())
+    return disc.scene
+
+
+def _axis(disc: Disc, k: int) -> Floats:
+    """Draw a coordinate axis from the origin, dashed where the ball hides it; return its ends."""
+    way = disc.globe.axes[:, k]
+    tip = disc.on_paper(REACH * way[:2])
+    flat = float(np.linalg.norm(way[:2]))
+    # In front it leaves the ball where it meets it, else where it passes the limb.
+    out = 1.0 if way[2] > 0 else 1 / max(flat, 1e-9)
+    start = disc.on_paper(min(out, REACH) * way[:2])
+    hidden = {**HIDDEN, "zorder": 2.2, "gid": f"axis-{k + 1}-hidden"}
+    disc.scene.line([disc.centre, start], ec=INK, **hidden)
+    if out < REACH:
+        look: dict[str, Any] = {"fc": INK, "ec": "none", "role": "axis", "zorder": 3.5}
+        arrow(disc.scene, start, tip, 0.6, gid=f"axis-{k + 1}", **look)
+    return np.array([disc.centre, tip])
+
+
+def _side(disc: Disc, circle: int) -> Floats:
+    """Draw an arrow to the positive side of a circle, off its crossings; return its ends."""
+    sphere, axes = disc.globe.whole, disc.globe.axes
+    normal = axes @ unit_vectors([sphere.arrangement.distinct_planes[circle][:3]])[0]
+    near = unit(np.array([0.0, 0.0, 1.0]) - normal[2] * normal)
+    along = np.cross(normal, near)
+    vertices = disc.globe.points
+    spots = [math.cos(t) * near + math.sin(t) * along for t in np.arange(-9, 10) * 0.1]
+    clear = [round(float(np.linalg.norm(vertices - p, axis=1).min(initial=9.0)), 6) for p in spots]
+    foot = spots[int(np.argmax(clear))]
+    tip = math.cos(0.1) * foot + math.sin(0.1) * normal
+    ends = disc.on_paper(np.array([foot[:2], tip[:2]]))
+    name = f"side-{sphere.arrangement.firsts[circle] + 1}"
+    arrow(disc.scene, ends[0], ends[1], 0.55, fc="black", ec="none", zorder=3.5, gid=name)
+    return ends
+
+
+#: The whole plane is shown of itself when all circles end within this many radii of the limb.
+FARTHEST = 3.3
+
+
+@planes_view("stereographic")
+def draw_stereographic(
+    arrangement: Arrangement,
+    *,
+    camera: Vector | None = None,
+    colour: Choice | None = None,
+    labels: Labels | None = None,
+    width: float = 88.0,
+    whole: bool | None = None,
+    coordinates: str | None = None,
+) -> Scene:
+    """Draw the great circles of central planes in R^3 in stereographic projection.
+
+    The point of the sphere in the given direction is the middle of the picture, the opposite
+    point is at infinity. The limb, the great circle half-way, is dashed and has radius 1. A
+    number names a circle: k for the k-th plane, counted from 1.
+
+    There are two pictures. The whole one has both halves of the sphere: every circle is complete,
+    and the region with the opposite point is all that is outside. The other one is the front half
+    alone, a disc; the back half shows the same with opposite signs.
+
+    Every region and every arc is an element of its own (``region-3``, ``arc-7``; in the disc
+    ``front-7``, ``limb-2``).
+
+    Args:
+        arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
+        camera: the exact direction of the middle; if omitted, one is chosen.
+        colour, labels: as for `draw_sphere`.
+        whole: both halves, or the front half; if omitted, both where all circles stay within
+            3.3 radii, as for few circles.
+        coordinates: as for `draw_sphere`.
+
+    Raises:
+        InputError: another space, planes off the origin, too many circles, unknown colouring; or
+            the whole is asked for and the direction lies on a plane.
+    """
+    names = RegionLabels(arrangement, labels, items="circles")
+    arrangement, camera = in_coordinates(coordinates, arrangement, camera)
+    globe = Globe(arrangement, camera)
+    if camera is None and whole is not False:
+        # The direction that keeps farthest from all planes.
+        units = unit_vectors(globe.whole.circle_normals)
+        inner = far_direction(globe.whole.arrangement, units) if len(units) else (1, 1, 1)
+        central = Globe(arrangement, inner)
+        if whole or _farthest(central) <= FARTHEST:
+            globe, whole = central, True
+    if whole is None:
+        whole = 0 < _farthest(globe) <= FARTHEST
+    colours = globe.colouring(colour)
+    if not whole:
+        disc = alone(globe, front(globe, stereographic), names, width)
+        disc.draw(colours.paint)
+        explain_regions(disc.scene, colours, names, globe.front.values())
+        return disc.scene
+    if math.isinf(_farthest(globe)):
+        k = next(i for i, s in enumerate(arrangement.signs_at(globe.direction)) if s == 0)
+        raise InputError(
+            f"the camera lies on circle {k + 1}, which would pass through infinity; "
+            "choose another camera, or the front half alone (whole=False)"
+        )
+    scene = Scene(width, width)
+    _Whole(globe, scene, colours.paint, names).draw()
+    explain_regions(scene, colours, names, globe.regions)
+    return scene
+
+
+class _Whole:
+    """The picture of both halves: a frame, the outer region, and all others on top of it."""
+
+    def __init__(self, globe: Globe, scene: Scene, paint: Painter, names: RegionLabels) -> None:
+        self.scene, self.globe, self.paint, self.names = scene, globe, paint, names
+        self.centre = np.array([scene.width / 2, scene.height - scene.width / 2])
+        self.half = scene.width / 2 - 1.5
+        self.normals = unit_vectors(globe.whole.circle_normals).reshape(-1, 3) @ globe.axes.T
+        low, high = self._extent()
+        self.middle = (low + high) / 2
+        self.scale = (self.half - rim_width(scene, globe)) / max(float((high - low).max()) / 2, 1.0)
+        rays = [globe.whole.ray(v) for v in range(globe.whole.vertex_count)]
+        points = unit_vectors(rays) @ globe.axes.T if rays else np.empty((0, 3))
+        self.drawn = Drawn(globe.whole, points, self.normals, stereographic)
+
+    def _extent(self) -> tuple[Floats, Floats]:
+        """Return the lower left and upper right corners of all circles and the limb."""
+        a, b, c = self.normals.T
+        centres = np.stack([a / c, b / c], axis=1)
+        radii = 1 / np.abs(c)[:, None]
+        low = np.vstack([centres - radii, [[-1.0, -1.0]]]).min(axis=0)
+        return low, np.vstack([centres + radii, [[1.0, 1.0]]]).max(axis=0)
+
+    def on_paper(self, points: Floats) -> Floats:
+        return self.centre + self.scale * (points - self.middle)
+
+    def draw(self) -> None:
+        outlines = self._fill()
+        lines = []
+        firsts = self.globe.whole.arrangement.firsts
+        circles = self.globe.whole.incidence.arc_circle
+        for arc in range(self.globe.whole.arc_count):
+            curve = self.on_paper(self.drawn.arc(arc))
+            name = f"arc-{firsts[circles[arc]] + 1}-{arc + 1}"
+            self.scene.curve(curve, fill=False, ec="black", lw=0.9, zorder=3, gid=name)
+            lines.append(along(curve))
+        limb = self.on_paper(np.zeros((1, 2)))[0]
+        self.scene.circle(limb, self.scale, fill=False, ec="black", gid="limb", **HIDDEN)
+        corners = self._corners()
+        self.scene.polygon(corners, fill=False, ec="black", lw=0.4, ls=(0, (1, 2)), role="border")
+        self._names(lines)
+        dashes = ring(limb, self.scale)
+        a, b, c = self.normals.T
+        centres = self.on_paper(np.stack([a / c, b / c], axis=1))
+        discs = map(ring, centres, self.scale / np.abs(c))
+        free = inside(self.scene, corners, keep_off([], discs))
+        write_if_free(self.scene, self.outer, SIZES, free)
+        within = (*(corners[0] + 2), *(corners[2] - 2))
+        label_regions(self.scene, self.names, outlines, [*lines, dashes], [dashes], within, True)
+
+    def _fill(self) -> list[tuple[DrawnRegion, Floats]]:
+        """Fill the outer region first, then all others; return all but it with outlines."""
+        globe = self.globe
+        found: list[tuple[DrawnRegion, Floats]] = []
+        outside = globe.whole.arrangement.signs_at([-x for x in globe.direction])
+        numbers = sorted(enumerate(globe.regions), key=lambda item: item[1].signs != outside)
+        for r, region in numbers:
+            name = self.names.element("region", region.signs)
+            style: dict[str, Any] = {"fc": self.paint(region), "ec": "none", "gid": name}
+            if region.signs == outside:
+                self.scene.polygon(self._corners(), **style)
+                self.outer = self.names.forms(region.signs)[:1]
+            else:
+                outline = self.on_paper(self.drawn.outline(r))
+                self.scene.curve(outline, **style)
+                found.append((region, flattened(outline)))
+        return found
+
+    def _corners(self) -> Floats:
+        signs = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+        return self.centre + self.half * signs
+
+    def _names(self, lines: Sequence[Floats]) -> None:
+        """Write each circle's number outside its farthest point, or else close to its line."""
+        classes, off = self.globe.whole.arrangement.distinct, keep_off(lines)
+        a, b, c = self.normals.T
+        discs = self.scale * np.stack([a / c, b / c, 1 / np.abs(c)], axis=1)
+
+        def apart(one: int, other: int) -> float:
+            x, y, larger = discs[one] - discs[other]
+            return math.hypot(x, y) + abs(float(larger))
+
+        groups = near_classes(len(classes), apart, LINE_WIDTH)
+        texts = {g[0]: plane_names(sorted(i for k in g for i in classes[k])) for g in groups}
+        joint = [texts[group[0]] for group in groups if len(group) > 1]
+        note_near(self.scene.legend, self.names.items, joint)
+        for k, text in sorted(texts.items(), key=lambda item: abs(self.normals[item[0], 2])):
+            for step in range(84):
+                if self._name(k, text, step, off):
+                    break
+
+    def _name(self, k: int, text: str, step: int, off: Any) -> bool:
+        """Try a place, farther and farther from the farthest point of a circle."""
+        a, b, c = self.normals[k].tolist()
+        centre, radius = np.array([a / c, b / c]), 1 / abs(c)
+        angle = math.atan2(b * c, a * c) + (step + 1) // 2 * 0.075 * (1 if step % 2 else -1)
+        outward = np.array([math.cos(angle), math.sin(angle)])
+        rim = self.on_paper((centre + radius * outward)[None])[0]
+        within = (*(self._corners()[0] + 4), *(self._corners()[2] - 4))
+        places = beside(rim, away=outward, distance=1.2, within=within, turns=2)
+        look: dict[str, Any] = {"off": off, "style": "italic"}
+        return write_if_free(self.scene, [text], SIZES[:2], places, **look)
+
+
+def _farthest(globe: Globe) -> float:
+    """Return how far the circles reach from the middle of the picture, in radii of the limb."""
+    if not globe.whole.circle_count:
+        return 1.0
+    if 0 in globe.whole.arrangement.signs_at(globe.direction):
+        return math.inf
+    heights = np.abs(unit_vectors(globe.whole.circle_normals) @ globe.axes[2])
+    return float(((1 + np.sqrt(np.maximum(0, 1 - heights**2))) / heights).max())
+
+
+_BOTH_ENDS = 16
+
+
+@planes_view("gnomonic")
+def draw_gnomonic(
+    arrangement: Arrangement,
+    *,
+    camera: Vector | None = None,
+    colour: Choice | None = None,
+    labels: Labels | None = None,
+    width: float = 88.0,
+    coordinates: str | None = None,
+) -> Scene:
+    """Draw central planes in R^3 as lines of the projective plane.
+
+    The sphere is projected from its centre to the plane that touches it at the given direction,
+    so that great circles become straight lines of this chart. The picture is a disc of it with
+    most crossings; what is farther out is left out, and the legend says how much.
+
+    Every region of the chart and every arc is an element of its own (``region-3``, ``front-7``).
+    A number names a line, at both of its ends where there are few: k for the k-th plane, counted
+    from 1.
+
+    Args:
+        arrangement: central, of rank at most 3; in another space than R^3 its essentialisation.
+        camera: the exact direction of the middle; if omitted, one in which all rays stay far
+            from infinity; of more than six planes an axis of most symmetries, if there is one, else
+            one in which the crossings spread evenly.
+        colour, labels: as for `draw_sphere`.
+        coordinates: as for `draw_sphere`.
+
+    Raises:
+        InputError: another space, planes off the origin, too many circles, unknown colouring.
+    """
+    names = RegionLabels(arrangement, labels, items="lines")
+    arrangement, camera = in_coordinates(coordinates, arrangement, camera)
+    globe = Globe(arrangement, camera)
+    if camera is None:
+        globe = _upright(Globe(arrangement, _central_direction(globe)))
+    colours = globe.colouring(colour)
+    chart = _cut(globe)
+    disc = alone(globe, chart, names, width)
+    disc.draw(colours.paint, both_ends=globe.whole.circle_count <= _BOTH_ENDS)
+    shown = [r for piece, r in globe.front.items() if len(chart.outline(piece))]
+    explain_regions(disc.scene, colours, names, shown)
+    disc.scene.circle(disc.centre, disc.radius, fill=False, ec="black", lw=0.6, gid="border")
+    whole = globe.whole.arrangement
+    seen = {k for c, x in enumerate(whole.distinct) if chart.ends(c) for k in x}
+    out = [k for k in range(len(whole)) if k not in seen]
+    what = [f"line{'s' * (len(out) > 1)} {plane_names(out)}"] * bool(out)
+    what += [counted(len(globe.front) - len(shown), "region")] * (len(shown) < len(globe.front))
+    disc.scene.legend.captions += [f"farther out: {', '.join(what)}"] * bool(what)
+    disc.scene.legend.line("signs up to a common change")
+    return disc.scene
+
+
+def _cut(globe: Globe) -> CutChart:
+    """Return the chart around most crossings: all of them, where none is far away."""
+    inside = globe.points[globe.points[:, 2] > 1e-9]
+    spans = np.linalg.norm(inside[:, :2] / inside[:, 2:], axis=1)
+    gaps = [abs(c) / np.hypot(a, b) for a, b, c in globe.normals.tolist() if abs(c) < 1 - 1e-9]
+    nearest = float(min(gaps, default=0.0))
+    farthest = float(spans.max(initial=nearest))
+    typical = float(np.quantile(spans, 0.75)) if len(spans) else nearest
+    reach = max(0.5, 1.3 * farthest if farthest <= 3 * typical else 1.2 * typical)
+    chart = Drawn(globe.cut, globe.points, globe.normals, orthographic)
+    return CutChart(**vars(chart), limb=globe.limb, reach=reach)
+
+
+def _upright(globe: Globe) -> Globe:
+    """Turn the picture so that the first line through the middle, if there is one, is upright."""
+    normals = unit_vectors(globe.whole.circle_normals) @ globe.axes.T
+    for x, y, z in normals.tolist():
+        if abs(z) < _AT_LIMB:
+            right = (x * globe.axes[0] + y * globe.axes[1]) / math.copysign(math.hypot(x, y), x)
+            globe.axes = np.array([right, np.cross(globe.axes[2], right), globe.axes[2]])
+            break
+    return globe
+
+
+#: This many lines leave enough room in the middle from everywhere.
+_OPEN = 6
+#: Rays so near to the limb are meant to lie on it: coordinates are rounded.
+_AT_LIMB = 1e-3
+
+
+def _central_direction(globe: Globe) -> IntegerVector:
+    """Return where the farthest ray is nearest, on few planes; or where the rays spread evenly.
+
+    Many symmetric planes are seen along an axis of most symmetries.
+    """
+    arrangement = globe.whole.arrangement
+    rays = sorted({unoriented(globe.whole.ray(v)) for v in range(globe.whole.vertex_count)})
+    if len(rays) < 2:
+        return globe.direction
+    lines = unit_vectors(rays)
+    inside = np.abs(lines @ lines.T)
+    if globe.whole.circle_count <= _OPEN:
+        ray = best_view(rays, lambda seen: np.abs(unit_vectors(seen) @ lines.T).min(axis=1))
+        far = far_direction(arrangement, lines)
+        at_ray, at_far = np.abs(unit_vectors([ray, far]) @ lines.T).min(axis=1)
+        return ray if at_ray > 0.98 * at_far else far
+    found = symmetry(arrangement)
+    if found is not None:
+        kept = found.stabilizers(lines)
+        # Of equal ones that from which the rays that are not at infinity are nearest.
+        nearest = np.where(inside > _AT_LIMB, inside, 1.0).min(axis=1).round(3)
+        best = max(range(len(rays)), key=lambda v: (kept[v], nearest[v], rays[v]))
+        if kept[best] > 2:
+            return _along(rays[best], [rays[v] for v in np.flatnonzero(inside[best] < _AT_LIMB)])
+    halves = [v for v in views(*[range(-3, 4)] * 3) if v == unoriented(v)]
+    return best_view(halves, lambda seen: [_evenness(picture_axes(v), lines) for v in seen])
+
+
+def _along(ray: IntegerVector, others: Sequence[IntegerVector]) -> IntegerVector:
+    """Return a direction near a ray on whose limb the others lie, which are nearly there."""
+    for one, two in combinations(others, 2):
+        normal = reduced(cross(one, two))
+        return normal if dot(normal, ray) > 0 else reduced(cross(two, one))
+    return reduced(cross(others[0], cross(ray, others[0]))) if others else ray
+
+
+def _evenness(axes: Floats, lines: Floats) -> float:
+    """Return how far apart, in the mean of logarithms, rays are in the chart with these axes."""
+    with extra("figures"):
+        from scipy.spatial import KDTree
+
+    points = lines @ axes.T
+    points = np.where(points[:, 2:] < 0, -points, points)
+    front = points[points[:, 2] > 1e-9]
+    spans = np.linalg.norm(front[:, :2] / front[:, 2:], axis=1)
+    places = compressed(points, max(0.3, float(np.quantile(spans, 0.7))))
+    gaps = KDTree(places).query(places, k=2)[0][:, 1]
+    return round(float(np.log(gaps + 0.005).mean()), 6)
+
+
+def compressed(points: Floats, reach: float, inner: float = 0.7) -> Floats:
+    """Return places in a disc of unit vectors (k, 3) in front of the limb, infinity at the rim.
+
+    Within `reach` of the middle the chart is to scale. Beyond it, distance from the middle is
+    compressed; directions are kept.
+
+    Args:
+        reach: where the compression begins; in radii of the sphere.
+        inner: the part of the disc's radius that is to scale.
+    """
+    outward = np.linalg.norm(points[:, :2], axis=1)
+    safe = np.maximum(outward, 1e-12)
+    slope = points[:, 2] / safe  # 1 / (distance from the middle of the chart)
+    rate = inner / (reach * (1 - inner))
+    low = np.minimum(slope, 1 / reach)  # nearer ones are to scale
+    far = 1 - (1 - inner) * low / (low + rate * (1 - reach * low))
+    near = outward / np.maximum(points[:, 2], 1e-12) * inner / reach
+    radius = np.where(slope * reach > 1, near, far)
+    placed: Floats = points[:, :2] * (radius / safe)[:, None]
+    return placed

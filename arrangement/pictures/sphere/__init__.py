@@ -1,1 +1,0 @@
-"""Central planes as great circles: on the sphere and in its charts."""
