@@ -41,6 +41,7 @@ ASSEMBLIES = (
 TOUCHING = tuple(
     f"tests/equilibrium/test_assembly_inputs.py::Test{name}" for name in ("Polygons", "Weight")
 )
+MODES = "tests/equilibrium/test_modes.py"
 FIELD = "tests/arrangement/test_number_field.py"
 SPACE_SEARCH = (
     *(
@@ -151,7 +152,7 @@ TARGETS = {
     "modular": Target("arrangement.counts.modular", (SYMMETRIC, FIELD)),
     "lowrank": Target("arrangement.counts.low_rank", (COUNTS,)),
     "lattice": Target("arrangement.counts.lattice", (LATTICE, COUNTS, *FORECASTS)),
-    "cone": Target("arrangement.counts.in_cone", ("tests/arrangement/test_fan.py",)),
+    "cone": Target("proofs_check.routes.contact_modes", ("tests/equilibrium/test_fan.py", MODES)),
     "operations": Target("arrangement.counts.operations", (OPERATIONS, *FORECASTS)),
     "whitney": Target("arrangement.counts.whitney", (COUNTS, *FORECASTS, *GIVEN)),
     "points": Target("arrangement.counts.points", (COUNTS,)),
@@ -220,7 +221,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     (*LISTS, "tests/arrangement/test_regions_alone.py", ENGINES): (
         "arrangement.enumeration.choose",
     ),
-    ("tests/arrangement/test_fan.py",): ("arrangement.enumeration.fan",),
+    ("tests/equilibrium/test_fan.py", MODES): ("equilibrium.modes",),
     ("tests/arrangement/test_regions_alone.py",): (
         "arrangement.enumeration.deletion_restriction.half_regions",
         "arrangement.enumeration.deletion_restriction.insertion",
@@ -459,7 +460,6 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_space.py::TestManyLoads",
         "tests/equilibrium/test_inputs.py",
     ): ("equilibrium.wrench_sets.loads",),
-    ("tests/equilibrium/test_modes.py",): ("proofs_check.routes.contact_modes",),
     ("tests/proofs_check/test_dual_graph.py",): ("proofs_check.routes.dual_graph",),
     ("tests/proofs_check/test_certificates.py",): ("proofs_check.routes.leaves",),
     ("tests/proofs_check/test_many_types.py",): ("proofs_check.routes.many_types",),

@@ -1,22 +1,26 @@
-"""Counts by the program that is proved in Coq (`proofs_check/formal`): a route of its own.
+"""The formally verified program (`proofs_check/formal`), which `make formal` builds: an own route.
 
-It gets planes as text and counts by recursion, one plane at a time; nothing of the counts and the
-enumerators here takes part.
+It checks certificates; and it gets planes as text and counts by recursion, one plane at a time.
+Nothing of the counts and the enumerators here takes part.
 """
 
 from __future__ import annotations
 
 import json
 import math
+import os
+import shutil
+import sys
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from functools import lru_cache
+from pathlib import Path
 from random import Random
 from statistics import fmean, stdev
 from typing import Any
 
 from arrangement.console import progress
 from arrangement.console.number_form import sign_text
-from arrangement.console.proved_program import ask_proved, ask_proved_each
 from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, to_text, unoriented
@@ -24,10 +28,79 @@ from arrangement.numbers.exact import IntegerVector, to_text, unoriented
 from .faces import Face
 from .planes import Planes
 
+#: Beside the Python that runs, where `make formal` puts it, or on the PATH.
+PROGRAM = "proved-checker"
 #: Branches that a forecast follows, the longest list that it takes, and what a step of them takes.
 _PROBES, _LARGEST, _STEP = 100, 2000, 0.2
 #: More steps than these are named before they are taken; this many take about a second.
 _MANY = 10_000_000
+
+
+def program() -> str | None:
+    """Return where the program is, if it is built."""
+    folders = [str(Path(sys.executable).parent), os.environ.get("PATH", os.defpath)]
+    return shutil.which(PROGRAM, path=os.pathsep.join(folders))
+
+
+def ask_proved(
+    *arguments: str,
+    text: str | None = None,
+    error: type[InputError] = InputError,
+    seconds: float = 0,
+) -> tuple[str, str]:
+    """Run the program on one file; return the word that it answers and what comes after it.
+
+    Args:
+        arguments: an option, and a path, or ``"-"`` (stdin).
+        text: what it reads as stdin; if omitted, our own.
+        error: what is raised.
+        seconds: that it may take, for the line with how many have passed.
+
+    Raises:
+        InputError: there is no such program, or it cannot read the file.
+    """
+    code, said = _run(arguments, text, error, seconds)
+    answer, _, rest = said.strip().partition(": ")
+    if (code, answer) not in ((0, "accepted"), (0, "counted"), (1, "refused")):
+        raise error(f"the verified checker cannot read {arguments[-1]!r}: {rest or answer}")
+    return answer, rest
+
+
+def ask_proved_each(option: str, documents: Iterable[str]) -> list[str]:
+    """Return what one run of the program counts in each of many documents, each of one line."""
+    _, said = _run(("--lines", option, "-"), "\n".join(documents), InputError)
+    return [line.removeprefix("counted: ") for line in said.splitlines()]
+
+
+def _run(
+    arguments: Iterable[str], text: str | None, error: type[InputError], seconds: float = 0
+) -> tuple[int, str]:
+    """Return exit code and output."""
+    import subprocess  # slow to load, and few commands need it
+
+    found = program()
+    if found is None:
+        raise error(
+            f"the verified checker is not built: no program {PROGRAM}; run `make formal` in "
+            "a checkout of the project, or omit --verified"
+        )
+    stdin = None if text is None else subprocess.PIPE
+    with subprocess.Popen(
+        [found, *arguments], stdin=stdin, stdout=subprocess.PIPE, text=True, errors="replace"
+    ) as process:
+        said = None
+        try:
+            for _ in progress.watched(range(round(seconds)), "seconds"):
+                with suppress(subprocess.TimeoutExpired):
+                    said, _ = process.communicate(text, timeout=1)
+                    break
+                text = None  # it has been sent
+            if said is None:
+                said, _ = process.communicate(text)
+        except BaseException:
+            process.kill()
+            raise
+    return process.returncode, said
 
 
 def proved_f_vector(planes: Planes) -> tuple[int, ...]:

@@ -10,7 +10,6 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from arrangement.console.proved_program import ask_proved
 from arrangement.library.files.json_files import (
     Source,
     check_document,
@@ -20,6 +19,7 @@ from arrangement.library.files.json_files import (
 )
 from arrangement.numbers import budget
 from arrangement.numbers.exact import to_text
+from arrangement.planes.proved import ask_proved
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.reading import SCHEMA_VERSION

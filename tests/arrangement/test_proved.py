@@ -15,7 +15,6 @@ import pytest
 
 from arrangement import Arrangement, InputError, OutOfReachError, counts
 from arrangement.cli import main
-from arrangement.console import proved_program
 from arrangement.console.number_form import sign_text
 from arrangement.counts.completeness import certify_complete
 from arrangement.library import census, families
@@ -23,9 +22,10 @@ from arrangement.library.census import tables
 from arrangement.library.published import published_counts
 from arrangement.numbers.budget import limit
 from arrangement.numbers.exact import primitive, to_text
+from arrangement.planes import proved
 from arrangement.planes.proved import proved_f_vector, proved_whitney_numbers
 
-PROGRAM = proved_program.program()
+PROGRAM = proved.program()
 built = pytest.mark.skipif(PROGRAM is None, reason="`make formal` has not built the program")
 
 
@@ -284,7 +284,7 @@ def test_families_have_the_numbers_in_print():
 
 
 def test_without_the_program_one_line_says_what_to_do(tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(proved_program.sys, "executable", str(tmp_path / "python"))
+    monkeypatch.setattr(proved.sys, "executable", str(tmp_path / "python"))
     monkeypatch.setenv("PATH", str(tmp_path))
     assert main(["count", "reflection-b3", "--verified"]) == 2
     assert "run `make formal`" in capsys.readouterr().err

@@ -12,7 +12,6 @@ from typing import Any
 import pytest
 
 from arrangement import ArrangementError, InputError
-from arrangement.console import proved_program
 from arrangement.duals.inscribed.certificates import (
     Certificate,
     FarkasCertificate,
@@ -32,6 +31,7 @@ from arrangement.library.census.final_polynomials import (
 )
 from arrangement.library.census.tables import check
 from arrangement.library.families import generic
+from arrangement.planes import proved
 
 from .test_inscribed import KNOWN, polyhedral
 from .test_proved import answers, assert_malformed, built
@@ -43,7 +43,7 @@ def test_no_type_without_coordinates_is_left_out():
 
 
 def test_without_the_program_one_line_says_what_to_do(tmp_path, monkeypatch):
-    monkeypatch.setattr(proved_program.sys, "executable", str(tmp_path / "python"))
+    monkeypatch.setattr(proved.sys, "executable", str(tmp_path / "python"))
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(InputError, match="run `make formal`"):
         check(0, order=False, proved=True)

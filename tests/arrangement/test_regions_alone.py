@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from arrangement import Arrangement, InputError, OutOfReachError, counts, families
-from arrangement.counts.in_cone import f_vector_in_cone
 from arrangement.enumeration import choose
 from arrangement.enumeration.deletion_restriction import (
     TooCloseError,
@@ -21,6 +20,7 @@ from arrangement.enumeration.deletion_restriction import (
 from arrangement.enumeration.sequence import FaceSequence
 from arrangement.numbers import budget
 from arrangement.planes.planes import Planes
+from proofs_check.routes.contact_modes import f_vector_in_cone
 
 from .oracle import regions_inside
 

@@ -30,9 +30,9 @@ from space import SIZES as SPATIAL, space_tables
 from targets import target_table
 
 from arrangement import Arrangement
-from arrangement.console.proved_program import ask_proved
 from arrangement.errors import InputError
 from arrangement.library import families
+from arrangement.planes.proved import ask_proved
 
 TABLES = ("planes", "grasps", "space", "pictures", "targets", "simulators")
 CONTACTS = (10, 20, 50, 100, 1000)

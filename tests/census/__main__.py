@@ -13,16 +13,28 @@ import math
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from arrangement.console import terminal
 from arrangement.console.options import values
+from arrangement.console.progress import watched
 from arrangement.console.writing import write_bytes_atomically, write_text_atomically
 from arrangement.errors import InputError
-from arrangement.library.census import MOST_PLANES, finschi_fukuda
+from arrangement.library.census.catalogue import (
+    MOST_PLANES,
+    PUBLISHED,
+    chirotopes,
+    without_coordinates,
+)
+from arrangement.library.census.finschi_fukuda import representatives
 from arrangement.numbers.budget import limit
+from arrangement.numbers.packing import chunks
 
 from .build import build
 from .generate import generate
+
+#: Chirotopes that are worked on together.
+_TOGETHER = 200
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -60,7 +72,7 @@ def _write(arguments: argparse.Namespace) -> int:
             write_text_atomically(output, generate(planes, Path(store)))
             return terminal.YES
         if arguments.numbers:
-            arrays = {f"of_{m}": finschi_fukuda.numbers(m) for m in range(3, planes + 1)}
+            arrays = {f"of_{m}": numbers(m) for m in range(3, planes + 1)}
         else:
             arrays = build(store, arguments.jobs, planes)
     stream = io.BytesIO()
@@ -71,6 +83,24 @@ def _write(arguments: argparse.Namespace) -> int:
             f"{len(arrays['parents']):,} types, {len(arrays['without'])} more without coordinates"
         )
     return terminal.YES
+
+
+def numbers(planes: int) -> NDArray[np.int32]:
+    """Return the numbers in the catalogue of Finschi and Fukuda, in the order of the census.
+
+    Those of nine planes take 6 minutes, of eight 3 seconds.
+    """
+    parts = [
+        representatives(chirotopes(planes, part), planes)
+        for part in watched(list(chunks(PUBLISHED[planes], _TOGETHER)), "parts of the types")
+    ]
+    if planes == MOST_PLANES:
+        signs = np.array([signs for signs, _ in without_coordinates()])
+        parts.append(representatives(signs, planes))
+    order = np.lexsort(np.concatenate(parts).T[::-1])
+    found = np.empty(len(order), dtype=np.int32)
+    found[order] = np.arange(1, len(order) + 1)
+    return found[: PUBLISHED[planes]]
 
 
 if __name__ == "__main__":

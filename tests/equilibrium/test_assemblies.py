@@ -14,7 +14,7 @@ from importlib.resources import files
 import pytest
 
 from arrangement import InputError, OutOfReachError
-from arrangement.console import proved_program
+from arrangement.planes import proved
 from equilibrium import (
     Assembly,
     BodyContact,
@@ -765,7 +765,7 @@ class TestCommand:
         capsys.readouterr()
         program.write_text('#!/bin/sh\necho "accepted: resisted"\n')
         program.chmod(0o755)
-        monkeypatch.setattr(proved_program, "program", lambda: str(program))
+        monkeypatch.setattr(proved, "program", lambda: str(program))
         assert main(["verify", proof, "--verified", "--grasp", stack]) == 0
         answer, wrench, *_ = capsys.readouterr().out.splitlines()
         assert answer == "valid: resisted (by the verified checker)"

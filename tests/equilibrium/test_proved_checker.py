@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from arrangement.console import proved_program
-from arrangement.console.proved_program import PROGRAM
 from arrangement.errors import InputError
+from arrangement.planes import proved
+from arrangement.planes.proved import PROGRAM
 from equilibrium import CertificateError, read_grasp, solve, verify
 from equilibrium.cli import main
 from equilibrium.grasps.files import verify_proved
@@ -16,7 +16,7 @@ from equilibrium.grasps.files import verify_proved
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Return the only folder in which programs are looked for."""
-    monkeypatch.setattr(proved_program.sys, "executable", str(tmp_path / "python"))
+    monkeypatch.setattr(proved.sys, "executable", str(tmp_path / "python"))
     monkeypatch.setenv("PATH", str(tmp_path))
     return tmp_path
 
@@ -62,7 +62,7 @@ def test_a_certificate_of_planes_is_none_of_a_grasp(folder):
         verify_proved("certificate.json")
 
 
-@pytest.mark.skipif(proved_program.program() is None, reason="`make formal` has not built it")
+@pytest.mark.skipif(proved.program() is None, reason="`make formal` has not built it")
 @pytest.mark.parametrize(
     ("change", "words"),
     [

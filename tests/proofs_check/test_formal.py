@@ -8,7 +8,7 @@ from random import Random
 
 import pytest
 
-from arrangement.console.proved_program import program
+from arrangement.planes.proved import program
 from proofs_check import ClaimVerdict, registry
 from proofs_check.cli.program import main
 from proofs_check.reports import report

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import pytest
 
-from arrangement.console import proved_program
+from arrangement.planes import proved
 from tests import formal_agreement
 from tests.arrangement import test_proved as counts
 
@@ -154,7 +154,7 @@ def program_with(fault: Fault, folder: Path) -> Path:
 def noticed(program: Path, folder: Path, monkeypatch: pytest.MonkeyPatch) -> bool:
     """Whether one of the comparisons fails: of counts, of forgeries, of documents, of grasps."""
     monkeypatch.setattr(counts, "PROGRAM", str(program))
-    monkeypatch.setattr(proved_program, "program", lambda: str(program))
+    monkeypatch.setattr(proved, "program", lambda: str(program))
     checks = [
         lambda: counts.check_agreement("faults", 40, folder),
         lambda: counts.test_what_is_no_document_of_planes_is_malformed(folder),

@@ -13,12 +13,12 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.console.number_form import ReprMixin
-from arrangement.console.proved_program import ask_proved
 from arrangement.counts import region_count
 from arrangement.duals.zonohedron import DualPolyhedron, dual_polyhedron
 from arrangement.errors import ArrangementError
 from arrangement.numbers.exact import RationalVector, to_text
 from arrangement.planes.planes import Planes
+from arrangement.planes.proved import ask_proved
 
 from .certificates import (
     Certificate,

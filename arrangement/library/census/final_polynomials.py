@@ -22,7 +22,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.console.number_form import sign_text
-from arrangement.console.proved_program import ask_proved
+from arrangement.planes.proved import ask_proved
 
 Triple: TypeAlias = tuple[int, int, int]
 Product: TypeAlias = tuple[Triple, Triple]

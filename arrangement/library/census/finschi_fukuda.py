@@ -18,14 +18,8 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.console.progress import watched
-from arrangement.numbers.packing import chunks
-
-from .catalogue import MOST_PLANES, PUBLISHED, chirotopes, without_coordinates
 from .chirotopes import Integers, Signs, alternating, pairs
 
-#: Chirotopes that are worked on together.
-_TOGETHER = 200
 _FILE = "finschi_fukuda.npz"
 #: 0, 1 and -1 as digits.
 _DIGITS = np.array([2, 1, 0])
@@ -41,25 +35,6 @@ def _numbers(planes: int) -> NDArray[np.int32]:
     with files(__package__).joinpath(_FILE).open("rb") as stream, np.load(stream) as arrays:
         found: NDArray[np.int32] = arrays[f"of_{planes}"]
         return found
-
-
-def numbers(planes: int) -> NDArray[np.int32]:
-    """Work out the numbers of all isomorphism classes of a given number of planes, in the order of
-    the census.
-
-    Those of nine planes take 6 minutes, of eight 3 seconds.
-    """
-    parts = [
-        representatives(chirotopes(planes, part), planes)
-        for part in watched(list(chunks(PUBLISHED[planes], _TOGETHER)), "parts of the types")
-    ]
-    if planes == MOST_PLANES:
-        signs = np.array([signs for signs, _ in without_coordinates()])
-        parts.append(representatives(signs, planes))
-    order = np.lexsort(np.concatenate(parts).T[::-1])
-    found = np.empty(len(order), dtype=np.int32)
-    found[order] = np.arange(1, len(order) + 1)
-    return found[: PUBLISHED[planes]]
 
 
 def texts(words: Integers) -> list[str]:

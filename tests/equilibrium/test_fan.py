@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from arrangement import Arrangement
-from arrangement.counts.in_cone import f_vector_in_cone
-from arrangement.enumeration.fan import Fan
+from equilibrium.modes import Fan
+from proofs_check.routes.contact_modes import f_vector_in_cone
 
 Row = tuple[int, ...]
 
