@@ -1,7 +1,7 @@
 # Each target creates .venv on first use and installs again when pyproject.toml or
 # constraints.txt change. `make help` lists the targets and variables.
 
-.PHONY: help install verify test test-extended lint types scripts check mutants census bench docs pdf atlas docs-check notebooks lite package-check versions-check release-check formal clean
+.PHONY: help install verify test test-extended lint types scripts check check-code mutants census bench docs pdf atlas docs-check notebooks lite package-check versions-check release-check formal clean
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
@@ -23,6 +23,7 @@ help:
 	@echo "make test            run the tests, doctests included"
 	@echo "make test-extended   run the slow tests: thousands of random cases, every picture"
 	@echo "make check           run all checks of a commit: lint, types, scripts, test, docs-check"
+	@echo "make check-code      run those of them that depend on the version of Python"
 	@echo "make lint            check style and format with ruff"
 	@echo "make types           check types with mypy"
 	@echo "make scripts         check the JavaScript of the interactive pages with tools from npm"
@@ -139,10 +140,11 @@ types: $(VENV)/.stamp-check
 scripts: $(VENV)/.stamp-test
 	$(BIN)/python tests/javascript/check.py
 
-check: lint types scripts
+check: check-code scripts docs-check
+
+check-code: lint types
 	SYMPY_GROUND_TYPES=python $(BIN)/python -m pytest -n $(JOBS) --dist worksteal $(ARGS)
 	SYMPY_GROUND_TYPES=flint $(BIN)/python -m pytest -n $(JOBS) --dist worksteal -m ground_types $(ARGS)
-	$(MAKE) docs-check
 
 mutants: $(VENV)/.stamp-test
 	$(BIN)/python tests/mutants.py --jobs $(JOBS) $(ARGS)
@@ -164,7 +166,7 @@ atlas: $(VENV)/.stamp-install
 	$(BIN)/python docs/atlas/atlas.py docs/_build/atlas --jobs $(JOBS) $(ARGS)
 
 docs-check: docs $(VENV)/.stamp-test
-	$(BIN)/python -m pytest -q -m "slow or not slow" tests/test_handouts.py
+	$(BIN)/python -m pytest -q -m slow tests/test_handouts.py
 	$(BIN)/python tests/check_site.py docs/_build/html
 
 notebooks: docs

@@ -22,14 +22,36 @@ fi
 rm -rf _build
 mkdir _build
 cp ./*.v */*.v program/*.ml _build/
+script=$(sha256sum build.sh)
 cd _build
 
-# Two at a time, each after those that it builds on; Extract.v prints what the theorems rest on.
-coqdep ./*.v > dependencies 2>/dev/null
-printf '%%.vo: %%.v\n\t@echo "coqc $<"; coqc $<\n' > rules
-mapfile -t compiled < <(ls ./*.v | grep -v Extract.v | sed 's/$/o/; s/^\.\///')
-MAKEFLAGS="" make --silent --jobs=2 --file=rules --file=dependencies "${compiled[@]}"
-coqc Extract.v | tee assumptions.txt
+# What Coq makes is kept by the hash of all that it depends on, where there is a place for it;
+# FORMAL_CACHE= compiles all again.
+cache=${FORMAL_CACHE-${XDG_CACHE_HOME:-${HOME:-}/.cache}/slipstates/coq}
+key=$({ coqc --version; echo "$script"; sha256sum ./*.v; } | sha256sum | cut -d " " -f 1)
+
+restore() {
+  [ -n "$cache" ] && cd "$cache" 2>/dev/null && sha256sum --check --status "$key.sum" 2>/dev/null &&
+    tar -xzf "$key.tar.gz" -C "$OLDPWD"
+}
+
+keep() {
+  [ -n "$cache" ] && mkdir -p "$cache" && tar -czf "$cache/$key.$$" "$@" && cd "$cache" &&
+    mv "$key.$$" "$key.tar.gz" && sha256sum "$key.tar.gz" > "$key.sum.$$" && mv "$key.sum.$$" "$key.sum" &&
+    find . -type f -mtime +30 -delete
+}
+
+if (restore); then
+  echo "Coq's results of these sources are in $cache"
+else
+  # Two at a time, each after those that it builds on; Extract.v prints what the theorems rest on.
+  coqdep ./*.v > dependencies 2>/dev/null
+  printf '%%.vo: %%.v\n\t@echo "coqc $<"; coqc $<\n' > rules
+  mapfile -t compiled < <(ls ./*.v | grep -v Extract.v | sed 's/$/o/; s/^\.\///')
+  MAKEFLAGS="" make --silent --jobs=2 --file=rules --file=dependencies "${compiled[@]}"
+  coqc Extract.v | tee assumptions.txt
+  (keep "${compiled[@]}" assumptions.txt checker.ml checker.mli) 2>/dev/null || true
+fi
 
 # The axioms of Coq's real numbers, and nothing else.
 known='ClassicalDedekindReals.sig_forall_dec

@@ -1,7 +1,10 @@
 """The Coq sources, without Coq: `make formal` compiles them."""
 
 import json
+import os
 import re
+import shutil
+import subprocess
 from dataclasses import replace
 from pathlib import Path
 from random import Random
@@ -42,6 +45,47 @@ def test_every_source_is_compiled():
     assert "cp ./*.v */*.v program/*.ml _build/" in script
     assert "< <(ls ./*.v | grep -v Extract.v" in script
     assert len({path.name for path in SOURCES}) == len(SOURCES) > 20
+
+
+#: Stand for Coq and OCaml: what is compiled is written to a log.
+TOOLS = {
+    "coqc": """
+[ "$1" = --version ] && { echo Coq; exit; }
+echo "$1" >> "$LOG"; touch "${1}o"
+[ "$1" != Extract.v ] || { touch checker.ml checker.mli; echo Axioms:; }
+""",
+    "coqdep": "",
+    "ocamlfind": "touch proved-checker",
+}
+
+
+@pytest.mark.skipif(os.name == "nt", reason="a script for bash")
+def test_results_of_coq_are_kept_by_their_sources(tmp_path):
+    """They are compiled again where a source or the kept file changed, and without a cache."""
+    formal, tools, cache, log = (tmp_path / name for name in ("formal", "bin", "cache", "log"))
+    shutil.copytree(FOLDER, formal, ignore=shutil.ignore_patterns("_build"))
+    tools.mkdir()
+    for name, text in TOOLS.items():
+        (tools / name).write_text(f"#!/bin/sh\n{text}\nexit 0\n", encoding="utf-8")
+        (tools / name).chmod(0o755)
+    paths = {"PATH": f"{tools}:{os.environ['PATH']}", "LOG": str(log)}
+
+    def compiled(cache: Path | str) -> int:
+        log.write_text("", encoding="utf-8")
+        environment = {**os.environ, **paths, "FORMAL_CACHE": str(cache)}
+        command = ["bash", str(formal / "build.sh")]
+        subprocess.run(command, env=environment, capture_output=True, timeout=60, check=True)
+        assert (formal / "_build" / "checker.ml").is_file()
+        return len(log.read_text(encoding="utf-8").splitlines())
+
+    assert [compiled(""), compiled(cache), compiled(cache)] == [len(SOURCES), len(SOURCES), 0]
+    with (formal / "counting" / "Planes.v").open("a", encoding="utf-8") as stream:
+        stream.write("\n")
+    assert [compiled(cache), compiled(cache)] == [len(SOURCES), 0]
+    for kept in cache.glob("*.tar.gz"):
+        kept.write_bytes(kept.read_bytes()[:-1])
+    assert compiled(cache) == len(SOURCES)
+    assert compiled("/dev/null/none") == len(SOURCES)
 
 
 def test_the_axioms_of_every_theorem_of_the_program_are_printed():

@@ -1,7 +1,8 @@
-"""Faults planted in the verified program: in what Coq extracts, and in the readers that feed it.
+"""Mutants of the verified program: of what Coq extracts, and of the readers that feed it.
 
 What is proved is the Coq program. That it becomes this binary, and that documents become its
-questions, is tested; here it is tested that those tests notice.
+questions, is tested; here it is tested that those tests notice. All mutants are in one program, and
+its variable FAULT says which of them runs.
 """
 
 import contextlib
@@ -23,12 +24,24 @@ FILES = [w for w in SCRIPT.partition("-linkpkg")[2].split() if w.endswith((".ml"
 
 
 class Fault(NamedTuple):
-    """One text of one file, replaced after the place where a definition begins."""
+    """An expression of a file, the first after the place where a definition begins, and another.
+
+    Where the other is no expression, it is a text in which FAULT is true of the mutant.
+    """
 
     file: str
     after: str
     old: str
     new: str
+
+    def switched(self, number: int) -> str:
+        """Return what stands for the old text in the program of all mutants."""
+        fault = f"(Fault.number = {number})"
+        if "FAULT" in self.new:
+            return self.new.replace("FAULT", fault)
+        arm = self.old.rpartition("-> ")[0] + "-> " if self.old.startswith("| ") else ""
+        new, old = (text.removeprefix(arm) for text in (self.new, self.old))
+        return f"{arm}(if {fault} then {new} else {old})"
 
 
 #: Of each file, after the words with which a definition begins, texts and what replaces them.
@@ -36,27 +49,30 @@ PLANTED = {
     "checker.ml": {
         # Counts.
         "let rec regions ": [
-            ("| None -> Big_int_Z.zero", "| None -> Big_int_Z.unit"),
+            ("| None -> Big_int_Z.zero_big_int", "| None -> Big_int_Z.unit_big_int"),
             ("regions look0 restrict0 n0 b'", "Big_int_Z.unit_big_int"),
         ],
         "let rec onto ": [
             ("| Vanishes -> None", "| Vanishes -> onto look0 r b0"),
             ("| Constant -> onto look0 r b0", "| Constant -> None"),
         ],
-        "let rec skim ": [("| Plane -> g' :: (skim", "| Plane -> (skim")],
+        "let rec skim ": [("g' :: (skim look0 r a0)", "skim look0 r a0")],
         "let rec faces ": [
-            ("(h :: nz) a0", "nz a0"),
-            ("Big_int_Z.zero_big_int :: (faces", "Big_int_Z.unit_big_int :: (faces"),
+            ("(h :: nz)", "nz"),
+            (
+                "Big_int_Z.zero_big_int :: (faces",
+                "(if FAULT then Big_int_Z.unit_big_int else Big_int_Z.zero_big_int) :: (faces",
+            ),
         ],
-        "let rec polynomial ": [("difference (poly", "sum (poly")],
+        "let rec polynomial ": [("difference (poly", "(if FAULT then sum else difference) (poly")],
         "let rec difference ": [("(Z.sub a b)", "(Z.sub b a)"), ("(Z.opp b)", "b")],
-        "let rec mix ": [("(Z.sub (Z.mul a x)", "(Z.add (Z.mul a x)")],
+        "let rec mix ": [("(Z.sub (Z.mul a x)", "((if FAULT then Z.add else Z.sub) (Z.mul a x)")],
         "let restrict ": [
             ("Z.mul (Z.sgn p) (Z.div q0 c)", "Z.div q0 c"),
-            ("Z.sub (Z.mul a g.constant)", "Z.add (Z.mul a g.constant)"),
+            ("Z.sub (Z.mul a g", "(if FAULT then Z.add else Z.sub) (Z.mul a g"),
         ],
         "let primitive0 ": [("(map (fun a -> Z.div a c) f.coefficients)", "f.coefficients")],
-        "let look ": [("then Vanishes else Constant", "then Constant else Vanishes")],
+        "let look ": [("Z.eqb f.constant", "(fun a b -> FAULT <> Z.eqb a b) f.constant")],
         # Lists with witnesses.
         "let sign_at ": [("| Lt -> Minus", "| Lt -> Plus")],
         "let rec product ": [("(Z.mul b y)", "(Z.mul b b)")],
@@ -68,8 +84,8 @@ PLANTED = {
         "let complete_faces ": [("fold_right Z.add", "fold_right Z.sub")],
         # Grasps.
         "let check ": [
-            ("confirmed (dimension", "true || confirmed (dimension"),
-            ("refuted (dimension", "true || refuted (dimension"),
+            ("confirmed (dimension", "FAULT || confirmed (dimension"),
+            ("refuted (dimension", "FAULT || refuted (dimension"),
             ("at_one_place part between", "true"),
         ],
     },
@@ -81,24 +97,41 @@ PLANTED = {
             ("(Some count)", "None"),
             ("most_coordinates + 1", "most_coordinates + 2"),
         ],
-        "let signs ": [("'-' -> Minus | '0' -> Zero", "'-' -> Zero | '0' -> Minus")],
-        "let face ": [("numerators; denominator }", "numerators; denominator = Z.one }")],
+        "let signs ": [
+            (
+                "'-' -> Minus | '0' -> Zero",
+                "'-' when FAULT -> Zero | '0' when FAULT -> Minus | '-' -> Minus | '0' -> Zero",
+            )
+        ],
+        "let face ": [
+            (
+                "numerators; denominator }",
+                "numerators; denominator = (if FAULT then Z.one else denominator) }",
+            )
+        ],
         "let certificate ": [("Z.compare a b", "Z.compare b a")],
     },
     "reader.ml": {
         "let law ": [
-            ("if spring then 1", "if spring then 0"),
-            ('"stiffness" 1', '"stiffness" 0'),
+            ("if spring then 1", "if spring && not FAULT then 1"),
+            ('"stiffness" 1', '"stiffness" (if FAULT then 0 else 1)'),
             ("Z.sign preload.qnum < 0", "false"),
         ],
-        "let contact ": [("not (Z.equal", "false && not (Z.equal")],
+        "let contact ": [("not (Z.equal", "not FAULT && not (Z.equal")],
         "let index ": [("Z.sign i >= 0", "true")],
         "let vector ": [("(Some size)", "None")],
     },
     "tree_reader.ml": {
-        "let contact_key ": [("|| string_of_int i <> key", "")],
+        "let contact_key ": [
+            ("|| string_of_int i <> key", "|| not FAULT && string_of_int i <> key")
+        ],
         "let multiplier ": [("Z.of_int (subject.number i)", "Z.of_int (subject.number i + 1)")],
-        "let leaf ": [("else [] in\n  Leaf", "else [] in\n  let others = [] in\n  Leaf")],
+        "let leaf ": [
+            (
+                "else [] in\n  Leaf",
+                "else [] in\n  let others = if FAULT then [] else others in\n  Leaf",
+            )
+        ],
         "let orthants ": [("(last c d)", "(last d c)")],
     },
     "grasp_reader.ml": {
@@ -106,10 +139,13 @@ PLANTED = {
     },
     "assembly_reader.ml": {
         "let name ": [("characters > 40", "characters > 41")],
-        "let joint ": [("if b = Some a", "if false && b = Some a")],
+        "let joint ": [("if b = Some a", "if not FAULT && b = Some a")],
         "let part ": [
-            ("compare places", "compare (List.sort_uniq compare places)"),
-            ("number = (fun k -> rank (List.nth places k) crossing)", "number = Fun.id"),
+            (
+                "compare places",
+                "compare (if FAULT then List.sort_uniq compare places else places)",
+            ),
+            ("number = (fun k ->", "number = (fun k -> if FAULT then k else"),
         ],
         "let document ": [("(Some (List.length joints))", "None")],
     },
@@ -120,7 +156,9 @@ PLANTED = {
     "main.ml": {
         "let planes ": [("Z.neg f.constant", "f.constant")],
         "let work ": [("complete_faces forms faces", "complete_regions forms faces")],
-        "let answer ": [('(1, "refused: "', '(0, "accepted: "')],
+        "let answer ": [
+            ('(1, "refused: " ^ kind)', '(0, "accepted: " ^ kind)'),
+        ],
         '"--regions"': [("count_regions forms", "Z.succ (count_regions forms)")],
     },
 }
@@ -132,23 +170,22 @@ FAULTS = [
 ]
 
 
-def program_with(fault: Fault, folder: Path) -> Path:
-    """Compile the changed file and those after it, which may build on it."""
-    at = FILES.index(fault.file)
-    before = [name.replace(".ml", ".cmx") for name in FILES[:at] if name.endswith(".ml")]
-    for path in BUILT.glob("*.*"):
-        if path.suffix in (".ml", ".mli", ".cmi", ".cmx", ".o"):
-            shutil.copy(path, folder)
-    path = folder / fault.file
-    begin, found, rest = path.read_text().partition(fault.after)
-    assert found
-    assert fault.old in rest
-    path.write_text(begin + found + rest.replace(fault.old, fault.new, 1))
-    target = folder / "proved-checker"
-    compiler = ["ocamlfind", "ocamlopt", "-w", "-a", "-package", "zarith", "-linkpkg"]
-    words = [*compiler, *before, *FILES[at:], "-o", target]
-    subprocess.run(words, cwd=folder, check=True, timeout=300)
-    return target
+@pytest.fixture(scope="module")
+def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Compile the program of all mutants."""
+    folder = tmp_path_factory.mktemp("mutants")
+    for name in FILES:
+        shutil.copy(BUILT / name, folder)
+    for number, fault in enumerate(FAULTS, 1):
+        path = folder / fault.file
+        begin, found, rest = path.read_text().partition(fault.after)
+        assert found
+        assert fault.old in rest
+        path.write_text(begin + found + rest.replace(fault.old, fault.switched(number), 1))
+    (folder / "fault.ml").write_text('let number = int_of_string (Sys.getenv "FAULT")\n')
+    compiler = ["ocamlfind", "ocamlopt", "-w", "-a", "-package", "zarith", "-linkpkg", "fault.ml"]
+    subprocess.run([*compiler, *FILES, "-o", "mutants"], cwd=folder, check=True, timeout=300)
+    return folder / "mutants"
 
 
 def noticed(program: Path, folder: Path, monkeypatch: pytest.MonkeyPatch) -> bool:
@@ -174,8 +211,8 @@ def noticed(program: Path, folder: Path, monkeypatch: pytest.MonkeyPatch) -> boo
 
 @pytest.mark.slow
 @pytest.mark.skipif(not (BUILT / "checker.ml").exists(), reason="`make formal` has not been run")
-@pytest.mark.parametrize(
-    "fault", FAULTS, ids=lambda fault: f"{fault.file} {fault.after}{fault.new}"
-)
-def test_a_fault_of_the_program_is_noticed(fault, tmp_path, monkeypatch):
-    assert noticed(program_with(fault, tmp_path), tmp_path, monkeypatch)
+@pytest.mark.parametrize("number", range(len(FAULTS) + 1))
+def test_every_mutant_of_the_program_is_noticed(number, program, tmp_path, monkeypatch):
+    """Number 0 is the program without a change."""
+    monkeypatch.setenv("FAULT", str(number))
+    assert noticed(program, tmp_path, monkeypatch) == (number > 0), [*FAULTS][number - 1]
