@@ -3,12 +3,7 @@
 from __future__ import annotations
 
 import argparse
-import base64
 from collections.abc import Sequence
-from fractions import Fraction
-from html import escape
-from itertools import chain
-from textwrap import wrap
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import number, vector
@@ -21,6 +16,7 @@ from equilibrium.model.labels import AS_ROUNDED, ROUNDED
 from .arguments import factors_text, show
 
 if TYPE_CHECKING:
+    from arrangement.numbers.linear.intervals import Interval
     from equilibrium.decide.verdict import Verdict
     from equilibrium.model.grasp import Grasp
 
@@ -46,12 +42,19 @@ def give_report(
         rows.append(("rounding", "numbers were rounded to exact ones; see the data error"))
     rows += _closure(grasp, document)
     yes: bool | None = True
+    verdict: Verdict | None = None
+    factors: Sequence[Interval] = ()
     if wrench is not None:
-        yes, more = _load(grasp, wrench, document)
+        verdict, factors, more = _load(grasp, wrench, document)
+        yes = verdict.stable if verdict.decided and not verdict.depends else None
         rows += more
     rows += [("remark", remark) for remark in arguments.remarks]
     if arguments.output is not None:
-        write_text_atomically(arguments.output, _page(grasp, wrench, lines, rows))
+        from equilibrium.pictures.report_page import report_page
+
+        described = [(line[:17].strip(), line[17:]) for line in lines]
+        page = report_page(grasp, [*described, *rows], verdict, factors, arguments.remarks)
+        write_text_atomically(arguments.output, page)
     printed = (
         f"{title if k == 0 else '':<16} {line}"
         for title, text in rows
@@ -78,8 +81,10 @@ def _closure(grasp: Grasp, document: dict[str, Any]) -> Rows:
     return rows
 
 
-def _load(grasp: Grasp, load: RationalVector, document: dict[str, Any]) -> tuple[bool | None, Rows]:
-    """Return the verdict on a load and its margin, as rows; add them to the document."""
+def _load(
+    grasp: Grasp, load: RationalVector, document: dict[str, Any]
+) -> tuple[Verdict, Sequence[Interval], Rows]:
+    """Return the verdict on a load, its factors, and both as rows; add them to the document."""
     from equilibrium.wrench_sets import ResistedSet
 
     from .resisted import end_lines
@@ -89,14 +94,14 @@ def _load(grasp: Grasp, load: RationalVector, document: dict[str, Any]) -> tuple
     verdict: Verdict = resisted.solve(load)
     document |= {"wrench": load, "verdict": verdict.verdict}
     said = list(verdict_lines(verdict))
-    yes = verdict.stable if verdict.decided else None
     if verdict.rounding is not None:
         document["within_error"] = verdict.rounding.to_dict()
         said.insert(0, verdict.rounding.words)
-        yes = None if verdict.depends else yes
+    intervals: Sequence[Interval] = ()
     rows = [("load", vector(load)), ("verdict", "\n".join(said))]
     if grasp.dimension == 2 and any(load):
         factors = resisted.margin(load)
+        intervals = factors.intervals
         least = factors.preloads.least
         gives, ends = end_lines(resisted, factors.magnitudes)
         document |= {**factors.magnitudes.to_dict(), **gives, "least_preload": least}
@@ -106,34 +111,4 @@ def _load(grasp: Grasp, load: RationalVector, document: dict[str, Any]) -> tuple
         if grasp.data_error is not None:
             margin, preload = f"{margin}, {AS_ROUNDED}", f"{preload}, {ROUNDED}"
         rows += [("margin", "\n".join([margin, *ends])), ("least preload", preload)]
-    return yes, rows
-
-
-def _page(
-    grasp: Grasp, wrench: Sequence[Fraction] | None, described: Sequence[str], rows: Rows
-) -> str:
-    """Return the report as one HTML page, with the picture where matplotlib is installed."""
-    from arrangement.drawing.pages.html_page import BASE_STYLE, framed
-    from equilibrium.pictures.views import DRAWINGS
-
-    options: dict[str, Any] = {} if wrench is None else {"wrench": wrench}
-    picture = DRAWINGS.of(grasp).svg(grasp, "grasp", **options)
-    lines = (f"<dt>{escape(title)}</dt><dd>{_lines(text)}</dd>" for title, text in rows)
-    body = [
-        "<h1>Grasp report</h1>",
-        _lines("\n".join(described)),
-        f"<dl>{''.join(lines)}</dl>",
-    ]
-    if picture is not None:
-        data = base64.b64encode(picture.encode("utf-8")).decode("ascii")
-        source = f"data:image/svg+xml;base64,{data}"
-        body.append(f'<figure><img alt="the grasp" src="{source}"></figure>')
-    return framed("Grasp report", "\n".join(body), [BASE_STYLE], [])
-
-
-def _lines(text: str) -> str:
-    """Return a text as HTML; several lines keep their indents, and long ones are wrapped."""
-    if "\n" not in text:
-        return escape(text)
-    lines = (wrap(line, 96, subsequent_indent=" " * 8) for line in text.splitlines())
-    return f"<pre>{escape(chr(10).join(chain.from_iterable(lines)))}</pre>"
+    return verdict, intervals, rows

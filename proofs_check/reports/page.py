@@ -17,7 +17,7 @@ from typing import Any, TypeAlias
 from arrangement.console.number_form import counted
 from arrangement.console.safe_text import safe_lines
 from arrangement.drawing.output import require_matplotlib
-from arrangement.drawing.pages.html_page import BASE_STYLE, Template, framed
+from arrangement.drawing.pages.html_page import BASE_STYLE, CARD_STYLE, Template, framed
 from arrangement.drawing.views import Drawings
 from arrangement.errors import InputError, MissingExtraError, extra
 from arrangement.library.files.table import read_arrangement
@@ -83,7 +83,13 @@ def html_page(record: Record) -> str:
         raise LookupError(str(error)) from None
     title = record.get("title") or "Verdicts"
     return safe_lines(
-        framed(title, body, [BASE_STYLE, _STYLE], [_SCRIPT], "; style-src-attr 'unsafe-inline'")
+        framed(
+            title,
+            body,
+            [BASE_STYLE, CARD_STYLE, _STYLE],
+            [_SCRIPT],
+            "; style-src-attr 'unsafe-inline'",
+        )
     )
 
 

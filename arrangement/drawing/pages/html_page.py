@@ -18,6 +18,8 @@ Template: TypeAlias = tuple[str, str]
 
 _OWN = "arrangement.drawing.pages"
 BASE_STYLE: Template = (_OWN, "base.css")
+#: A banner, and cards with a tone for the strength of an answer: pages of verdicts.
+CARD_STYLE: Template = (_OWN, "cards.css")
 BASE_SCRIPT: Template = (_OWN, "base.js")
 #: Cuts polygons.
 POLYGON: Template = (_OWN, "polygon.js")
