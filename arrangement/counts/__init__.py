@@ -13,17 +13,6 @@ from .lattice import (
     supersolvable_exponents as supersolvable_exponents,
     t_vector as t_vector,
 )
-from .matroid.oriented_matroid import (
-    bases as bases,
-    chirotope as chirotope,
-    chirotope_string as chirotope_string,
-    circuits as circuits,
-    cocircuits as cocircuits,
-    covectors as covectors,
-    dual_chirotope as dual_chirotope,
-    topes as topes,
-)
-from .matroid.tutte import nbc_sets as nbc_sets, tutte_polynomial as tutte_polynomial
 from .operations import (
     addition as addition,
     cone as cone,
@@ -34,12 +23,23 @@ from .operations import (
     restriction as restriction,
     union as union,
 )
+from .oriented_matroid import (
+    bases as bases,
+    chirotope as chirotope,
+    chirotope_string as chirotope_string,
+    circuits as circuits,
+    cocircuits as cocircuits,
+    covectors as covectors,
+    dual_chirotope as dual_chirotope,
+    topes as topes,
+)
 from .points import (
     QuasiPolynomial as QuasiPolynomial,
     by_points as by_points,
     characteristic_quasi_polynomial as characteristic_quasi_polynomial,
     points_off as points_off,
 )
+from .tutte import nbc_sets as nbc_sets, tutte_polynomial as tutte_polynomial
 from .whitney import (
     WhitneyNumbers as WhitneyNumbers,
     bounded_region_count as bounded_region_count,

@@ -12,7 +12,6 @@ from typing import Any, TypeVar
 import numpy as np
 
 from arrangement.errors import InputError
-from arrangement.numbers.entries import entry
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
@@ -23,7 +22,7 @@ from arrangement.numbers.exact import (
     unoriented,
 )
 from arrangement.numbers.linear.rank import ask_elimination, gauss_jordan, rank, spread
-from arrangement.numbers.symbolic import entries, exact_matrix
+from arrangement.numbers.symbolic import entries, entry, exact_matrix
 from arrangement.planes.planes import Planes
 
 from .configuration import Indices, indices, pivot_columns

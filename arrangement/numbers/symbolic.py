@@ -1,4 +1,4 @@
-"""The way to SymPy and back: integer matrices, equations of planes, points.
+"""The way to SymPy and back: matrices, equations of planes, points, and entries from outside.
 
 SymPy is imported by the functions, not by the module: it takes half a second, and most commands
 do without. Text is never handed to it, because it would run text as code.
@@ -11,10 +11,15 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from arrangement.errors import InputError
-
-from . import budget
-from .exact import IntegerVector, RationalVector, shown
-from .real import Irrational, field_of
+from arrangement.numbers import budget
+from arrangement.numbers.exact import (
+    IntegerVector,
+    RationalVector,
+    rational,
+    rational_vector,
+    shown,
+)
+from arrangement.numbers.real import Irrational, field_of
 
 if TYPE_CHECKING:
     import sympy
@@ -187,3 +192,45 @@ def _why_not_algebraic(factor: sympy.Expr) -> str:
         names = ", ".join(sorted(map(str, factor.free_symbols)))
         return f"{names} is not one of the symbols; substitute numbers for parameters"
     return f"the coefficient {shown(factor)} is not a real algebraic number"
+
+
+def entry(value: Any, name: str) -> Any:
+    """Return a number as `exact.rational` does; one of a field, and SymPy's, as they are."""
+    if isinstance(value, Irrational) or _is_irrational(value):
+        return value
+    return rational(value, name)
+
+
+def real_vector(values: Any, name: str, field: Any = None) -> tuple[Any, ...]:
+    """Return a vector of exact numbers; those of SymPy in `field` if there is one."""
+    return in_one_field([rational_vector(values, name, entry)], field)[0]
+
+
+def in_one_field(rows: Iterable[Sequence[Any]], field: Any = None) -> list[tuple[Any, ...]]:
+    """Return rows of what `entry` gives, with SymPy's irrational numbers as those of one field.
+
+    Args:
+        field: one that has all numbers; if omitted, that of the other entries, or one that all of
+            them generate.
+
+    Raises:
+        InputError: a number that is not real and algebraic; numbers of two different fields; a
+            field of a degree above `fields.MAX_DEGREE`.
+    """
+    listed = list(map(tuple, rows))
+    irrational = [x for row in listed for x in row if not isinstance(x, (int, Fraction))]
+    known = field_of(x for x in irrational if isinstance(x, Irrational)) or field
+    of_sympy = [x for x in irrational if not isinstance(x, Irrational)]
+    if not of_sympy:
+        return listed
+    from .fields import ValuesInField
+
+    values = ValuesInField(known, of_sympy)
+    return [tuple(values.of(x) if _is_irrational(x) else x for x in row) for row in listed]
+
+
+def _is_irrational(value: Any) -> bool:
+    """Return whether a value is a number of SymPy, but none of its rationals and floats."""
+    if isinstance(value, (int, Fraction, str)) or not getattr(value, "is_number", False):
+        return False
+    return not getattr(value, "is_Rational", True) and not getattr(value, "is_Float", True)

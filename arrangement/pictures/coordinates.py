@@ -40,9 +40,9 @@ from arrangement.drawing.views import DrawingView, Vector, picture
 from arrangement.errors import InputError, refusal
 from arrangement.library.families.classical import positive_roots
 from arrangement.numbers import budget
-from arrangement.numbers.entries import real_vector
 from arrangement.numbers.exact import IntegerVector, dot, primitive, shown
 from arrangement.numbers.linear.rank import cross, rank
+from arrangement.numbers.symbolic import real_vector
 from arrangement.planes.planes import Planes
 
 P = ParamSpec("P")

@@ -27,9 +27,9 @@ from arrangement.drawing.solids.surface import Patch
 from arrangement.drawing.views import Exact, Vector, picture
 from arrangement.duals.cells import cut_cells, read_signs
 from arrangement.errors import InputError, extra
-from arrangement.numbers.entries import real_vector
 from arrangement.numbers.exact import IntegerVector, dot, primitive, shown
 from arrangement.numbers.linear.rank import cut, rank, unit_vectors as standard_basis
+from arrangement.numbers.symbolic import real_vector
 from arrangement.pictures.coordinates import (
     INK,
     AxisNames,

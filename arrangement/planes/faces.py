@@ -15,11 +15,10 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import ReprMixin, sign_text
 from arrangement.errors import InputError
-from arrangement.numbers.entries import real_vector
 from arrangement.numbers.exact import IntegerVector, RationalVector, bits, dot, quotient, shown
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
 from arrangement.numbers.linear.rank import rank, triple_product
-from arrangement.numbers.symbolic import to_sympy
+from arrangement.numbers.symbolic import real_vector, to_sympy
 
 from .planes import Planes
 

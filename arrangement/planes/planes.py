@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING, Any, Self
 from arrangement.console.number_form import counted
 from arrangement.errors import InputError
 from arrangement.numbers import budget
-from arrangement.numbers.entries import entry, in_one_field, real_vector
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
@@ -33,7 +32,15 @@ from arrangement.numbers.exact import (
 )
 from arrangement.numbers.linear.rank import rank
 from arrangement.numbers.real import field_of, written
-from arrangement.numbers.symbolic import equations_of, exact_matrix, listed, planes_of
+from arrangement.numbers.symbolic import (
+    entry,
+    equations_of,
+    exact_matrix,
+    in_one_field,
+    listed,
+    planes_of,
+    real_vector,
+)
 
 from .equation_text import planes_of_text
 

@@ -10,8 +10,8 @@ from hypothesis import assume, given, settings, strategies as st
 
 from arrangement import Arrangement
 from arrangement.counts import f_vector
-from arrangement.enumeration.affine_space import predicates
-from arrangement.enumeration.affine_space.predicates import PlaneTable, scaled_floats
+from arrangement.enumeration import affine_space
+from arrangement.enumeration.affine_space import PlaneTable, scaled_floats
 from arrangement.enumeration.choose import enumerate_faces
 from arrangement.enumeration.sequence import FaceSequence
 from arrangement.numbers.float_filter import EXACT, SMALLEST, UNIT, certain, error_bound, scaled
@@ -117,7 +117,7 @@ def test_any_float_proposal_leads_to_the_same_faces(planes, seed):
         return np.where(triple == 0, np.inf, generator.normal(size=triple.shape))
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("arrangement.enumeration.affine_space.lines._parameters", hostile)
+        patch.setattr("arrangement.enumeration.affine_space._parameters", hostile)
         found = space_faces(planes)
         assert set(rows(found.signs)) == set(rows(expected.signs))
         assert found.f_vector == expected.f_vector
@@ -149,14 +149,14 @@ def test_many_faces_have_points_and_the_number_of_zaslavsky(count, central, boun
 def exact_work(monkeypatch):
     """Count the determinants that integers decide."""
     counted = []
-    original = predicates.minors
+    original = affine_space.minors
 
     def counting(left, right):
         if left.dtype == object:
             counted.append(left[..., 0].size)
         return original(left, right)
 
-    monkeypatch.setattr(predicates, "minors", counting)
+    monkeypatch.setattr(affine_space, "minors", counting)
     return counted
 
 
@@ -273,13 +273,13 @@ def test_dependent_planes_have_exact_signs(size):
 def test_the_bound_on_small_integers_ends_where_the_proof_does():
     assert 24 * LARGEST**4 <= EXACT < 24 * (LARGEST + 1) ** 4
     assert scaled_floats([(LARGEST, 1, 0, 0)])[1] == 0.0
-    assert scaled_floats([(LARGEST + 1, 1, 0, 0)])[1] == predicates.ERROR == 2.0**-49
+    assert scaled_floats([(LARGEST + 1, 1, 0, 0)])[1] == affine_space.ERROR == 2.0**-49
 
 
 def test_with_looser_bounds_signs_are_wrong(monkeypatch):
     """The same planes tell: they have wrong signs where floats are trusted too far."""
-    monkeypatch.setattr(predicates, "EXACT", 24 * 10**16)
+    monkeypatch.setattr(affine_space, "EXACT", 24 * 10**16)
     assert wrong_signs(10**4) > 0
     monkeypatch.undo()
-    monkeypatch.setattr(predicates, "ERROR", UNIT / 2)
+    monkeypatch.setattr(affine_space, "ERROR", UNIT / 2)
     assert wrong_signs(10**20) > 0

@@ -25,9 +25,8 @@ from arrangement import (
 from arrangement.cli import main
 from arrangement.errors import OutOfTimeError
 from arrangement.library import families
-from arrangement.numbers import budget, deadline
+from arrangement.numbers import budget, deadline, fields
 from arrangement.numbers.exact import number_text
-from arrangement.numbers.fields import number_field
 from arrangement.numbers.symbolic import to_sympy
 
 GOLDEN = NumberField([-1, -1, 1], [1, 2])
@@ -147,7 +146,7 @@ def test_numbers_are_written_as_sums_of_powers():
 
 
 def test_one_rounding_has_the_error_of_floats():
-    assert sys.float_info.epsilon == 2 * number_field._UNIT
+    assert sys.float_info.epsilon == 2 * fields._UNIT
 
 
 #: Coefficients from the constant term up, an interval, its root, and the interval of its generator.

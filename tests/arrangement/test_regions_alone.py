@@ -8,15 +8,8 @@ import numpy as np
 import pytest
 
 from arrangement import Arrangement, InputError, OutOfReachError, counts, families
-from arrangement.enumeration import choose
-from arrangement.enumeration.deletion_restriction import (
-    TooCloseError,
-    half_regions,
-    insertion,
-    list_regions,
-    listing,
-    restrictions,
-)
+from arrangement.enumeration import choose, deletion_restriction
+from arrangement.enumeration.deletion_restriction import TooCloseError, list_regions
 from arrangement.enumeration.sequence import FaceSequence
 from arrangement.numbers import budget
 from arrangement.planes.planes import Planes
@@ -85,9 +78,8 @@ def test_regions_of_more_hyperplanes_than_bits_of_a_word(bound):
 def test_portions_change_nothing(monkeypatch):
     planes, box = _random(4, 4, 9, 2), families.coordinate(4)
     listed = [list_regions(planes).signs(slice(None)), planes.regions(inside=box).signs]
-    monkeypatch.setattr(restrictions, "_PORTION", 5)
-    monkeypatch.setattr(half_regions, "PORTION", 50)
-    monkeypatch.setattr(insertion, "PORTION", 50)
+    monkeypatch.setattr(deletion_restriction, "_PORTION", 5)
+    monkeypatch.setattr(deletion_restriction, "_PRODUCTS", 50)
     again = [list_regions(planes).signs(slice(None)), planes.regions(inside=box).signs]
     for one, other in zip(listed, again, strict=True):
         assert (one == other).all()
@@ -203,8 +195,8 @@ def test_too_many_regions_inside_are_refused_on_the_way(monkeypatch):
     assert len(planes.regions(inside=octant)) > 25
     with budget.metered():
         planes.regions(inside=octant)
-        assert budget.spent() > listing.PROGRAM_STEPS * len(planes)
-    monkeypatch.setattr(listing, "_MANY", 25)
+        assert budget.spent() > deletion_restriction.PROGRAM_STEPS * len(planes)
+    monkeypatch.setattr(deletion_restriction, "_MANY", 25)
     monkeypatch.setattr(budget, "FACES", 20)
     with pytest.raises(OutOfReachError, match=r"a list of more than \d+ regions"):
         planes.regions(inside=octant)

@@ -12,8 +12,8 @@ import numpy as np
 from arrangement.drawing.colours import darkened
 from arrangement.drawing.scene.items import LIGHT, Floats
 from arrangement.errors import InputError
-from arrangement.numbers.entries import real_vector
 from arrangement.numbers.exact import IntegerVector, primitive, shown
+from arrangement.numbers.symbolic import real_vector
 
 #: The unit vector towards the light, in the axes of a picture: the same for balls and solids.
 TO_LIGHT = np.array([*LIGHT, (1 - LIGHT[0] ** 2 - LIGHT[1] ** 2) ** 0.5])

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.arrangement import Arrangement
-from arrangement.counts.matroid.oriented_matroid import chirotope
+from arrangement.counts.oriented_matroid import chirotope
 from arrangement.errors import InputError
 from arrangement.library.families import perles
 from arrangement.numbers.exact import shown

@@ -32,8 +32,8 @@ from typing import Any
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.library.arguments import at_least, flag
-from arrangement.numbers.entries import real_vector
 from arrangement.numbers.exact import quotient, shown
+from arrangement.numbers.symbolic import real_vector
 
 #: 2 cos(2 pi / n) where it is rational.
 _RATIONAL_COSINES = {3: -1, 4: 0, 6: 1}

@@ -28,7 +28,7 @@ from math import comb
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.counts.matroid.oriented_matroid import ORDERS, chirotope, chirotope_string
+from arrangement.counts.oriented_matroid import ORDERS, chirotope, chirotope_string
 from arrangement.errors import InputError
 from arrangement.library.census.catalogue import MOST_PLANES, normals
 from arrangement.library.census.chirotopes import Signs, alternating, triples

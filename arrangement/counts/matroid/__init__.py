@@ -1,1 +1,0 @@
-"""The matroid of the normals: bases, circuits, signs, and what deletion and contraction count."""
