@@ -22,7 +22,7 @@ Describe a grasp
 Decide one wrench
     solve, solve_many    decide one wrench, or many on one grasp
     Verdict              the answer, with its proof: a Solution, all Equilibrium families
-    AssemblyVerdict      the same for an assembly
+    AssemblyVerdict      another name of the same
 
 Set of resisted wrenches
     ResistedSet          along a direction, in a plane, as polyhedra; margins; arrays of wrenches
@@ -85,12 +85,12 @@ _SYNONYMS = {
 
 attach(
     {
-        "AnswerMixin._repr_svg_": "equilibrium.pictures.notebook:verdict_svg",
         "Assembly.from_polygons": "equilibrium.grasps.touching:touching_polygons",
         "Grasp.draw": "equilibrium.pictures.views:DRAWINGS",
         "Grasp.lab": "equilibrium.pictures.lab.page:lab_in_notebook",
         "Grasp._repr_svg_": "equilibrium.pictures.notebook:grasp_svg",
         "Verdict._repr_html_": "equilibrium.pictures.notebook:verdict_html",
+        "Verdict._repr_svg_": "equilibrium.pictures.notebook:verdict_svg",
     }
 )
 

@@ -313,8 +313,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_displacement.py",
     ): (
         "equilibrium.decide.solver",
-        "equilibrium.decide.planar",
-        "equilibrium.decide.answer",
+        "equilibrium.decide.engines",
     ),
     (
         "tests/equilibrium/test_verdict.py",
@@ -372,8 +371,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ("tests/equilibrium/test_assemblies.py",): (
         "equilibrium.decide.assemblies.parts",
         "equilibrium.decide.assemblies.rigid",
-        "equilibrium.decide.assemblies.solver",
-        "equilibrium.decide.assemblies.verdict",
+        "equilibrium.decide.assemblies.engine",
     ),
     (
         "tests/equilibrium/test_assembly_inputs.py",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
@@ -12,11 +12,11 @@ from typing import Any
 from arrangement.console.number_form import ReprMixin
 from arrangement.console.writing import write_text_atomically
 from arrangement.numbers.exact import RationalVector, to_text
-from equilibrium.model.assembly import SIZE, Assembly
+from equilibrium.model.assembly import Assembly
 from equilibrium.model.displacement import displacement_entry
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Solution
-from equilibrium.model.subject import Subject, points_of
+from equilibrium.model.subject import Subject, by_body, points_of
 
 from .checker import check
 from .reading import SCHEMA_VERSION
@@ -56,37 +56,37 @@ class Certificate(ReprMixin):
 
 
 def resisted_certificate(
-    grasp: Grasp,
-    wrench: RationalVector,
-    found: Solution,
+    subject: Subject,
+    load: RationalVector,
+    solution: Solution,
     pyramid: int | None = None,
     max_displacement: Fraction | None = None,
 ) -> Certificate:
     """Return the certificate of an equilibrium: its motion and forces, or the box that holds it."""
-    box = found.box
+    box = solution.box
     if box is None:
-        proof = {"motion": _texts(found.motion), "forces": list(map(_texts, found.forces))}
-        return certificate("resisted", grasp, wrench, pyramid, max_displacement, **proof)
+        motion = texts(by_body(subject, solution.motion))
+        proof = {"motion": motion, "forces": list(map(texts, solution.forces))}
+        return certificate("resisted", subject, load, pyramid, max_displacement, **proof)
     friction = [
-        "detached" if share is None else _texts(share) if share else "slip"
-        for share in box.friction
+        "detached" if share is None else texts(share) if share else "slip" for share in box.friction
     ]
     form = {
-        "basis": list(map(_texts, box.basis)),
+        "basis": list(map(texts, box.basis)),
         "friction": friction,
         "pillars": [list(pair) for pair in box.pillars],
-        "centre": _texts(box.centre),
-        "radius": _texts(box.radius),
-        "inverse": list(map(_texts, box.inverse)),
+        "centre": texts(box.centre),
+        "radius": texts(box.radius),
+        "inverse": list(map(texts, box.inverse)),
     }
     if box.idle:
-        form["idle"] = list(map(_texts, box.idle))
-    return certificate("resisted", grasp, wrench, max_displacement=max_displacement, enclosure=form)
+        form["idle"] = list(map(texts, box.idle))
+    return certificate("resisted", subject, load, max_displacement=max_displacement, enclosure=form)
 
 
 def refuted_certificate(
-    grasp: Grasp,
-    wrench: RationalVector,
+    subject: Subject,
+    load: RationalVector,
     tree: Any,
     pyramid: int | None = None,
     max_displacement: Fraction | None = None,
@@ -97,7 +97,7 @@ def refuted_certificate(
         tree: the root node, in the form of `equilibrium.certificate.reading`.
         pyramid: edges of friction pyramids; None for round cones.
     """
-    return certificate("not resisted", grasp, wrench, pyramid, max_displacement, tree=tree)
+    return certificate("not resisted", subject, load, pyramid, max_displacement, tree=tree)
 
 
 def certificate(
@@ -123,17 +123,17 @@ def certificate(
     if isinstance(subject, Assembly):
         pairs = zip(subject.contacts, points, strict=True)
         touching = [replace(c, contact=point) for c, point in pairs]
-        bare = Assembly(subject.names, touching, subject.units)
-        rows = {name: load[SIZE * k : SIZE * (k + 1)] for k, name in enumerate(subject.names)}
-        wrench = {name: _texts(row) for name, row in rows.items()}
-        question = {"assembly": bare.to_dict(), "wrench": wrench}
+        question = {"assembly": Assembly(subject.names, touching, subject.units).to_dict()}
     else:
-        complete = Grasp(points, subject.units)
-        question = {"grasp": complete.to_dict(), "wrench": _texts(load)}
+        question = {"grasp": Grasp(points, subject.units).to_dict()}
+    question["wrench"] = texts(by_body(subject, load))
     question |= displacement_entry(max_displacement)
     document = {"schema_version": SCHEMA_VERSION, "certificate": kind, **question, **proof}
     return Certificate(json.dumps(document, separators=(",", ":")))
 
 
-def _texts(vector: Iterable[Fraction]) -> list[str]:
-    return [to_text(x) for x in vector]
+def texts(values: Any) -> Any:
+    """Return exact numbers as texts, in a row or by the names of bodies."""
+    if isinstance(values, Mapping):
+        return {name: texts(row) for name, row in values.items()}
+    return [to_text(x) for x in values]

@@ -178,7 +178,7 @@ def or_undecided(
     ask: Callable[[], _Found], text: Callable[[_Found], str], name: str
 ) -> tuple[dict[str, Any], str]:
     """Return the JSON form and the text of an answer, or why what has this name is undecided."""
-    from equilibrium.decide.answer import undecided
+    from equilibrium.decide import undecided
 
     try:
         found = ask()

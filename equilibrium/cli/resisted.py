@@ -159,7 +159,7 @@ def _resisted(arguments: argparse.Namespace) -> int:
 
 def _of_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> int:
     """Print magnitudes of wrenches on bodies, or the margin of those of the file."""
-    from equilibrium.decide.answer import undecided
+    from equilibrium.decide import undecided
     from equilibrium.wrench_sets import ResistedSet
 
     refuse_one_body(arguments, _ONE_BODY)

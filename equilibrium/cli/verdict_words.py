@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 
     from arrangement.numbers.deadline import Deadline
     from equilibrium.certificate.leaves import ClosedPart
-    from equilibrium.decide.answer import AnswerMixin
     from equilibrium.decide.verdict import Verdict
     from equilibrium.model.grasp import Grasp
     from equilibrium.model.solution import Solution
@@ -32,7 +31,7 @@ _MOST = 3
 _UNFELT = "that no attached contact feels"
 
 
-def with_rounding(verdict: AnswerMixin, lines: list[str]) -> tuple[list[str], bool | None]:
+def with_rounding(verdict: Verdict, lines: list[str]) -> tuple[list[str], bool | None]:
     """Return the lines of an answer, with what is known of rounded data; and yes, no or neither.
 
     What is not proved for all data within the rounding error comes first.
@@ -48,7 +47,7 @@ def with_rounding(verdict: AnswerMixin, lines: list[str]) -> tuple[list[str], bo
 
 def robustly(
     arguments: argparse.Namespace,
-    verdict: AnswerMixin,
+    verdict: Verdict,
     document: dict[str, Any],
     lines: list[str],
     deadline: Deadline,

@@ -4,3 +4,8 @@
 RESISTED = "resisted"
 NOT_RESISTED = "not resisted"
 UNDECIDED = "undecided"
+
+
+def undecided(reason: object) -> dict[str, str]:
+    """Return the JSON form of what is not known, and why."""
+    return {"verdict": UNDECIDED, "reason": str(reason)}

@@ -11,7 +11,7 @@ from typing import Any
 from arrangement.numbers.exact import RationalVector, dot, sign
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.model.contact import VALUES, Contact, wrench_at
-from equilibrium.model.subject import Subject, contacts_of, seen_by, with_contacts
+from equilibrium.model.subject import Subject, contacts_of, flat, seen_by, with_contacts
 from equilibrium.model.unit_normal import unit_normal
 
 from . import NOT_RESISTED, RESISTED
@@ -133,7 +133,7 @@ def _leaves(node: Any, found: Any) -> Iterator[RationalVector]:
     """Yield the virtual motions of a tree of a verdict, each with as many numbers as its load."""
     n = len(found.load)
     if isinstance(node, dict) and "virtual_motion" in node:
-        node = found.flat(node["virtual_motion"])
+        node = flat(found.subject, node["virtual_motion"])
     if isinstance(node, (list, tuple)) and len(node) == n and not isinstance(node[0], (dict, list)):
         yield tuple(map(Fraction, node))
     elif isinstance(node, (dict, list)):

@@ -10,9 +10,9 @@ import math
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from functools import cached_property, lru_cache, partial
+from functools import cached_property, lru_cache
 from itertools import chain, repeat
-from typing import TYPE_CHECKING, Any, TypeAlias, cast, overload
+from typing import TYPE_CHECKING, Any, TypeAlias, overload
 
 import numpy as np
 
@@ -21,36 +21,36 @@ from arrangement.console.progress import watched
 from arrangement.console.workers import done, due
 from arrangement.library.arguments import entries
 from arrangement.numbers import budget
-from arrangement.numbers.exact import Rational, RationalVector, vector_text
-from equilibrium.core.contacts import FloatContacts, are_moderate, nearest
-from equilibrium.model.assembly import Assembly
-from equilibrium.model.contact import pyramid_edges
+from arrangement.numbers.exact import Rational, RationalVector
+from arrangement.numbers.linear.intervals import Interval
+from equilibrium.core.contacts import are_moderate, nearest
+from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.displacement import read_displacement
 from equilibrium.model.effort import STEPS, Effort
-from equilibrium.model.errors import EquilibriumError, GraspError
+from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.rows import ContactRows
-from equilibrium.model.solution import Open, Outcome, Solution, Tree
-from equilibrium.plane.coplanar import decide_in_plane
+from equilibrium.model.solution import Open, Refutation, Solution
+from equilibrium.model.subject import LoadCase, Subject, read_load
 
-from . import NOT_RESISTED, RESISTED, UNDECIDED
 from .as_printed import PrintedVerdict, solve_as_printed
-from .planar import PlanarEngine
+from .engines import PlanarEngine, SpatialEngine, answered, new_memory
 from .state_choices import StateChoices
-from .verdict import Verdict
+from .verdict import Verdict, engine_of
 
 if TYPE_CHECKING:
     # Questions in the plane start without the search in space.
     from equilibrium.core.memory import Memory, OpenTree
     from equilibrium.core.reach import Reach
     from equilibrium.core.tree import SpatialSearch
-    from equilibrium.decide.assemblies.verdict import AssemblyVerdict
+
+#: A wrench; of an assembly one for each body, by name.
+Load: TypeAlias = Iterable[Any] | Mapping[str, Iterable[Any]]
 
 
 @overload
 def solve(
-    grasp: Grasp,
-    wrench: Iterable[Rational],
+    grasp: Subject,
+    wrench: Load,
     *,
     as_printed: None = None,
     time_limit: float | None = None,
@@ -62,25 +62,12 @@ def solve(
 
 
 @overload
-def solve(
-    grasp: Grasp, wrench: Iterable[Rational], *, as_printed: Collection[str]
-) -> PrintedVerdict: ...
-
-
-@overload
-def solve(
-    grasp: Assembly,
-    wrench: Mapping[str, Iterable[Rational]],
-    *,
-    time_limit: float | None = None,
-    nodes: int | None = None,
-    max_displacement: Rational | None = None,
-) -> AssemblyVerdict: ...
+def solve(grasp: Grasp, wrench: Load, *, as_printed: Collection[str]) -> PrintedVerdict: ...
 
 
 def solve(
-    grasp: Grasp | Assembly,
-    wrench: Iterable[Rational] | Mapping[str, Iterable[Rational]],
+    grasp: Subject,
+    wrench: Load,
     *,
     as_printed: Collection[str] | None = None,
     time_limit: float | None = None,
@@ -88,13 +75,12 @@ def solve(
     nodes: int | None = None,
     pyramid: int | None = None,
     max_displacement: Rational | None = None,
-) -> Verdict | PrintedVerdict | AssemblyVerdict:
+) -> Verdict | PrintedVerdict:
     """Decide exactly whether a grasp resists a wrench; the verdict finds all ways when asked.
 
     Args:
         grasp: contacts in the object frame; or an assembly of several bodies, which takes
-            time_limit, nodes and max_displacement alone, see
-            `equilibrium.decide.assemblies.solver`.
+            time_limit, nodes and max_displacement alone.
         wrench: applied, ``(f_x, f_y, tau)``, the torque about the origin; in space
             ``(f_x, f_y, f_z, tau_x, tau_y, tau_z)``; for an assembly one for each body, by name.
         as_printed: follow the printed text of the paper in these points, and the full model in all
@@ -129,24 +115,21 @@ def solve(
     >>> solve(read_grasp("single-contact"), [0, 0, 0], as_printed=["all-stick"]).options
     ('all-stick',)
     """
-    others: dict[str, object] = {"pyramid": pyramid, "shorten": shorten or None}
-    limits = {"time_limit": time_limit, "nodes": nodes, "max_displacement": max_displacement}
+    unfit: dict[str, Any] = {"pyramid": pyramid, "shorten": shorten or None}
+    form = "an assembly" if isinstance(grasp, Assembly) else "as_printed"
     if isinstance(grasp, Assembly):
-        _take_none("an assembly", others | {"as_printed": as_printed})
-        from .assemblies.solver import solve_assembly
-
-        return solve_assembly(grasp, cast("Mapping[str, Any]", wrench), **cast("Any", limits))
-    if as_printed is not None:
-        _take_none("as_printed", limits | others)
+        unfit["as_printed"] = as_printed
+    elif as_printed is None:
+        unfit = {}
+    else:
+        unfit |= {"time_limit": time_limit, "nodes": nodes, "max_displacement": max_displacement}
+    for name, value in unfit.items():
+        if value is not None:
+            raise GraspError(f"{form} takes no {name}; omit one of the two")
+    if as_printed is not None and not isinstance(grasp, Assembly):
         return solve_as_printed(grasp, wrench, as_printed)
     solver = Solver(grasp, max_displacement, pyramid)
     return solver.solve(wrench, time_limit=time_limit, shorten=shorten, nodes=nodes)
-
-
-def _take_none(form: str, options: Mapping[str, object]) -> None:
-    for name, value in options.items():
-        if value is not None:
-            raise GraspError(f"{form} takes no {name}; omit one of the two")
 
 
 def solve_many(
@@ -193,7 +176,7 @@ MAX_CONTACTS_FOR_ALL_STATES = 12
 
 
 class Solver(ReprMixin):
-    """A grasp prepared for many wrenches: what one question computes serves the next.
+    """A grasp or an assembly prepared for many loads: what one question computes serves the next.
 
     `equilibrium.ResistedSet` is its public form. With a largest displacement only equilibria within
     it count; see the function `solve`.
@@ -202,42 +185,33 @@ class Solver(ReprMixin):
     repr_fields = ("grasp",)
 
     def __init__(
-        self, grasp: Grasp, max_displacement: Rational | None = None, pyramid: int | None = None
+        self, grasp: Subject, max_displacement: Rational | None = None, pyramid: int | None = None
     ) -> None:
-        self.grasp, self.max_displacement = grasp, read_displacement(max_displacement)
-        self.pyramid = pyramid
-        self._edges = None if pyramid is None else pyramid_edges(pyramid, grasp.dimension)
+        self.max_displacement, self.pyramid = read_displacement(max_displacement), pyramid
+        self.grasp: Any = grasp
+        self.engine = engine_of(grasp, self.max_displacement, pyramid)
 
     @property
-    def no_wrench(self) -> RationalVector:
-        """The wrench 0."""
+    def no_wrench(self) -> Any:
+        """The wrench 0; of an assembly on each body."""
+        if isinstance(self.grasp, Assembly):
+            return self.grasp.read_wrenches({})
         return (Fraction(0),) * self.grasp.wrench_size
-
-    def for_grasp(self, grasp: Grasp) -> Solver:
-        """Return the solver of another grasp, with the same cones and largest displacement."""
-        return Solver(grasp, self.max_displacement, self.pyramid)
-
-    def within(self, max_displacement: Fraction) -> Solver:
-        """Return the solver with another largest displacement."""
-        return Solver(self.grasp, max_displacement, self.pyramid)
-
-    @cached_property
-    def _planar(self) -> PlanarEngine:
-        return PlanarEngine(self.grasp, self.max_displacement)
 
     @property
     def choices(self) -> StateChoices:
         """In the plane all choices of contact states."""
-        return self._planar.choices
+        assert isinstance(self.engine, PlanarEngine)
+        return self.engine.choices
 
     @cached_property
     def _memory(self) -> Memory:
         """What proofs in space leave for other wrenches."""
-        return _new_memory()
+        return new_memory()
 
     def solve(
         self,
-        wrench: Iterable[Rational],
+        wrench: Load,
         *,
         time_limit: float | None = None,
         shorten: bool = False,
@@ -252,7 +226,7 @@ class Solver(ReprMixin):
 
     def decide(
         self,
-        wrench: Iterable[Rational],
+        wrench: Load,
         effort: Effort,
         *,
         shorten: bool = False,
@@ -264,11 +238,43 @@ class Solver(ReprMixin):
         Args:
             memory: in space, of other wrenches; by default that of this solver.
         """
-        applied = self.grasp.read_wrench(wrench)
-        if self.grasp.dimension == 3:
-            return self._proved(applied, self._search(applied, effort, nodes, memory).decide())
-        outcome = self._planar.outcome(applied, effort, shorten=shorten)
-        return self._verdict(applied, outcome).accepted()
+        load = read_load(self.grasp, wrench)
+        if isinstance(self.engine, SpatialEngine) and memory is None:
+            memory = self._memory
+        outcome = self.engine.outcome(load, effort, shorten=shorten, nodes=nodes, memory=memory)
+        return self._verdict(load, outcome).accepted()
+
+    def magnitudes(self, base: Wrenches, along: Wrenches) -> tuple[Interval, ...]:
+        """Return all t >= 0 with ``base + t along`` resisted by an assembly."""
+        from .assemblies.magnitudes import assembly_magnitudes
+
+        loaded = any(c.contact.preload or c.contact.adhesion for c in self.grasp.contacts)
+        if base == self.no_wrench and not loaded and self.max_displacement is None:
+            # Without preload and adhesion the law scales: one verdict is that of all t > 0.
+            verdict = self.solve(along)
+            if verdict.decided:
+                return ((Fraction(0), None if verdict else Fraction(0)),)
+        return assembly_magnitudes(self.grasp, base, along, max_displacement=self.max_displacement)
+
+    def preloads(
+        self, wrenches: Wrenches, contacts: Iterable[int] | None = None
+    ) -> tuple[Interval, ...]:
+        """Return all preloads of chosen contacts with which an assembly resists wrenches.
+
+        Args:
+            contacts: numbers, from 1; all, if omitted.
+        """
+        from .assemblies.magnitudes import assembly_magnitudes
+
+        chosen = None if contacts is None else tuple(contacts)
+        return assembly_magnitudes(
+            self.grasp.with_preload(0, chosen),
+            wrenches,
+            self.no_wrench,
+            preload_slope=Fraction(1),
+            chosen=None if chosen is None else self.grasp.points_of(chosen),
+            max_displacement=self.max_displacement,
+        )
 
     def solve_many(
         self, wrenches: Iterable[Iterable[Rational]], *, jobs: int = 1, dask: str | None = None
@@ -281,7 +287,7 @@ class Solver(ReprMixin):
         due(len(tasks), (1, 1), jobs)
         jobs = self._processes(len(applied), len(tasks), jobs)
         if jobs == 1 and dask is None:
-            memories = chain.from_iterable(repeat(_new_memory(), len(task)) for task in tasks)
+            memories = chain.from_iterable(repeat(new_memory(), len(task)) for task in tasks)
             return map(self._one_of_many, watched(applied, "wrenches"), memories)
         return self._by_workers(tasks, jobs, dask)
 
@@ -293,16 +299,6 @@ class Solver(ReprMixin):
         saved = wrenches * len(self.grasp) * each * (1 - math.ceil(tasks / jobs) / max(1, tasks))
         return jobs if saved > _START_STEPS else 1
 
-    def find_refutation(self, wrench: RationalVector) -> Tree | None:
-        """Search for the tree that proves what the choices of contact states have shown."""
-        verdict = self.solve(wrench)
-        if verdict.stable:
-            raise EquilibriumError(
-                f"the wrench {vector_text(wrench)} has an equilibrium, but no choice of contact "
-                "states has one. This is an internal error; please report it"
-            )
-        return verdict.tree
-
     def reach(
         self, refused: RationalVector, resisted: RationalVector, nodes: int, near: float
     ) -> Reach:
@@ -310,65 +306,29 @@ class Solver(ReprMixin):
         from equilibrium.core.reach import reach
 
         change = np.array([nearest(x - y) for x, y in zip(resisted, refused, strict=True)])
-        return reach(self._search(refused, Effort()), change, nodes, near)
+        return reach(self._search(refused), change, nodes, near)
 
     def close(self, wrench: RationalVector, tree: OpenTree, nodes: int) -> Verdict:
         """Decide a wrench in space by a tree that is open, and maybe this many further nodes."""
-        return self._proved(wrench, self._search(wrench, Effort()).close(tree, nodes))
+        outcome = answered(self._search(wrench).close(tree, nodes))
+        return self._verdict(wrench, outcome).accepted()
+
+    def _search(self, wrench: RationalVector) -> SpatialSearch:
+        assert isinstance(self.engine, SpatialEngine)
+        return self.engine.search(wrench, Effort(), memory=self._memory)
 
     def _usual_effort(self) -> Effort:
-        return Effort.usual(STEPS[self.grasp.dimension])
+        return Effort.usual(STEPS[2 if isinstance(self.engine, PlanarEngine) else 3])
 
-    def _search(
-        self,
-        wrench: RationalVector,
-        effort: Effort,
-        nodes: int | None = None,
-        memory: Memory | None = None,
-    ) -> SpatialSearch:
-        from equilibrium.core.cones import Pyramids
-        from equilibrium.core.tree import SETTINGS, SpatialSearch
-
-        def accept(solution: Solution) -> bool:
-            return not self._verdict(wrench, solution).problem
-
-        rows = ContactRows.of_grasp(self.grasp)
-        load = rows.total_load(wrench)
-        question = self.grasp, load, effort, self.max_displacement
-        return SpatialSearch(
-            FloatContacts(rows),
-            load,
-            accept,
-            effort,
-            nodes=SETTINGS.max_nodes if nodes is None else nodes,
-            max_displacement=self.max_displacement,
-            cones=None if self._edges is None else Pyramids(self._edges),
-            memory=memory or self._memory,
-            in_plane=partial(decide_in_plane, *question) if self._edges is None else None,
-        )
-
-    def _verdict(self, wrench: RationalVector, outcome: Outcome | None) -> Verdict:
-        """Return the verdict of an outcome; None: not resisted, and the tree is not known yet."""
-        solution = outcome if isinstance(outcome, Solution) else None
-        if isinstance(outcome, Open):
-            answer, reason, residual = UNDECIDED, outcome.reason, outcome.residual
-        else:
-            answer, reason, residual = RESISTED if solution else NOT_RESISTED, "", 0.0
-        tree = outcome if isinstance(outcome, dict | list) else None
-        bound, pyramid = self.max_displacement, self.pyramid
-        question = self.grasp, wrench
-        return Verdict(*question, answer, solution, tree, self, bound, pyramid, reason, residual)
-
-    def _proved(self, wrench: RationalVector, outcome: Outcome) -> Verdict:
-        """Return the verdict of a search in space, which has accepted equilibria already."""
-        verdict = self._verdict(wrench, outcome)
-        return verdict.accepted() if isinstance(outcome, dict | list) else verdict
+    def _verdict(self, load: RationalVector, outcome: Solution | Refutation | Open) -> Verdict:
+        case = LoadCase(self.grasp, load, self.max_displacement, self.pyramid)
+        return Verdict.of(case, self.engine, outcome)
 
     def _by_workers(
         self, tasks: list[list[RationalVector]], jobs: int, dask: str | None
     ) -> Iterator[Verdict]:
         job = (self.grasp, self.max_displacement, self.pyramid), tasks, budget.times()
-        early: dict[int, list[Outcome | None]] = {}
+        early: dict[int, list[Solution | Refutation | Open]] = {}
         answered = done(_outcomes, job, range(len(tasks)), jobs, dask)
         results = iter(watched(answered, "parts of wrenches", len(tasks)))
         for number, task in enumerate(tasks):
@@ -390,23 +350,18 @@ class Solver(ReprMixin):
             solution = Solution(piece.motion, piece.forces)
             return self._verdict(wrench, solution).accepted()
         missed = self.choices.may_be_missed(wrench)
-        return self.solve(wrench) if missed else self._verdict(wrench, None)
-
-
-def _new_memory() -> Memory:
-    from equilibrium.core.memory import Memory
-
-    return Memory()
+        return self.solve(wrench) if missed else self._verdict(wrench, Refutation(None))
 
 
 def prepare(grasp: Grasp | Solver) -> Solver:
-    """Return the solver of a planar grasp; a solver is returned as it is.
+    """Return the solver of a planar grasp, or of an assembly; a solver is returned as it is.
 
     Raises:
         GraspError: the grasp is in space.
     """
     solver = grasp if isinstance(grasp, Solver) else Solver(grasp)
-    solver.grasp.require_plane()
+    if not isinstance(solver.grasp, Assembly):
+        solver.grasp.require_plane()
     return solver
 
 
@@ -417,9 +372,9 @@ Job: TypeAlias = tuple[tuple[Grasp, Fraction | None, int | None], list[list[Rati
 _solver = lru_cache(maxsize=1)(Solver)
 
 
-def _outcomes(job: Job, number: int) -> tuple[int, list[Outcome | None]]:
+def _outcomes(job: Job, number: int) -> tuple[int, list[Solution | Refutation | Open]]:
     """Return the number of a task, and the outcomes of its wrenches."""
     question, tasks, times = job
-    solver, memory = _solver(*question), _new_memory()
+    solver, memory = _solver(*question), new_memory()
     with budget.limit(times):
         return number, [solver._one_of_many(wrench, memory).outcome for wrench in tasks[number]]

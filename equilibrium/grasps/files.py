@@ -29,7 +29,6 @@ from equilibrium.model.grasp import Grasp
 
 if TYPE_CHECKING:
     from arrangement import Arrangement
-    from equilibrium.decide.assemblies.verdict import AssemblyVerdict
     from equilibrium.decide.verdict import Verdict
 
 
@@ -138,7 +137,7 @@ def read_certificate(source: Source) -> dict[str, Any]:
 
 
 def verify(
-    source: Source | Certificate | Verdict | AssemblyVerdict,
+    source: Source | Certificate | Verdict,
     question: Question | None = None,
     pyramid: int | None = None,
     max_displacement: Fraction | None = None,

@@ -160,6 +160,19 @@ class Open:
     residual: float
 
 
+@dataclass(frozen=True)
+class Refutation:
+    """There is no equilibrium.
+
+    Attributes:
+        tree: the proof; None where all choices of contact states have shown it.
+        reason: of an assembly, which part cannot balance the load.
+    """
+
+    tree: Tree | None
+    reason: str = ""
+
+
 #: The tree of virtual motions that refutes all, in the form of certificates.
 Tree: TypeAlias = dict[str, Any] | list[Any]
 #: An equilibrium, the proof that there is none, or neither.

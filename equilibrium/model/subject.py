@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.rank import difference
@@ -52,6 +52,17 @@ def known_error(subject: Subject) -> DataError:
     return subject.data_error
 
 
+def read_load(subject: Subject, wrench: Any) -> RationalVector:
+    """Return a wrench, or of an assembly those on its bodies by name, as one vector.
+
+    Raises:
+        GraspError: a wrench of the wrong length, or on what is no body.
+    """
+    if isinstance(subject, Assembly):
+        return flat(subject, subject.read_wrenches(wrench))
+    return subject.read_wrench(wrench)
+
+
 def rows_of(subject: Subject) -> ContactRows:
     """Return the rows of the law."""
     return subject.rows if isinstance(subject, Assembly) else ContactRows.of_grasp(subject)
@@ -69,3 +80,39 @@ def seen_by(subject: Subject, i: int, motion: Sequence[Fraction]) -> RationalVec
 
     own = tuple(of(one.body_a))
     return own if one.body_b is None else difference(own, tuple(of(one.body_b)))
+
+
+def flat(subject: Subject, values: Any) -> RationalVector:
+    """Return a motion or load as one vector: of an assembly, of which bodies may be left out."""
+    if not isinstance(subject, Assembly):
+        return tuple(values)
+    rows = (values.get(name, (0,) * SIZE) for name in subject.names)
+    return tuple(Fraction(x) for row in rows for x in row)
+
+
+def by_body(subject: Subject, values: Sequence[Fraction]) -> Any:
+    """Return a motion or load by the names of bodies; that of a grasp as it is."""
+    if not isinstance(subject, Assembly):
+        return tuple(values)
+    return {name: tuple(values[SIZE * k : SIZE * (k + 1)]) for k, name in enumerate(subject.names)}
+
+
+@dataclass(frozen=True)
+class LoadCase:
+    """The question that a verdict answers: whether a load is resisted.
+
+    Attributes:
+        subject: a grasp or an assembly.
+        load: the wrench; of an assembly those on its bodies in a row.
+        max_displacement, pyramid: see `equilibrium.solve`.
+    """
+
+    subject: Subject
+    load: RationalVector
+    max_displacement: Fraction | None = None
+    pyramid: int | None = None
+
+    @property
+    def wrench(self) -> Any:
+        """The wrench; of an assembly one for each body, by name."""
+        return by_body(self.subject, self.load)

@@ -8,8 +8,8 @@ from arrangement.console.number_form import LABEL
 from arrangement.drawing.scene.scene import Legend, Scene
 from arrangement.drawing.views import picture
 from arrangement.numbers.exact import RationalVector, sign
-from equilibrium.decide.assemblies.solver import AssemblySolver
-from equilibrium.decide.assemblies.verdict import AssemblyVerdict
+from equilibrium.decide.solver import Solver
+from equilibrium.decide.verdict import Verdict
 from equilibrium.model.assembly import Assembly
 from equilibrium.model.outline import Polygon
 from equilibrium.wrench_sets.margin import limit_words
@@ -23,7 +23,7 @@ _DETAIL = 0.7
 
 
 @picture(20.0)
-def draw_assembly(subject: Assembly | AssemblyVerdict, *, width: float = 88.0) -> Scene:
+def draw_assembly(subject: Assembly | Verdict, *, width: float = 88.0) -> Scene:
     """Draw bodies and contacts; of a verdict the wrenches too, and an equilibrium if there is one.
 
     At a contact of two bodies two arrows show the force on either, at one with the ground that on
@@ -46,7 +46,7 @@ def draw_assembly(subject: Assembly | AssemblyVerdict, *, width: float = 88.0) -
 class _AssemblyLayout(PlaneLayout):
     """The bodies of an assembly, with the wrenches and an equilibrium of a verdict."""
 
-    def __init__(self, assembly: Assembly, verdict: AssemblyVerdict | None = None) -> None:
+    def __init__(self, assembly: Assembly, verdict: Verdict | None = None) -> None:
         contacts = [c.contact for c in assembly.contacts]
         points = [contact.point for contact in contacts]
         for body in assembly.bodies:
@@ -128,9 +128,7 @@ def _line_of_action(wrench: RationalVector, point: RationalVector) -> RationalVe
     return x + rest * v, y - rest * u
 
 
-def _describe(
-    legend: Legend, layout: _AssemblyLayout, verdict: AssemblyVerdict, scale: float
-) -> None:
+def _describe(legend: Legend, layout: _AssemblyLayout, verdict: Verdict, scale: float) -> None:
     """Describe in words and keys what is drawn, and at what scale forces are."""
     if verdict.solution is None:
         legend.line(f"{verdict.verdict}: {verdict.reason}", emphasis=True)
@@ -142,6 +140,6 @@ def _describe(
         legend.key(symbol("force"), "contact force on a body")
     motion = f"displacement × {LABEL.number(layout.step)}" if layout.step else ""
     layout.explain(legend, motion, scale, verdict.assembly.units)
-    solver = AssemblySolver(verdict.assembly, verdict.max_displacement)
+    solver = Solver(verdict.assembly, verdict.max_displacement)
     for line in limit_words(solver, verdict.wrenches):
         legend.line(line)

@@ -180,7 +180,8 @@ def _chosen(verdict: Verdict | None, number: int) -> Equilibrium | Solution | No
         raise GraspError(
             f"the equilibrium is number {number}; their number is {len(verdict.equilibria)}"
         )
-    return verdict.equilibria[number - 1]
+    equilibrium: Equilibrium = verdict.equilibria[number - 1]
+    return equilibrium
 
 
 def _cone_rim(curve: Floats | None, place: Floats, normal: Floats, friction: Fraction) -> Floats:

@@ -17,8 +17,8 @@ from arrangement.drawing.output import svg_text
 from arrangement.drawing.views import drawing
 from arrangement.numbers import budget
 from arrangement.numbers.exact import to_text
-from equilibrium.decide.assemblies.verdict import AssemblyVerdict
 from equilibrium.decide.verdict import Verdict
+from equilibrium.model.assembly import Assembly
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Solution
 from equilibrium.plane.states.equilibrium import Equilibrium
@@ -34,14 +34,14 @@ MOST_PIECES, LONGEST = 8, 24
 _CELL = Form(longest=LONGEST)
 
 
-def verdict_svg(verdict: Verdict | AssemblyVerdict) -> str | None:
+def verdict_svg(verdict: Verdict) -> str | None:
     """Return bodies, wrenches and an equilibrium as SVG text; None without matplotlib.
 
     None as well of too many contacts, and of numbers beyond floats.
     """
 
     def made() -> Drawing:
-        if isinstance(verdict, AssemblyVerdict):
+        if isinstance(verdict.subject, Assembly):
             return draw_assembly(verdict)
         budget.check_size(len(verdict.grasp), "contacts in a picture")
         return drawing(verdict_scene(verdict))

@@ -22,7 +22,6 @@ from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, rational, shown
 from equilibrium.core.contact_program import ContactProgram, LinearQuestion
 from equilibrium.decide.assemblies.magnitudes import Survivors, surviving_states
-from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.assembly import Assembly, Wrenches
@@ -72,7 +71,7 @@ class FrictionBracket(JsonMixin):
 
 
 def least_friction(
-    grasp: Grasp | Solver | AssemblySolver,
+    grasp: Grasp | Solver,
     wrench: Any,
     tolerance: Any = TOLERANCE,
     contacts: Iterable[int] | None = None,
@@ -103,14 +102,14 @@ def least_friction(
     goal = rational(tolerance, "tolerance")
     if goal < _LEAST_WIDTH:
         raise GraspError(f"tolerance is {shown(goal)}; it must be at least 2^-100")
-    solver = grasp if isinstance(grasp, AssemblySolver) else prepare(grasp)
+    solver = prepare(grasp)
     if contacts is None:
         chosen = rough_contacts(solver.grasp)
     else:
         chosen = chosen_contacts(contacts, len(solver.grasp.contact_numbers))
         if not chosen:
             raise GraspError("contacts are []; expected at least one number, or leave them out")
-    if isinstance(solver, AssemblySolver):
+    if isinstance(solver.grasp, Assembly):
         return _OfAssembly(solver, solver.grasp.read_wrenches(wrench), goal, chosen).run()
     return _OfGrasp(solver, read_wrench(wrench), goal, chosen).run()
 
@@ -221,7 +220,7 @@ class _OfAssembly(_Search):
     """A search in the trees of the parts of an assembly, each up to the first states that do."""
 
     def __init__(
-        self, solver: AssemblySolver, wrenches: Wrenches, width: Fraction, chosen: tuple[int, ...]
+        self, solver: Solver, wrenches: Wrenches, width: Fraction, chosen: tuple[int, ...]
     ) -> None:
         super().__init__(wrenches, width, chosen)
         self.assembly, self.max_displacement = solver.grasp, solver.max_displacement
@@ -239,7 +238,7 @@ class _OfAssembly(_Search):
     def resists(self, coefficient: Fraction) -> bool:
         """Return whether the wrenches are resisted at one coefficient; not if it is undecided."""
         changed = self.assembly.with_friction(coefficient, self.chosen)
-        solver = AssemblySolver(changed, self.max_displacement)
+        solver = Solver(changed, self.max_displacement)
         verdict = solver.solve(self.wrench)
         return verdict.decided and verdict.stable
 

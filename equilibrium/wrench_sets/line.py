@@ -27,7 +27,6 @@ from arrangement.numbers.linear.intervals import (
 )
 from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.core.contact_rows import sum_row
-from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.nearby import DEPENDS
 from equilibrium.decide.robustness import MAX_ROUNDINGS, met_within_error, others
 from equilibrium.decide.solver import Solver, prepare
@@ -67,7 +66,7 @@ class Magnitudes(JsonMixin):
         return holds(self.intervals, magnitude)
 
 
-def assembly_magnitudes(solver: AssemblySolver, direction: Any, base: Any) -> Magnitudes:
+def assembly_magnitudes(solver: Solver, direction: Any, base: Any) -> Magnitudes:
     """Return the exact set of t >= 0 for which an assembly resists ``base + t direction``.
 
     Args:
@@ -146,7 +145,7 @@ class RoundedEnds(ReprMixin):
         return {"asked": self.asked, "verdict": DEPENDS, "turned": list(map(texts, self.turned))}
 
 
-def ends_within_error(solver: Solver | AssemblySolver, found: Magnitudes) -> RoundedEnds | None:
+def ends_within_error(solver: Solver, found: Magnitudes) -> RoundedEnds | None:
     """Return the ends for others within the error of converted data; None for exact data.
 
     Those asked about are those of the verdict at the last end, and what resists a load beyond it.
@@ -186,7 +185,7 @@ def _load_at(found: Magnitudes, t: Fraction) -> Any:
 
 
 def _magnitudes_of(
-    subject: Subject, solver: Solver | AssemblySolver, found: Magnitudes
+    subject: Subject, solver: Solver, found: Magnitudes
 ) -> tuple[Interval, ...] | None:
     """Return the magnitudes that another grasp or assembly resists; None where undecided."""
     base: Any = found.base
@@ -194,7 +193,7 @@ def _magnitudes_of(
     if isinstance(subject, Grasp):
         return resisted_magnitudes(Solver(subject, solver.max_displacement), along, base).intervals
     try:
-        return AssemblySolver(subject, solver.max_displacement).magnitudes(base, along)
+        return Solver(subject, solver.max_displacement).magnitudes(base, along)
     except UndecidedError:
         return None
 

@@ -25,10 +25,9 @@ from arrangement.numbers.exact import RationalVector, shown
 from arrangement.numbers.linear.intervals import Interval, common, holds, union
 from equilibrium.core.contact_rows import negated
 from equilibrium.decide.assemblies.ends import ends_of
-from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.decide.state_choices import StateChoices
-from equilibrium.model.assembly import Wrenches
+from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, chosen_contacts, read_wrench
 from equilibrium.plane.states.contact_states import DETACHED, states_of_code
@@ -52,7 +51,7 @@ class Margin(JsonMixin):
     wrench: RationalVector | Wrenches
     resisted: bool
     intervals: tuple[Interval, ...]
-    _solver: Solver | AssemblySolver = field(compare=False)
+    _solver: Solver = field(compare=False)
 
     def __bool__(self) -> bool:
         """Return whether the wrench itself is resisted."""
@@ -83,7 +82,7 @@ class Margin(JsonMixin):
     @cached_property
     def preloads(self) -> Preloads:
         """All uniform preloads with which the wrench is resisted, exactly."""
-        if isinstance(self._solver, AssemblySolver):
+        if isinstance(self._solver.grasp, Assembly):
             return chosen_preloads(self._solver, [self.wrench])
         return sufficient_preloads(self._solver, self.wrench)
 
@@ -108,7 +107,7 @@ _MAX_CONTACTS_IN_WORDS = 12
 _QUERIES = 6
 
 
-def margin(grasp: Grasp | Solver | AssemblySolver, wrench: Any) -> Margin:
+def margin(grasp: Grasp | Solver, wrench: Any) -> Margin:
     """Return the exact factors by which a wrench, or those on all bodies, may be scaled.
 
     Raises:
@@ -118,11 +117,12 @@ def margin(grasp: Grasp | Solver | AssemblySolver, wrench: Any) -> Margin:
     >>> margin(read_grasp("paper-three-contacts-preload-1"), [0, "1/2", 0]).around
     (Fraction(0, 1), Fraction(2, 1))
     """
-    if isinstance(grasp, AssemblySolver):
-        wrenches = grasp.grasp.read_wrenches(wrench)
-        scaled = grasp.magnitudes(grasp.no_wrench, wrenches)
-        return Margin(wrenches, holds(scaled, Fraction(1)), scaled, grasp)
-    solver, w = prepare(grasp), read_wrench(wrench)
+    solver = prepare(grasp)
+    if isinstance(solver.grasp, Assembly):
+        wrenches = solver.grasp.read_wrenches(wrench)
+        scaled = solver.magnitudes(solver.no_wrench, wrenches)
+        return Margin(wrenches, holds(scaled, Fraction(1)), scaled, solver)
+    w = read_wrench(wrench)
     solver.choices.check_cost(_QUERIES)
     if any(w):
         found = resisted_magnitudes(solver, w).intervals
@@ -131,18 +131,18 @@ def margin(grasp: Grasp | Solver | AssemblySolver, wrench: Any) -> Margin:
     return Margin(w, holds(found, Fraction(1)), found, solver)
 
 
-def limit_words(solver: Solver | AssemblySolver, wrench: Any) -> list[str]:
+def limit_words(solver: Solver, wrench: Any) -> list[str]:
     """Return at which multiples of a load, next to it, its resistance ends, and what gives there.
 
     Empty where that is not established, where one multiple alone is resisted, and of many contacts,
     for which it takes long.
     """
-    is_assembly = isinstance(solver, AssemblySolver)
+    is_assembly = isinstance(solver.grasp, Assembly)
     loads = wrench.values() if is_assembly else [wrench]
     if len(solver.grasp) > _MAX_CONTACTS_IN_WORDS or not any(map(any, loads)):
         return []
     try:
-        if isinstance(solver, AssemblySolver):
+        if isinstance(solver.grasp, Assembly):
             factors = solver.magnitudes(solver.no_wrench, wrench)
         else:
             factors = resisted_magnitudes(solver, wrench).intervals
@@ -219,7 +219,7 @@ def sufficient_preloads(grasp: Grasp | Solver, wrench: Any) -> Preloads:
 
 
 def chosen_preloads(
-    grasp: Grasp | Solver | AssemblySolver,
+    grasp: Grasp | Solver,
     wrenches: Iterable[Any],
     contacts: Iterable[int] | None = None,
 ) -> Preloads:
@@ -244,7 +244,7 @@ def chosen_preloads(
     >>> found.least, chosen_preloads(grasp, [[0, 2, 0]], [2, 3]).least
     (Fraction(2, 1), Fraction(1, 1))
     """
-    solver = grasp if isinstance(grasp, AssemblySolver) else prepare(grasp)
+    solver = prepare(grasp)
     every = solver.grasp.contact_numbers
     chosen = chosen_contacts(every if contacts is None else contacts, len(every))
     listed = tuple(wrenches)
@@ -254,7 +254,7 @@ def chosen_preloads(
             f"wrench, and numbers of contacts from 1 to {len(every)}"
         )
     found: tuple[Interval, ...] = (ALL,)
-    if isinstance(solver, AssemblySolver):
+    if isinstance(solver.grasp, Assembly):
         read = tuple(map(solver.grasp.read_wrenches, listed))
         for wrench in read:
             found = common(found, solver.preloads(wrench, chosen))

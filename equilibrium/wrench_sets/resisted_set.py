@@ -15,12 +15,10 @@ from arrangement.console.number_form import JsonMixin
 from arrangement.errors import HintsMixin
 from arrangement.numbers.exact import vector_text
 from equilibrium.decide.assemblies.ends import Giving, ends_of
-from equilibrium.decide.assemblies.solver import AssemblySolver
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import Contact
-from equilibrium.model.displacement import read_displacement
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
 
@@ -103,13 +101,9 @@ class ResistedSet(HintsMixin, JsonMixin):
     def __init__(
         self, grasp: Grasp | Assembly, *, max_displacement: Any = None, pyramid: int | None = None
     ) -> None:
-        self._solver: Solver | AssemblySolver
-        if isinstance(grasp, Assembly):
-            if pyramid is not None:
-                raise GraspError("an assembly takes no pyramid; leave it out")
-            self._solver = AssemblySolver(grasp, read_displacement(max_displacement))
-        else:
-            self._solver = Solver(grasp, max_displacement, pyramid)
+        if isinstance(grasp, Assembly) and pyramid is not None:
+            raise GraspError("an assembly takes no pyramid; leave it out")
+        self._solver = Solver(grasp, max_displacement, pyramid)
 
     def _of_grasp(self) -> Solver:
         """Return the solver of a grasp.
@@ -117,7 +111,7 @@ class ResistedSet(HintsMixin, JsonMixin):
         Raises:
             GraspError: this is about an assembly.
         """
-        if isinstance(self._solver, AssemblySolver):
+        if isinstance(self._solver.grasp, Assembly):
             raise GraspError(
                 f"{self._solver.grasp!r} has no list of resisted wrenches; use `along`, `margin`, "
                 "`solve` or `contains`"
@@ -137,7 +131,7 @@ class ResistedSet(HintsMixin, JsonMixin):
     @property
     def pyramid(self) -> int | None:
         """Edges of the friction pyramids; None: round cones, or in the plane."""
-        return None if isinstance(self._solver, AssemblySolver) else self._solver.pyramid
+        return self._solver.pyramid
 
     @cached_property
     def polyhedra(self) -> tuple[Piece, ...]:
@@ -172,13 +166,13 @@ class ResistedSet(HintsMixin, JsonMixin):
         """Return whether a wrench is resisted; see `contains`."""
         return self.contains(wrench)
 
-    def solve(self, wrench: Load, **options: Any) -> Any:
-        """Decide one wrench, with a certificate: a `Verdict`, of an assembly an `AssemblyVerdict`.
+    def solve(self, wrench: Load, **options: Any) -> Verdict:
+        """Decide one wrench, with a certificate: see `Verdict`.
 
         Args:
             options: time_limit, nodes and, of a grasp, shorten; see `equilibrium.solve`.
         """
-        return self._solver.solve(wrench, **options)  # type: ignore[arg-type]
+        return self._solver.solve(wrench, **options)
 
     def solve_many(
         self, wrenches: Iterable[Iterable[Any]], *, jobs: int = 1, dask: str | None = None
@@ -223,7 +217,7 @@ class ResistedSet(HintsMixin, JsonMixin):
             OutOfReachError: too many choices of contact states.
         """
         start: Any = self._load(base)
-        if isinstance(self._solver, AssemblySolver):
+        if isinstance(self._solver.grasp, Assembly):
             return assembly_magnitudes(self._solver, direction, start)
         if self._solver.grasp.dimension == 2:
             return resisted_magnitudes(self._of_grasp(), direction, start)
@@ -389,7 +383,8 @@ class ResistedSet(HintsMixin, JsonMixin):
                 "the set of wrenches with bounded displacements is not drawn; leave "
                 "max_displacement out, or use `slice` and `polyhedra`"
             )
-        return self._of_grasp().grasp.draw(view, **options)
+        drawing: Drawing = self._of_grasp().grasp.draw(view, **options)
+        return drawing
 
     def _load(self, load: Load | int) -> Load:
         """Return a load that may be omitted: 0 is the zero wrench."""

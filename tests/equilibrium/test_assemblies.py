@@ -558,7 +558,7 @@ class TestModel:
 class TestVerdict:
     def test_what_it_shows(self):
         verdict = solve(STACK, WEIGHTS)
-        assert repr(verdict) == "<AssemblyVerdict: resisted, <Assembly: 2 bodies, 4 contacts>>"
+        assert repr(verdict) == "<Verdict: resisted, <Assembly: 2 bodies, 4 contacts>>"
         assert verdict.motions == {"lower": (0, Fraction(-3, 2), 0), "upper": (0, -2, 0)}
         assert verdict.states == ("stick",) * 4
         assert verdict.to_dict()["wrench"] == {"lower": ["0", "-2", "0"], "upper": ["0", "-1", "0"]}

@@ -14,7 +14,7 @@ from equilibrium import Contact, Grasp, read_grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.leaves import parts
 from equilibrium.cli.program import main
-from equilibrium.decide import planar as deciding, verdict as verdicts
+from equilibrium.decide import engines as deciding, verdict as verdicts
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs.csv_file import parse_csv
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench

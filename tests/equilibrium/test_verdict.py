@@ -82,9 +82,10 @@ def test_all_equilibria_of_few_contacts_in_the_plane_are_listed():
     held, refused = (solve(THREE, (0, y, 0)) for y in (1, 2))
     contact = next(iter(THREE))
     for count, few in ((20, True), (21, False)):
-        many = replace(held, grasp=Grasp([contact] * count))
+        many = replace(held, case=replace(held.case, subject=Grasp([contact] * count)))
         assert [many.lists_all(every) for every in (None, True, False)] == [few, True, False]
-    assert not replace(held, grasp=Grasp([Contact([0, 0, 0], [0, 0, 1], 0)])).lists_all()
+    in_space = Grasp([Contact([0, 0, 0], [0, 0, 1], 0)])
+    assert not replace(held, case=replace(held.case, subject=in_space)).lists_all()
     assert refused.lists_all(False)
     assert not replace(refused, verdict="undecided").lists_all()
 

@@ -10,7 +10,7 @@ from arrangement.numbers.linear.intervals import holds, remainder, union
 from arrangement.numbers.linear.polyhedron import from_conditions
 from equilibrium import Assembly, Contact, Grasp, GraspError, ResistedSet, read_grasp, solve
 from equilibrium.core.contact_rows import any_friction_does
-from equilibrium.decide.assemblies.solver import AssemblySolver
+from equilibrium.decide.solver import Solver
 from equilibrium.model.effort import Effort
 from equilibrium.wrench_sets.friction import least_friction
 from equilibrium.wrench_sets.margin import margin, sufficient_preloads
@@ -280,7 +280,7 @@ def test_least_friction_with_many_open_ranges_is_refused(monkeypatch):
 def test_wall_that_nothing_presses_on_bears_no_weight():
     wall = Contact([-1, 0], [1, 0], 1)
     hung, leant = ((push, *(-x for x in wall.tangential_wrench[1:])) for push in (0, -1))
-    grasp, body = Grasp([wall]), AssemblySolver(Assembly.of_grasp(Grasp([wall])))
+    grasp, body = Grasp([wall]), Solver(Assembly.of_grasp(Grasp([wall])))
     assert least_friction(grasp, hung).impossible
     assert least_friction(body, {"object": hung}).impossible
     assert least_friction(grasp, leant).high == least_friction(body, {"object": leant}).high == 1

@@ -1,0 +1,188 @@
+"""The decision for an assembly: each part apart, proofs and equilibria put together.
+
+A part of one body is a planar question. The others are searched like a grasp in space, with linear
+cones: with all states decided a node is an exact program, so the search ends unless a limit does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from arrangement.errors import OutOfReachError
+from arrangement.numbers.exact import RationalVector, dot, to_text, vector_text
+from equilibrium.certificate.assemblies import joint_rows
+from equilibrium.certificate.law import displacement_problem, law_problem
+from equilibrium.decide.engines import Engine, PlanarEngine
+from equilibrium.model.assembly import SIZE, Assembly, Wrenches
+from equilibrium.model.effort import Effort
+from equilibrium.model.errors import TimeLimitError
+from equilibrium.model.grasp import Grasp
+from equilibrium.model.solution import Open, Refutation, Solution, Tree
+from equilibrium.model.subject import by_body, flat
+
+from .magnitudes import PartEquilibrium, part_equilibria
+from .parts import AssemblyPart, parts_of, with_root_as_ground
+
+#: Up to this many contacts the equilibrium of least norm of a body is looked for.
+_FEW = 4
+_FLOATS = "the load does not balance as a whole"
+#: The motion of a body at rest.
+_STILL: RationalVector = (Fraction(0),) * SIZE
+
+
+class AssemblyEngine(Engine):
+    """The search for the parts of an assembly, one after the other."""
+
+    def __init__(self, assembly: Assembly, max_displacement: Fraction | None = None) -> None:
+        self.assembly, self.max_displacement = assembly, max_displacement
+
+    def outcome(
+        self, load: RationalVector, effort: Effort, *, nodes: int | None = None, **_: Any
+    ) -> Solution | Refutation | Open:
+        """Search until a part refutes all, or a limit is reached."""
+        limits = _Limits(effort, nodes, self.max_displacement)
+        parts, floating = parts_of(self.assembly, by_body(self.assembly, load))
+        for bodies, total in floating:
+            if any(total):
+                # No contact notices the common motion.
+                leaf = {"virtual_motion": {name: list(map(to_text, total)) for name in bodies}}
+                sum_ = f"the wrenches on {_listed(bodies)} add up to {vector_text(total)}"
+                return Refutation(
+                    leaf, f"{_FLOATS}: {sum_}, and no contact with the ground takes that"
+                )
+        solutions, open_ = {}, []
+        # Parts of one body are decided soonest.
+        for part in sorted(parts, key=lambda part: len(part.bodies)):
+            outcome = _decide_part(self.assembly, part, limits)
+            if isinstance(outcome, Solution):
+                solutions[part.bodies] = outcome
+            elif isinstance(outcome, Open):
+                open_.append(f"{_named(part)}: {outcome.reason}")
+            else:
+                return outcome
+        if open_:
+            return Open("; ".join(open_), 0.0)
+        return self._joined([(part, solutions[part.bodies]) for part in parts])
+
+    def _joined(self, solved: Iterable[tuple[AssemblyPart, Solution]]) -> Solution:
+        """Return the equilibrium of equilibria of the parts, those nearer to the ground first."""
+        motions: Wrenches = dict.fromkeys(self.assembly.names, _STILL)
+        forces: dict[int, RationalVector] = {}
+        for part, solution in solved:
+            held = motions[part.root] if part.root is not None else _STILL
+            for k, name in enumerate(part.bodies):
+                moved = solution.motion[SIZE * k : SIZE * (k + 1)]
+                motions[name] = tuple(x + y for x, y in zip(held, moved, strict=True))
+            forces |= zip(part.contacts, solution.forces, strict=True)
+        listed = tuple(forces[i] for i in range(len(self.assembly.contacts)))
+        return Solution(flat(self.assembly, motions), listed)
+
+    def states(self, solution: Solution) -> tuple[str, ...]:
+        """Return the state of each contact in an equilibrium."""
+        states = []
+        for row, (pressed, _) in zip(self.assembly.rows, solution.forces, strict=True):
+            slip = dot(row.tangential_wrenches[0], solution.motion)
+            slips = "slip+" if slip > 0 else "slip-" if slip < 0 else "stick"
+            states.append(slips if pressed else "detached")
+        return tuple(states)
+
+    def equilibria(self, load: RationalVector) -> tuple[tuple[PartEquilibrium, ...], ...]:
+        """Return all equilibria of each part; those of different parts combine freely."""
+        wrenches = by_body(self.assembly, load)
+        return part_equilibria(self.assembly, wrenches, self.max_displacement)
+
+
+class _Limits(NamedTuple):
+    """What bounds the search for the equilibria of a part, and these themselves."""
+
+    effort: Effort
+    nodes: int | None
+    max_displacement: Fraction | None
+
+
+def _decide_part(
+    assembly: Assembly, part: AssemblyPart, limits: _Limits
+) -> Solution | Refutation | Open:
+    """Return an equilibrium of a part, the refutation of the assembly, or why it is open."""
+    inside = with_root_as_ground(assembly, part)
+    if len(part.bodies) > 1:
+        return _searched(inside, part, limits)
+    (name,) = part.bodies
+    grasp, load = Grasp(c.contact for c in inside.contacts), part.wrenches[name]
+    engine = PlanarEngine(grasp, limits.max_displacement)
+    try:
+        outcome = engine.outcome(load, limits.effort)
+    except (OutOfReachError, TimeLimitError) as late:
+        return Open(str(late).removeprefix("undecided: "), 0.0)
+    if isinstance(outcome, Refutation):
+        place = {"part": list(part.hanging[name]), "contacts": list(part.contacts)}
+        return _refuted(part, {**place, "tree": outcome.tree})
+    if len(grasp) > _FEW:
+        return outcome
+    # Where a contact slips freely the least motion is the one to show.
+    least = engine.choices.equilibria(load)[0]
+    return Solution(least.motion, least.forces)
+
+
+def _searched(
+    inside: Assembly, part: AssemblyPart, limits: _Limits
+) -> Solution | Refutation | Open:
+    """Return what the search in R^(3b) finds for a part of several bodies."""
+    from equilibrium.core.cones import LineCones
+    from equilibrium.core.contacts import FloatContacts
+    from equilibrium.core.tree import SETTINGS, SpatialSearch
+
+    rows, bound = joint_rows(inside), limits.max_displacement
+    load = tuple(x for name in part.bodies for x in part.wrenches[name])
+
+    def accept(solution: Solution) -> bool:
+        far = displacement_problem(rows, solution.motion, bound)
+        return not (far or law_problem(rows, load, solution.motion, solution.forces))
+
+    most = SETTINGS.max_nodes if limits.nodes is None else limits.nodes
+    total = inside.rows.total_load(load)
+    question = FloatContacts(inside.rows), total, accept, limits.effort, most
+    search = SpatialSearch(*question, max_displacement=bound, cones=LineCones())
+    outcome = search.decide()
+    if isinstance(outcome, Solution | Open):
+        return outcome
+    return _refuted(part, _lifted(outcome, part))
+
+
+def _refuted(part: AssemblyPart, tree: Tree) -> Refutation:
+    return Refutation(tree, f"{_named(part)} cannot balance the load")
+
+
+def _lifted(node: Any, part: AssemblyPart) -> dict[str, Any]:
+    """Return a tree about a part as one about the assembly: what hangs on a body moves with it."""
+    for kind in ("attachment", "slip"):
+        if isinstance(node, dict) and kind in node:
+            children = {name: _lifted(child, part) for name, child in node[kind].items()}
+            return {"contact": part.contacts[node["contact"]], kind: children}
+    virtual, multipliers = node, {}
+    if isinstance(node, dict):
+        virtual, multipliers = node["virtual_motion"], node["multipliers"]
+    moved: dict[str, Any] = {}
+    for k, name in enumerate(part.bodies):
+        own = virtual[SIZE * k : SIZE * (k + 1)]
+        if own != ["0"] * SIZE:
+            moved |= dict.fromkeys(part.hanging[name], own)
+    leaf: dict[str, Any] = {"virtual_motion": moved}
+    if multipliers:
+        rows = ((int(i), [*row, "0"][:2]) for i, row in multipliers.items())
+        leaf["multipliers"] = {str(part.contacts[i]): row for i, row in rows}
+    if isinstance(node, dict) and "displacements" in node:
+        pinned = node["displacements"].items()
+        leaf["displacements"] = {str(part.contacts[int(i)]): row for i, row in pinned}
+    return leaf
+
+
+def _named(part: AssemblyPart) -> str:
+    """Return the contacts of a part in words."""
+    return f"the contacts of {_listed(part.bodies)} with {part.root or 'the ground'}"
+
+
+def _listed(names: tuple[str, ...]) -> str:
+    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
