@@ -201,6 +201,13 @@ def test_differences_of_one_part_in_a_scale_are_seen(scale):
         assert made.vertex_count == vertices
 
 
+@pytest.mark.parametrize("power", range(299, 311))
+def test_slopes_at_the_ends_of_floats_stay_below_that_of_a_circle_with_itself(power):
+    huge = 10**power
+    planes = Arrangement([[-3, -4, 0], [-8 * huge, 6 * huge, -1], [0, 0, 1]])
+    assert sphere_arrangement(planes).region_count == 8
+
+
 def test_minors_of_1_beyond_int64_are_seen():
     """Floats lose them; numbers of 30 and of 22 bits leave them far from 0."""
     s, t = 3_000_000, 2_900_000

@@ -159,7 +159,8 @@ class FilteredSigns(ExactSigns):
 
     def slopes(self, block: slice) -> tuple[Floats, Booleans]:
         """Return the same: slopes for a proposal alone, turns in exact numbers if need be."""
-        slopes = np.nan_to_num(super().slopes(block)[0], posinf=VERTICAL, neginf=-VERTICAL)
+        # Of huge entries a slope may be finite and above that of a circle with itself.
+        slopes = np.clip(np.nan_to_num(super().slopes(block)[0]), -VERTICAL, VERTICAL)
         here, there = np.arange(len(self.normals))[block, None], np.arange(len(self.normals))
         least = np.where(here == there, np.inf, self._least[here] * self._least)
 
