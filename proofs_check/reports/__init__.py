@@ -1,1 +1,1 @@
-"""Records of what was checked, as JSON, Markdown, HTML and LaTeX."""
+"""Records of what was checked, as JSON, text, Markdown and HTML."""

@@ -1,6 +1,6 @@
 """A record as a report, and with what it was found.
 
-Text, Markdown, HTML and LaTeX are made from it in `text` and `forms`.
+Text, Markdown and HTML are made from it in `text`, `forms` and `page`.
 """
 
 from __future__ import annotations
@@ -98,7 +98,7 @@ SCHEMA_VERSION = 1
 def evidence_text(result: Result) -> str:
     """Return the evidence in one or two sentences."""
     evidence = result.evidence
-    parts = [_part_text(part, evidence.seed) for part in evidence.parts if part.checked]
+    parts = [_part_text(part, result) for part in evidence.parts if part.checked]
     if not evidence.records:
         parts = ["no case was checked"]
     if evidence.disagreement is not None:
@@ -173,16 +173,24 @@ def badges(claim: Claim, evidence: Evidence | None = None) -> list[dict[str, Any
     return shown
 
 
-def _part_text(part: Part, seed: int) -> str:
+def _proof_text(claim: Claim) -> str:
+    """Return where the proof of a claim is: in Coq, in prose, or in both."""
+    prose = "in prose (docs, Proofs)"
+    if not claim.theorems:
+        return f"proof {prose}"
+    return f"proof in Coq and {prose}: {claim.prose}" if claim.prose else "proof in Coq"
+
+
+def _part_text(part: Part, result: Result) -> str:
     outside = {"outside the domain": part.foreign, "outside the hypotheses": part.passed_over}
     beyond = ", ".join(f"{n} more {where}" for where, n in outside.items() if n)
     beyond = f" ({beyond})" if beyond else ""
     cases = f"{counted(part.checked, 'case')}{beyond}"
     if part.kind is Kind.PROVED:
-        return f"proof for any m (docs, Proofs); {cases}: {part.over}"
+        return f"{_proof_text(result.claim)}; {cases}: {part.over}"
     if part.kind is Kind.EXHAUSTIVE:
         return f"{f'the one case{beyond}' if part.checked == 1 else f'all {cases}'}: {part.over}"
-    return f"{counted(part.checked, 'sample')}{beyond}: {part.over}, seed {seed}"
+    return f"{counted(part.checked, 'sample')}{beyond}: {part.over}, seed {result.evidence.seed}"
 
 
 def _disagreement_text(record: Record) -> str:

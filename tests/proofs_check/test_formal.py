@@ -105,6 +105,35 @@ def test_the_axioms_of_every_theorem_of_the_program_are_printed():
     assert {"not_resisted", "faces_complete"} <= set(theorems)
 
 
+#: The files of statements, all of whose definitions are meant to be read.
+READ = ("Planes.v", "Model.v")
+
+
+def test_page_of_the_proofs_maps_theorems_to_files_and_names_what_they_say():
+    """Definitions in statements: in the files to be read, or named, or extracted."""
+    page = (FOLDER / "README.md").read_text(encoding="utf-8")
+    sources = {path.name: re.sub(r"(?s)\(\*.*?\*\)", "", path.read_text()) for path in SOURCES}
+    (printed,) = re.findall(r"(?s)^Definition theorems := \((.*?)\)", sources["Extract.v"], re.M)
+    rows = [row.split("|")[1:-1] for row in page.splitlines() if row.startswith("| `")]
+    stated = {
+        name: row[2] for row in rows if len(row) == 4 for name in re.findall(r"`(\w+)`", row[0])
+    }
+    assert set(stated) == set(re.findall(r"\w+", printed))
+    files = re.findall(r"`([\w/]+\.v)`", page)
+    assert all((FOLDER / name).is_file() for name in files)
+    begins = r"(?m)^ *(?:Definition|Fixpoint|Inductive|Record) (\w+)"
+    defined = {name for text in sources.values() for name in re.findall(begins, text)}
+    known = {name for file in READ for name in re.findall(begins, sources[file])}
+    known |= set(re.findall(r"\w+", sources["Extract.v"].partition("Extraction ")[2]))
+    known |= set(re.findall(r"\w+", page.partition("What has to be read")[2]))
+    for name, place in stated.items():
+        text = sources[Path(place.strip(" `")).name]
+        (statement,) = re.findall(rf"(?s)^Theorem {name}\b(.*?)Proof\.", text, re.M)
+        bound = " ".join(re.findall(r"(?:forall|exists) ([^,]*),", statement))
+        words = (set(re.findall(r"\w+", statement)) & defined) - set(re.findall(r"\w+", bound))
+        assert words <= known, name
+
+
 def test_claims_and_theorems_name_one_another():
     """Every theorem for claims is of one claim that says it is proved, and there is no other."""
     claims = [claim for claim in registry() if claim.theorems]
