@@ -437,6 +437,28 @@ def vector_text(values: Iterable[Fraction | int]) -> str:
     return f"({', '.join(number_text(x) for x in values)})"
 
 
+def sum_text(
+    terms: Iterable[tuple[Any, str]], times: str = "*", factor: Callable[[Any], str] = to_text
+) -> str:
+    """Return a sum of numbers times names; terms with 0 are left out.
+
+    Args:
+        terms: a number and its name, which is empty for a constant.
+        times: between a number and its name.
+        factor: makes the text of a positive number.
+
+    >>> sum_text([(-2, "x"), (0, "y"), (1, "z"), (Fraction(1, 2), "")])
+    '-2*x + z + 1/2'
+    """
+    text = ""
+    for number, name in terms:
+        if number:
+            sign = ("-" if number < 0 else "") if not text else " - " if number < 0 else " + "
+            size = "" if name and abs(number) == 1 else factor(abs(number)) + times * bool(name)
+            text += sign + size + name
+    return text
+
+
 def _integer_text(value: int) -> str:
     """Return the decimal digits of an integer; str() refuses very long ones."""
     if value.bit_length() <= _DIGITS:

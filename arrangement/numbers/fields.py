@@ -32,6 +32,7 @@ from arrangement.numbers.exact import (
     quotient,
     rational_vector,
     shown,
+    sum_text,
     to_text,
 )
 from arrangement.numbers.real import Irrational, check_same_field
@@ -560,13 +561,7 @@ _REALS = (int, Fraction, AlgebraicNumber, float)
 
 def sum_of_powers(terms: Iterable[tuple[int, Any]]) -> str:
     """Return coefficients times powers of a, as text."""
-    text = ""
-    for power, c in terms:
-        if c:
-            factor = "" if power and abs(c) == 1 else to_text(abs(c)) + "*" * bool(power)
-            sign = ("-" if c < 0 else "") if not text else " - " if c < 0 else " + "
-            text += sign + factor + "a" * bool(power) + f"^{power}" * (power > 1)
-    return text
+    return sum_text((c, "a" * bool(k) + f"^{k}" * (k > 1)) for k, c in terms)
 
 
 #: Digits to which SymPy's numbers are placed between rational ends.

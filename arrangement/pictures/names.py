@@ -15,7 +15,7 @@ from arrangement.drawing.colours import GREY, Colouring, DrawnRegion
 from arrangement.drawing.scene.labels import sign_text
 from arrangement.drawing.scene.scene import POINTS, Legend, Scene, Symbol
 from arrangement.errors import InputError, refusal
-from arrangement.numbers.exact import IntegerVector, shown, to_text
+from arrangement.numbers.exact import IntegerVector, shown, sum_text, to_text
 from arrangement.pictures.coordinates import items_of
 
 #: Of regions: a word, or some regions, by sign vector or number, with or without texts.
@@ -239,17 +239,16 @@ _LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 def equation(normal: IntegerVector, offset: int = 0) -> str:
     """Return the equation of a plane, such as ``x - 2y + z = 0`` or ``2x + (1 + a) y = 0``."""
-    text = ""
     names = "xyz" if len(normal) <= 3 else [f"x{k + 1}".translate(_LOW) for k in range(len(normal))]
-    for entry, name in zip(normal, names, strict=False):
-        if entry:
-            joint = ("-" if entry < 0 else "") if not text else (" - " if entry < 0 else " + ")
-            factor = to_text(abs(entry)) if abs(entry) != 1 else ""
-            if not isinstance(entry, int):
-                factor = factor.replace("*", "")
-                factor = f"({factor}) " if " " in factor else f"{factor} "
-            text += f"{joint}{factor}{name}"
-    return f"{text} = {to_text(offset)}"
+    return f"{sum_text(zip(normal, names, strict=False), '', _factor)} = {to_text(offset)}"
+
+
+def _factor(entry: Any) -> str:
+    text = to_text(entry)
+    if isinstance(entry, int):
+        return text
+    text = text.replace("*", "")
+    return f"({text}) " if " " in text else f"{text} "
 
 
 def generator_text(arrangement: Arrangement) -> str:

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
+from functools import partial
 
 from arrangement.errors import InputError
 from arrangement.numbers import budget
@@ -22,10 +23,14 @@ _EQUATION = re.compile(r"(?=.*[A-Za-z])[\w\s.+*/-]+=[\w\s.+*/-]+")
 _COORDINATE = re.compile(r"[A-Za-z](?:_?[0-9]+)?", re.ASCII)
 #: A number such as 1e5, which is not a number times a coordinate e5.
 _DECIMAL_POWER = re.compile(r"[0-9][eE][0-9]")
-#: A sign, a number, and a name; either of the two last may be missing.
+_NUMBER = r"[0-9]+(?:\.[0-9]+)?(?:/[0-9]+)?"
+#: A sign; a number, in parentheses perhaps; a name; and what that is divided by.
 _TERM = re.compile(
-    r"\s*([+-]?)\s*(?:([0-9]+(?:\.[0-9]+)?(?:/[0-9]+)?)(?:\s*\*)?)?\s*([A-Za-z]\w*)?"
+    rf"\s*([+-]?)\s*(?:({_NUMBER}|\({_NUMBER}\))\s*(\*?)\s*)?([A-Za-z]\w*)?\s*(?:/\s*([0-9]+)\s*)?"
 )
+_EXAMPLE = "2*x - 1/2*y + 1 = 0"
+#: Digits of numbers that Python reads at once.
+SHORT = 1000
 
 
 def is_equation(line: str) -> bool:
@@ -35,7 +40,7 @@ def is_equation(line: str) -> bool:
     if _DECIMAL_POWER.search(line):
         return False
     try:
-        names = [name for name, _ in _terms(line, line) if name]
+        names = [name for name, _ in terms_of(line) if name]
     except InputError:
         return False
     return bool(names) and all(map(_COORDINATE.fullmatch, names))
@@ -59,12 +64,14 @@ def planes_of_text(
         if "=" not in line and not is_equation(line):
             raise InputError(
                 f"{shown(line)} is not a linear form in coordinates such as x or x1; write such as "
-                "2*x - 1/2*y + 1 = 0"
+                f"{_EXAMPLE}"
             )
         left, _, right = line.partition("=")
         row: Counter[str] = Counter()
         for sign, side in ((1, left), (-1, right if "=" in line else "0")):
-            for name, value in _terms(side, line):
+            if not side.strip():
+                raise InputError(f"the equation {shown(line)} has an empty side; write 0 there")
+            for name, value in terms_of(side, partial(_not_linear, line)):
                 row[name] += sign * value  # type: ignore[assignment]
         rows.append(row)
     used = [name for row in rows for name in row if name]
@@ -76,6 +83,10 @@ def planes_of_text(
     return normals, [Fraction(-row[""]) for row in rows], ordered
 
 
+def _not_linear(line: str, place: str) -> str:
+    return f"the equation {shown(line)} is not linear near {place}; write such as {_EXAMPLE}"
+
+
 def named_coordinates(names: Iterable[str]) -> list[str]:
     """Return the coordinates that the names of some forms mean, in their order."""
     known = {*names}
@@ -84,24 +95,33 @@ def named_coordinates(names: Iterable[str]) -> list[str]:
     return sorted(known, key=lambda name: [*_natural(name)])
 
 
-def _terms(side: str, line: str) -> Iterator[tuple[str, Fraction]]:
-    """Yield the terms of a sum as name (none for a constant) and number."""
-    at, first = 0, True
-    if not side.strip():
-        raise InputError(f"the equation {shown(line)} has an empty side; write 0 there")
-    while at < len(side.rstrip()):
-        term = _TERM.match(side, at)
-        sign, number, name = term.groups() if term else ("", None, None)
-        bare = number is None and name is None
-        starred = side[at : term.end() if term else at].rstrip().endswith("*")
-        if term is None or bare or starred or not (sign or first):
-            raise InputError(
-                f"the equation {shown(line)} is not linear near {shown(side[at:].strip())}; write "
-                "such as 2*x - 1/2*y + 1 = 0"
-            )
-        value = rational(number or "1", "a coefficient")
-        yield name or "", -value if sign == "-" else value
-        at, first = term.end(), False
+def terms_of(
+    text: str, message: Callable[[str], str] = str
+) -> Iterator[tuple[str, Fraction | int]]:
+    """Yield the terms of a linear form as name, empty for a constant, and number.
+
+    Args:
+        text: such as ``2*x - 1/2 y + (3/2)*z - w/2 + 1``.
+        message: of the error, from the text at its place.
+
+    Raises:
+        InputError: it is not a sum of such terms.
+    """
+    at, length = 0, len(text)
+    while at < length or not at:
+        term = _TERM.match(text, at)
+        sign, number, star, name, divisor = term.groups() if term else [None] * 5
+        if term is None or not (name or (number and not star)) or (at and not sign):
+            raise InputError(message(shown(text[at:].strip())))
+        digits = number or "1"
+        if divisor:
+            digits = f"{digits}/{divisor}"
+        if len(digits) < SHORT and digits.isdigit():
+            size: Fraction | int = int(digits)
+        else:
+            size = rational(digits.strip("()"), f"a coefficient of {shown(text)}")
+        yield name or "", -size if sign == "-" else size
+        at = term.end()
 
 
 def _natural(name: str) -> Iterator[tuple[int, str]]:

@@ -15,7 +15,7 @@ import re
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.library.files.documents import rational_planes
-from arrangement.numbers.exact import shown
+from arrangement.numbers.exact import shown, sum_text
 from arrangement.planes.equation_text import is_equation, planes_of_text
 
 _REMARK = re.compile(r"#.*")
@@ -50,12 +50,8 @@ def write_equations(arrangement: Arrangement) -> str:
         names = [*"xyz"][: arrangement.dimension]
     lines = []
     for *normal, offset in rational_planes(arrangement):
-        terms = [
-            f"{'-' if x < 0 else '+'} {f'{abs(x)}*' if abs(x) > 1 else ''}{name}"
-            for x, name in zip(normal, names, strict=True)
-            if x
-        ]
-        lines.append(f"{' '.join(terms).removeprefix('+ ')} = {offset}\n")
+        text = sum_text(zip(normal, names, strict=True))
+        lines.append(f"{'- ' * (text[0] == '-')}{text.removeprefix('-')} = {offset}\n")
     return "".join(lines)
 
 

@@ -23,56 +23,32 @@ from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.library.files.documents import rational_planes
 from arrangement.numbers import budget
-from arrangement.numbers.exact import rational, shown
-from arrangement.planes.equation_text import named_coordinates
+from arrangement.numbers.exact import rational, shown, sum_text
+from arrangement.planes.equation_text import SHORT, named_coordinates, terms_of
 
-#: Digits of numbers that Python reads at once.
-_SHORT = 1000
 #: Steps for a comma or bracket.
 _MARK = 20
-_NUMBER = r"[0-9]+(?:/[0-9]+)?"
-_NAME = r"[A-Za-z]\w*"
-_TERM = re.compile(
-    rf"\s*([+-]?)\s*(?:({_NUMBER}|\({_NUMBER}\))(?:\s*\*\s*({_NAME}))?|({_NAME})(?:\s*/\s*([0-9]+))?)\s*",
-    re.ASCII,
-)
 
 
 def read_form(text: str, names: Sequence[str]) -> list[Fraction | int]:
     """Return the coefficients of the named variables, and the constant last."""
     found: list[Fraction | int] = [0] * (len(names) + 1)
-    place = 0
-    while place < len(text) or not place:
-        term = _TERM.match(text, place)
-        if term is None or (place and not term[1]):
-            raise InputError(
-                f"{shown(text)} is not a linear form such as 3*x + 2*y - 7 in {', '.join(names)}"
-            )
-        name = term[3] or term[4]
+
+    def refused(_: str) -> str:
+        return f"{shown(text)} is not a linear form such as 3*x + 2*y - 7 in {', '.join(names)}"
+
+    for name, number in terms_of(text, refused):
         if name and name not in names:
             raise InputError(
                 f"{shown(text)} has {shown(name)}; the variables are {', '.join(names)}"
             )
-        written = (term[2] or (f"1/{term[5]}" if term[5] else "1")).strip("()")
-        size: Fraction | int = (
-            int(written)
-            if written.isdigit() and len(written) < _SHORT
-            else rational(written, f"a coefficient of {shown(text)}")
-        )
-        found[names.index(name) if name else -1] += -size if term[1] == "-" else size
-        place = term.end()
+        found[names.index(name) if name else -1] += number
     return found
 
 
 def form_text(plane: Sequence[int], names: Sequence[str]) -> str:
     """Return ``n . x - b`` of the plane (n, b)."""
-    text = ""
-    for size, name in zip((*plane[:-1], -plane[-1]), (*names, ""), strict=True):
-        if size:
-            sign = ("-" if size < 0 else "") if not text else (" - " if size < 0 else " + ")
-            times = str(abs(size)) if abs(size) != 1 or not name else ""
-            text += sign + "*".join(filter(None, (times, name)))
-    return text
+    return sum_text(zip((*plane[:-1], -plane[-1]), (*names, ""), strict=True))
 
 
 def inside(text: str, start: int, pair: str) -> str:
@@ -207,7 +183,7 @@ def _plane(item: _Item, names: list[str]) -> list[Any]:
 
 def _entry(text: str) -> Fraction | int:
     plain = text.replace(" ", "")
-    short = len(plain) < _SHORT and plain.isascii() and plain.removeprefix("-").isdigit()
+    short = len(plain) < SHORT and plain.isascii() and plain.removeprefix("-").isdigit()
     return int(plain) if short else rational(plain, "an entry")
 
 
