@@ -104,7 +104,7 @@ def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
     if arguments.json:
         terminal.print_json(record)
     elif not asked.from_files:
-        print(f"\n{_left_out(asked)}{text.summary(record['results'])}")
+        print("\n".join(["", *text.left_out(record), text.summary(record["results"])]))
     if make:
         write_text_atomically(arguments.output, make(record))
     if unsaved:
@@ -112,14 +112,6 @@ def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
     if lost:
         raise OwnClaimError(f"{lost} of {len(chosen)} claims have no verdict")
     return exit_code(record, strict=arguments.strict)
-
-
-def _left_out(asked: _Request) -> str:
-    """Return a line with the claims that take minutes, if they were left out."""
-    if asked.names or asked.large or asked.from_files:
-        return ""
-    left = [claim.id for claim in claims.registry() if claim.large]
-    return f"left out, as --large is not given: {', '.join(left)}\n" if left else ""
 
 
 def _elsewhere(asked: _Request) -> dict[str, Any]:
@@ -167,7 +159,7 @@ def file_record(name: str, arguments: argparse.Namespace) -> tuple[dict[str, Any
     return report.json_record(kept, asked.seed, **_about(asked)), words
 
 
-def _about(asked: _Request) -> dict[str, str]:
+def _about(asked: _Request) -> dict[str, Any]:
     """Return what a record says of its claims: title, source, and the command for the same run."""
     options = ["--seed", str(asked.seed)] if asked.seed else []
     options += ["--samples", str(asked.samples)] if asked.samples is not None else []
@@ -183,8 +175,9 @@ def _about(asked: _Request) -> dict[str, str]:
         title = claim_file.heading(file).rstrip(".") or Path(file).name
         return {"title": title, "about": ", ".join(names), "command": command}
     paper = claims.paper()
-    about = "; ".join(filter(None, [paper["about"], _left_out(asked).rstrip()]))
-    return {**paper, "about": about, "command": command}
+    every = not (asked.names or asked.large)
+    left_out = [claim.id for claim in claims.registry() if every and claim.large]
+    return {**paper, "command": command, "left_out": left_out}
 
 
 def _results(

@@ -16,13 +16,13 @@ from arrangement.errors import InputError
 from .formula import is_formula
 from .report import digest
 from .text import (
-    also_tried,
     as_expected,
-    badge_text,
+    cells,
     conclusion,
+    facts,
     is_unexpected,
+    left_out,
     overview,
-    remark,
     value_text,
 )
 
@@ -37,7 +37,7 @@ def markdown(record: Record) -> str:
         lines += ["", f"## {_markdown_text(result['id'])}", ""]
         if is_formula(formula := result.get("formula") or ""):
             lines += [f"${formula}$", ""]
-        for name, text in _facts(result):
+        for name, text in facts(result):
             lines.append(f"- {name}: {_markdown_text(text)}")
         for columns, rows in _tables(result):
             lines += ["", *_markdown_table(columns, rows)]
@@ -67,26 +67,6 @@ def _overview(record: Record) -> tuple[list[str], list[list[str]]]:
     return ["claim", "locator", "verdict", "evidence"], rows
 
 
-def _facts(result: Record) -> list[tuple[str, str]]:
-    """Return what a claim says and how it was checked, as names and texts."""
-    listed = [
-        ("statement", result["statement"]),
-        ("locator", result["locator"]),
-        ("domain", result.get("domain") or ""),
-        *(("hypothesis", text) for text in result["hypotheses"]),
-        ("verdict", conclusion(result)),
-        ("evidence", result["evidence"]),
-        *(("also tried", text) for text in also_tried(result)),
-        *(("proved", badge_text(badge)) for badge in result.get("badges", [])),
-        *((f"computed {i}", name) for i, name in enumerate(result["routes"], 1)),
-        ("added hypothesis", result.get("saving_hypothesis") or ""),
-        ("meaning", result["meaning"]),
-    ]
-    if result.get("milliseconds") is not None:
-        listed.append(("time", f"{result['milliseconds']} ms"))
-    return [(name, text) for name, text in listed if text]
-
-
 def _tables(result: Record) -> list[tuple[list[str], list[list[str]]]]:
     """Return the tables of a result: its own, and its cases where the claim asks for them."""
     found = []
@@ -95,13 +75,8 @@ def _tables(result: Record) -> list[tuple[list[str], list[list[str]]]]:
         found.append((table["columns"], [[value_text(c) for c in row] for row in table["rows"]]))
     if result.get("rows") and result["records"]:
         names = ["case", *result["routes"], "holds", "remark"]
-        found.append((names, [_case(entry) for entry in result["records"]]))
+        found.append((names, [cells(case, ("yes", "no")) for case in result["records"]]))
     return found
-
-
-def _case(entry: Record) -> list[str]:
-    holds = "yes" if entry["holds"] else "no"
-    return [entry["label"], *(value_text(value) for value in entry["values"]), holds, remark(entry)]
 
 
 def _footer(record: Record) -> list[str]:
@@ -118,7 +93,7 @@ def _footer(record: Record) -> list[str]:
         f"{name} {record[name.lower()]}" for name in ("Date", "Command") if record.get(name.lower())
     ]
     found = f"SHA-256 of statements, cases and values {digest(record)}"
-    return [f"{seed}.", "", *lines, *again, found]
+    return [f"{seed}.", "", *left_out(record), *lines, *again, found]
 
 
 def _html_page(record: Record) -> str:

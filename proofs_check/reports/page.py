@@ -29,10 +29,11 @@ from proofs_check.reports.formula import mathml
 from proofs_check.reports.report import digest
 from proofs_check.reports.text import (
     also_tried,
+    cells,
     conclusion,
     counts_by_strength,
     is_unexpected,
-    remark,
+    left_out,
     strength,
     value_text,
 )
@@ -129,6 +130,7 @@ def _body(record: Record) -> str:
         deciding=_deciding,
         figures=_figures,
         hint=_hint,
+        left_out=left_out(record),
         kind_of=_kind,
         origins=_origins,
     )
@@ -182,8 +184,7 @@ def _deciding(result: Record) -> Sequence[Record]:
 
 
 def _cells(case: Record) -> list[str]:
-    values = [value_text(value, LONGEST) for value in (case["label"], *case["values"])]
-    return [*values, "✓" if case["holds"] else "✗", remark(case)]
+    return cells({**case, "label": value_text(case["label"], LONGEST)}, ("✓", "✗"), LONGEST)
 
 
 def python_lines(result: Record) -> str:

@@ -11,7 +11,7 @@ import platform
 import re
 import subprocess
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict
 from datetime import UTC, datetime
 from fractions import Fraction
@@ -390,7 +390,12 @@ def digest(record: Mapping[str, Any]) -> str:
 
 
 def json_record(
-    results: list[dict[str, Any]], seed: int, title: str = "", about: str = "", command: str = ""
+    results: list[dict[str, Any]],
+    seed: int,
+    title: str = "",
+    about: str = "",
+    command: str = "",
+    left_out: Sequence[str] = (),
 ) -> dict[str, Any]:
     """Return the complete record of a run.
 
@@ -399,9 +404,11 @@ def json_record(
         seed: of the random instances.
         title, about: what was checked, and where it stands.
         command: that repeats the run.
+        left_out: claims that take minutes, and were not asked for.
     """
     record = record_of(results, seed, [environment()])
-    return {**record, "title": title, "about": about, "command": command, "date": date()}
+    record |= {"title": title, "about": about, "command": command, "date": date()}
+    return record | ({"left_out": list(left_out)} if left_out else {})
 
 
 #: What every result of a record has, in each form of a report.

@@ -116,7 +116,13 @@ def overview(record: Record) -> str:
     """Return one verdict a claim, with the tables of the paper row by row, and a summary."""
     results = record["results"]
     entries = [entry(result, columns(results), 100) for result in results]
-    return "\n".join([*entries, "", summary(results)])
+    return "\n".join([*entries, "", *left_out(record), summary(results)])
+
+
+def left_out(record: Record) -> list[str]:
+    """Return a line with the claims that take minutes, if they were left out."""
+    claims = record.get("left_out", ())
+    return [f"left out, as --large is not given: {', '.join(claims)}"] if claims else []
 
 
 def columns(claims: Iterable[Record]) -> tuple[int, int]:
@@ -138,18 +144,34 @@ def entry(result: Record, widths: tuple[int, int], width: int) -> str:
     return "\n".join([head, *lines, *cases])
 
 
-def details(result: Record, width: int, **more: str) -> str:
-    """Return one result with its statement and hypotheses, and what else there is to say."""
+#: Of what a result says, the names that the text of one claim has.
+_IN_DETAIL = ("statement", "domain", "hypothesis", "verdict", "evidence", "also tried")
+
+
+def facts(result: Record) -> list[tuple[str, str]]:
+    """Return what a claim says and how it was checked, as names and texts, in every form."""
+    time = result.get("milliseconds")
     entries = [
         ("statement", result["statement"]),
-        ("domain", result.get("domain", "")),
-        *(("hypothesis", entry) for entry in result["hypotheses"]),
+        ("locator", result["locator"]),
+        ("domain", result.get("domain") or ""),
+        *(("hypothesis", text) for text in result["hypotheses"]),
         ("verdict", conclusion(result)),
-        *(("evidence", entry) for entry in result["evidence"].split("; ")),
-        *(("also tried", entry) for entry in also_tried(result)),
-        *more.items(),
+        *(("evidence", text) for text in result["evidence"].split("; ")),
+        *(("also tried", text) for text in also_tried(result)),
+        *(("proved", badge_text(badge)) for badge in result.get("badges", [])),
+        *((f"computed {i}", name) for i, name in enumerate(result["routes"], 1)),
+        ("added hypothesis", result.get("saving_hypothesis") or ""),
+        ("meaning", result["meaning"]),
+        ("time", "" if time is None else f"{time} ms"),
     ]
-    rows = [(name, entry) for name, entry in entries if entry]
+    return [(name, text) for name, text in entries if text]
+
+
+def details(result: Record, width: int, **more: str) -> str:
+    """Return one result with its statement and hypotheses, and what else there is to say."""
+    rows = [row for row in facts(result) if row[0] in _IN_DETAIL]
+    rows += [row for row in more.items() if row[1]]
     head = one_line(f"{result['id']} ({result['locator']})")
     return "\n".join([head, *table(rows, width, "  ")])
 
@@ -159,21 +181,21 @@ def _rows(result: Record, width: int) -> list[str]:
     names = " | ".join(f"by {name}" for name in result["routes"])
     text = f"{result['quantity']}: {names}"
     lines = textwrap.wrap(text, width, initial_indent="  ", subsequent_indent="  ")
-    cells = [
-        (
-            "ok " if case["holds"] else "no ",
-            case["label"],
-            *(value_text(value, 60) for value in case["values"]),
-            remark(case),
-        )
-        for case in result["records"]
-    ]
-    return [*lines, *table(cells, width, indent="  ")]
+    cases = (cells(case, ("ok ", "no "), 60) for case in result["records"])
+    rows = [(holds, *values, remark) for *values, holds, remark in cases]
+    return [*lines, *table(rows, width, indent="  ")]
 
 
-def remark(case: Record) -> str:
-    """Return what there is to say of a case."""
-    return "; ".join(text for text in (case["note"], case["assumption"]) if text)
+def cells(case: Record, holds: tuple[str, str], limit: int = 0) -> list[str]:
+    """Return a row of a table of cases: label, values, whether it holds, a remark.
+
+    Args:
+        holds: the words for yes and no.
+        limit: of the length of a value, if there is one.
+    """
+    values = (value_text(value, limit) for value in case["values"])
+    remark = "; ".join(text for text in (case["note"], case["assumption"]) if text)
+    return [case["label"], *values, holds[0 if case["holds"] else 1], remark]
 
 
 def summary(results: Sequence[Record]) -> str:

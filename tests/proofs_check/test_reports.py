@@ -425,3 +425,16 @@ def test_commit_is_that_of_the_checkout(tmp_path, monkeypatch):
 def test_lines_of_the_plane_are_called_lines():
     assert report.instance_text({"planes": [["1", "0"], ["0", "1"]]}) == "lines (1,0) (0,1)"
     assert report.instance_text({"planes": [["1", "0", "0"]]}) == "planes (1,0,0)"
+
+
+def test_claims_left_out_stand_apart_from_the_source(record):
+    """In every form in a line of their own."""
+    source = "Robotics: Science and Systems, 2018"
+    shorter = {**record, "about": source, "left_out": ["large-regions-in-print"]}
+    page = html_page(shorter)
+    assert f"<p>{source}</p>" in page
+    assert "Left out, as --large is not given: large-regions-in-print.</p>" in page
+    line = "left out, as --large is not given: large-regions-in-print"
+    assert line in pages.FORMS[".txt"](shorter).splitlines()
+    assert line.replace("_", "\\_") in pages.FORMS[".md"](shorter).splitlines()
+    assert all("eft out, as" not in pages.FORMS[end](record) for end in (".txt", ".md", ".html"))
