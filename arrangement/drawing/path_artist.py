@@ -32,7 +32,7 @@ from .output import (
     picture_bytes,
     require_matplotlib,
 )
-from .scene.items import LIGHT, SHADES, Ball, Box, Item, Label, Mark, Path, Place
+from .scene.items import LIGHT, SHADES, Ball, Box, Item, Label, Mark, PageMap, Path, Place
 from .scene.layout import laid_out
 from .scene.scene import DPI, NarrowError, Scene
 from .scene.themes import themed
@@ -45,7 +45,7 @@ try:
     from matplotlib.patches import Circle, PathPatch, Rectangle
     from matplotlib.path import Path as Outline
     from matplotlib.patheffects import Normal, Stroke
-    from matplotlib.transforms import Affine2D, Bbox, TransformedPath
+    from matplotlib.transforms import Affine2D, Bbox, Transform, TransformedPath
 except ImportError:
     require_matplotlib()  # says which extra brings it
     raise
@@ -65,16 +65,17 @@ class Paths(Artist):
 
     Attributes:
         items: the paths.
+        page: from points of the sheet to the display.
     """
 
-    def __init__(self, items: Iterable[Path]) -> None:
+    def __init__(self, items: Iterable[Path], page: Transform) -> None:
         super().__init__()
-        self.items = tuple(items)
+        self.items, self.page = tuple(items), page
 
     def draw(self, renderer: Any) -> None:
         """Draw all paths, each cut to its clip, or to the sheet."""
         assert self.axes is not None
-        affine = Affine2D(self.axes.transData.get_matrix())
+        affine = Affine2D(self.page.get_matrix())
         sheet = self.axes.bbox.frozen()
         styles: dict[tuple[str, ...], tuple[Any, tuple[float, ...] | None]] = {}
         for item in self.items:
@@ -137,25 +138,28 @@ def _cut(context: Any, clip: Box | tuple[Place, float], affine: Affine2D) -> Non
         context.set_clip_rectangle(Bbox([[left, low], [right, high]]).transformed(affine))
 
 
-def patch(item: Path, axes: Any) -> PathPatch:
+def patch(item: Path, page: Transform) -> PathPatch:
     """Return a path as an artist of its own, for who wants to change it."""
     style = dict(item.style)
     filled = item.kind != "line" and style.pop("fill", True)
     style.setdefault("ec", "none" if filled else "black")
     made = PathPatch(_outline(item), fill=filled, gid=item.name or None, **style)
-    made.set_transform(axes.transData)
+    made.set_transform(page)
     if item.clip is not None and len(item.clip) == 2:
         (x, y), radius = item.clip
-        made.set_clip_path(Circle((x, y), radius, transform=axes.transData))
+        made.set_clip_path(Circle((x, y), radius, transform=page))
     elif item.clip is not None:
         left, low, right, high = item.clip
-        box = Rectangle((left, low), right - left, high - low, transform=axes.transData)
+        box = Rectangle((left, low), right - left, high - low, transform=page)
         made.set_clip_path(box)
     return made
 
 
 def figure(scene: Scene, made: Figure | None = None) -> Figure:
-    """Return a scene as a figure with one coordinate system, that of the scene.
+    """Return a scene as a figure; each panel has axes over the whole sheet with its coordinates.
+
+    The first ones hold the picture. They have the coordinates of the model where `PageMap` says
+    that these are to scale, else points of the sheet. What is added to them is drawn on top.
 
     Args:
         made: an empty figure to be filled, instead of a new one.
@@ -163,16 +167,19 @@ def figure(scene: Scene, made: Figure | None = None) -> Figure:
     made = Figure() if made is None else made
     made.set_dpi(DPI)
     made.set_size_inches(scene.paper[0] / 25.4, scene.paper[1] / 25.4)
-    axes: Any = made.add_axes((0.0, 0.0, 1.0, 1.0))
-    _clear(axes, scene)
-    for k, items in _runs(scene):
+    panels: list[Any] = [made.add_axes((0.0, 0.0, 1.0, 1.0)) for _ in scene.maps or [PageMap()]]
+    axes = panels[0]
+    for k, panel in enumerate(panels):
+        _set_coordinates(panel, scene, k)
+    page = _page(axes, scene)
+    for order, items in _runs(scene):
         paths = []
         for item in items:
             if isinstance(item, Path):
                 paths.append(item)
             else:
-                _draw(axes, item, {**item.style, "zorder": k})
-        axes.add_artist(Paths(paths)).set_zorder(k)
+                _draw(axes, page, item, {**item.style, "zorder": order})
+        axes.add_artist(Paths(paths, page)).set_zorder(order)
     return made
 
 
@@ -206,30 +213,44 @@ def into(place: Room, make: Callable[[float], Scene]) -> Figure:
             with suppress(NarrowError):
                 scene = make(width)
     scene = scene.scaled(min(1.0, *map(operator.truediv, room, scene.paper)))
-    _clear(axes, scene)
-    for k, items in _runs(scene):
+    _set_coordinates(axes, scene, 0)
+    page = _page(axes, scene)
+    for order, items in _runs(scene):
         for item in items:
             if isinstance(item, Path):
-                axes.add_patch(patch(item, axes)).set_zorder(k)
+                axes.add_artist(patch(item, page)).set_zorder(order)
             else:
-                _draw(axes, item, {**item.style, "zorder": k})
+                _draw(axes, page, item, {**item.style, "zorder": order})
     axes.set_aspect("equal")  # an image has changed it
     return owner  # type: ignore[no-any-return]
 
 
-def _clear(axes: Any, scene: Scene) -> None:
-    axes.set(xlim=(0, scene.width), ylim=(0, scene.height))
+def _set_coordinates(axes: Any, scene: Scene, panel: int) -> None:
+    """Give axes the coordinates of a panel, where these are to scale, else points of the sheet."""
+    ends: Any = (0.0, 0.0), (scene.width, scene.height)
+    if scene.maps and scene.maps[panel].is_to_scale:
+        ends = [scene.maps[panel].back(end) for end in ends]
+    (left, low), (right, high) = ends
+    axes.set(xlim=(left, right), ylim=(low, high))
     axes.set_axis_off()
 
 
-def _runs(scene: Scene) -> Iterator[tuple[int, Iterator[Item]]]:
-    """Yield runs of items of one kind, from below, with their heights."""
+def _page(axes: Any, scene: Scene) -> Transform:
+    """Return the map from points of the sheet to the display, whatever coordinates axes have."""
+    made: Transform = Affine2D().scale(1 / scene.width, 1 / scene.height) + axes.transAxes
+    return made
+
+
+def _runs(scene: Scene) -> Iterator[tuple[float, list[Item]]]:
+    """Yield runs of items of one kind, from below, with their heights: below all of matplotlib."""
     runs = groupby(sorted(scene.items, key=lambda item: item.height), key=type)
-    for k, (_, items) in enumerate(runs):
-        yield k, items
+    found = [list(items) for _, items in runs]
+    for k, items in enumerate(found):
+        yield k / len(found), items
 
 
-def _draw(axes: Any, item: Item, style: dict[str, Any]) -> None:
+def _draw(axes: Any, page: Transform, item: Item, style: dict[str, Any]) -> None:
+    style = {**style, "transform": page}
     if item.name:
         style["gid"] = item.name
     if isinstance(item, Label):
@@ -239,10 +260,10 @@ def _draw(axes: Any, item: Item, style: dict[str, Any]) -> None:
             *([x] for x in item.place), item.sign, ms=item.size, ls="none", clip_on=False, **style
         )
     elif isinstance(item, Ball):
-        _shade(axes, item, style)
+        _shade(axes, page, item, style)
 
 
-def _shade(axes: Any, item: Ball, style: dict[str, Any]) -> None:
+def _shade(axes: Any, page: Transform, item: Ball, style: dict[str, Any]) -> None:
     """Add a ball as a small image under its disc; neighbouring pixels differ by one shade."""
     middle = (np.arange(_PIXELS) + 0.5) / _PIXELS * 2 - 1
     x, y = np.meshgrid(middle, middle)
@@ -263,7 +284,7 @@ def _shade(axes: Any, item: Ball, style: dict[str, Any]) -> None:
         interpolation="none",
         **style,
     )
-    image.set_clip_path(Circle(item.centre, r, transform=axes.transData))
+    image.set_clip_path(Circle(item.centre, r, transform=page))
 
 
 def _write(axes: Any, item: Label, style: dict[str, Any]) -> None:
@@ -371,6 +392,34 @@ class Drawing(Figure):
         super().__init__()
         self.scene = scene
         figure(laid_out(scene), self)
+
+    def to_page(self, point: Iterable[Any], panel: int = 1) -> tuple[float, float]:
+        """Return where a point of the model is, in the coordinates of ``axes[panel - 1]``.
+
+        In views that show a plane to scale, such as lines, grasp, resist and slice, the axes have
+        the coordinates of the model, and this is the point itself. In views of a sphere a point is
+        its direction from the origin, in space it has three coordinates.
+
+        Args:
+            point: in the coordinates of the planes, of the grasp, or of the wrenches.
+            panel: from 1, of a picture with several.
+
+        Raises:
+            InputError: points have no place in this picture, or this one has none.
+
+        >>> from arrangement import Arrangement
+        >>> drawn = Arrangement([[1, 0], [0, 1]], [2, 3]).draw("lines")
+        >>> drawn.to_page((2, 3))
+        (2.0, 3.0)
+        """
+        maps = laid_out(self.scene).maps
+        if not maps:
+            raise InputError("points of the model have no place in this picture")
+        if not (isinstance(panel, int) and 0 < panel <= len(maps)):
+            raise InputError(f"the panel is {shown(panel)}; expected 1 to {len(maps)}")
+        chosen = maps[panel - 1]
+        x, y = chosen.numbers(point) if chosen.is_to_scale else chosen.at(point)
+        return float(x), float(y)
 
     def region(self, which: int | str | Sequence[int]) -> Elements:
         """Return what stands for a region, by its number, or its signs as numbers or ``"+-+"``."""

@@ -219,6 +219,26 @@ def in_coordinates(
     return moved, direction
 
 
+def point_map(coordinates: str | None, arrangement: Arrangement) -> Callable[[Floats], Floats]:
+    """Return the map of points that goes with `in_coordinates`; it is found at its first use."""
+
+    @functools.cache
+    def matrix() -> Floats | None:
+        normals = coordinate_map(coordinates, arrangement)
+        if normals is None:
+            return None
+        rows, scale = rounded_map(normals, 1 << 10)
+        found: Floats = scale * np.linalg.inv(np.array(rows, float)).T
+        return found
+
+    def moved(point: Floats) -> Floats:
+        chosen = matrix()
+        found: Floats = point if chosen is None else chosen @ point
+        return found
+
+    return moved
+
+
 def coordinate_map(coordinates: str | None, arrangement: Arrangement) -> Floats | None:
     """Return the matrix for normals of `in_coordinates`, None for none."""
     chosen = coordinates or ("given" if arrangement.axes else "symmetric")

@@ -27,7 +27,7 @@ from arrangement.drawing.colours import (
     letter_colour,
 )
 from arrangement.drawing.scene.curves import along, flattened, ring
-from arrangement.drawing.scene.items import Box, Floats
+from arrangement.drawing.scene.items import Box, Floats, PageMap
 from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
 from arrangement.drawing.scene.leaders import Leaders
 from arrangement.drawing.scene.places import inside, spread, turn
@@ -103,6 +103,11 @@ class Drawn:
     normals: Floats
     projection: Projection
 
+    def place(self, point: Floats) -> Floats:
+        """Return the place of a unit vector in the axes of the picture."""
+        found: Floats = self.projection(across(point), point, 1e-3)[0]
+        return found
+
     @cached_property
     def _arcs(self) -> dict[int, Floats]:
         return {}
@@ -149,6 +154,11 @@ class CutChart(Drawn):
 
     limb: int
     reach: float
+
+    def place(self, point: Floats) -> Floats:
+        """Return the place of a unit vector, or of its antipode, which is the same point here."""
+        found: Floats = point[:2] / point[2] / self.reach
+        return found
 
     @cached_property
     def _far(self) -> float:
@@ -391,6 +401,15 @@ class Disc:
     def on_paper(self, points: Floats) -> Floats:
         """Return points of the disc in points of the scene."""
         return np.array(self.centre) + self.radius * points
+
+    def place(self, point: Floats) -> Floats:
+        """Return where a direction from the origin is on the scene, or its antipode in a chart."""
+        direction = self.globe.axes @ point
+        return self.on_paper(self.drawn.place(direction / np.linalg.norm(direction)))
+
+    def map_points(self, moved: Callable[[Floats], Floats]) -> None:
+        """Tell the scene where points of the model are, which are moved to where they are drawn."""
+        self.scene.maps.append(PageMap(place=lambda point: self.place(moved(point)), size=3))
 
     def draw(
         self,

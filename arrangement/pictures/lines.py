@@ -9,7 +9,7 @@ too small to be seen, the farthest crossings are left out.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -30,7 +30,7 @@ from arrangement.drawing.colours import (
     colouring,
 )
 from arrangement.drawing.scene.curves import along
-from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.items import Floats, PageMap
 from arrangement.drawing.scene.labels import SIZES, keep_off, sign_text, write_if_free
 from arrangement.drawing.scene.places import beside, beyond, fixed
 from arrangement.drawing.scene.scene import POINTS, Scene, arrow
@@ -50,7 +50,7 @@ from arrangement.numbers.exact import (
 )
 from arrangement.numbers.linear.rank import cycle_edges
 from arrangement.numbers.real import rational_near
-from arrangement.pictures.coordinates import in_coordinates, planes_view
+from arrangement.pictures.coordinates import in_coordinates, planes_view, point_map
 from arrangement.pictures.globe import (
     Drawn,
     Globe,
@@ -209,6 +209,7 @@ class LinesChart:
     Attributes:
         lines: the arrangement.
         half: exact half sides of the window.
+        middle, unit: a point p of the plane is at ``(p - middle) / unit``, in floats.
         left_out: how many far crossings the window leaves out.
         globe: the great circles of the cone, with the same coordinates, cut at the limb, which is
             the line at infinity.
@@ -220,6 +221,7 @@ class LinesChart:
         chosen = LineWindow.between(lines, window) if window else LineWindow.of(lines)
         self.left_out, unit = chosen.left_out, chosen.unit
         self.half = [x / unit for x in chosen.half]
+        self.middle, self.unit = np.array([float(x) for x in chosen.middle]), float(unit)
         self.globe = Globe(cone(lines, chosen.middle, unit), ABOVE)
         self.sphere, self.incidence = self.globe.cut, self.globe.cut.incidence
 
@@ -392,7 +394,8 @@ def draw_lines(
         if [*map(len, corners)] != [2, 2] or not all(map(ne, *corners)):
             raise InputError("the window has two opposite corners, such as -1,-1 2,3")
         coordinates = "given"
-    chart = LinesChart(in_coordinates(coordinates, arrangement)[0], corners)
+    drawn, moved = in_coordinates(coordinates, arrangement)[0], point_map(coordinates, arrangement)
+    chart = LinesChart(drawn, corners)
     sheet = (_DiscSheet if projective else _WindowSheet)(chart, width, names, colour)
     if sides:
         sheet.mark_sides()
@@ -400,6 +403,7 @@ def draw_lines(
         sheet.label_faces()
     sheet.label_regions()
     sheet.explain()
+    sheet.map_points(None if drawn is arrangement else moved)
     for what, number in (+sheet.missing).items():
         sheet.scene.legend.note(f"no room for {number} of the labels of {what}, which are left out")
     return sheet.scene
@@ -521,6 +525,10 @@ class _Sheet:
         """Return the homogeneous point of the plane at a place on paper."""
         raise NotImplementedError
 
+    def map_points(self, moved: Callable[[Floats], Floats] | None) -> None:
+        """Tell the scene where points of the plane are, which are moved to where they are drawn."""
+        raise NotImplementedError
+
 
 class _WindowSheet(_Sheet):
     """A rectangle of the plane."""
@@ -588,6 +596,10 @@ class _WindowSheet(_Sheet):
     def plane(self, place: Floats) -> Floats:
         return np.append((place - self.centre) / self.scale, 1.0)
 
+    def map_points(self, moved: Callable[[Floats], Floats] | None) -> None:
+        scale, middle = self.scale / self.chart.unit, self.chart.middle
+        self.scene.maps.append(PageMap(scale, self.centre - scale * middle, moved))
+
     def _name(self, ends: Floats, text: str) -> None:
         """Write the name of a line beyond one of its ends, where there is more room."""
         ways = ends - ends[::-1]
@@ -629,6 +641,15 @@ class _DiscSheet(_Sheet):
     def plane(self, place: Floats) -> Floats:
         x, y = (place - np.array(self.disc.centre)) / self.disc.radius
         return np.array([2 * x, 2 * y, 1 - x * x - y * y])
+
+    def map_points(self, moved: Callable[[Floats], Floats] | None) -> None:
+        def place(point: Floats) -> Floats:
+            place = (
+                (point if moved is None else moved(point)) - self.chart.middle
+            ) / self.chart.unit
+            return self.disc.place(np.append(place, 1.0))
+
+        self.scene.maps.append(PageMap(place=place))
 
     def _curve(self, edge: int) -> Floats:
         return along(self.disc.on_paper(self.chart.drawn.arc(edge)), 12)

@@ -14,7 +14,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.drawing.colours import Choice, DrawnRegion, Painter
 from arrangement.drawing.scene.curves import along, flattened, ring
-from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.items import Floats, PageMap
 from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
 from arrangement.drawing.scene.places import beside, inside
 from arrangement.drawing.scene.scene import Scene, arrow
@@ -30,6 +30,7 @@ from arrangement.pictures.coordinates import (
     drawn_axes,
     in_coordinates,
     planes_view,
+    point_map,
     symmetry,
     within_reach,
 )
@@ -106,6 +107,7 @@ def draw_sphere(
     """
     names = RegionLabels(arrangement, labels, items="circles")
     shown, coordinates = drawn_axes(arrangement, axes, coordinates)
+    moved = point_map(coordinates, arrangement)
     arrangement, camera = in_coordinates(coordinates, arrangement, camera)
     globe = Globe(arrangement, camera, azimuth)
     colours = globe.colouring(colour)
@@ -113,6 +115,8 @@ def draw_sphere(
     arms, arrows = [], []
     if shown:
         disc = replace(disc, radius=within_reach(globe.axes.T, disc.scene.width / 2, disc.radius))
+    disc.map_points(moved)
+    if shown:
         arms = [_axis(disc, k) for k in range(3)]
         disc.scene.circle(disc.centre, 1.0, fc=INK, ec="none", zorder=2.5, gid="origin")
     if sides:
@@ -200,6 +204,7 @@ def draw_stereographic(
             the whole is asked for and the direction lies on a plane.
     """
     names = RegionLabels(arrangement, labels, items="circles")
+    moved = point_map(coordinates, arrangement)
     arrangement, camera = in_coordinates(coordinates, arrangement, camera)
     globe = Globe(arrangement, camera)
     if camera is None and whole is not False:
@@ -214,6 +219,7 @@ def draw_stereographic(
     colours = globe.colouring(colour)
     if not whole:
         disc = alone(globe, front(globe, stereographic), names, width)
+        disc.map_points(moved)
         disc.draw(colours.paint)
         explain_regions(disc.scene, colours, names, globe.front.values())
         return disc.scene
@@ -224,7 +230,9 @@ def draw_stereographic(
             "choose another camera, or the front half alone (whole=False)"
         )
     scene = Scene(width, width)
-    _Whole(globe, scene, colours.paint, names).draw()
+    picture = _Whole(globe, scene, colours.paint, names)
+    picture.draw()
+    scene.maps.append(PageMap(place=lambda p: picture.place(moved(p)), size=3))
     explain_regions(scene, colours, names, globe.regions)
     return scene
 
@@ -254,6 +262,11 @@ class _Whole:
 
     def on_paper(self, points: Floats) -> Floats:
         return self.centre + self.scale * (points - self.middle)
+
+    def place(self, point: Floats) -> Floats:
+        """Return the place of a direction from the origin."""
+        x, y, z = self.globe.axes @ point / np.linalg.norm(point)
+        return self.on_paper(np.array([x, y]) / (1 + z))
 
     def draw(self) -> None:
         outlines = self._fill()
@@ -378,6 +391,7 @@ def draw_gnomonic(
         InputError: another space, planes off the origin, too many circles, unknown colouring.
     """
     names = RegionLabels(arrangement, labels, items="lines")
+    moved = point_map(coordinates, arrangement)
     arrangement, camera = in_coordinates(coordinates, arrangement, camera)
     globe = Globe(arrangement, camera)
     if camera is None:
@@ -385,6 +399,7 @@ def draw_gnomonic(
     colours = globe.colouring(colour)
     chart = _cut(globe)
     disc = alone(globe, chart, names, width)
+    disc.map_points(moved)
     disc.draw(colours.paint, both_ends=globe.whole.circle_count <= _BOTH_ENDS)
     shown = [r for piece, r in globe.front.items() if len(chart.outline(piece))]
     explain_regions(disc.scene, colours, names, shown)

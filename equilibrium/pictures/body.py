@@ -17,7 +17,7 @@ from itertools import pairwise
 import numpy as np
 
 from arrangement.drawing.scene.curves import flattened
-from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.items import Floats, PageMap
 from arrangement.drawing.scene.scene import arc
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.linear.rank import cycle_edges, difference
@@ -42,6 +42,18 @@ class Frame:
         """Return a point on paper."""
         pairs = zip(point, self.centre, strict=True)
         return np.array([float((x - c) / self.half) for x, c in pairs])
+
+    def page_map(self, scale: float, shift: Floats) -> PageMap:
+        """Return where points of the plane are, if a place p on paper is at ``scale * p + shift``.
+
+        In numbers beyond floats they have none.
+        """
+        try:
+            unit = scale / float(self.half)
+            x, y = (float(s) - unit * float(c) for s, c in zip(shift, self.centre, strict=True))
+        except (OverflowError, ZeroDivisionError):
+            return PageMap()
+        return PageMap(unit, (x, y))
 
 
 def frame_of(grasp: Grasp, outline: Outline | None = None) -> Frame:

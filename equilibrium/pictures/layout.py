@@ -186,6 +186,7 @@ class PlaneLayout:
     def scene(self, width: float, tallest: float | None = None) -> tuple[Scene, float]:
         """Return the picture, without legend, and its scale; see `fitted` for its size."""
         scene, scale, shift = fitted(width, (self.content(), AROUND), tallest=tallest)
+        scene.maps.append(self.frame.page_map(scale, shift))
         picture = PlanePicture(self, scene, scale, shift)
         picture.bodies()
         picture.contacts()

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from arrangement.drawing.colours import BLACK, GREY
-from arrangement.drawing.scene.items import Box, Floats, Place
+from arrangement.drawing.scene.items import Box, Floats, PageMap, Place
 from arrangement.drawing.scene.labels import Labels, covering, keep_off, write_if_free
 from arrangement.drawing.scene.places import inside, near
 from arrangement.drawing.scene.scene import FONT, POINTS, Legend, Scene, area
@@ -175,6 +175,11 @@ class Panel:
         """Return points of the scene for places in the window, from -1 to 1."""
         points: Floats = np.array(self.corner) + (np.asarray(places) + 1) * (self.side / 2)
         return points
+
+    @property
+    def page_map(self) -> PageMap:
+        """Where points of the plane that the window shows are on the scene."""
+        return self.window.page_map(self.side / 2, np.array(self.corner) + self.side / 2)
 
     @property
     def box(self) -> Box:
@@ -407,6 +412,7 @@ def row_of_panels(
         x = LEFT + column * (side + GAP)
         y = height - (row + 1) * (side + ABOVE) - row * GAP / 2
         panel = Panel(scene, window, (x, y), side, "" if number == 1 else f"{i + 1}-")
+        scene.maps.append(panel.page_map)
         panel.rulers(names, units, left=column == 0, below=i + columns >= number)
         panels.append(panel)
     return scene, panels

@@ -231,6 +231,7 @@ def draw_proof(
     for i, sense in enumerate(TURNS):
         panel = Panel(scene, maps.window, (LEFT + i * (side + GAP), low), side, f"{i + 1}-")
         panel.rulers(("$x$", "$y$"), (unit, unit), left=i == 0)
+        scene.maps.append(panel.page_map)
         panel.title(f"centres of {TURNS[sense]} motions")
         drawn = _grasp(scene, layout, side / 2 / MAP, panel.at((0, 0)), panel.name)
         drawn.labels.avoid(*panel.axes())

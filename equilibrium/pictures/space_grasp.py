@@ -15,7 +15,7 @@ from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
 from arrangement.drawing.output import millimetres
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage, page_face
-from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene.items import Floats, PageMap
 from arrangement.drawing.scene.labels import Labels
 from arrangement.drawing.scene.places import near
 from arrangement.drawing.scene.scene import AROUND, Key, Legend, Scene
@@ -380,6 +380,8 @@ class _SpatialGraspPicture(SolidSheet):
         content = np.concatenate([np.zeros((1, 3)), *held]) @ picture_axes(towards).T
         super().__init__(towards, width, (content, AROUND), tallest=None)
         self.count, self.labels = 0, Labels(self.scene)
+        middle, half = np.array([float(x) for x in solid.frame.centre]), float(solid.frame.half)
+        self.scene.maps.append(PageMap(place=lambda p: self.at((p - middle) / half), size=3))
         for z, patches in self.layers(nodes, 1):
             for patch in patches:
                 self._patch(patch, z)

@@ -10,12 +10,15 @@ marks ``color``, ``weight``, ``style``, ``halo`` (width, colour), ``plate`` (a b
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
+
+from arrangement.errors import InputError
 
 Floats: TypeAlias = npt.NDArray[np.float64]
 #: A point of the scene.
@@ -186,3 +189,59 @@ def _grown(value: Any, factor: float) -> Any:
     if isinstance(value, (tuple, list)):
         return tuple(_grown(x, factor) for x in value)
     return factor * value
+
+
+@dataclass(frozen=True)
+class PageMap:
+    """Where points of the model are on a sheet: p at ``scale * place(p) + shift``, in points.
+
+    Attributes:
+        place: from coordinates of the model; None where these are those of a plane, seen to scale.
+        size: how many coordinates a point has.
+    """
+
+    scale: float = 1.0
+    shift: Place = (0.0, 0.0)
+    place: Callable[[Floats], Floats] | None = None
+    size: int = 2
+
+    def numbers(self, point: Iterable[Any]) -> Floats:
+        """Return the coordinates of a point of the model as floats.
+
+        Raises:
+            InputError: it has another number of them.
+        """
+        found = np.array([float(Fraction(x) if isinstance(x, str) else x) for x in point])
+        if len(found) != self.size:
+            raise InputError(f"the point has {len(found)} coordinates; expected {self.size}")
+        return found
+
+    def at(self, point: Iterable[Any]) -> Floats:
+        """Return a point of the model on the sheet.
+
+        Raises:
+            InputError: it has another number of coordinates, or lies at infinity.
+        """
+        placed = self.numbers(point)
+        with np.errstate(all="ignore"):
+            placed = placed if self.place is None else self.place(placed)
+        if not np.isfinite(placed).all():
+            raise InputError("the point lies at infinity in this picture; choose another view")
+        found: Floats = self.scale * placed + np.asarray(self.shift)
+        return found
+
+    @property
+    def is_to_scale(self) -> bool:
+        """Whether axes can carry the coordinates: those of a plane, which floats resolve."""
+        resolved = bool((np.abs(self.shift) < 1e12).all()) and 1e-250 < self.scale < 1e250
+        return self.place is None and resolved
+
+    def back(self, place: Place) -> tuple[float, float]:
+        """Return the coordinates that are at a place of the sheet, of a plane seen to scale."""
+        x, y = (np.asarray(place) - np.asarray(self.shift)) / self.scale
+        return float(x), float(y)
+
+    def moved(self, right: float, up: float, factor: float = 1.0) -> PageMap:
+        """Return the map of a sheet that is enlarged and then moved."""
+        shift = factor * np.asarray(self.shift) + (right, up)
+        return replace(self, scale=factor * self.scale, shift=(float(shift[0]), float(shift[1])))

@@ -12,7 +12,7 @@ from arrangement.console.progress import note
 from arrangement.drawing.colours import BLACK, VERMILION
 from arrangement.errors import InputError
 
-from .items import moved
+from .items import PageMap, moved
 from .scene import FONT, POINTS, Key, Legend, Scene, measure, wrapped
 
 #: The share of the width for a legend at the right, and of the height for keys and lines below.
@@ -105,6 +105,7 @@ def composed(
         rest.table = [] if same else legend.table
         panel = Scene(*scene.paper)
         panel.place(scene, 0.0, 0.0)
+        panel.maps = panel.maps or [PageMap()]
         panel.legend = rest
         panels.append(laid_out(panel))
     unique = {(repr(key.symbol), key.text): key for key in whole.keys}

@@ -21,7 +21,20 @@ from arrangement.console.progress import note
 from arrangement.drawing.output import millimetres, require_matplotlib
 from arrangement.errors import InputError
 
-from .items import Ball, Box, Floats, Item, Label, Mark, Path, Place, moved, role_of, scaled
+from .items import (
+    Ball,
+    Box,
+    Floats,
+    Item,
+    Label,
+    Mark,
+    PageMap,
+    Path,
+    Place,
+    moved,
+    role_of,
+    scaled,
+)
 
 #: Millimetres to points.
 POINTS = 72 / 25.4
@@ -187,6 +200,7 @@ class Scene:
         boxes: what is covered by labels so far.
         legend: what is said below or beside the picture.
         numbers: of regions, by their signs as text, where elements have these numbers as names.
+        maps: where points of the model are, of each panel; none where they have no place.
     """
 
     def __init__(self, width: float, height: float) -> None:
@@ -198,6 +212,7 @@ class Scene:
         self.boxes: list[Box] = []
         self.legend = Legend()
         self.numbers: Mapping[str, int] = {}
+        self.maps: list[PageMap] = []
         self._clip: Box | tuple[Place, float] | None = None
 
     @contextmanager
@@ -211,6 +226,7 @@ class Scene:
         """Return the same sheet enlarged: paper, text and lines."""
         grown = Scene(*(factor * length for length in self.paper))
         grown.items = [scaled(item, factor) for item in self.items]
+        grown.maps = [found.moved(0.0, 0.0, factor) for found in self.maps]
         return grown
 
     def measure(self, text: str, size: float = FONT, rotation: float = 0.0) -> tuple[float, float]:
@@ -333,6 +349,7 @@ class Scene:
         self.items += [moved(item, x, y) for item in other.items]
         self.boxes += [(l + x, b + y, r + x, t + y) for l, b, r, t in other.boxes]  # noqa: E741
         self.legend.extend(other.legend)
+        self.maps += [found.moved(x, y) for found in other.maps]
 
 
 #: Room beside and above what is drawn, in points.

@@ -40,7 +40,7 @@ def themed(scene: Scene, theme: str) -> Scene:
     if theme == "light":
         return scene
     made = Scene(*scene.paper)
-    made.boxes = list(scene.boxes)
+    made.boxes, made.maps = list(scene.boxes), list(scene.maps)
     change = _dark if theme == "dark" else _mono(scene)
     if theme == "dark":
         made.polygon(
