@@ -13,16 +13,16 @@ load of S will do.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 from arrangement.library.files.json_files import check_keys, check_list
-from arrangement.numbers.exact import RationalVector, shown, to_text, vector_text
+from arrangement.numbers.exact import RationalVector, shown
 from equilibrium.model.assembly import SIZE, Assembly, Wrenches
-from equilibrium.model.displacement import displacement_entry
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.subject import LoadCase, by_body, flat
 
 from .law import LawRow, displacement_problem, frame, law_problem
 from .leaf_rule import TreeQuestion
@@ -40,63 +40,7 @@ from .report import Report, tree_report
 from .robust import check_form, read_bounds, robust_problem
 
 
-@dataclass(frozen=True, repr=False)
-class AssemblyReport(Report):
-    """What a check of a certificate about an assembly found.
-
-    Attributes:
-        assembly, wrenches: the question that it is about.
-    """
-
-    assembly: Assembly = field(default_factory=lambda: Assembly([]))
-    wrenches: Wrenches = field(default_factory=dict)
-
-    def asked(
-        self,
-        question: Any,
-        pyramid: int | None = None,
-        max_displacement: Fraction | None = None,
-    ) -> AssemblyReport:
-        """Return what this says of a question: nothing, if the certificate is about another one."""
-        if question is None:
-            return self
-        problem, (assembly, wrenches) = self.problem, question
-        if isinstance(assembly, Assembly):
-            wrenches = assembly.read_wrenches(wrenches)
-        if (assembly, wrenches) != (self.assembly, self.wrenches):
-            problem = "it is about another assembly or other wrenches"
-        elif max_displacement != self.max_displacement:
-            problem = "it is about other displacements of contacts"
-        return replace(self, problem=problem, compared=True)
-
-    @property
-    def to_compare(self) -> str:
-        """How the command compares what it is about with a question."""
-        return "not compared with an assembly: give --grasp FILE, whose file has the wrenches"
-
-    @property
-    def question(self) -> list[str]:
-        """What it is about, in lines: the wrench on each body, and each contact."""
-        lines = [f"wrench on {name} {vector_text(w)}" for name, w in self.wrenches.items()]
-        for i, c in enumerate(self.assembly.contacts, 1):
-            lines.append(f"contact {i} {c.pair} {c.contact.words}")
-        return lines
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return a JSON form."""
-        return {
-            "valid": bool(self),
-            "certificate": self.kind,
-            "leaves": self.leaves,
-            **({"problem": self.problem} if self.problem else {}),
-            **displacement_entry(self.max_displacement),
-            "wrench": {name: list(map(to_text, w)) for name, w in self.wrenches.items()},
-            "assembly": self.assembly.to_dict(),
-            "compared": self.compared,
-        }
-
-
-def check_assembly(document: Mapping[str, Any]) -> AssemblyReport:
+def check_assembly(document: Mapping[str, Any]) -> Report:
     """Check a certificate about an assembly.
 
     Raises:
@@ -104,27 +48,19 @@ def check_assembly(document: Mapping[str, Any]) -> AssemblyReport:
     """
     kind, assembly, wrenches = read_assembly_question(document)
     rows, form = joint_rows(assembly), _form(assembly)
-    load = tuple(x for name in assembly.names for x in wrenches[name])
-    bound = read_bound(document)
+    load, bound = flat(assembly, wrenches), read_bound(document)
     if "bounds" in document:
-        found = Report(kind, robust_problem(document, assembly, load), bounds=read_bounds(document))
+        problem = robust_problem(document, assembly, load)
+        report = Report(kind, problem, bounds=read_bounds(document))
     elif kind == "resisted":
         motion, forces = read_equilibrium(document, len(rows), form)
         problem = displacement_problem(rows, motion, bound)
-        found = Report(kind, problem or law_problem(rows, load, motion, forces))
+        report = Report(kind, problem or law_problem(rows, load, motion, forces))
     elif isinstance(document["tree"], Mapping) and "part" in document["tree"]:
-        found = _part(document["tree"], assembly, wrenches, bound)
+        report = _part(document["tree"], assembly, wrenches, bound)
     else:
-        found = tree_report(document["tree"], TreeQuestion(rows, load, form, (), bound))
-    return AssemblyReport(
-        kind,
-        found.problem,
-        found.leaves,
-        bounds=found.bounds,
-        max_displacement=bound,
-        assembly=assembly,
-        wrenches=wrenches,
-    )
+        report = tree_report(document["tree"], TreeQuestion(rows, load, form, (), bound))
+    return replace(report, case=LoadCase(assembly, load, bound))
 
 
 def read_assembly_question(document: Mapping[str, Any]) -> tuple[str, Assembly, Wrenches]:
@@ -144,8 +80,7 @@ def read_assembly_question(document: Mapping[str, Any]) -> tuple[str, Assembly, 
     if "wrench" in document["assembly"] or any(body.outline for body in assembly.bodies):
         raise CertificateError("the assembly of a certificate has no wrench and no outlines")
     load = read_motion(document["wrench"], _form(assembly), "wrench")
-    pairs = enumerate(assembly.names)
-    return kind, assembly, {name: load[SIZE * k : SIZE * (k + 1)] for k, name in pairs}
+    return kind, assembly, by_body(assembly, load)
 
 
 def _form(assembly: Assembly) -> TreeForm:

@@ -27,6 +27,7 @@ from equilibrium.model.displacement import along_tangents
 from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp, in_plane
 from equilibrium.model.solution import Solution
+from equilibrium.model.subject import LoadCase
 
 from .assemblies import check_assembly
 from .enclosure import enclosure_problem
@@ -80,8 +81,7 @@ def _check_grasp(document: Mapping[str, Any]) -> Report:
         report = Report(kind, proof_problem(grasp, wrench, _read_solution(document, grasp), *how))
     else:
         report = _tree_report(document["tree"], grasp, wrench, edges_of(document), bound)
-    pyramid_of = document.get("pyramid")
-    return replace(report, pyramid=pyramid_of, max_displacement=bound, grasp=grasp, wrench=wrench)
+    return replace(report, case=LoadCase(grasp, wrench, bound, document.get("pyramid")))
 
 
 #: The check of each form of certificate, by the key of what it is about.

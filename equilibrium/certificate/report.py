@@ -7,11 +7,12 @@ from fractions import Fraction
 from typing import Any, TypeAlias
 
 from arrangement.console.number_form import ReprMixin
-from arrangement.numbers.exact import RationalVector, to_text, vector_text
+from arrangement.numbers.exact import to_text, vector_text
+from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import VALUES
 from equilibrium.model.displacement import displacement_entry
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.subject import Subject
+from equilibrium.model.subject import LoadCase, Subject, read_load
 
 from .law import short
 from .leaf_rule import TreeQuestion
@@ -31,26 +32,41 @@ class Report(ReprMixin):
         problem: the first inequality that fails and its place, or where the question is another
             one than that asked; empty when all hold.
         leaves: of the tree.
-        pyramid: edges of the friction pyramids that it is about; None for cones.
-        compared: whether the question that it is about was compared with one asked.
-        grasp, wrench: that question.
-        max_displacement: how far contact points may move for an equilibrium to count, if bounded.
+        case: the question that it is about.
+        compared: whether that was compared with one asked.
         bounds: of the grasps for all of which it holds; None: it is about one.
     """
 
     kind: str
     problem: str
     leaves: int = 0
-    pyramid: int | None = None
+    case: LoadCase = field(default=LoadCase(Grasp(), ()))
     compared: bool = False
-    grasp: Grasp = field(default_factory=Grasp)
-    wrench: RationalVector = ()
-    max_displacement: Fraction | None = None
     bounds: Bounds | None = None
     repr_fields = ("kind", "problem", "leaves", "pyramid", "compared")
 
     def __bool__(self) -> bool:
         return not self.problem
+
+    @property
+    def grasp(self) -> Any:
+        """The contacts that it is about: a `Grasp` or an `Assembly`."""
+        return self.case.subject
+
+    @property
+    def wrench(self) -> Any:
+        """The wrench that it is about; of an assembly one for each body, by name."""
+        return self.case.wrench
+
+    @property
+    def pyramid(self) -> int | None:
+        """Edges of the friction pyramids that it is about; None for cones."""
+        return self.case.pyramid
+
+    @property
+    def max_displacement(self) -> Fraction | None:
+        """How far contact points may move for an equilibrium to count, if bounded."""
+        return self.case.max_displacement
 
     def asked(
         self,
@@ -61,8 +77,8 @@ class Report(ReprMixin):
         """Return what this says of a question: nothing, if the certificate is about another one."""
         if question is None:
             return self
-        problem = _difference(question, (self.grasp, self.wrench))
-        if not problem and pyramid != self.pyramid:
+        problem = _difference(question, self.case)
+        if not problem and pyramid != self.pyramid and isinstance(self.grasp, Grasp):
             problem = "it is about other cones of friction"
         if not problem and max_displacement != self.max_displacement:
             problem = "it is about other displacements of contacts"
@@ -71,29 +87,38 @@ class Report(ReprMixin):
     @property
     def to_compare(self) -> str:
         """How the command compares what it is about with a question."""
+        if isinstance(self.grasp, Assembly):
+            return "not compared with an assembly: give --grasp FILE, whose file has the wrenches"
         return "not compared with a grasp and wrench: give --grasp FILE --wrench W"
 
     @property
     def question(self) -> list[str]:
-        """What it is about, in lines: the wrench and each contact."""
-        contacts = [f"contact {i} {c.words}" for i, c in enumerate(self.grasp, 1)]
-        return [f"wrench {vector_text(self.wrench)}", *contacts]
+        """What it is about, in lines: the wrench, of an assembly on each body; each contact."""
+        if isinstance(self.grasp, Assembly):
+            lines = [f"wrench on {name} {vector_text(w)}" for name, w in self.wrench.items()]
+            contacts = [f"{c.pair} {c.contact.words}" for c in self.grasp.contacts]
+        else:
+            lines = [f"wrench {vector_text(self.wrench)}"]
+            contacts = [contact.words for contact in self.grasp]
+        return lines + [f"contact {i} {words}" for i, words in enumerate(contacts, 1)]
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form."""
-        found: dict[str, Any] = {"problem": self.problem} if self.problem else {}
-        if self.pyramid is not None:
-            found["pyramid"] = self.pyramid
-        found |= displacement_entry(self.max_displacement)
-        if self.bounds is not None:
-            found["bounds"] = self.bounds.to_dict()
-        about = {"wrench": list(map(to_text, self.wrench)), "grasp": self.grasp.to_dict()}
+        name, wrench = "grasp", self.wrench
+        if isinstance(self.grasp, Assembly):
+            name, wrench = "assembly", {body: list(map(to_text, w)) for body, w in wrench.items()}
+        else:
+            wrench = list(map(to_text, wrench))
         return {
             "valid": bool(self),
             "certificate": self.kind,
             "leaves": self.leaves,
-            **found,
-            **about,
+            **({"problem": self.problem} if self.problem else {}),
+            **({} if self.pyramid is None else {"pyramid": self.pyramid}),
+            **displacement_entry(self.max_displacement),
+            **({} if self.bounds is None else {"bounds": self.bounds.to_dict()}),
+            "wrench": wrench,
+            name: self.grasp.to_dict(),
             "compared": self.compared,
         }
 
@@ -104,9 +129,12 @@ def tree_report(tree: Any, question: TreeQuestion) -> Report:
     return Report("not resisted", problem, leaves)
 
 
-def _difference(asked: Question, found: tuple[Grasp, RationalVector]) -> str:
+def _difference(asked: Question, case: LoadCase) -> str:
     """Return the first difference of a certificate from what is expected, or nothing."""
-    (wanted, load), (own, wrench) = asked, found
+    (wanted, load), own = asked, case.subject
+    if isinstance(own, Assembly):
+        same = wanted == own and read_load(wanted, load) == case.load
+        return "" if same else "it is about another assembly or other wrenches"
     if not isinstance(wanted, Grasp):
         return "it is about one body, not about an assembly"
     if (own.dimension, len(own)) != (wanted.dimension, len(wanted)):
@@ -117,7 +145,7 @@ def _difference(asked: Question, found: tuple[Grasp, RationalVector]) -> str:
         for i, (one, other) in enumerate(zip(own, wanted, strict=True), 1)
         for name in ("point", "normal", *VALUES, "tangent")
     ]
-    for name, one, other in [*rows, ("wrench: it", wrench, own.read_wrench(load))]:
+    for name, one, other in [*rows, ("wrench: it", case.load, own.read_wrench(load))]:
         if one != other:
             pair = [x if isinstance(x, tuple) else (x,) for x in (one, other)]
             texts = [vector_text(x) if len(x) > 1 else short(*x) for x in pair]

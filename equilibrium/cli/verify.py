@@ -60,7 +60,8 @@ def _verify(arguments: argparse.Namespace) -> int:
     lines = list(_lines(report, "verified" if arguments.verified else "Python", known=not unread))
     if words := numbering_words(getattr(question and question[0], "groups", ())):
         lines.append(words)
-    return show(arguments, document, lines, bool(report), report.grasp)
+    grasp = report.grasp if "grasp" in document else None
+    return show(arguments, document, lines, bool(report), grasp)
 
 
 def _by_python_checker(arguments: argparse.Namespace, question: Any) -> Report:
@@ -71,22 +72,20 @@ def _by_python_checker(arguments: argparse.Namespace, question: Any) -> Report:
 
 
 def _by_verified_checker(arguments: argparse.Namespace, question: Any) -> Report:
-    from equilibrium.certificate.assemblies import AssemblyReport, read_assembly_question
+    from equilibrium.certificate.assemblies import read_assembly_question
     from equilibrium.certificate.reading import read_question
     from equilibrium.certificate.report import Report
     from equilibrium.grasps.files import read_certificate, verify_proved
+    from equilibrium.model.subject import LoadCase, flat
 
     path, max_displacement = arguments.certificate, read_displacement(arguments.max_displacement)
     valid, kind = verify_proved(path)
     report = Report(kind, "" if valid else f"this does not prove {kind}")
     if path != "-":
         document = read_certificate(path)
-        if "assembly" in document:
-            _, assembly, wrenches = read_assembly_question(document)
-            about = AssemblyReport(kind, report.problem, assembly=assembly, wrenches=wrenches)
-            return about.asked(question, max_displacement=max_displacement)
-        _, grasp, wrench = read_question(document)
-        report = replace(report, grasp=grasp, wrench=wrench)
+        read = read_assembly_question if "assembly" in document else read_question
+        _, subject, wrench = read(document)
+        report = replace(report, case=LoadCase(subject, flat(subject, wrench)))
         return report.asked(question, arguments.cone, max_displacement)
     if question is not None:
         raise GraspError("--verified compares no proof on stdin; give a file")
