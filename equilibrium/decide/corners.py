@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import islice
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from arrangement.numbers.exact import RationalVector, dot, sign
 from equilibrium.certificate.uncertain import Bounds
@@ -15,6 +15,10 @@ from equilibrium.model.subject import Subject, contacts_of, flat, seen_by, with_
 from equilibrium.model.unit_normal import unit_normal
 
 from . import NOT_RESISTED, RESISTED
+from .nearby import Decide
+
+if TYPE_CHECKING:
+    from .verdict import Verdict
 
 #: Virtual motions of one proof that are tried.
 MAX_MOTIONS_PER_PROOF = 3
@@ -42,36 +46,33 @@ def moved(contact: Contact, signs: Iterable[float], bounds: Bounds) -> Contact:
     return Contact(place, normal, **values, stiffness_given=contact.stiffness_given)
 
 
-def corners(found: Any, bounds: Bounds, decide: Any) -> Iterator[Subject]:
-    """Yield grasps, or assemblies, within bounds that may have another verdict than the one found.
+def corners(verdict: Verdict, bounds: Bounds, decide: Decide) -> Iterator[Subject]:
+    """Yield grasps, or assemblies, within bounds that may turn a verdict.
 
     First those where friction, stiffness and preload all are least and adhesion largest, or the
     other way round; then those where each contact does the most on a virtual motion (for a no the
     least): the load itself, and those of proofs for this load and larger ones; at last some inside.
     None comes twice.
-
-    Args:
-        decide: returns the verdict on a subject and a load, None where it is undecided.
     """
-    known = {found.subject}
-    for shares in _shares(found, decide):
-        pairs = zip(contacts_of(found.subject), shares, strict=True)
-        subject = with_contacts(found.subject, (moved(c, row, bounds) for c, row in pairs))
+    known = {verdict.subject}
+    for shares in _shares(verdict, decide):
+        pairs = zip(contacts_of(verdict.subject), shares, strict=True)
+        subject = with_contacts(verdict.subject, (moved(c, row, bounds) for c, row in pairs))
         if subject not in known:
             known.add(subject)
             yield subject
 
 
-def _shares(found: Any, decide: Any) -> Iterator[list[list[float]]]:
+def _shares(verdict: Verdict, decide: Decide) -> Iterator[list[list[float]]]:
     """Yield the shares for `moved` of all contacts, of which a pad is one."""
-    subject, most = found.subject, 1 if found.verdict == RESISTED else -1
+    subject, most = verdict.subject, 1 if verdict.verdict == RESISTED else -1
     contacts = contacts_of(subject)
     dimension = contacts[0].dimension if contacts else 2
     turns, values = 2 * dimension - 1, len(VALUES) - 1
     for end in (-most, most):
         yield [[0.0] * turns + [end] * values + [-end] for _ in contacts]
-    motion = found.solution.motion if found.solution else (Fraction(0),) * len(found.load)
-    for virtual in _virtual_motions(found, decide):
+    motion = verdict.solution.motion if verdict.solution else (Fraction(0),) * len(verdict.load)
+    for virtual in _virtual_motions(verdict, decide):
         yield [
             _working(contact, seen_by(subject, i, virtual), seen_by(subject, i, motion), most)
             for i, contact in enumerate(contacts)
@@ -87,16 +88,16 @@ def _shares(found: Any, decide: Any) -> Iterator[list[list[float]]]:
         ]
 
 
-def _virtual_motions(found: Any, decide: Any) -> Iterator[RationalVector]:
+def _virtual_motions(verdict: Verdict, decide: Decide) -> Iterator[RationalVector]:
     """Yield virtual motions on which the load does work."""
-    loads = [found.load]
-    if found.verdict == RESISTED:
-        yield found.load
-        loads = [tuple(x * (1 + more) for x in found.load) for more in LARGER_LOAD_SHARES]
+    loads = [verdict.load]
+    if verdict.verdict == RESISTED:
+        yield verdict.load
+        loads = [tuple(x * (1 + more) for x in verdict.load) for more in LARGER_LOAD_SHARES]
     for load in loads:
-        proof = found if load == found.load else decide(found.subject, load)
+        proof = verdict if load == verdict.load else decide(verdict.subject, load)
         if proof is not None and proof.verdict == NOT_RESISTED:
-            yield from islice(_leaves(proof.proof["tree"], found), MAX_MOTIONS_PER_PROOF)
+            yield from islice(_leaves(proof.proof["tree"], verdict), MAX_MOTIONS_PER_PROOF)
 
 
 def _working(
@@ -129,13 +130,13 @@ def _working(
     return [most * sign(x) for x in (*turns, *shifts, -size * spring, pressed, work, -along)]
 
 
-def _leaves(node: Any, found: Any) -> Iterator[RationalVector]:
+def _leaves(node: Any, verdict: Verdict) -> Iterator[RationalVector]:
     """Yield the virtual motions of a tree of a verdict, each with as many numbers as its load."""
-    n = len(found.load)
+    n = len(verdict.load)
     if isinstance(node, dict) and "virtual_motion" in node:
-        node = flat(found.subject, node["virtual_motion"])
+        node = flat(verdict.subject, node["virtual_motion"])
     if isinstance(node, (list, tuple)) and len(node) == n and not isinstance(node[0], (dict, list)):
         yield tuple(map(Fraction, node))
     elif isinstance(node, (dict, list)):
         for child in node.values() if isinstance(node, dict) else node:
-            yield from _leaves(child, found)
+            yield from _leaves(child, verdict)

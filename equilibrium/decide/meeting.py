@@ -19,7 +19,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -30,10 +30,14 @@ from equilibrium.core.contacts import nearest
 from equilibrium.model.contact import Contact
 from equilibrium.model.labels import DataError
 from equilibrium.model.rows import ContactRow
-from equilibrium.model.subject import Subject, contacts_of, rows_of, with_contacts
+from equilibrium.model.subject import Subject, contacts_of, known_error, rows_of, with_contacts
 from equilibrium.model.unit_normal import unit_normal
 
 from . import NOT_RESISTED, RESISTED
+from .nearby import Decide
+
+if TYPE_CHECKING:
+    from .verdict import Verdict
 
 #: The tiny friction, in units of the errors.
 _FRICTION = 16
@@ -41,28 +45,23 @@ _FRICTION = 16
 _FELT = 1e-4
 
 
-def meeting(found: Any, decide: Any) -> Subject | None:
-    """Return what resists the load of a no within the error of the data, if it is found so.
-
-    Args:
-        found: the verdict.
-        decide: returns the verdict on a subject and a load, None where it is undecided.
-    """
-    subject, error = found.subject, found.subject.data_error
+def meeting(verdict: Verdict, decide: Decide) -> Subject | None:
+    """Return what resists the load of a no within the error of the data, if a search finds it."""
+    subject, error = verdict.subject, known_error(verdict.subject)
     contacts = contacts_of(subject)
     smooth = [i for i, contact in enumerate(contacts) if not contact.friction]
-    if found.verdict != NOT_RESISTED or not smooth or not error.length:
+    if verdict.verdict != NOT_RESISTED or not smooth or not error.length:
         return None
     if len(contacts) < len(rows_of(subject)):
         return None  # the points of a pad do not move one by one
     size = max(max(x) - min(x) for x in zip(*(c.point for c in contacts), strict=True))
     tiny = _FRICTION * max(error.angle, error.length / (size or 1))
     rubbed = (replace(c, friction=c.friction or tiny) for c in contacts)
-    near = decide(with_contacts(subject, rubbed), found.load)
+    near = decide(with_contacts(subject, rubbed), verdict.load)
     if near is None or near.verdict != RESISTED:
         return None
     try:
-        return _moved(subject, found.load, near.solution, smooth, error, size)
+        return _moved(subject, verdict.load, near.solution, smooth, error, size)
     except (np.linalg.LinAlgError, OverflowError):
         return None
 

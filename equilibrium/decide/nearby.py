@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from arrangement.console.number_form import ReprMixin, near
-from arrangement.numbers.exact import number_text, to_text
+from arrangement.numbers.exact import RationalVector, number_text, to_text
 from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.robust import read_bounds
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.model.labels import AS_ROUNDED
-from equilibrium.model.subject import contacts_of
+from equilibrium.model.subject import Subject, contacts_of
 
 from . import UNDECIDED
+
+if TYPE_CHECKING:
+    from .verdict import Verdict
+
+#: Decides a load of a subject; None where it is undecided.
+Decide: TypeAlias = "Callable[[Subject, RationalVector], Verdict | None]"
 
 HOLDS = "holds"
 FAILS = "does not hold"
@@ -38,7 +44,7 @@ class _OtherData(ReprMixin):
 
     verdict: str
     reason: str = ""
-    turned: Any = field(default=None, repr=False)
+    turned: Verdict | None = field(default=None, repr=False)
     change: dict[str, Fraction] = field(default_factory=dict, repr=False)
     inner: Certificate | None = field(default=None, repr=False)
     certificate: Certificate | None = field(default=None, repr=False)
@@ -52,6 +58,9 @@ class _OtherData(ReprMixin):
         return {name: self.turned.to_dict(), "change": sizes} | proof
 
     def _turned_lines(self) -> Iterator[str]:
+        """Yield the other data in lines; nothing without."""
+        if self.turned is None:
+            return
         for i, c in enumerate(contacts_of(self.turned.subject), 1):
             point, normal = (", ".join(number_text(x, 10) for x in v) for v in (c.point, c.normal))
             friction = number_text(c.friction)

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations, islice
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -25,11 +25,15 @@ from equilibrium.certificate.robust import Holding, virtual_motion_problem
 from equilibrium.certificate.uncertain import Bounds, root
 from equilibrium.model.contact import Contact, radius_squared
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.solution import Solution
 from equilibrium.model.subject import Subject, points_of, rows_of
 from equilibrium.plane.states.equilibrium import equilibrium_of
 from equilibrium.plane.states.state_system import state_system
 
 from . import RESISTED
+
+if TYPE_CHECKING:
+    from .verdict import Verdict
 
 NO_DEADLINE = Deadline()
 #: Choices of holding contacts that are tried.
@@ -47,42 +51,43 @@ _ENLARGED = 1 + 1e-6
 
 
 def proof_for_all(
-    found: Any, bounds: Bounds, deadline: Deadline = NO_DEADLINE
+    verdict: Verdict, bounds: Bounds, deadline: Deadline = NO_DEADLINE
 ) -> Certificate | None:
     """Return a proof that a verdict holds for all grasps within bounds, if one is found.
 
     That of a yes is about springs: there is none where a contact has stiffness 0.
     """
-    subject, load, bounds = found.subject, found.load, _of_points(found.subject, bounds)
-    if found.verdict == RESISTED:
+    subject, load, bounds = verdict.subject, verdict.load, _of_points(verdict.subject, bounds)
+    if verdict.verdict == RESISTED:
         if not all(contact.stiffness for contact in points_of(subject)):
             return None
         parts = next(_held(subject, load, bounds, deadline), None)
     else:
         parts = _pulled(subject, load, bounds)
-    return None if parts is None else _certificate(found, bounds, parts)
+    return None if parts is None else _certificate(verdict, bounds, parts)
 
 
-def standing_proof(found: Any, bounds: Bounds, weakest: Any) -> Certificate | None:
+def standing_proof(verdict: Verdict, bounds: Bounds, weakest: Verdict) -> Certificate | None:
     """Return a proof that an equilibrium of a yes within bounds is one of all grasps there, if so.
 
     In the plane it is looked for where no contact slips. It may have no room in friction cones.
     """
-    subject, load, at = found.subject, found.load, weakest.solution
+    subject, load, at = verdict.subject, verdict.load, weakest.solution
     bounds, many = _of_points(subject, bounds), len(points_of(subject))
     if at is None or at.box is not None or many > MAX_STANDING_CONTACTS:
         return None
     if isinstance(subject, Grasp) and subject.dimension == 2:
         states: Any = ("stick" if x.startswith("slip") else x for x in weakest.states)
-        at = equilibrium_of(state_system(weakest.subject, tuple(states), load))
-        if at is None:
+        standing = equilibrium_of(state_system(weakest.grasp, tuple(states), load))
+        if standing is None:
             return None
+        at = Solution(standing.motion, standing.forces)
     zeros = (Fraction(0),) * len(load)
     correction = [[zeros] * len(force) for force in at.forces]
     held = Holding(subject, load, bounds, at.motion, at.forces, correction)
     if held.problem(zeros, Fraction(0)):
         return None
-    return _certificate(found, bounds, _parts(held, zeros, Fraction(0)))
+    return _certificate(verdict, bounds, _parts(held, zeros, Fraction(0)))
 
 
 def _of_points(subject: Subject, bounds: Bounds) -> Bounds:
@@ -95,8 +100,8 @@ def _of_points(subject: Subject, bounds: Bounds) -> Bounds:
     return replace(bounds, length=bounds.length + radius * bounds.angle) if radius else bounds
 
 
-def _certificate(found: Any, bounds: Bounds, parts: dict[str, Any]) -> Certificate:
-    question = found.verdict, found.subject, found.load
+def _certificate(verdict: Verdict, bounds: Bounds, parts: dict[str, Any]) -> Certificate:
+    question = verdict.verdict, verdict.subject, verdict.load
     return certificate(*question, bounds=bounds.to_dict(), **_texts(parts))
 
 

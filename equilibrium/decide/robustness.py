@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.deadline import Deadline
@@ -31,6 +31,9 @@ from .meeting import meeting
 from .nearby import DEPENDS, FAILS, HOLDS, OPEN, Robustness, WithinError
 from .proofs_for_all import NO_DEADLINE, proof_for_all, standing_proof
 
+if TYPE_CHECKING:
+    from .verdict import Verdict
+
 #: Other roundings of the data that are decided.
 MAX_ROUNDINGS = 4
 #: Steps for each other grasp that is decided.
@@ -47,7 +50,7 @@ _MIN_SECONDS = 0.01
 
 
 def _nearest(
-    found: Any, turned: Any, bounds: Bounds, deadline: Deadline = NO_DEADLINE
+    verdict: Verdict, turned: Verdict, bounds: Bounds, deadline: Deadline = NO_DEADLINE
 ) -> dict[str, Any]:
     """Return a verdict like `turned` of a grasp near, on the straight way between the two grasps.
 
@@ -56,30 +59,32 @@ def _nearest(
     come the largest changes of a coordinate, an entry of a normal and the values, and a proof for
     smaller bounds, if found.
     """
-    ends, effort = (found.subject, turned.subject), effort_within(deadline)
+    ends, effort = (verdict.subject, turned.subject), effort_within(deadline)
     low, high = Fraction(0), Fraction(1)
     for _ in range(_MAX_GRASPS_BETWEEN):
         if effort.passed or 4 * low > 3 * high or (not low and high <= _SMALL_SHARE):
             break
         share = (low + high) / 2 if low else high / 8
-        other = _soon(found, effort, _between(*ends, share), found.load)
+        other = _soon(verdict, effort, _between(*ends, share), verdict.load)
         if other is not None and other.verdict == turned.verdict:
             turned, high = other, share
         else:
             low = share
     change = dict.fromkeys(("point", "normal", *VALUES), Fraction(0))
-    for old, new in zip(*(map(contacts_of, (found.subject, turned.subject))), strict=True):
+    for old, new in zip(*(map(contacts_of, (verdict.subject, turned.subject))), strict=True):
         for name in change:
             one, two = (getattr(c, name) for c in (old, new))
             pairs = [(one, two)] if name in VALUES else zip(one, two, strict=True)
             change[name] = max(change[name], *(abs(x - y) for x, y in pairs))
-    return {"turned": turned, "change": change, "inner": _inner(found, bounds, high, deadline)}
+    return {"turned": turned, "change": change, "inner": _inner(verdict, bounds, high, deadline)}
 
 
-def _inner(found: Any, bounds: Bounds, share: Fraction, deadline: Deadline) -> Certificate | None:
+def _inner(
+    verdict: Verdict, bounds: Bounds, share: Fraction, deadline: Deadline
+) -> Certificate | None:
     """Return a proof for bounds below a share of the given ones, if one is found."""
-    for k in range(_MAX_SMALLER_BOUNDS if _may_be_proved(found) and _fits_floats(found) else 0):
-        proof = proof_for_all(found, bounds.times(share / 2 / 4**k), deadline)
+    for k in range(_MAX_SMALLER_BOUNDS if _may_be_proved(verdict) and _fits_floats(verdict) else 0):
+        proof = proof_for_all(verdict, bounds.times(share / 2 / 4**k), deadline)
         if proof is not None:
             return proof
     return None
@@ -103,33 +108,33 @@ def _between(one: Subject, two: Subject, share: Fraction) -> Subject:
     return with_contacts(one, contacts)
 
 
-def within_error(found: Any, deadline: Deadline = NO_DEADLINE) -> WithinError:
+def within_error(verdict: Verdict, deadline: Deadline = NO_DEADLINE) -> WithinError:
     """Decide converted data again: prove the verdict for all, or decide `others`.
 
     Raises:
         GraspError: the data were not converted.
     """
-    bounds, every = _error_bounds(found.subject)
-    if every and found.verdict != OPEN and _may_be_proved(found) and _fits_floats(found):
-        proof = proof_for_all(found, bounds, deadline)
+    bounds, every = _error_bounds(verdict.subject)
+    if every and verdict.verdict != OPEN and _may_be_proved(verdict) and _fits_floats(verdict):
+        proof = proof_for_all(verdict, bounds, deadline)
         if proof is not None:
-            return WithinError(verdict=found.verdict, certificate=proof)
+            return WithinError(verdict=verdict.verdict, certificate=proof)
     asked, left, reason = 0, 0, ""
-    for subject in others(found, deadline):
+    for subject in others(verdict, deadline):
         if deadline.passed:
             reason = str(deadline)
             break
         asked += 1
-        other = _soon(found, effort_within(deadline), subject, found.load)
+        other = _soon(verdict, effort_within(deadline), subject, verdict.load)
         if other is None:
             left += 1
-        elif found.verdict not in (OPEN, other.verdict):
-            turned = _nearest(found, other, bounds, deadline)
+        elif verdict.verdict not in (OPEN, other.verdict):
+            turned = _nearest(verdict, other, bounds, deadline)
             return WithinError(verdict=DEPENDS, asked=asked, open=left, **turned)
-    return WithinError(verdict=found.verdict, asked=asked, open=left, reason=reason)
+    return WithinError(verdict=verdict.verdict, asked=asked, open=left, reason=reason)
 
 
-def others(found: Any, deadline: Deadline = NO_DEADLINE) -> Iterator[Subject]:
+def others(verdict: Verdict, deadline: Deadline = NO_DEADLINE) -> Iterator[Subject]:
     """Yield data within the error: other roundings, and what is most against a verdict.
 
     A no is about data whose incidences hold, so what breaks them does not speak against it, unless
@@ -139,20 +144,20 @@ def others(found: Any, deadline: Deadline = NO_DEADLINE) -> Iterator[Subject]:
         GraspError: the data were not converted.
     """
     for seed in range(MAX_ROUNDINGS):
-        yield other_rounding(found.subject, seed)
-    yield from met_within_error(found, deadline)
-    if not _fits_floats(found):
+        yield other_rounding(verdict.subject, seed)
+    yield from met_within_error(verdict, deadline)
+    if not _fits_floats(verdict):
         return
 
     def decide(*asked: Any) -> Any:
-        return _soon(found, effort_within(deadline), *asked)
+        return _soon(verdict, effort_within(deadline), *asked)
 
-    if found.verdict == RESISTED or known_error(found.subject).as_given:
-        bounds, _ = _error_bounds(found.subject)
-        yield from corners(found, bounds, decide)
+    if verdict.verdict == RESISTED or known_error(verdict.subject).as_given:
+        bounds, _ = _error_bounds(verdict.subject)
+        yield from corners(verdict, bounds, decide)
 
 
-def met_within_error(found: Any, deadline: Deadline = NO_DEADLINE) -> Iterator[Subject]:
+def met_within_error(verdict: Verdict, deadline: Deadline = NO_DEADLINE) -> Iterator[Subject]:
     """Yield data within the error that resist the load of a no by one more incidence, if found.
 
     Raises:
@@ -160,9 +165,9 @@ def met_within_error(found: Any, deadline: Deadline = NO_DEADLINE) -> Iterator[S
     """
 
     def decide(*asked: Any) -> Any:
-        return _soon(found, effort_within(deadline), *asked)
+        return _soon(verdict, effort_within(deadline), *asked)
 
-    if _fits_floats(found) and (subject := meeting(found, decide)) is not None:
+    if _fits_floats(verdict) and (subject := meeting(verdict, decide)) is not None:
         yield subject
 
 
@@ -188,74 +193,76 @@ def effort_within(deadline: Deadline) -> Effort:
     return Effort(STEPS_PER_GRASP, max(deadline.remaining, _MIN_SECONDS))
 
 
-def _soon(asked: Any, effort: Effort, subject: Subject, load: RationalVector) -> Any:
+def _soon(
+    verdict: Verdict, effort: Effort, subject: Subject, load: RationalVector
+) -> Verdict | None:
     """Return a verdict that is decided with the effort that is left; else None."""
     try:
-        found = asked.again(subject, load, effort)
+        other = verdict.again(subject, load, effort)
     except (OutOfReachError, TimeLimitError):
         return None
-    return None if found.verdict == OPEN else found
+    return None if other.verdict == OPEN else other
 
 
-def robust(found: Any, bounds: Bounds, deadline: Deadline = NO_DEADLINE) -> Robustness:
+def robust(verdict: Verdict, bounds: Bounds, deadline: Deadline = NO_DEADLINE) -> Robustness:
     """Decide, if possible, whether a verdict holds for all grasps within bounds.
 
     Raises:
         GraspError: the verdict is about bounded displacements, or about pyramids, or a contact has
             a constant force, or numbers are too large or small for the search in floats.
     """
-    if not _may_be_proved(found):
+    if not _may_be_proved(verdict):
         raise GraspError(
             "whether a verdict holds for all grasps is decided for displacements of any size, "
             "and in space for round cones; leave max_displacement and pyramid out"
         )
-    if not all(contact.stiffness for contact in contacts_of(found.subject)):
+    if not all(contact.stiffness for contact in contacts_of(verdict.subject)):
         raise GraspError(
             "whether a verdict holds for all grasps is decided for springs, and a contact has "
             "stiffness 0; give it a small one, or leave the bounds out"
         )
-    if not _fits_floats(found):
+    if not _fits_floats(verdict):
         raise GraspError(
             "whether a verdict holds for all grasps is searched in floats, and the size of load, "
             "points, friction, stiffness, preload, motion or forces is not between 1e-38 and 1e38; "
             "take other units"
         )
-    name, answer = found.verdict, partial(Robustness, verdict=found.verdict, bounds=bounds)
+    name, answer = verdict.verdict, partial(Robustness, verdict=verdict.verdict, bounds=bounds)
     if name == OPEN:
         return answer(answer=OPEN)
-    if proof := proof_for_all(found, bounds, deadline):
+    if proof := proof_for_all(verdict, bounds, deadline):
         return answer(answer=HOLDS, certificate=proof)
 
     def decide(subject: Subject, load: RationalVector) -> Any:
-        return _soon(found, effort_within(deadline), subject, load)
+        return _soon(verdict, effort_within(deadline), subject, load)
 
     # Bounds that leave a load at its limit, such as those of preloads that are 0.
-    if proof := standing_proof(found, bounds, found):
+    if proof := standing_proof(verdict, bounds, verdict):
         return answer(answer=HOLDS, certificate=proof)
-    for other in corners(found, bounds, decide):
-        turned = decide(other, found.load)
+    for other in corners(verdict, bounds, decide):
+        turned = decide(other, verdict.load)
         if turned is not None and turned.verdict != name:
-            return answer(answer=FAILS, **_nearest(found, turned, bounds, deadline))
+            return answer(answer=FAILS, **_nearest(verdict, turned, bounds, deadline))
         # At the limit: what the weakest grasp balances without room, all of them may.
-        if turned and (proof := standing_proof(found, bounds, turned)):
+        if turned and (proof := standing_proof(verdict, bounds, turned)):
             return answer(answer=HOLDS, certificate=proof)
         if deadline.passed:
             return answer(answer=OPEN, reason=str(deadline))
     return answer(answer=OPEN)
 
 
-def _may_be_proved(found: Any) -> bool:
+def _may_be_proved(verdict: Verdict) -> bool:
     """Return whether there are proofs for all data about such a question."""
-    return found.max_displacement is None and found.pyramid is None
+    return verdict.max_displacement is None and verdict.pyramid is None
 
 
-def _fits_floats(found: Any) -> bool:
+def _fits_floats(verdict: Verdict) -> bool:
     """Return whether products of some numbers of the question and its solution fit floats."""
-    contacts = contacts_of(found.subject)
-    columns = [found.load, [x for c in contacts for x in c.point]]
+    contacts = contacts_of(verdict.subject)
+    columns = [verdict.load, [x for c in contacts for x in c.point]]
     columns += [[getattr(c, name) for c in contacts] for name in VALUES]
     columns += [[1 / c.stiffness] for c in contacts if c.stiffness]
-    if found.solution is not None:
-        columns += [found.solution.motion, [x for f in found.solution.forces for x in f]]
+    if verdict.solution is not None:
+        columns += [verdict.solution.motion, [x for f in verdict.solution.forces for x in f]]
     sizes = [max(map(abs, column), default=0) for column in columns]
     return all(1 <= size * 2**128 <= 2**256 for size in sizes if size)
