@@ -21,10 +21,10 @@ def registry() -> Registry:
     """Return a new registry with every claim of the package, in the order of the paper."""
     from proofs_check.statements.statement import Registry
 
-    return Registry(later={id: partial(_made, id) for id in entries()})
+    return Registry(later={id: partial(_claim, id) for id in entries()})
 
 
-def _made(id: str) -> Claim:
+def _claim(id: str) -> Claim:
     _, words = entries()[id]
     claims: tuple[Claim, ...] = import_module(f"{__name__}.{words['topic']}").CLAIMS
     return next(claim for claim in claims if claim.id == id)

@@ -123,7 +123,7 @@ def _single(_question: Question, forces: tuple[tuple[Interval, ...], ...]) -> bo
     return all(len(found) <= 1 and all(low == high for low, high in found) for found in forces)
 
 
-def _counted(case: tuple[int, int]) -> int:
+def _count_equations(case: tuple[int, int]) -> int:
     """Count the equations of the system of l slipping contacts of m by writing them down."""
     m, slipping = case
     states = ("slip+",) * slipping + ("stick",) * (m - slipping)
@@ -132,7 +132,7 @@ def _counted(case: tuple[int, int]) -> int:
     return len(equalities) + m  # the oracle has put the m spring equations in already
 
 
-def _added(case: tuple[int, int]) -> int:
+def _add_equations(case: tuple[int, int]) -> int:
     """Balance, springs, friction at slipping contacts, no motion at sticking ones."""
     m, slipping = case
     return 3 + m + len(range(slipping)) + len(range(slipping, m))
@@ -274,8 +274,8 @@ CLAIMS = (
     ),
     stated(
         "constraint-count",
-        writing=_counted,
-        adding=_added,
+        writing=_count_equations,
+        adding=_add_equations,
         judge=lambda case, count: count == 3 + case[0] + 2 * (case[0] - case[1]),
         cases=lambda _: _constraint_cases(6),
         search=partial(_constraint_cases, 2),

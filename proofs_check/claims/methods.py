@@ -122,7 +122,7 @@ def _contact(touch: Touch, state: str, rest: Fraction, push: int, size: int) -> 
     return [spring, row(drag, -rest, tangential=1)], cone
 
 
-def _asked(
+def _case(
     method: str, places: tuple[tuple[int, ...], ...], force: str, preload: int, says: str
 ) -> Case:
     zero = Fraction(0)
@@ -141,14 +141,14 @@ def _three(
     method: str, says: Mapping[str, str], preload: int = 0
 ) -> Callable[[random.Random], Iterator[Case]]:
     """What a method says of vertical forces on the three-contact grasp, and what is right."""
-    return lambda _: (_asked(method, _THREE, force, preload, say) for force, say in says.items())
+    return lambda _: (_case(method, _THREE, force, preload, say) for force, say in says.items())
 
 
 def _cones(_rng: random.Random) -> Iterator[Case]:
     for friction, force, preload in product(
         (Fraction(1, 2), Fraction(2)), ("2", "-2", "100"), (0, 1)
     ):
-        case = _asked("cones", _FOUR, force, preload, "y?")
+        case = _case("cones", _FOUR, force, preload, "y?")
         rows = tuple((*row[:4], friction, *row[5:]) for row in case.subject.question.contacts)
         question = Question(rows, case.subject.question.wrench)
         asked = replace(case.subject, question=question)
@@ -251,13 +251,13 @@ class Bounded:
     states: tuple[str, ...]
 
 
-def _covered(bounded: Bounded) -> tuple[bool, bool]:
+def _within_bound_and_stable(bounded: Bounded) -> tuple[bool, bool]:
     grasp, wrench = grasp_of(bounded.question), bounded.question.wrench
     bound = bounded.bound(grasp)
     return bound is not None and bound.covers(wrench), Solver(grasp).solve(wrench).stable
 
 
-def _covered_by_minors(bounded: Bounded) -> tuple[bool, bool]:
+def _within_bound_by_minors(bounded: Bounded) -> tuple[bool, bool]:
     """Return the same, by cofactors and principal minors, with no friction at rest."""
     touches = bounded.question.touches
     wrench = bounded.question.wrench
@@ -302,8 +302,8 @@ def _robust(
     """Return the claim that all wrenches within a bound are resisted in the full model."""
     return stated(
         id,
-        method=_covered,
-        minors=_covered_by_minors,
+        method=_within_bound_and_stable,
+        minors=_within_bound_by_minors,
         judge=lambda _, found: found[1] or not found[0],
         cases=partial(_jaws, bound, states),
     )

@@ -28,7 +28,7 @@ from proofs_check.statements.statement import Case
 from .stated import stated
 
 
-def _listed(m: int) -> Iterator[Arrangement]:
+def _census_planes(m: int) -> Iterator[Arrangement]:
     """Yield new arrangements of the census that have rank 3 and m distinct planes."""
     for found in census(m):
         fresh = Arrangement(found.normals)
@@ -39,7 +39,7 @@ def _listed(m: int) -> Iterator[Arrangement]:
 def _by_codes(m: int) -> tuple[int, int]:
     """All and simple types, distinguished by the smallest code of the dual map on the sphere."""
     codes = {}
-    for planes in _listed(m):
+    for planes in _census_planes(m):
         graph = from_covectors(planes)
         codes[_code(graph)] = all(len(face) == 4 for face in graph.faces)
     return len(codes), sum(codes.values())
@@ -48,7 +48,7 @@ def _by_codes(m: int) -> tuple[int, int]:
 def _by_isomorphism(m: int) -> tuple[int, int]:
     """Return the same, by tests for isomorphic graphs (networkx) among graphs of equal hash."""
     kept: dict[str, list[tuple[nx.Graph, bool]]] = {}
-    for planes in _listed(m):
+    for planes in _census_planes(m):
         graph = nx.Graph([tuple(edge) for edge in _adjacent(planes)])
         nx.set_node_attributes(graph, dict(graph.degree), "degree")
         text = nx.weisfeiler_lehman_graph_hash(graph, node_attr="degree", iterations=4)
@@ -142,7 +142,7 @@ def _in_print(planes: Arrangement) -> int:
     return _entries()[planes].regions
 
 
-def _enumerated(planes: Arrangement) -> int:
+def _enumerate_regions(planes: Arrangement) -> int:
     return NotImplemented if _in_print(planes) > _MOST_ENUMERATED else len(planes.regions())
 
 
@@ -204,7 +204,7 @@ def _wrenches_turned(
     )
 
 
-def _turned(turns: Callable[[int], tuple[int, int]]) -> ContactModes:
+def _turned_modes(turns: Callable[[int], tuple[int, int]]) -> ContactModes:
     box = read_grasp("box-1-wall")
     rows = [_wrenches_turned(c.tangential_wrenches, *turns(i)) for i, c in enumerate(box)]
     straight = ContactModes.of_grasp(box)
@@ -231,7 +231,7 @@ def _tangents(rng: Random) -> Iterator[Case]:
         ("turned by the angle of 3-4-5", 404, lambda i: (4, 3)),
         ("turned differently at each contact", 468, lambda i: apart[i]),
     ):
-        yield _modes_case(text, _turned(turns), said)
+        yield _modes_case(text, _turned_modes(turns), said)
 
 
 def _modes_counted(place: int) -> Callable[[_Touching], int]:
@@ -263,19 +263,19 @@ CLAIMS = (
     _in_print_claim(
         "regions-in-print",
         chi=counts.region_count,
-        enumeration=_enumerated,
+        enumeration=_enumerate_regions,
         cases=_entries_with(0, _MOST_COUNTED),
     ),
     _in_print_claim(
         "small-regions-in-print",
         chi=counts.region_count,
-        enumeration=_enumerated,
+        enumeration=_enumerate_regions,
         cases=_entries_with(0, _MOST_REGIONS),
     ),
     _in_print_claim(
         "large-regions-in-print",
         chi=counts.region_count,
-        enumeration=_enumerated,
+        enumeration=_enumerate_regions,
         cases=_entries_with(_MOST_COUNTED, math.inf),
     ),
     _modes_claim(

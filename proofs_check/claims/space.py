@@ -47,7 +47,7 @@ def _in_space(question: Question) -> tuple[Grasp, tuple[Fraction | int, ...]]:
     return grasp_of(question).in_space(), (x, y, 0, 0, 0, torque)
 
 
-def _proved(grasp: Grasp, wrench: Sequence[Fraction | int], pyramid: int | None = None) -> bool:
+def _certified(grasp: Grasp, wrench: Sequence[Fraction | int], pyramid: int | None = None) -> bool:
     """Return what the checker says that the certificate of the solver proves."""
     verdict = solve(grasp, wrench, pyramid=pyramid)
     assert verdict.verify()
@@ -225,14 +225,14 @@ def _loaded_stacks(rng: Random) -> Iterator[Case]:
         document = {**assembly.to_dict(), "bodies": list(names)}
         loads = [Fraction(rng.randint(-2, 2)) for _ in range(6)]
         if k % 2:
-            loads = _balanced(assembly.rows, loads)
+            loads = _balancing_load(assembly.rows, loads)
         texts = list(map(str, loads))
         wrench = {"lower": texts[:3], "upper": texts[3:]}
         question = BodiesQuestion("", document, wrench, False, None)
         yield Case(f"stack {k}", question, {**document, "wrench": wrench})
 
 
-def _balanced(rows: ContactRows, motion: Sequence[Fraction]) -> list[Fraction]:
+def _balancing_load(rows: ContactRows, motion: Sequence[Fraction]) -> list[Fraction]:
     """Return a load that the contacts balance, at a motion."""
     load = [Fraction(0)] * rows.n
     for row in rows:
@@ -294,7 +294,7 @@ _FINER = (4, 8, None)
 
 def _by_proofs(grasp: Grasp) -> tuple[bool, ...]:
     """Return what the checker says that the certificates prove."""
-    return tuple(_proved(grasp, _LET_GO, edges) for edges in _FINER)
+    return tuple(_certified(grasp, _LET_GO, edges) for edges in _FINER)
 
 
 #: Loads beyond what two jaws hold, whatever the number of their contacts: 2 along the jaws.
@@ -320,12 +320,12 @@ def _jaws(m: int, load: tuple[Fraction, ...]) -> Question:
 
 
 @lru_cache(maxsize=64)
-def _decided(question: Question) -> Verdict:
+def _verdict(question: Question) -> Verdict:
     return Solver(grasp_of(question)).solve(question.wrench)
 
 
-def _checked(question: Question) -> int:
-    report = _decided(question).verify()
+def _accepted_leaves(question: Question) -> int:
+    report = _verdict(question).verify()
     if not report or not report.leaves:
         raise ValueError(f"the certificate is not a proof: {report}")
     return report.leaves
@@ -382,7 +382,7 @@ CLAIMS = (
         ),
         solvers=lambda question: (
             _bodies_solved(question),
-            all(_decided(one).stable for one in _apart(question)),
+            all(_verdict(one).stable for one in _apart(question)),
         ),
         judge=lambda question, verdicts: verdicts[0] == verdicts[1],
         cases=_loaded_stacks,
@@ -400,8 +400,8 @@ CLAIMS = (
         "planar-verdicts-embed",
         states=lambda question: (oracle.stable(question), solve(*_in_space(question)).stable),
         certificates=lambda question: (
-            _proved(grasp_of(question), question.wrench),
-            _proved(*_in_space(question), 4),
+            _certified(grasp_of(question), question.wrench),
+            _certified(*_in_space(question), 4),
         ),
         judge=lambda question, verdicts: verdicts[0] == verdicts[1],
         cases=_cases,
@@ -409,9 +409,9 @@ CLAIMS = (
     ),
     stated(
         "leaves-do-not-grow",
-        checker=_checked,
-        generators=lambda question: leaf_count(question, _decided(question).proof["tree"]),
-        judge=lambda question, leaves: leaves <= _checked(_jaws(4, question.wrench)),
+        checker=_accepted_leaves,
+        generators=lambda question: leaf_count(question, _verdict(question).proof["tree"]),
+        judge=lambda question, leaves: leaves <= _accepted_leaves(_jaws(4, question.wrench)),
         cases=lambda _: (
             grasp_case(_jaws(m, load), f"m = {m}, w = ({', '.join(map(str, load))})")
             for load, m in product(_JAW_LOADS, _COUNTS)

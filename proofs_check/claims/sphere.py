@@ -28,7 +28,7 @@ from .stated import stated
 _answer = lru_cache(maxsize=64)(inscribability)
 
 
-def _verified(planes: Arrangement) -> bool:
+def _inscribable(planes: Arrangement) -> bool:
     answer = _answer(planes)
     answer.verify()
     return answer.inscribable
@@ -176,7 +176,7 @@ CLAIMS = (
     ),
     stated(
         "sphere-dual-convex",
-        criterion=_verified,
+        criterion=_inscribable,
         covectors=_checked_afresh,
         judge=lambda planes, inscribable: inscribable,
         cases=_types,

@@ -38,7 +38,7 @@ def list_claims(arguments: argparse.Namespace) -> int:
         if arguments.json:
             terminal.print_json(report.claim_record(found))
         else:
-            print(_described(found, width()))
+            print(_description(found, width()))
         return terminal.YES
     known = list(claim_file.named(arguments.source) if file else claims.registry())
     if arguments.json:
@@ -49,7 +49,7 @@ def list_claims(arguments: argparse.Namespace) -> int:
     return terminal.YES
 
 
-def _described(claim: Claim, width: int) -> str:
+def _description(claim: Claim, width: int) -> str:
     from proofs_check.reports import report
 
     entries = [

@@ -48,7 +48,7 @@ class _Request(NamedTuple):
         return self.own is not None or any(claim_file.split(name)[0] for name in self.names)
 
 
-def _asked(names: Iterable[str], arguments: argparse.Namespace) -> _Request:
+def _request(names: Iterable[str], arguments: argparse.Namespace) -> _Request:
     options = (arguments.seed, arguments.samples, arguments.classes)
     large, verified = (getattr(arguments, option, False) for option in ("large", "verified"))
     return _Request(tuple(dict.fromkeys(names)), *options, large, verified)
@@ -58,7 +58,7 @@ def run_claims(arguments: argparse.Namespace) -> int:
     """Check claims of the paper by id, all claims of files, or numbers of printed tables."""
     tables = [name for name in arguments.ids if name == "-" or name.endswith(".csv")]
     if not tables:
-        return _run(_asked(arguments.ids, arguments), arguments, arguments.jobs)
+        return _run(_request(arguments.ids, arguments), arguments, arguments.jobs)
     if len(tables) < len(arguments.ids) or arguments.output:
         raise OwnClaimError(
             f"{tables[0]} is a table of printed numbers; check it alone, without claims and -o"
@@ -72,38 +72,38 @@ def try_claim(arguments: argparse.Namespace) -> int:
     claim = one_line.one_line_claim(statement, of=of or DEFAULT_DOMAIN, when=when)
     lines = None if of else one_line.one_line_claim(statement, of="lines", when=when)
     words = [statement, *(["--of", of] if of else []), *(["--when", when] if when else [])]
-    return _run(_asked(words, arguments)._replace(own=claim, elsewhere=lines), arguments, 1)
+    return _run(_request(words, arguments)._replace(own=claim, elsewhere=lines), arguments, 1)
 
 
-def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
+def _run(request: _Request, arguments: argparse.Namespace, jobs: int) -> int:
     make = forms.form(Path(arguments.output).suffix) if arguments.output else None
-    chosen = _chosen(asked)
+    chosen = _claims_of(request)
     _check_ids(chosen, arguments.save)
     widths = text.columns(map(report.claim_record, chosen))
     results: list[dict[str, Any]] = []
     lost, unsaved = 0, list[InputError]()
-    for found in _results(asked, chosen, jobs, piped=arguments.json):
-        if "error" in found:
+    for result in _results(request, chosen, jobs, piped=arguments.json):
+        if "error" in result:
             lost += 1
             if len(chosen) == 1:
-                raise OwnClaimError(found["error"])
-            _tell_lost(found)
+                raise OwnClaimError(result["error"])
+            _tell_lost(result)
             continue
-        if asked.elsewhere and found["verdict"] == ClaimVerdict.REFUTED.value:
-            found["also_tried"] = [_elsewhere(asked)]
-        saved = _save(found, arguments.save, unsaved) if asked.from_files else ""
-        results.append(found)
+        if request.elsewhere and result["verdict"] == ClaimVerdict.REFUTED.value:
+            result["also_tried"] = [_elsewhere(request)]
+        saved = _save(result, arguments.save, unsaved) if request.from_files else ""
+        results.append(result)
         if not arguments.json:
-            if asked.from_files:
-                entry = "\n" * (len(results) > 1) + text.details(found, width(), saved=saved)
+            if request.from_files:
+                entry = "\n" * (len(results) > 1) + text.details(result, width(), saved=saved)
             else:
-                entry = text.entry(found, widths, width())
-            print_verdict(entry, found["strength"] or "")
+                entry = text.entry(result, widths, width())
+            print_verdict(entry, result["strength"] or "")
             sys.stdout.flush()
-    record = report.json_record(results, asked.seed, **_about(asked))
+    record = report.json_record(results, request.seed, **_about(request))
     if arguments.json:
         terminal.print_json(record)
-    elif not asked.from_files:
+    elif not request.from_files:
         print("\n".join(["", *text.left_out(record), text.summary(record["results"])]))
     if make:
         write_text_atomically(arguments.output, make(record))
@@ -114,19 +114,19 @@ def _run(asked: _Request, arguments: argparse.Namespace, jobs: int) -> int:
     return exit_code(record, strict=arguments.strict)
 
 
-def _elsewhere(asked: _Request) -> dict[str, Any]:
+def _elsewhere(request: _Request) -> dict[str, Any]:
     """Return what is true of a statement on the other domain of a request, in short."""
     try:
-        (claim,) = _own_claims(asked._replace(own=asked.elsewhere, elsewhere=None))
-        found = report.result_record(evaluate(claim, asked.seed))
+        (claim,) = _own_claims(request._replace(own=request.elsewhere, elsewhere=None))
+        result = report.result_record(evaluate(claim, request.seed))
     except OwnClaimError as error:
-        domain = asked.elsewhere.domain_text if asked.elsewhere else ""
+        domain = request.elsewhere.domain_text if request.elsewhere else ""
         return {"domain": domain, "verdict": None, "text": f"no verdict: {error}"}
     kept = ("domain", "verdict", "strength", "tried", "evidence", "counterexample")
-    words, failure = text.conclusion(found), found["counterexample"]
+    words, failure = text.conclusion(result), result["counterexample"]
     if failure:
         words += f" by {report.instance_text(failure['instance'])}: {failure['note']}"
-    return {**{name: found[name] for name in kept}, "text": words}
+    return {**{name: result[name] for name in kept}, "text": words}
 
 
 def exit_code(record: Mapping[str, Any], *, strict: bool) -> int:
@@ -141,47 +141,47 @@ def exit_code(record: Mapping[str, Any], *, strict: bool) -> int:
     return terminal.UNDECIDED if strict and sampled else terminal.YES
 
 
-def _tell_lost(found: dict[str, Any]) -> None:
-    print(safe_lines(f"{found['id']}: no verdict: {found['error']}"), file=sys.stderr)
+def _tell_lost(result: dict[str, Any]) -> None:
+    print(safe_lines(f"{result['id']}: no verdict: {result['error']}"), file=sys.stderr)
 
 
 def file_record(name: str, arguments: argparse.Namespace) -> tuple[dict[str, Any], str]:
     """Check the claims of one file; return the record, and how many have no verdict, in words."""
-    asked = _asked([name], arguments)
-    results = list(_results(asked, _chosen(asked), 1, piped=True))
-    lost = [found for found in results if "error" in found]
+    request = _request([name], arguments)
+    results = list(_results(request, _claims_of(request), 1, piped=True))
+    lost = [result for result in results if "error" in result]
     if len(lost) == len(results):
         raise OwnClaimError(lost[0]["error"])
-    for found in lost:
-        _tell_lost(found)
-    kept = [found for found in results if "error" not in found]
+    for result in lost:
+        _tell_lost(result)
+    kept = [result for result in results if "error" not in result]
     words = f"{len(lost)} of {len(results)} claims have no verdict" if lost else ""
-    return report.json_record(kept, asked.seed, **_about(asked)), words
+    return report.json_record(kept, request.seed, **_about(request)), words
 
 
-def _about(asked: _Request) -> dict[str, Any]:
+def _about(request: _Request) -> dict[str, Any]:
     """Return what a record says of its claims: title, source, and the command for the same run."""
-    options = ["--seed", str(asked.seed)] if asked.seed else []
-    options += ["--samples", str(asked.samples)] if asked.samples is not None else []
-    options += ["--classes", "{}..{}".format(*asked.classes)] if asked.classes else []
-    names = asked.names
-    options += [f"--{word}" for word in ("large", "verified") if getattr(asked, word)]
-    verb = "try" if asked.own else "run"
+    options = ["--seed", str(request.seed)] if request.seed else []
+    options += ["--samples", str(request.samples)] if request.samples is not None else []
+    options += ["--classes", "{}..{}".format(*request.classes)] if request.classes else []
+    names = request.names
+    options += [f"--{word}" for word in ("large", "verified") if getattr(request, word)]
+    verb = "try" if request.own else "run"
     command = shlex.join(["proofs-check", verb, *names, *options])
-    if asked.own:
-        return {"title": asked.own.statement, "about": "a claim in one line", "command": command}
-    if asked.from_files:
+    if request.own:
+        return {"title": request.own.statement, "about": "a claim in one line", "command": command}
+    if request.from_files:
         file = claim_file.split(names[0])[0] or ""
         title = claim_file.heading(file).rstrip(".") or Path(file).name
         return {"title": title, "about": ", ".join(names), "command": command}
     paper = claims.paper()
-    every = not (asked.names or asked.large)
+    every = not (request.names or request.large)
     left_out = [claim.id for claim in claims.registry() if every and claim.large]
     return {**paper, "command": command, "left_out": left_out}
 
 
 def _results(
-    asked: _Request, chosen: list[Claim], jobs: int, *, piped: bool
+    request: _Request, chosen: list[Claim], jobs: int, *, piped: bool
 ) -> Iterator[dict[str, Any]]:
     """Yield the record of each result in order, with the progress taken off the terminal.
 
@@ -197,14 +197,14 @@ def _results(
 
     due = workers.due(len(chosen), (1, 1), jobs)
     jobs = min(jobs, len(chosen))
-    found = (
-        workers.on_processes(_result, asked, due, jobs)
+    numbered = (
+        workers.on_processes(_result, request, due, jobs)
         if jobs > 1
-        else ((k, _record(claim, asked.seed, tick)) for k, claim in enumerate(chosen))
+        else ((k, _record(claim, request.seed, tick)) for k, claim in enumerate(chosen))
     )
     bar.update(done, chosen[done].id)
     try:
-        for number, record in found:
+        for number, record in numbered:
             waiting[number] = record
             bar.update(done + len(waiting), f"{record['id']} is done")
             while done in waiting:
@@ -215,9 +215,9 @@ def _results(
         bar.close()
 
 
-def _result(asked: _Request, number: int) -> tuple[int, dict[str, Any]]:
-    """Check the claim with a number among those asked for, in a process of its own."""
-    return number, _record(_chosen(asked)[number], asked.seed)
+def _result(request: _Request, number: int) -> tuple[int, dict[str, Any]]:
+    """Check the claim with a number among those request for, in a process of its own."""
+    return number, _record(_claims_of(request)[number], request.seed)
 
 
 def _record(claim: Claim, seed: int, tick: Callable[[int], None] | None = None) -> dict[str, Any]:
@@ -229,16 +229,16 @@ def _record(claim: Claim, seed: int, tick: Callable[[int], None] | None = None) 
             return {"id": claim.id, "error": str(error)}
 
 
-def _chosen(asked: _Request) -> list[Claim]:
+def _claims_of(request: _Request) -> list[Claim]:
     """Return the claims of the paper with the given ids, or all claims of the given files."""
-    if asked.from_files:
-        if asked.verified:
+    if request.from_files:
+        if request.verified:
             raise OwnClaimError("--verified is for the claims of the paper; omit it, or the files")
-        return list(_own_claims(asked))
+        return list(_own_claims(request))
     known = claims.registry()
-    every = (claim for claim in known if asked.large or not claim.large)
-    chosen = [known[id] for id in asked.names] or list(every)
-    return list(map(_with_proved_route, chosen)) if asked.verified else chosen
+    every = (claim for claim in known if request.large or not claim.large)
+    chosen = [known[id] for id in request.names] or list(every)
+    return list(map(_with_proved_route, chosen)) if request.verified else chosen
 
 
 def _with_proved_route(claim: Claim) -> Claim:
@@ -254,14 +254,14 @@ def _with_proved_route(claim: Claim) -> Claim:
     return replace(claim, routes=(*claim.routes, Route("the program proved in Coq", compute)))
 
 
-def _own_claims(asked: _Request) -> Iterator[Claim]:
+def _own_claims(request: _Request) -> Iterator[Claim]:
     """Yield the claims of files, with the numbers that the command line names."""
-    names, samples, classes = asked.names, asked.samples, asked.classes
-    if not asked.own and not all(claim_file.split(name)[0] for name in names):
+    names, samples, classes = request.names, request.samples, request.classes
+    if not request.own and not all(claim_file.split(name)[0] for name in names):
         raise OwnClaimError("ids and files are both given; run the claims of files on their own")
     if samples is not None and samples < 0:
         raise OwnClaimError(f"--samples is {samples}; it must be at least 0")
-    listed = [asked.own] if asked.own else [c for name in names for c in claim_file.named(name)]
+    listed = [request.own] if request.own else [c for name in names for c in claim_file.named(name)]
     files = {claim.file for claim in listed}
     several = Counter(Path(file).name for file in files)
     for claim in listed:
@@ -288,7 +288,7 @@ def _check_ids(chosen: list[Claim], folder: str | None) -> None:
         )
 
 
-def _save(found: dict[str, Any], folder: str | None, unsaved: list[InputError]) -> str:
+def _save(result: dict[str, Any], folder: str | None, unsaved: list[InputError]) -> str:
     """Write the smallest failure as an instance file; return its path, or "" without one.
 
     Commands that read arrangements or grasps read the file. An older one of that name is replaced.
@@ -297,12 +297,12 @@ def _save(found: dict[str, Any], folder: str | None, unsaved: list[InputError]) 
         folder: None for no file.
         unsaved: gets the error of a file that cannot be written, for verdicts come first.
     """
-    failure = found["counterexample"]
+    failure = result["counterexample"]
     if folder is None or failure is None or failure["instance"] is None:
         return ""
-    reason = f"smallest instance found on which {found['id']} fails: {failure['note']}"
+    reason = f"smallest instance found on which {result['id']} fails: {failure['note']}"
     content: dict[str, Any] = {**failure["instance"], "description": reason}
-    target = Path(folder) / f"{found['id']}.json"
+    target = Path(folder) / f"{result['id']}.json"
     try:
         make_folder(target.parent)
         write_text_atomically(target, json.dumps(content, indent=1) + "\n")

@@ -129,7 +129,7 @@ def run_report(arguments: argparse.Namespace) -> int:
         record, lost = file_record(arguments.source, arguments)
     else:
         record = _read(arguments.source)
-    made = _made(make, record, arguments.source)
+    made = _form_of(make, record, arguments.source)
     if arguments.output:
         write_text_atomically(arguments.output, made)
     if arguments.json:
@@ -154,7 +154,7 @@ def _read(source: str) -> dict[str, Any]:
     return read_document(source, ("results",), kind="bytes of a record")
 
 
-def _made(make: Any, record: dict[str, Any], source: str) -> str:
+def _form_of(make: Any, record: dict[str, Any], source: str) -> str:
     try:
         check_record(record)
         text: str = make(record)

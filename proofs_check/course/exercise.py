@@ -73,7 +73,7 @@ class Exercise(ReprMixin):
         try:
             given = FORMS[self.of][0](answer)
         except InputError as error:
-            return self._marked(0, str(error))
+            return self._graded(0, str(error))
         try:
             found = self.judge(given)
         except Exception as error:
@@ -82,13 +82,13 @@ class Exercise(ReprMixin):
             raise OwnClaimError(f"{self.id} raised {text} ({where})") from error
         match found:
             case Report():
-                return self._marked(0, found.problem)
+                return self._graded(0, found.problem)
             case bool():
-                return self._marked(0, "" if found else "wrong")
+                return self._graded(0, "" if found else "wrong")
             case (points, text) if self._is_part(points) and isinstance(text, str) and text:
-                return self._marked(Fraction(points), text)
+                return self._graded(Fraction(points), text)
             case str() if found:
-                return self._marked(0, found)
+                return self._graded(0, found)
         raise OwnClaimError(
             f"{self.id} returned {shown(found)}; return True, False, the report of "
             "`verify`, a text that describes the error, or a pair of points below "
@@ -98,7 +98,7 @@ class Exercise(ReprMixin):
     def _is_part(self, points: Any) -> bool:
         return type(points) in (int, Fraction) and 0 <= points < self.points
 
-    def _marked(self, points: Fraction | int, mistake: str) -> GradedAnswer:
+    def _graded(self, points: Fraction | int, mistake: str) -> GradedAnswer:
         return GradedAnswer(Fraction(points if mistake else self.points), self.points, mistake)
 
 

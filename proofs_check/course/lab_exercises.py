@@ -82,19 +82,19 @@ def _is_of_lines(source: str) -> bool:
 def _refusing(judge: Callable[[Any, Any], Judged], exercise: Any) -> Callable[[Any], Judged]:
     """Return the judge of an exercise; a link that cannot be read is a wrong answer."""
 
-    def judged(answer: Any) -> Judged:
+    def judgement(answer: Any) -> Judged:
         try:
             return judge(exercise, answer)
         except InputError as error:
             return str(error)
 
-    return judged
+    return judgement
 
 
 def _judge_slip(exercise: Mapping[str, Any], answer: tuple[str, Any]) -> Judged:
     start, (grasp, wrench) = page.read_start(exercise["start"]), page.read_start(answer[0])
     budget.check_size(len(grasp), "contacts in the lab")
-    moved = _moved(exercise["fixed"], start, (grasp, wrench))
+    moved = _change_problem(exercise["fixed"], start, (grasp, wrench))
     if moved:
         return moved
     [(kind, value)] = exercise["goal"].items()
@@ -112,7 +112,7 @@ _SAME: Mapping[str, Callable[[Contact], Any]] = {
 }
 
 
-def _moved(fixed: list[str], start: tuple[Grasp, Any], now: tuple[Grasp, Any]) -> str:
+def _change_problem(fixed: list[str], start: tuple[Grasp, Any], now: tuple[Grasp, Any]) -> str:
     """Return what was changed though it has to stay, or an empty text."""
     (before, load), (grasp, wrench) = start, now
     for name in fixed:
@@ -130,7 +130,7 @@ def _moved(fixed: list[str], start: tuple[Grasp, Any], now: tuple[Grasp, Any]) -
     return ""
 
 
-def _resisted(wanted: bool, grasp: Grasp, wrench: Any, motion: Any) -> Judged:
+def _judge_resisted(wanted: bool, grasp: Grasp, wrench: Any, motion: Any) -> Judged:
     found = bool(solve(grasp, wrench))
     return found is wanted or f"the grasp {'resists' if found else 'does not resist'} this load"
 
@@ -195,7 +195,7 @@ def _regions(count: int, grasp: Grasp, wrench: Any, motion: Any) -> Judged:
 
 
 _SLIP_GOALS: Mapping[str, Callable[[Any, Grasp, Any, Any], Judged]] = {
-    "resisted": _resisted,
+    "resisted": _judge_resisted,
     "equilibria": _equilibria,
     "states": _states,
     "gap": _gap,
@@ -270,11 +270,11 @@ def _meeting(lists: list[list[int]], planes: Arrangement) -> str:
     used = {k for one in lists for k in one}
     if missing := [k for k in sorted(used) if k > len(rows)]:
         return f"there is no line {missing[0]}"
-    if len({_unoriented(rows[k - 1]) for k in used}) < len(used):
+    if len({_up_to_sign(rows[k - 1]) for k in used}) < len(used):
         return "two lines coincide"
     points = set()
     for one in lists:
-        point = _unoriented(cross(rows[one[0] - 1], rows[one[1] - 1]))
+        point = _up_to_sign(cross(rows[one[0] - 1], rows[one[1] - 1]))
         if any(dot(rows[k - 1], point) for k in one[2:]):
             return f"lines {', '.join(map(str, one))} do not go through one point"
         points.add(point)
@@ -285,6 +285,6 @@ def _homogeneous(row: IntegerVector, dimension: int) -> IntegerVector:
     return row[:3] if dimension == 3 else (row[0], row[1], -row[2])
 
 
-def _unoriented(row: Any) -> IntegerVector:
+def _up_to_sign(row: Any) -> IntegerVector:
     found = primitive(row)
     return max(found, tuple(-x for x in found))

@@ -137,7 +137,7 @@ def _row(cells: Mapping[str, str], line: int) -> Row:
             over, found = _of_arrangements(subject, quantity)
     except (NotComputed, OutOfReachError) as error:
         reason = str(error)
-    printed = _printed(text, quantity, found)
+    printed = _read_printed(text, quantity, found)
     if quantity == "bounded_regions" and printed != found and isinstance(over, Arrangement):
         reason = why_none_is_bounded(over)
     return Row(line, subject, quantity, printed, found, reason)
@@ -149,15 +149,15 @@ def _of_arrangements(subject: str, quantity: str) -> tuple[Arrangement | None, V
     if kind in FAMILIES and rest and not rest.startswith("("):
         subject = f"{kind}({', '.join(rest.split())})"
     elif kind in FAMILIES and not rest and inspect.signature(FAMILIES[kind]).parameters:
-        return _computed(quantity, read_arrangement(subject), {})
+        return _compute(quantity, read_arrangement(subject), {})
     if not is_family(subject):
-        return _computed(quantity, read_arrangement(subject), {})
+        return _compute(quantity, read_arrangement(subject), {})
     members = [case.subject for case in read_family(subject).cases()]
-    values = [_computed(quantity, member.planes, member.parameters) for member in members]
+    values = [_compute(quantity, member.planes, member.parameters) for member in members]
     return values[0] if len(values) == 1 else (None, tuple(value for _, value in values))
 
 
-def _computed(
+def _compute(
     quantity: str, planes: Arrangement, parameters: Mapping[str, Any]
 ) -> tuple[Arrangement, Value]:
     integers = {name: value for name, value in parameters.items() if type(value) is int}
@@ -167,7 +167,7 @@ def _computed(
     return planes, tuple(value) if isinstance(value, (list, tuple)) else value
 
 
-def _printed(text: str, quantity: str, computed: Value | None) -> Value:
+def _read_printed(text: str, quantity: str, computed: Value | None) -> Value:
     """Read ``41,693,377``, ``1 14 36 24``, ``t2=3 t3=4``, or ``t**2 - 3*t + 2``."""
     if _VARIABLE.search(text) and quantity == "polynomial":
         return _coefficients(read(text.replace("^", "**"), ["t"]))

@@ -118,7 +118,7 @@ def smallest_planes(
     """
     for m in planes:
         for bound in range(1, size + 1):
-            vectors = _unoriented(bound)
+            vectors = _up_to_sign(bound)
             for chosen in combinations_with_replacement(vectors, m):
                 if max(max(map(abs, v)) for v in chosen) < bound:
                     continue
@@ -129,7 +129,7 @@ def smallest_planes(
                     yield found
 
 
-def _unoriented(bound: int) -> list[Vector]:
+def _up_to_sign(bound: int) -> list[Vector]:
     """Return the primitive vectors of Z^3 with entries up to `bound`, one of each pair +-v."""
     entries = range(-bound, bound + 1)
     vectors = (v for v in product(entries, repeat=3) if v > (0, 0, 0) and primitive(v) == v)

@@ -109,10 +109,10 @@ def known_families(chosen: Domain, *, irrational: bool = False) -> Iterator[Case
 @cache
 def _families() -> tuple[tuple[str, Arrangement], ...]:
     """Return the families by name; what one claim lists of their faces serves the next."""
-    return tuple(_named())
+    return tuple(_named_arrangements())
 
 
-def _named() -> Iterator[tuple[str, Arrangement]]:
+def _named_arrangements() -> Iterator[tuple[str, Arrangement]]:
     for m in range(1, 11):
         yield f"generic({m})", families.generic(m)
         yield f"pencil({m})", families.pencil(m)

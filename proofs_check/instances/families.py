@@ -77,7 +77,7 @@ class Family:
         """
         for values in product(*self.parameters.values()):
             chosen = dict(zip(self.parameters, values, strict=True))
-            planes = FAMILIES[self.name](**{_own(self.name, k): v for k, v in chosen.items()})
+            planes = FAMILIES[self.name](**{_parameter(self.name, k): v for k, v in chosen.items()})
             yield Case(self._label(chosen), Member(planes, chosen), planes.to_dict())
 
     def _label(self, values: Mapping[str, Any]) -> str:
@@ -106,10 +106,10 @@ def family(name: str, **parameters: Any) -> Family:
     usable = inspect.signature(FAMILIES[known]).parameters
     values = {key: _several(given) for key, given in parameters.items()}
     for key in values:
-        if _own(known, key) not in usable:
+        if _parameter(known, key) not in usable:
             mistake = f"the family {known} has no parameter {shown(key)}"
             raise OwnClaimError(str(refusal(mistake, key, usable, "it has")))
-    given = {_own(known, key) for key in values}
+    given = {_parameter(known, key) for key in values}
     missing = {
         "n" if key == "type" else key: _several(range(2, 7))
         for key, parameter in usable.items()
@@ -172,7 +172,7 @@ def _several(given: Any) -> Sequence[Any]:
     return (given,)
 
 
-def _own(name: str, key: str) -> str:
+def _parameter(name: str, key: str) -> str:
     """Return the parameter of a family that a name means: n may be its type."""
     usable = inspect.signature(FAMILIES[name]).parameters
     return "type" if key == "n" and "n" not in usable and "type" in usable else key

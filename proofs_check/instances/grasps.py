@@ -48,7 +48,7 @@ def listed_states(
         detachment: let any of the contacts be detached instead.
         all_stick: add the state in which every contact sticks, if the steps leave it out.
     """
-    signs = _published(grasp.tangential_arrangement())
+    signs = _published_states(grasp.tangential_arrangement())
     slips = [tuple(_SLIP[s] for s in state) for state in signs]
     if all_stick:
         slips.append(("stick",) * len(grasp))
@@ -59,7 +59,7 @@ def listed_states(
 
 
 @lru_cache(maxsize=256)
-def _published(planes: Arrangement) -> tuple[tuple[int, ...], ...]:
+def _published_states(planes: Arrangement) -> tuple[tuple[int, ...], ...]:
     return published_enumeration(planes, merge=True).distinct_states
 
 

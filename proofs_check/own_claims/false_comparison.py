@@ -70,7 +70,7 @@ def explain_returns(module: ast.Module) -> None:
         if isinstance(node, ast.FunctionDef) and _is_claim(node):
             for statement in _own_returns(node):
                 if statement.value is not None:
-                    statement.value = _explained(statement.value)
+                    statement.value = _as_call(statement.value)
 
 
 def _is_claim(function: ast.FunctionDef) -> bool:
@@ -92,11 +92,11 @@ def _own_returns(function: ast.FunctionDef) -> Iterator[ast.Return]:
             nodes += ast.iter_child_nodes(node)
 
 
-def _explained(value: ast.expr) -> ast.expr:
+def _as_call(value: ast.expr) -> ast.expr:
     """Return a comparison as a call; ``a and b`` part by part; all else as it is."""
     match value:
         case ast.BoolOp(op=ast.And(), values=parts):
-            value.values = [_explained(part) for part in parts]
+            value.values = [_as_call(part) for part in parts]
         case ast.Compare(left=left, ops=[op], comparators=[right]):
             function = ast.Name(COMPARE_NAME, ast.Load())
             text = ast.Constant(ast.unparse(value))

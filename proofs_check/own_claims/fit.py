@@ -148,7 +148,7 @@ def fit(found: Mapping[int, Number], name: str = "n") -> Fit | None:
         if len(checked) < LEAST_CHECKED or any(len(ns) < degree + 2 for ns in classes.values()):
             continue
         if best is None or len(used) < len(best.fitted):
-            parts = {k: _written(newton[k], ns, name) for k, ns in classes.items()}
+            parts = {k: _polynomial_text(newton[k], ns, name) for k, ns in classes.items()}
             best = Fit(period, degree, parts, tuple(used), checked)
     return best
 
@@ -170,7 +170,7 @@ def _newton(points: list[tuple[int, Number]]) -> list[Fraction]:
     return found
 
 
-def _written(newton: list[Fraction], places: list[int], name: str) -> str:
+def _polynomial_text(newton: list[Fraction], places: list[int], name: str) -> str:
     """Return a polynomial as SymPy writes it, expanded, or in factors where that is shorter."""
     import sympy
 

@@ -158,7 +158,7 @@ def _as_python(text: str) -> list[_TypedPiece]:
             groups.append(([piece], [[[]]]))
         elif token in ")]}" and len(groups) > 1:
             opening, inner = groups.pop()
-            groups[-1][1][-1][-1] += [*opening, *_joined(inner), piece]
+            groups[-1][1][-1][-1] += [*opening, *_join(inner), piece]
         elif token == ",":
             arguments.append([[]])
         elif token == "implies" and (previous.isalnum() or previous in (*")]", "_")):
@@ -167,10 +167,10 @@ def _as_python(text: str) -> list[_TypedPiece]:
             arguments[-1][-1].append(piece)
         if not token.isspace():
             previous = "" if token in _BEFORE_OPERANDS else token.replace("_", "")[-1:] or "_"
-    return [_TypedPiece(text, 0, len(text))] if len(groups) > 1 else _joined(groups[0][1])
+    return [_TypedPiece(text, 0, len(text))] if len(groups) > 1 else _join(groups[0][1])
 
 
-def _joined(arguments: Sequence[Sequence[list[_TypedPiece]]]) -> list[_TypedPiece]:
+def _join(arguments: Sequence[Sequence[list[_TypedPiece]]]) -> list[_TypedPiece]:
     """Return arguments in one; ``a implies b implies c`` is ``a implies (b implies c)``."""
     joined: list[_TypedPiece] = []
     for *hypotheses, conclusion in arguments:
@@ -252,12 +252,12 @@ class _PartTypes:
         if name in self.names:
             return _NUMBER
         if name not in QUANTITIES:
-            raise self._unknown(name, "a quantity")
+            raise self._unknown_name(name, "a quantity")
         if name in TRUTH_VALUES:
             return _TRUTH
         return _VECTOR if name in VECTORS else _MAPPING if name in MAPPINGS else _NUMBER
 
-    def _unknown(self, name: str, what: str) -> OwnClaimError:
+    def _unknown_name(self, name: str, what: str) -> OwnClaimError:
         mistake = f"{shown(name)} is not {what}"
         if name in _SYNONYMS:
             return OwnClaimError(f"{mistake}; write {_SYNONYMS[name]}")
@@ -278,7 +278,7 @@ class _PartTypes:
                 return _VECTOR
             case ast.Call(func=ast.Name(id=name), args=[_, *_] as given):
                 if name not in _ARGUMENTS:
-                    raise self._unknown(name, "a function")
+                    raise self._unknown_name(name, "a function")
                 self._arguments(name, given, node)
                 return _TRUTH if name == "implies" else _NUMBER
         function = self.text(node.func)

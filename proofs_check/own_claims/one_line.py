@@ -135,7 +135,7 @@ class _Computed:
             return found
         if isinstance(node, ast.Compare) and len(node.ops) == 1:
             sides = self.value(node.left), self.value(node.comparators[0])
-            return _compared(ast.unparse(node), node.ops[0], *map(_plain, sides))
+            return _compare(ast.unparse(node), node.ops[0], *map(_plain, sides))
         match node:
             case ast.Call(func=ast.Name(id="implies"), args=[hypothesis, conclusion]):
                 return not self.value(hypothesis) or self.verdict(conclusion)
@@ -178,7 +178,7 @@ class _Computed:
             case ast.Compare(left=left, ops=ops, comparators=others):
                 values = [_plain(self.value(part)) for part in (left, *others)]
                 return all(
-                    bool(_compared("", op, a, b))
+                    bool(_compare("", op, a, b))
                     for op, a, b in zip(ops, values, values[1:], strict=False)
                 )
             case ast.Subscript(value=inner, slice=index):
@@ -186,12 +186,12 @@ class _Computed:
             case ast.Call(func=ast.Name(id="implies"), args=[hypothesis, conclusion]):
                 return not self.value(hypothesis) or self.value(conclusion)
             case ast.Call(func=function, args=given):
-                return self._called(function, list(map(self.value, given)))
+                return self._call(function, list(map(self.value, given)))
             case ast.Tuple(elts=parts) | ast.List(elts=parts):
                 return tuple(map(self.value, parts))
         raise AssertionError(ast.dump(node))
 
-    def _called(self, function: ast.expr, given: list[Any]) -> Any:
+    def _call(self, function: ast.expr, given: list[Any]) -> Any:
         if isinstance(function, ast.Attribute):
             return getattr(self.value(function.value), function.attr)(*given)
         assert isinstance(function, ast.Name)
@@ -227,7 +227,7 @@ def _factorial(n: Any) -> int:
     return math.factorial(n)
 
 
-def _compared(text: str, op: ast.cmpop, left: Any, right: Any) -> Any:
+def _compare(text: str, op: ast.cmpop, left: Any, right: Any) -> Any:
     """Compare two values, the order of vectors entry by entry; see `compare_values`."""
     kind = type(op).__name__
     if not isinstance(left, tuple) or isinstance(op, (ast.Eq, ast.NotEq)):

@@ -105,7 +105,7 @@ def claim(
     if formula:
         check_formula(formula)
     as_dual = of == "dual"
-    listed = None if isinstance(of, str) else _listed(of)
+    listed = None if isinstance(of, str) else _source_of(of)
     chosen = domain("distinct" if as_dual else of) if isinstance(of, str) else None
     types = () if chosen is None or classes == 0 else type_sources(chosen, 3, classes)
     limits = _limits(chosen, planes) if chosen else (0, 0)
@@ -184,7 +184,7 @@ def _checks(
             "explain": lambda _, answer: _reason(answer),
         }
 
-    def judged(subject: Any, value: Any) -> bool | str:
+    def judge(subject: Any, value: Any) -> bool | str:
         try:
             return _answer(name, function, given(subject), value)
         except OwnClaimError:
@@ -194,17 +194,17 @@ def _checks(
             raise OwnClaimError(f"{name} raised {text} for the value {value!r}") from error
 
     def route(way: Given) -> Route:
-        return Route(_told(way), lambda subject: _value(way, given(subject)))
+        return Route(_route_name(way), lambda subject: _value(way, given(subject)))
 
     return {
         "quantity": "the value",
         "routes": tuple(map(route, ways)),
-        "judge": lambda subject, value: judged(subject, value) is True,
-        "explain": lambda subject, value: _reason(judged(subject, value)),
+        "judge": lambda subject, value: judge(subject, value) is True,
+        "explain": lambda subject, value: _reason(judge(subject, value)),
     }
 
 
-def _listed(instances: Family | Iterable[Any]) -> Source:
+def _source_of(instances: Family | Iterable[Any]) -> Source:
     """Return the members of a family, or listed instances, as the only source of a claim."""
     if isinstance(instances, Family):
         over = f"{instances}, {counted(len(instances), 'member')}"
@@ -231,17 +231,17 @@ def _cases(instances: Iterable[Any]) -> list[Case]:
     return found
 
 
-def _told(way: Callable[[Any], Any]) -> str:
+def _route_name(way: Callable[[Any], Any]) -> str:
     """Return what a route is called: the first line of its docstring, or its name."""
     return (way.__doc__ or "").strip().partition("\n")[0].rstrip(".") or way.__name__
 
 
-def _called(function: Callable[..., Any], *arguments: Any) -> Any:
+def _call(function: Callable[..., Any], *arguments: Any) -> Any:
     """Call a function of a file; its errors note the line in the file."""
     try:
         return _with_parameters(function, *arguments)
     except Exception as error:
-        error.add_note(line_of(error, getattr(function, "__code__", _called.__code__).co_filename))
+        error.add_note(line_of(error, getattr(function, "__code__", _call.__code__).co_filename))
         raise
 
 
@@ -262,7 +262,7 @@ def _with_parameters(function: Callable[..., Any], subject: Any, *more: Any) -> 
 
 def _value(way: Callable[[Any], Any], subject: Any) -> Any:
     """Return the value of a route; integers of any library as those of Python."""
-    value = _called(way, subject)
+    value = _call(way, subject)
     return int(value) if isinstance(value, Integral) and not isinstance(value, bool) else value
 
 
@@ -300,7 +300,7 @@ def _answer(name: str, function: Callable[..., Any], *arguments: Any) -> bool | 
         OwnClaimError: the function returned neither True nor a text.
     """
     try:
-        answer = _called(function, *arguments)
+        answer = _call(function, *arguments)
     except AssertionError as error:
         return str(error) or f"an assertion failed ({'; '.join(error.__notes__)})"
     if type(answer).__name__ in ("bool", "bool_"):

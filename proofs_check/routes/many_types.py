@@ -87,13 +87,13 @@ def cycle_bases_are_faces(signs: Signs, n: int) -> Booleans:
 
 
 def _are_minimum(found: Flags, n: int) -> Booleans:
-    edges = _padded(found.edge + (found.element << n))
+    edges = _pad(found.edge + (found.element << n))
     edge, element = edges & ((1 << n) - 1), edges >> n
-    lengths, crossed = _enclosed(found, edge, element, n)
+    lengths, crossed = _ways(found, edge, element, n)
     return _no_shorter(edge, element, crossed, lengths, n)
 
 
-def _padded(keys: Integers) -> Integers:
+def _pad(keys: Integers) -> Integers:
     """Return the different numbers of each row, padded by repeating the smallest."""
     rows = np.sort(keys, axis=1)
     rows[:, 1:][rows[:, 1:] == rows[:, :-1]] = -1
@@ -102,13 +102,13 @@ def _padded(keys: Integers) -> Integers:
     return np.where(rows < 0, rows[:, -1:], rows)
 
 
-def _enclosed(found: Flags, edge: Integers, element: Integers, n: int) -> tuple[Integers, Integers]:
+def _ways(found: Flags, edge: Integers, element: Integers, n: int) -> tuple[Integers, Integers]:
     """Lay ways from a largest face of each type to all others with over 4 edges, along lines.
 
     Returns the numbers of edges of those faces (N, R), 0 where there are fewer, and for each edge
     the set of the faces whose way crosses it (N, edges).
     """
-    rays = _padded(found.vertex + (found.through << n))
+    rays = _pad(found.vertex + (found.through << n))
     positive, zero = rays & ((1 << n) - 1), rays >> n
     degree = 2 * np.bitwise_count(zero).astype(np.int64)
     degree[:, 1:][rays[:, 1:] == rays[:, :-1]] = 0  # padded
@@ -131,14 +131,14 @@ def _enclosed(found: Flags, edge: Integers, element: Integers, n: int) -> tuple[
     ways = np.zeros(edge.shape, dtype=np.int64)
     line = 1 << element
     for k in range(order.shape[1]):
-        first = _between(line, edge, one[:, k], start[:, 0], begin[:, 0], turn[:, k], bend[:, k])
-        second = _between(line, edge, other[:, k], turn[:, k], bend[:, k], goal[:, k], end[:, k])
+        first = _is_between(line, edge, one[:, k], start[:, 0], begin[:, 0], turn[:, k], bend[:, k])
+        second = _is_between(line, edge, other[:, k], turn[:, k], bend[:, k], goal[:, k], end[:, k])
         crossing = first ^ (second & (common[:, k] == 0)[:, None])
         ways |= crossing.astype(np.int64) << k
     return lengths, ways
 
 
-def _between(line: Integers, edge: Integers, on: Integers, *ends: Integers) -> Booleans:
+def _is_between(line: Integers, edge: Integers, on: Integers, *ends: Integers) -> Booleans:
     """Return which edges lie on one line between two of its vertices, (N,) each.
 
     There the sides of the lines through either vertex are those of the other one. Between a vertex
@@ -172,11 +172,11 @@ def _no_shorter(
     np.bitwise_or.at(walls, (types, over), 1 << element)
     crossing = np.zeros((n, total, size), dtype=np.int32)
     crossing[element, types, edge] = crossing[element, types, over] = crossed
-    regions = _padded(np.hstack([edge, over]))
+    regions = _pad(np.hstack([edge, over]))
     place = np.zeros((total, size), dtype=np.int32)
     place[types, regions] = np.arange(regions.shape[1])
     even = np.bitwise_count(regions) % 2 == 0
-    starts = _padded(np.where(even, regions, regions[types[:, 0], even.argmax(1)][:, None]))
+    starts = _pad(np.where(even, regions, regions[types[:, 0], even.argmax(1)][:, None]))
     apart = starts[:, :, None] ^ regions[:, None]
     toward = _lowest(np.take_along_axis(walls, regions, 1)[:, None] & apart)
     # Distances in the graph are numbers of different signs: some wall leads nearer.

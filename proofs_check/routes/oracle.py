@@ -40,13 +40,13 @@ def project(
     for j in variables:
         pivot = next((row for row in left if row[j]), None) if j != keep else None
         if pivot is not None:
-            left = [_cancelled(row, pivot, j) for row in left if row is not pivot]
+            left = [_cancel(row, pivot, j) for row in left if row is not pivot]
             pivots.append((j, pivot))
     rows = []
     for inequality in inequalities:
         row = _whole(inequality)
         for j, pivot in pivots:
-            row = _cancelled(row, pivot, j)
+            row = _cancel(row, pivot, j)
         if any(row[:-1]):
             rows.append(row)
         elif row[-1] < 0:
@@ -54,41 +54,41 @@ def project(
     rows += [way for row in left for way in (row, tuple([-x for x in row]))]
     for j in variables:
         if j != keep:
-            rows = _eliminated(rows, j)
+            rows = _eliminate(rows, j)
         if any(row[-1] < 0 and not any(row[:-1]) for row in rows):
             return None
     return [row for row in rows if any(row[:-1])]
 
 
-def _eliminated(rows: Iterable[Whole], j: int) -> list[Whole]:
+def _eliminate(rows: Iterable[Whole], j: int) -> list[Whole]:
     """One step of Fourier-Motzkin elimination; equal rows are kept once."""
     groups: dict[int, list[Whole]] = {-1: [], 0: [], 1: []}
     for row in dict.fromkeys(rows):
         groups[(row[j] > 0) - (row[j] < 0)].append(row)
     pairs = (
-        _reduced([a * -down[j] + b * up[j] for a, b in zip(up, down, strict=True)])
+        _reduce([a * -down[j] + b * up[j] for a, b in zip(up, down, strict=True)])
         for up, down in product(groups[1], groups[-1])
     )
     return list(dict.fromkeys([*groups[0], *pairs]))
 
 
-def _cancelled(row: Whole, pivot: Whole, j: int) -> Whole:
+def _cancel(row: Whole, pivot: Whole, j: int) -> Whole:
     """Return a positive multiple of the row minus the multiple of an equality that cancels j."""
     if not row[j]:
         return row
     p, r = abs(pivot[j]), row[j] if pivot[j] > 0 else -row[j]
-    return _reduced([a * p - b * r for a, b in zip(row, pivot, strict=True)])
+    return _reduce([a * p - b * r for a, b in zip(row, pivot, strict=True)])
 
 
 def _whole(row: Sequence[Fraction | int]) -> Whole:
     """Return a positive multiple with coprime integer entries."""
     scale = math.lcm(*[x.denominator for x in row])
     if scale == 1:
-        return _reduced([x.numerator for x in row])
-    return _reduced([x.numerator * (scale // x.denominator) for x in row])
+        return _reduce([x.numerator for x in row])
+    return _reduce([x.numerator * (scale // x.denominator) for x in row])
 
 
-def _reduced(row: Sequence[int]) -> Whole:
+def _reduce(row: Sequence[int]) -> Whole:
     divisor = math.gcd(*row)
     return tuple(row) if divisor <= 1 else tuple([x // divisor for x in row])
 
@@ -276,9 +276,9 @@ class Systems:
         # Whole numbers: the rows of balance are added up for every choice of states.
         added = [wrench, *(part.force for ways in parts for part in ways.values())]
         scale = math.lcm(*[x.denominator for rows in added for row in rows for x in row])
-        self.wrench = _scaled(wrench, scale)
+        self.wrench = _scale(wrench, scale)
         self.parts = [
-            {state: replace(part, force=_scaled(part.force, scale)) for state, part in ways.items()}
+            {state: replace(part, force=_scale(part.force, scale)) for state, part in ways.items()}
             for ways in parts
         ]
 
@@ -367,7 +367,7 @@ def _times(row: Sequence[Fraction], factor: Fraction | int) -> Row:
     return tuple([x * factor if x else x for x in row])
 
 
-def _scaled(rows: Iterable[Sequence[Fraction | int]], scale: int) -> tuple[Whole, ...]:
+def _scale(rows: Iterable[Sequence[Fraction | int]], scale: int) -> tuple[Whole, ...]:
     return tuple(tuple([int(x * scale) for x in row]) for row in rows)
 
 

@@ -18,41 +18,41 @@ from .store import Store
 from .sweep import EACH, Total, total
 
 
-def consistent(found: ClaimVerdict | None, expected: ClaimVerdict) -> bool:
+def consistent(verdict: ClaimVerdict | None, expected: ClaimVerdict) -> bool:
     """Return whether a verdict on samples is compatible with the expected one.
 
     Samples can miss the instances that refute a statement or need its saving hypothesis, so
     "no counterexample found" contradicts nothing. A counterexample contradicts an expected "holds".
     """
-    if found is None:
+    if verdict is None:
         return False
     order = (ClaimVerdict.HOLDS, ClaimVerdict.HOLDS_UNDER_HYPOTHESIS, ClaimVerdict.REFUTED)
-    return order.index(found) <= order.index(expected)
+    return order.index(verdict) <= order.index(expected)
 
 
 def record(opened: Store) -> dict[str, Any]:
     """Return the JSON record of a sweep, complete or not."""
     plan, claim, sums = opened.plan, opened.claim, total(opened.chunks())
-    found = verdict_from(sums.outcomes)
+    verdict = verdict_from(sums.outcomes)
     expected = ClaimVerdict(claim["record"]["expected"])
     worst = next((k for k in ("broken", "fails", "excused") if k in sums.smallest), None)
     complete = sums.chunks == plan.chunks
     kind = Kind.EXHAUSTIVE if plan.types and complete else Kind.SAMPLED
-    needed = found is ClaimVerdict.HOLDS_UNDER_HYPOTHESIS
+    needed = verdict is ClaimVerdict.HOLDS_UNDER_HYPOTHESIS
     result = {
         **claim["record"],
         "evidence_kind": kind.value,
         "over": _over(plan, claim),
         "domain": _over(plan, claim),
-        "verdict": found.value if found else None,
+        "verdict": verdict.value if verdict else None,
         **conclusion(
-            strength_from(found, kind),
+            strength_from(verdict, kind),
             sums.outcomes["holds"],
             [claim["record"]["saving_hypothesis"]] if needed else [],
         ),
-        "as_expected": consistent(found, expected),
+        "as_expected": consistent(verdict, expected),
         "complete": complete,
-        "evidence": _evidence(plan, claim, sums, found),
+        "evidence": _evidence(plan, claim, sums, verdict),
         "rows": False,
         "seed": plan.seed,
         "plan": plan.record(),
@@ -70,7 +70,7 @@ def _over(plan: Plan, claim: dict[str, Any]) -> str:
     return f"random {claim['domain']} with {numbers} {claim['unit']}"
 
 
-def _evidence(plan: Plan, claim: dict[str, Any], sums: Total, found: ClaimVerdict | None) -> str:
+def _evidence(plan: Plan, claim: dict[str, Any], sums: Total, verdict: ClaimVerdict | None) -> str:
     names = {
         "holds": "that hold",
         "fails": "that fail",
@@ -90,7 +90,7 @@ def _evidence(plan: Plan, claim: dict[str, Any], sums: Total, found: ClaimVerdic
             f"one in {EACH} by both routes too"
         )
     expected = ClaimVerdict(claim["record"]["expected"])
-    if found is not None and found is not expected and consistent(found, expected):
+    if verdict is not None and verdict is not expected and consistent(verdict, expected):
         saving = claim["record"].get("saving_hypothesis")
         needs = f"it needs the hypothesis {saving}" if saving else "it needs a hypothesis"
         refuted = expected is ClaimVerdict.REFUTED

@@ -87,13 +87,13 @@ class Store:
     @property
     def plan(self) -> Plan:
         """The plan that the chunks belong to."""
-        with self._undamaged():
+        with self._reporting_damage():
             return Plan.from_record(json.loads(self._plan()[0]))
 
     @property
     def claim(self) -> dict[str, Any]:
         """What the claim says, so that a report needs nothing but the store."""
-        with self._undamaged():
+        with self._reporting_damage():
             found: dict[str, Any] = json.loads(self._plan()[1])
         return found
 
@@ -110,7 +110,7 @@ class Store:
         return record, claim
 
     @contextmanager
-    def _undamaged(self) -> Iterator[None]:
+    def _reporting_damage(self) -> Iterator[None]:
         """Report a damaged plan when it cannot be read."""
         try:
             yield
@@ -134,7 +134,7 @@ class Store:
             else:
                 damaged.append(number)
         if damaged or errors:
-            what = [f"{_listed(damaged)} not as written"] if damaged else []
+            what = [f"{_numbers_text(damaged)} not as written"] if damaged else []
             remedy = (
                 f"proofs-check sweep --store NEW.sqlite --merge {self.path} saves the others, "
                 "and a sweep with --store NEW.sqlite computes the rest"
@@ -216,13 +216,13 @@ def create(path: str, plan: Plan, claim: Mapping[str, Any], part: str = "") -> S
     """
     if path in ("", ":memory:"):
         raise SweepError(f"the store is {path!r}, which is not a file; name one")
-    with _opened(path, path) as connection:
+    with _connect(path, path) as connection:
         if connection.execute("SELECT count(*) FROM sqlite_master").fetchone()[0]:
-            _checked(path, connection)
+            _checked_store(path, connection)
         connection.execute("PRAGMA journal_mode = WAL")
         connection.execute("PRAGMA synchronous = FULL")
         _fill(connection, plan, claim)
-        store = _checked(path, connection)
+        store = _checked_store(path, connection)
         if differences := _differences(store, plan, claim, merged=bool(part)):
             which = f"{part or path} belongs to another sweep" + (f" than {path}" if part else "")
             raise SweepError(f"{which} ({', '.join(differences)}); name another --store")
@@ -239,8 +239,8 @@ def read(path: str) -> Store:
         raise SweepError(f"there is no store {path}; proofs-check sweep makes one")
     place = f"{Path(path).resolve().as_uri()}?mode=ro"
     try:
-        with _opened(path, place) as connection:
-            return _checked(path, connection)
+        with _connect(path, place) as connection:
+            return _checked_store(path, connection)
     except _UnopenedError:
         # No journal can be made beside it. Without one nobody writes, and it is whole as it is.
         journal = Path(f"{path}-wal")
@@ -249,8 +249,8 @@ def read(path: str) -> Store:
                 f"{path} has a journal that cannot be read here; copy both to a disk that can be "
                 "written"
             ) from None
-    with _opened(path, f"{place}&immutable=1") as connection:
-        return _checked(path, connection)
+    with _connect(path, f"{place}&immutable=1") as connection:
+        return _checked_store(path, connection)
 
 
 class _UnopenedError(SweepError):
@@ -258,7 +258,7 @@ class _UnopenedError(SweepError):
 
 
 @contextmanager
-def _opened(path: str, place: str) -> Iterator[sqlite3.Connection]:
+def _connect(path: str, place: str) -> Iterator[sqlite3.Connection]:
     """Connect to a file; close it when what is done with it fails."""
     try:
         connection = sqlite3.connect(place, timeout=60, isolation_level=None, uri=place != path)
@@ -288,7 +288,7 @@ def _fill(connection: sqlite3.Connection, plan: Plan, claim: Mapping[str, Any]) 
         connection.execute("INSERT INTO plan VALUES (?, ?, ?)", (*texts, _checksum(*texts)))
 
 
-def _checked(path: str, connection: sqlite3.Connection) -> Store:
+def _checked_store(path: str, connection: sqlite3.Connection) -> Store:
     application = connection.execute("PRAGMA application_id").fetchone()[0]
     layout = connection.execute("PRAGMA user_version").fetchone()[0]
     if application != APPLICATION:
@@ -344,7 +344,7 @@ def _chunk(plan: Plan, number: int, *cells: Any) -> Chunk | None:
         return None
 
 
-def _listed(numbers: list[int]) -> str:
+def _numbers_text(numbers: list[int]) -> str:
     shown = ", ".join(map(str, numbers[:_NAMED]))
     more = f" and {len(numbers) - _NAMED} more" if len(numbers) > _NAMED else ""
     return f"{'chunk' if len(numbers) == 1 else 'chunks'} {shown}{more}"

@@ -146,7 +146,7 @@ def _at_once(plan: Plan, claim: Claim, indices: range) -> dict[int, bool]:
 
 
 @lru_cache(maxsize=4)
-def _found(source: str, digest: str) -> Claim:
+def _claim_of(source: str, digest: str) -> Claim:
     """Return the claim of a source; one with another digest is another claim."""
     return target(source)
 
@@ -158,7 +158,7 @@ def _target(plan: Plan) -> Claim:
             f"{file}, or a file that it imports from its folder, has changed since the sweep "
             "began; begin a new store"
         )
-    return _found(plan.source, plan.digest)
+    return _claim_of(plan.source, plan.digest)
 
 
 def run_chunk(plan: Plan, number: int) -> Chunk:

@@ -74,7 +74,7 @@ SHARED: list[tuple[str, str, str]] = [
     ),
     (
         "census-types",
-        "proofs_check/claims/others.py: _listed",
+        "proofs_check/claims/others.py: _census_planes",
         "The arrangements of the census, whose isomorphism classes are told apart in two ways.",
     ),
     (
@@ -109,7 +109,7 @@ SHARED: list[tuple[str, str, str]] = [
     ),
     (
         "leaves-do-not-grow",
-        "proofs_check/claims/space.py: _decided",
+        "proofs_check/claims/space.py: _verdict",
         "Has the certificate made, whose leaves are counted in two ways.",
     ),
     (
@@ -130,9 +130,9 @@ CERTIFIED = {
 
 #: What an implementation of this name runs: files, or functions of them.
 RUNS = {
-    "adding": ["proofs_check/claims/equations.py: _added"],
+    "adding": ["proofs_check/claims/equations.py: _add_equations"],
     "brute_force": ["proofs_check/routes/bodies.py"],
-    "certificates": ["equilibrium/certificate/document.py"],
+    "certificates": ["equilibrium/certificate/"],
     "checker": ["equilibrium/certificate/checker.py: check"],
     "chi": ["arrangement/counts/"],
     "circles": ["arrangement/enumeration/great_circles/"],
@@ -155,17 +155,17 @@ RUNS = {
     "hand": ["proofs_check/claims/space.py: _boxed_by_hand"],
     "isomorphism": ["proofs_check/claims/others.py: _by_isomorphism"],
     "lattice": ["arrangement/counts/lattice.py"],
-    "linear_program": ["equilibrium/methods/form_closure.py"],
+    "linear_program": ["equilibrium/methods/"],
     "linear_programs": ["arrangement/numbers/linear/programs.py"],
     "method": ["equilibrium/methods/grasp_robustness.py"],
     "minors": ["proofs_check/routes/rigid_loads.py: within_bound"],
     "networkx": ["proofs_check/claims/dual.py: _planar_by_networkx"],
-    "null_space": ["equilibrium/plane/states/state_system.py"],
+    "null_space": ["equilibrium/plane/"],
     "planes": ["proofs_check/claims/sphere.py: _edge_counts_by_supports"],
     "qhull": ["arrangement/duals/inscribed/hull.py"],
     "regions": ["arrangement/enumeration/"],
-    "solver": ["equilibrium/decide/solver.py", "equilibrium/decide/as_printed.py"],
-    "solvers": ["equilibrium/decide/assemblies/solver.py"],
+    "solver": ["equilibrium/decide/"],
+    "solvers": ["equilibrium/decide/"],
     "states": ["proofs_check/routes/oracle.py: stable"],
     "steps": ["arrangement/enumeration/paper_steps.py", "proofs_check/instances/grasps.py"],
     "substitution": ["proofs_check/claims/tables.py: _substituted"],

@@ -32,14 +32,14 @@ def test_faces_are_a_minimum_cycle_basis_as_by_horton():
 
 
 def test_a_face_that_is_longer_than_the_cycles_around_it_is_seen(monkeypatch):
-    enclosed = many_types._enclosed
+    enclosed = many_types._ways
 
     def longer(*arguments):
         lengths, crossed = enclosed(*arguments)
         return np.where(lengths > 0, lengths + 2, 0), crossed
 
     signs = catalogue.chirotopes(7)
-    monkeypatch.setattr(many_types, "_enclosed", longer)
+    monkeypatch.setattr(many_types, "_ways", longer)
     assert (many_types.cycle_bases_are_faces(signs, 7) == signs.all(1)).all()
 
 

@@ -284,7 +284,7 @@ def test_a_finished_store_on_read_only_media_is_read(whole, tmp_path, monkeypatc
     def unopened(path, place):
         raise store._UnopenedError("unable to open database file")
 
-    monkeypatch.setattr(store, "_opened", unopened)
+    monkeypatch.setattr(store, "_connect", unopened)
     code, _, err = run("sweep", "--store", path, "--status")
     assert code == 2
     assert "has a journal that cannot be read here; copy both" in err
