@@ -161,7 +161,6 @@ TARGETS = {
     "tutte": Target("arrangement.counts.tutte", (LATTICE,)),
     "complete": Target("arrangement.counts.completeness", (ENGINES,)),
     "classes": Target("arrangement.counts.orbits.symmetric", (SYMMETRIC, IN_PARTS)),
-    "images": Target("arrangement.counts.orbits.images", (SYMMETRIC,)),
     "maps": Target("arrangement.counts.orbits.automorphisms", (SYMMETRIC,)),
     "parts": Target("arrangement.counts.orbits.in_parts", (IN_PARTS,)),
     "field": Target("arrangement.numbers.fields", (FIELD,)),
@@ -202,7 +201,6 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ("tests/arrangement/test_inscribed.py",): (
         "arrangement.duals.inscribed.hull",
         "arrangement.duals.inscribed.report",
-        "arrangement.duals.inscribed.search",
     ),
     (
         "tests/arrangement/test_engines.py",
@@ -256,10 +254,8 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "equilibrium.wrench_sets.space",
     ),
     ("tests/arrangement/test_linprog.py",): (
-        "arrangement.numbers.linear.dictionary",
-        "arrangement.numbers.linear.float_dictionary",
-        "arrangement.numbers.linear.program_rows",
         "arrangement.numbers.linear.programs",
+        "arrangement.numbers.linear.float_dictionary",
     ),
     ("tests/equilibrium/test_wrench_sets_plane.py",): (
         "equilibrium.wrench_sets.friction",
@@ -492,7 +488,6 @@ DECIDING = (
 )
 #: Modules of these that are not a target, and why.
 EXCEPTIONS = {
-    "arrangement.duals.body": "shapes of pictures",
     "arrangement.duals.cells": "shapes of pictures",
     "arrangement.duals.schlegel": "shapes of pictures",
     "arrangement.numbers.deadline": "a clock, which decides no answer but that the time is over",

@@ -21,11 +21,11 @@ from arrangement.planes.planes import Planes
 if TYPE_CHECKING:
     import sympy
 
-#: The coefficients of x^i y^j by (i, j).
+#: The coefficient of x^i y^j, by (i, j).
 _Polynomial: TypeAlias = dict[tuple[int, int], int]
-#: Planes that are not parallel, each with how often it is there.
+#: Pairwise independent vectors, each with its multiplicity.
 _Rows: TypeAlias = tuple[tuple[IntegerVector, int], ...]
-#: What a flat takes for each plane.
+#: Forecast of the steps for a flat, times the number of planes.
 _STEPS = 200
 
 

@@ -1,12 +1,14 @@
-"""Arguments of functions that are not exact numbers: sequences, integers, Booleans."""
+"""Arguments of functions that are not exact numbers, and the size of members of families."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from numbers import Integral
 from typing import Any
 
 from arrangement.errors import InputError
+from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
 
 
@@ -47,3 +49,18 @@ def flag(value: Any, name: str) -> bool:
     if not isinstance(value, bool):
         raise InputError(f"{name} is {shown(value)}; give True or False")
     return value
+
+
+def planned(planes: float, dimension: float, bits: float = 0) -> None:
+    """Refuse a member that is out of reach, before any plane of it is made.
+
+    Args:
+        bits: of an entry, where they are many.
+    """
+    entries = planes * dimension if math.inf not in (planes, dimension) else math.inf
+    budget.check_cost(
+        f"{budget.about(planes)} planes in dimension {budget.about(dimension)}",
+        "take a smaller member",
+        steps=60 * planes + entries * (2 + bits**2 / 10_000 if bits < 1e100 else math.inf),
+        bytes=350 * planes + entries * (90 + bits / 8),
+    )

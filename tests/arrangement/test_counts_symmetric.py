@@ -16,10 +16,9 @@ from sympy.functions.combinatorial.numbers import stirling
 from arrangement import Arrangement, InputError, NumberField, counts, families
 from arrangement.counts.configuration import configuration
 from arrangement.counts.modular import ModularVectors, _inverses
-from arrangement.counts.orbits import automorphisms, images, symmetric
+from arrangement.counts.orbits import automorphisms, symmetric
 from arrangement.counts.orbits.automorphisms import Automorphisms, _connected_order
-from arrangement.counts.orbits.images import Images
-from arrangement.counts.orbits.symmetric import moduli_above
+from arrangement.counts.orbits.symmetric import Images, moduli_above
 from arrangement.errors import OutOfTimeError
 from arrangement.numbers import deadline
 from arrangement.numbers.deadline import Deadline
@@ -436,7 +435,7 @@ def test_sets_of_one_plane_have_an_image_for_each_orbit(planes):
 
 
 def test_sets_of_several_words_go_down_in_portions(monkeypatch):
-    monkeypatch.setattr(images, "_BATCH", 1)
+    monkeypatch.setattr(symmetric, "_BATCH", 1)
     turn = np.roll(np.arange(70), 1)
     low = unpack(Images(np.array([turn])).low(np.eye(70, dtype=np.bool_)), 70)
     assert (low.sum(axis=1) == 1).all()

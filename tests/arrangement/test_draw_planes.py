@@ -22,8 +22,7 @@ from arrangement.cli import main
 from arrangement.counts import f_vector, region_count
 from arrangement.drawing.scene.items import Path
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
-from arrangement.duals.body import body_around
-from arrangement.duals.cells import Cells, cut_cells
+from arrangement.duals.cells import Cells, body_around, cut_cells
 from arrangement.library.families.classical import golden_ratio
 from arrangement.numbers.exact import sign
 from arrangement.numbers.linear.rank import determinant

@@ -26,8 +26,7 @@ from arrangement.duals.inscribed.hull import (
     sphere_hull,
     sphere_points,
 )
-from arrangement.duals.inscribed.report import inscribability
-from arrangement.duals.inscribed.search import decide
+from arrangement.duals.inscribed.report import decide, inscribability
 from arrangement.duals.zonohedron import DualPolyhedron, dual_polyhedron
 from arrangement.library.families import generic, near_pencil, simplicial, type_b
 from arrangement.numbers import budget

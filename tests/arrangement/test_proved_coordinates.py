@@ -19,10 +19,10 @@ from arrangement.duals.inscribed.certificates import (
 )
 from arrangement.duals.inscribed.report import (
     conditions_document,
+    decide,
     inscribability,
     proved_conditions,
 )
-from arrangement.duals.inscribed.search import decide
 from arrangement.library.census.catalogue import without_coordinates
 from arrangement.library.census.final_polynomials import (
     OrderedProducts,

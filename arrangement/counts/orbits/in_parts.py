@@ -200,13 +200,16 @@ class _Made:
 
 
 def _made(root: str) -> _Made:
-    """Return what a folder is about."""
+    """Return the vectors and symmetries of the plan in a folder."""
     return _made_of((Path(root) / "plan.json").read_bytes())
 
 
 @lru_cache(maxsize=1)
 def _made_of(content: bytes) -> _Made:
-    """Return what a plan is about; each process makes it once, whatever the folder is."""
+    """Return the vectors and symmetries of a plan, with its checksum.
+
+    It is kept for the next part: a process works on many parts of one plan.
+    """
     plan = json.loads(content)
     field = None
     if "field" in plan:

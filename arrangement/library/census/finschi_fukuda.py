@@ -62,10 +62,11 @@ def representatives(signs: Signs, n: int) -> Integers:
 
 
 def _largest(chi: Signs, most: int) -> Integers:
-    """Return the representatives of chirotopes with points on this many lines, and on no more.
+    """Return the representatives of chirotopes in which at most `most` lines share a point.
 
-    Elements are chosen one after another. Of the choices so far those are kept whose text is the
-    largest: rows of elements in order, with the sign by which each is multiplied.
+    The search is breadth first. A partial relabelling is a sequence of elements, each with a sign.
+    Every step extends all of them by every other element, and keeps for each chirotope those whose
+    text is the largest so far.
     """
     total, n = len(chi), chi.shape[-1]
     of, order, sides = _first_point(chi, most)

@@ -14,8 +14,7 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.library.arguments import at_least, flag
-from arrangement.library.families.checks import planned
+from arrangement.library.arguments import at_least, flag, planned
 from arrangement.library.families.simplicial import mirrors
 from arrangement.numbers.exact import IntegerVector, shown
 from arrangement.numbers.linear.rank import unit_vectors

@@ -14,9 +14,8 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.options.signature import Syntax
-from arrangement.library.arguments import at_least, is_listed
+from arrangement.library.arguments import at_least, is_listed, planned
 
-from .checks import planned
 from .classical import differences, positive_roots, sums
 from .graphs import edge_differences
 

@@ -15,8 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 from arrangement.arrangement import Arrangement
 from arrangement.console.options.signature import Syntax
 from arrangement.errors import InputError
-from arrangement.library.arguments import at_least, entries, flag
-from arrangement.library.families.checks import planned
+from arrangement.library.arguments import at_least, entries, flag, planned
 from arrangement.library.families.classical import sums
 from arrangement.library.families.randoms import random_integer
 from arrangement.numbers import budget

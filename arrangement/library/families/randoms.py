@@ -6,10 +6,8 @@ from math import isqrt
 from random import Random
 
 from arrangement.arrangement import Arrangement
-from arrangement.library.arguments import at_least, flag, whole
+from arrangement.library.arguments import at_least, flag, planned, whole
 from arrangement.numbers.exact import IntegerVector
-
-from .checks import planned
 
 
 def random_integer(

@@ -1,9 +1,9 @@
 """Linear programs of the form of `programs` in floating point: a guess of the rows that are tight.
 
-The method is that of `dictionary`, with the largest pivots instead of Bland's rule, and with any
-cost above 0 in the search for a point, which then hardly ever comes back to where it was. Rows may
-be added: the next solution starts from the last one. Nothing here is proved: whoever uses a guess
-solves for it exactly and checks, and does without where there is none.
+The method is that of `programs.Dictionary`, with the largest pivots instead of Bland's rule, and
+with any cost above 0 in the search for a point, which then hardly ever comes back to where it was.
+Rows may be added: the next solution starts from the last one. Nothing here is proved: whoever uses
+a guess solves for it exactly and checks, and does without where there is none.
 """
 
 from __future__ import annotations
