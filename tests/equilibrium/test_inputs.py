@@ -277,6 +277,10 @@ class TestCsv:
         assert read_float_data(tmp_path / "data.csv").grasp == found
         assert read_float_data({"schema_version": 1, **measured}).grasp == found
 
+    def test_contact_near_the_origin_is_read_beside_others(self, tmp_path):
+        table = written(tmp_path, "a.csv", "x,y,nx,ny,mu\n1e-7,0,1,0,0.5\n1,0,-1,0,0.5\n")
+        assert [c.point for c in read_float_data(table).grasp] == [(0, 0), (1, 0)]
+
 
 class TestOutlines:
     def test_polygons_and_circles_are_the_outlines(self):
