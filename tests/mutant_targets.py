@@ -494,10 +494,12 @@ EXCEPTIONS = {
     "arrangement.planes.identification": "values that the census computes, and a text",
     "arrangement.planes.proved": "runs the program proved in Coq, which is not built everywhere",
     "proofs_check.routes.proved": "runs the program proved in Coq, which is not built everywhere",
+    "equilibrium.decide.verdict_text": "text of verdicts",
     "equilibrium.methods.registry": "a table of names",
     "equilibrium.methods.resistance": "puts the answers of two other modules into one document",
     "equilibrium.model.errors": "messages",
     "equilibrium.model.labels": "units and errors that results repeat",
     "equilibrium.model.outline": "shapes of pictures",
     "equilibrium.core.tresca": "proposes states, which exact programs decide",
+    "equilibrium.wrench_sets.text": "text of resisted sets",
 }

@@ -396,7 +396,10 @@ CASES = [
         (f"solve no-such-grasp {UP}", "no-such-grasp"),
         (f"solve {THREE} {UP} --as-printed everything", "everything"),
         (f"solve {THREE} --preload -1 {UP}", "preload"),
-        (f"solve {THREE} {UP} --as-printed signs --certificate x", "does not take --certificate"),
+        (
+            f"solve {THREE} {UP} --as-printed signs --certificate x",
+            "--certificate goes with the verdict of the full model, not with --as-printed",
+        ),
         (f"solve {THREE} {UP} --certificate no/x.json", "no"),
         *(
             (f"solve {THREE} {UP} --digits {digits}", "1 to 1000")

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from arrangement.console import terminal
 from arrangement.console.colours import print_verdict
-from arrangement.console.number_form import number
 from arrangement.console.options import values
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, shown, to_text
@@ -19,9 +19,8 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.labels import AS_ROUNDED
 
 if TYPE_CHECKING:
-    from arrangement.numbers.linear.intervals import Interval
     from equilibrium.grasps.inputs import Conversion
-    from equilibrium.model.assembly import Assembly
+    from equilibrium.model.assembly import Assembly, Wrenches
     from equilibrium.model.grasp import Grasp
 
 _AXES = ("F_X", "F_Y", "TAU")
@@ -165,13 +164,23 @@ def applied(arguments: argparse.Namespace, grasp: Grasp) -> RationalVector:
     return tuple(wrench)
 
 
+def has_load(arguments: argparse.Namespace) -> bool:
+    """Return whether a wrench, a force or a weight is given.
+
+    Raises:
+        GraspError: a place without a force or a weight.
+    """
+    if arguments.force is arguments.weight is None and arguments.at is not None:
+        raise GraspError("--at goes with --force or --weight; a wrench has its torque")
+    loads = arguments.wrench, arguments.force, arguments.weight
+    return any(load is not None for load in loads)
+
+
 def force_given(arguments: argparse.Namespace, dimension: int = 2) -> RationalVector | None:
     """Return the wrench of the force or the weight, if one of them was given."""
     from equilibrium.model.grasp import wrench_of
 
-    if arguments.force is arguments.weight is None:
-        if arguments.at is not None:
-            raise GraspError("--at goes with --force or --weight; a wrench has its torque")
+    if not has_load(arguments) or arguments.force is arguments.weight is None:
         return None
     down = *[Fraction(0)] * (dimension - 1), -(arguments.weight or 0)
     return wrench_of(arguments.force or down, arguments.at, dimension)
@@ -188,6 +197,31 @@ def add_wrench(parser: Any, name: str, text: str, default: Any) -> None:
         help=text,
     )
     _let_grow(parser, option)
+
+
+class _OnBody(argparse._AppendAction):
+    """Collects a wrench for each body."""
+
+    def __call__(self, parser: Any, namespace: Any, given: Any, option: Any = None) -> None:
+        name, *numbers = given
+        wrenches = dict(getattr(namespace, self.dest) or {})
+        if name in wrenches:
+            parser.error(f"{option} has the body {name} twice; give each body once")
+        try:
+            wrenches[name] = tuple(map(values.rational_argument, numbers))
+        except argparse.ArgumentTypeError as error:
+            parser.error(f"{option} {name}: {error}")
+        setattr(namespace, self.dest, wrenches)
+
+
+def add_on_body(
+    ways: Any,
+    name: str = "--on",
+    text: str = "the wrench on one body, instead of that in its file",
+) -> None:
+    """Add wrenches on the bodies of an assembly, to the ways in which a wrench can be given."""
+    text = f"of an assembly: {text}; repeatable"
+    ways.add_argument(name, nargs=4, action=_OnBody, metavar=("BODY", *_AXES), help=text)
 
 
 def spanning_wrench(text: str) -> tuple[Fraction, ...]:
@@ -268,45 +302,73 @@ def grasp_of(arguments: argparse.Namespace) -> Grasp:
     return grasp if preload is None else grasp.with_preload(preload)
 
 
-def intervals_text(intervals: Iterable[Interval]) -> str:
-    """Return closed intervals in words, such as "[0, 1] or {3/2} or [2, oo)"."""
-    shown = [
-        f"{{{number(low)}}}"
-        if low is not None and low == high
-        else ("(-oo" if low is None else f"[{number(low)}")
-        + (", oo)" if high is None else f", {number(high)}]")
-        for low, high in intervals
-    ]
-    return " or ".join(shown) if shown else "no interval"
+class Bodies(NamedTuple):
+    """An assembly, and the wrenches in its file.
+
+    Attributes:
+        stated: the key "wrench", else weights of bodies; None if there are neither.
+        has_key: whether there is the key.
+    """
+
+    assembly: Assembly
+    stated: Mapping[str, Any] | None
+    has_key: bool
+
+    def wrenches(self, given: Any = None, *, required: bool = True) -> Wrenches:
+        """Return the wrenches given, for other bodies those of the file, else zero.
+
+        Raises:
+            GraspError: there are none, and some are required.
+        """
+        if required and self.stated is None and given is None:
+            raise GraspError(
+                "the assembly has no wrenches; give --on BODY F_X F_Y TAU for each body that has "
+                'one, or write the key "wrench" into its file'
+            )
+        return self.assembly.read_wrenches({**(self.stated or {}), **(given or {})})
 
 
-def resisted_text(intervals: Sequence[Interval]) -> str:
-    """Return which magnitudes t are resisted, such as "resisted for t in [0, 1] or [2, oo)"."""
-    if not intervals:
-        return "resisted for no t"
-    if (point := _only(intervals)) is not None:
-        return f"resisted at {number(point)} only"
-    return f"resisted for t in {intervals_text(intervals)}"
+def bodies_of(arguments: argparse.Namespace) -> Bodies | None:
+    """Return the assembly that the arguments name; else None, with what was read as the source."""
+    from equilibrium.grasps.files import decimal_text, has_decimals, read_contacts
+    from equilibrium.grasps.inputs.csv_file import read_bodies
+    from equilibrium.grasps.inputs.documents import with_unit_normals
+    from equilibrium.model.assembly import Assembly, wrenches_of
+
+    source, preload = arguments.grasp, getattr(arguments, "preload", None)
+    if isinstance(source, (str, os.PathLike)) and str(source).lower().endswith(".csv"):
+        found = read_bodies(source, as_given=arguments.as_given)
+        if found is None:
+            return None
+        tell_rounding(found[1])
+        assembly, document = found[0], dict[str, Any]()
+    else:
+        document = read_contacts(source, floats=decimal_text)
+        if "bodies" not in document:
+            arguments.grasp = document  # what came on stdin can be read once
+            return None
+        if has_decimals(document):
+            raise GraspError(
+                "the assembly has decimals; write numbers as integers or as strings such as "
+                '"1/4", "-0.25"'
+            )
+        if arguments.round_normals:
+            document, contacts = with_unit_normals(document, as_given=arguments.as_given)
+            tell_rounding(contacts)
+        assembly = Assembly.from_dict(document)
+    budget.allow(3 * budget.COMMAND_STEPS)  # of a part of many contacts, as in space
+    if preload is not None:
+        assembly = assembly.with_preload(preload)
+    stated = wrenches_of(document) if document else None
+    return Bodies(assembly, stated, "wrench" in document)
 
 
-def among_text(intervals: Sequence[Interval], name: str) -> str:
-    """Return where a number lies: "a preload in [0, 1]", "a preload of 0 only", "no preload"."""
-    if not intervals:
-        return f"no {name}"
-    if (point := _only(intervals)) is not None:
-        return f"a {name} of {number(point)} only"
-    return f"a {name} in {intervals_text(intervals)}"
-
-
-def factors_text(intervals: Sequence[Interval]) -> str:
-    """Return by which factors a load may be scaled."""
-    return f"resisted when scaled by {among_text(intervals, 'factor')}"
-
-
-def _only(intervals: Sequence[Interval]) -> Fraction | None:
-    """Return the only number of some intervals; None if there are none or more."""
-    ends = {end for part in intervals for end in part}
-    return ends.pop() if len(ends) == 1 else None
+def question_of(arguments: argparse.Namespace, bodies: Bodies | None) -> tuple[Any, Any]:
+    """Return what `solve` is asked about: a grasp and a wrench, or an assembly and its wrenches."""
+    if bodies is not None:
+        return bodies.assembly, bodies.wrenches(arguments.on)
+    grasp = grasp_of(arguments)
+    return grasp, applied(arguments, grasp)
 
 
 def seconds(text: str) -> float:

@@ -13,18 +13,21 @@ from arrangement.console.number_form import counted
 from arrangement.console.options.parser import Parser
 from arrangement.console.writing import write_text_atomically
 from arrangement.numbers.exact import shown
-from equilibrium.cli.arguments import (
+from equilibrium.model.errors import GraspError
+
+from .arguments import (
+    Bodies,
     add_applied,
     add_command,
     add_force,
     add_wrench,
+    bodies_of,
     force_given,
     grasp_of,
     read,
     spanning_wrench,
 )
-from equilibrium.cli.assemblies import assembly_document, draw_assembly
-from equilibrium.model.errors import GraspError
+from .goes_with import ASSEMBLY, check_options
 
 if TYPE_CHECKING:
     from equilibrium.model.grasp import Grasp
@@ -71,9 +74,9 @@ def _draw(arguments: argparse.Namespace) -> int:
     from arrangement.drawing.command import given_options, write
     from equilibrium.pictures.views import DRAWINGS
 
-    document = assembly_document(arguments)
-    if document is not None:
-        return draw_assembly(arguments, document)
+    bodies = bodies_of(arguments)
+    if bodies is not None:
+        return _draw_assembly(arguments, bodies)
     grasp = read(arguments)
     if load := force_given(arguments, grasp.dimension):
         arguments.wrench = [*(arguments.wrench or ()), load]
@@ -87,6 +90,19 @@ def _draw(arguments: argparse.Namespace) -> int:
     if "preload" in options and "preload" not in drawings.options(kind, name):
         grasp = grasp.with_preload(options.pop("preload"))
     return write(arguments, drawings, grasp, options)
+
+
+def _draw_assembly(arguments: argparse.Namespace, bodies: Bodies) -> int:
+    """Draw an assembly, solved if its file has wrenches."""
+    from arrangement.drawing.command import given_options, write
+    from equilibrium.decide.solver import solve
+    from equilibrium.pictures.views import DRAWINGS, OF_ASSEMBLIES
+
+    check_options(arguments, "draw", ASSEMBLY)
+    wrenches = bodies.wrenches(required=False)
+    subject = solve(bodies.assembly, wrenches) if bodies.has_key else bodies.assembly
+    options = given_options(arguments, OF_ASSEMBLIES, DRAWINGS)
+    return write(arguments, OF_ASSEMBLIES, subject, options)
 
 
 def _write_data(arguments: argparse.Namespace, grasp: Grasp) -> int:

@@ -13,7 +13,7 @@ from arrangement.numbers.exact import RationalVector
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.labels import AS_ROUNDED, ROUNDED
 
-from .arguments import factors_text, show
+from .arguments import show
 
 if TYPE_CHECKING:
     from arrangement.numbers.linear.intervals import Interval
@@ -86,14 +86,12 @@ def _load(
 ) -> tuple[Verdict, Sequence[Interval], Rows]:
     """Return the verdict on a load, its factors, and both as rows; add them to the document."""
     from equilibrium.wrench_sets import ResistedSet
-
-    from .resisted import end_lines
-    from .verdict_words import verdict_lines
+    from equilibrium.wrench_sets.text import end_lines, factors_text
 
     resisted = ResistedSet(grasp)
     verdict: Verdict = resisted.solve(load)
     document |= {"wrench": load, "verdict": verdict.verdict}
-    said = list(verdict_lines(verdict))
+    said = verdict.lines()
     if verdict.rounding is not None:
         document["within_error"] = verdict.rounding.to_dict()
         said.insert(0, verdict.rounding.words)

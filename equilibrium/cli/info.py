@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import chain
 from math import gcd
@@ -17,17 +17,19 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.solution import numbering_words
 
 from .arguments import (
+    Bodies,
     add_applied,
     add_command,
     add_cone,
     add_number,
     applied,
-    force_given,
+    bodies_of,
     grasp_of,
+    has_load,
     seconds,
     show,
 )
-from .assemblies import asked_assembly, assembly_document, refuse_one_body
+from .goes_with import ASSEMBLY, DESCRIPTION, REPORT, check_options
 
 if TYPE_CHECKING:
     from equilibrium.methods.closure.force_closure import ForceClosure
@@ -36,15 +38,6 @@ if TYPE_CHECKING:
     from equilibrium.modes import ContactModes, Slips
 
 _WORDS = {True: "yes", False: "no", None: "undecided"}
-#: Options with the form that they go with.
-_GOES_WITH = {
-    "norm": "force_closure",
-    "torque_length": "force_closure",
-    "torque": "force_closure",
-    "cone": "force_closure",
-    "count": "modes",
-    "time_limit": "modes",
-}
 #: Contacts of a grasp that are printed; more are only counted.
 _MOST_CONTACTS = 20
 
@@ -82,25 +75,18 @@ def add_command_info(commands: Any) -> None:
 
 
 def _info(arguments: argparse.Namespace) -> int:
-    for option, form in _GOES_WITH.items():
-        if getattr(arguments, option) is not None and not getattr(
-            arguments, form.replace("-", "_")
-        ):
-            raise GraspError(f"--{option.replace('_', '-')} goes with --{form.replace('_', '-')}")
-    load = any(getattr(arguments, name) is not None for name in ("wrench", "force", "weight"))
-    if (arguments.modes or arguments.force_closure) and (load or arguments.output is not None):
-        form = "modes" if arguments.modes else "force-closure"
-        raise GraspError(f"a load and --output are for the report; they do not go with --{form}")
+    form, answer = DESCRIPTION, _description
     if arguments.modes:
-        if arguments.preload is not None:
-            raise GraspError("--preload does not go with --modes; modes do not depend on it")
-        return _modes(arguments)
-    if arguments.force_closure:
-        return _force_closure(arguments)
-    return _description(arguments, load)
+        form, answer = "--modes", _modes
+    elif arguments.force_closure:
+        form, answer = "--force-closure", _force_closure
+    elif has_load(arguments) or arguments.output is not None:
+        form, answer = REPORT, _description
+    check_options(arguments, "info", None, form)
+    return answer(arguments)
 
 
-def _description(arguments: argparse.Namespace, load: bool) -> int:
+def _description(arguments: argparse.Namespace) -> int:
     """Print contacts, stiffness, rank of the tangential hyperplanes and force closure.
 
     With a load, or a page to write, that is the report.
@@ -109,9 +95,9 @@ def _description(arguments: argparse.Namespace, load: bool) -> int:
     from arrangement.numbers.linear.rank import rank
     from equilibrium.methods.closure.force_closure import force_closure
 
-    assembly = assembly_document(arguments)
-    if assembly is not None:
-        return _of_assembly(arguments, assembly)
+    bodies = bodies_of(arguments)
+    if bodies is not None:
+        return _of_assembly(arguments, bodies)
     grasp = grasp_of(arguments)
     rows = [primitive(row) for contact in grasp for row in contact.tangential_wrenches]
     closed = force_closure(grasp)
@@ -123,26 +109,25 @@ def _description(arguments: argparse.Namespace, load: bool) -> int:
         "rank": rank(rows) if rows else 0,
     } | closed.to_dict()
     lines = [*_description_lines(grasp, document), _closure_line(grasp, closed)]
-    force_given(arguments, grasp.dimension)  # refuses a place without a force
-    if load or arguments.output is not None:
+    if has_load(arguments) or arguments.output is not None:
         from .grasp_report import give_report
 
-        wrench = applied(arguments, grasp) if load else None
+        wrench = applied(arguments, grasp) if has_load(arguments) else None
         return give_report(arguments, grasp, wrench, document, lines)
     return show(arguments, document, lines, True, grasp)
 
 
-def _of_assembly(arguments: argparse.Namespace, document: Mapping[str, Any]) -> int:
+def _of_assembly(arguments: argparse.Namespace, bodies: Bodies) -> int:
     """Print bodies, contacts, and the rank of the tangential hyperplanes of an assembly."""
     from arrangement.numbers.exact import primitive
     from arrangement.numbers.linear.rank import rank
 
-    refuse_one_body(arguments, ("wrench", "force", "weight", "at", "output"))
-    assembly, wrenches = asked_assembly(document, None, arguments.preload, required=False)
+    check_options(arguments, "info", ASSEMBLY)
+    assembly, wrenches = bodies.assembly, bodies.wrenches(required=False)
     rows = [primitive(row.tangential_wrenches[0]) for row in assembly.rows]
     known = {"tangential_hyperplanes": len(rows), "rank": rank(rows) if rows else 0}
     lines = [f"bodies           {len(assembly.bodies)}"]
-    stated = wrenches if "wrench" in document else None
+    stated = wrenches if bodies.has_key else None
     for name, wrench in wrenches.items():
         lines.append(f"  {name}" if stated is None else f"  {name}  wrench {vector(wrench)}")
     lines.append(f"contacts         {len(assembly)}")
@@ -254,7 +239,8 @@ def _modes(arguments: argparse.Namespace) -> int:
 
     limit, groups = arguments.time_limit, tuple[range, ...]()
     if str(arguments.grasp).lower().endswith(".csv"):
-        document = assembly_document(arguments) or {}
+        bodies = bodies_of(arguments)
+        document = {} if bodies is None else bodies.assembly.to_dict()
     else:
         arguments.grasp = document = read_document(arguments.grasp, ("contacts", "normals"))
     if {"normals", "bodies"} & set(document):

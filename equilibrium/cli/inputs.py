@@ -11,10 +11,12 @@ import json
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console import terminal
 from arrangement.console.options import values
+from arrangement.console.options.signature import options_of
 from arrangement.console.writing import write_text_atomically
 
 from .arguments import (
@@ -25,11 +27,23 @@ from .arguments import (
     show,
     tell_rounding,
 )
-from .assemblies import add_makers
 
 if TYPE_CHECKING:
     from equilibrium.grasps.inputs import Conversion
     from equilibrium.model.grasp import Grasp
+
+#: The kinds of make. Their options are the parameters of `equilibrium.grasps.textbook`, which is
+#: imported when one of them is parsed.
+_MAKERS = {
+    "stack": "put blocks on each other, the topmost pushed",
+    "arch": "build a round arch of voussoirs",
+    "ramp": "put a block on a ramp",
+    "wedge": "put a wedge under a block at a smooth wall",
+    "wall": "build a wall of bricks in running bond",
+    "cylinders": "put a cylinder on two others",
+    "ladder": "lean a ladder on a block",
+    "tongs": "lift a block with the jaws of tongs",
+}
 
 
 def add_commands(commands: Any) -> None:
@@ -96,7 +110,7 @@ def add_commands(commands: Any) -> None:
     add_count(randoms, "--seed", 0, "of the random numbers", "SEED")
     randoms.add_argument("--space", action="store_true", help="in space instead of the plane")
     _add_output(randoms)
-    add_makers(kinds)
+    _add_makers(kinds)
 
 
 class _CollectPoints(argparse._AppendAction):
@@ -187,3 +201,32 @@ def _give(arguments: argparse.Namespace, document: dict[str, Any]) -> int:
     if arguments.output is not None:
         write_text_atomically(arguments.output, f"{text}\n")
     return show(arguments, document, [text] if arguments.output is None else [])
+
+
+def _add_makers(kinds: Any) -> None:
+    """Add the kinds of make that are assemblies."""
+    for name, text in _MAKERS.items():
+        parser: Any = add_command(kinds, name, _make, text, grasp=False, numbers=False, heading="")
+        parser.set_defaults(maker=name)
+        parser.lazy_options = partial(_add_parameters, parser, name)
+        parser.add_argument("-o", "--output", metavar="OUT.json", help="write the file here")
+
+
+def _add_parameters(parser: argparse.ArgumentParser, maker: str) -> None:
+    from equilibrium.grasps.textbook import TEXTBOOK
+
+    for option in options_of(TEXTBOOK[maker]).values():
+        option.add_to(parser, help=f"{option.help} (default: {option.default})")
+
+
+def _make(arguments: argparse.Namespace) -> int:
+    """Print or write a textbook assembly."""
+    from equilibrium.grasps.textbook import TEXTBOOK
+
+    made = TEXTBOOK[arguments.maker]
+    assembly, wrenches = made(**{name: getattr(arguments, name) for name in options_of(made)})
+    if arguments.output is not None:
+        assembly.save(arguments.output, wrenches)
+    document = assembly.to_dict(wrenches)
+    lines = [json.dumps(document, indent=1)] if arguments.output is None else []
+    return show(arguments, document, lines)

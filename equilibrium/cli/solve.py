@@ -9,9 +9,8 @@ import argparse
 import math
 import re
 import sys
-from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from arrangement.console import terminal
 from arrangement.numbers import budget
@@ -23,14 +22,17 @@ from .arguments import (
     add_command,
     add_cone,
     add_displacement,
-    applied,
+    add_on_body,
+    bodies_of,
     force_given,
-    grasp_of,
+    question_of,
     seconds,
     show,
 )
-from .assemblies import add_on_body, assembly_document, assembly_question, solve_assembly
-from .verdict_words import piece_lines, robustly, verdict_lines, with_rounding
+from .goes_with import ASSEMBLY, FULL_MODEL, GRASP, MANY, check_options
+
+if TYPE_CHECKING:
+    from equilibrium.decide.verdict import Verdict
 
 #: The names of `decide.as_printed.OPTIONS`, kept here so that ``--help`` loads no solver.
 AS_PRINTED = (
@@ -42,8 +44,6 @@ AS_PRINTED = (
     "coincident-planes",
     "single-solution",
 )
-#: Options of the verdict of the full model, which the other forms do not take.
-_OF_THE_VERDICT = ("certificate", "time_limit", "max_displacement", "robust", "shorten", "all")
 _WORDS = {True: "yes", False: "no", None: "-"}
 #: What a mark of the comparison means, for those that it has.
 _MARKS = {
@@ -128,22 +128,17 @@ def _bound(text: str) -> tuple[str, str]:
 
 
 def _solve(arguments: argparse.Namespace) -> int:
-    if arguments.wrenches is not None or _has_many(arguments.grasp):
-        return _many(arguments)
-    if arguments.output is not None or arguments.dask is not None or arguments.jobs != 1:
-        raise GraspError("--output, --jobs and --dask are for many grasps; omit them")
-    document = assembly_document(arguments)
-    if document is None and arguments.on is not None:
-        raise GraspError("--on is for an assembly; a grasp takes --wrench F_X F_Y TAU")
+    form, answer = FULL_MODEL, _by_full_model
     if arguments.methods is not None:
-        _refuse(arguments, "--methods", _OF_THE_VERDICT)
-        return _by_methods(arguments, document)
-    if document is not None:
-        return solve_assembly(arguments, document)
-    if arguments.as_printed:
-        _refuse(arguments, "--as-printed", (*_OF_THE_VERDICT, "cone"))
-        return _as_printed(arguments)
-    return _by_full_model(arguments)
+        form, answer = "--methods", _by_methods
+    elif arguments.as_printed:
+        form, answer = "--as-printed", _as_printed
+    if arguments.wrenches is not None or _has_many(arguments.grasp):
+        check_options(arguments, "solve", MANY, form)
+        return _many(arguments)
+    bodies = bodies_of(arguments)
+    check_options(arguments, "solve", GRASP if bodies is None else ASSEMBLY, form)
+    return answer(arguments, *question_of(arguments, bodies))
 
 
 def _many(arguments: argparse.Namespace) -> int:
@@ -151,8 +146,6 @@ def _many(arguments: argparse.Namespace) -> int:
     from equilibrium.decide.many_grasps import tables
     from equilibrium.decide.many_grasps.check import check_as_written
 
-    alone = "on", "methods", "as_printed", "cone", "round_normals", "as_given"
-    _refuse(arguments, "a file of many grasps", (*_OF_THE_VERDICT, *alone))
     many = tables.read_grasps(arguments.grasp)
     if arguments.wrenches is not None:
         many = many.with_loads_of(arguments.wrenches)
@@ -194,28 +187,16 @@ def _has_many(path: str) -> bool:
     return "grasp" in re.split(r"[\s,;]+", header)
 
 
-def _refuse(arguments: argparse.Namespace, form: str, options: tuple[str, ...]) -> None:
-    """Refuse options that do not go with a form of the command."""
-    for option in options:
-        if getattr(arguments, option) not in (None, False, []):
-            raise GraspError(f"{form} does not take --{option.replace('_', '-')}; omit one")
-
-
-def _by_methods(arguments: argparse.Namespace, document: Mapping[str, Any] | None) -> int:
+def _by_methods(arguments: argparse.Namespace, subject: Any, load: Any) -> int:
     """Print the verdict of the full model and of other methods."""
     from equilibrium.decide.solver import solve
     from equilibrium.grasps.inputs.documents import question_document
     from equilibrium.methods.compare import compare
+    from equilibrium.model.grasp import Grasp
 
-    grasp: Any
-    wrench: Any
-    if document is not None:
-        grasp, wrench = assembly_question(arguments, document)
-    else:
-        grasp = grasp_of(arguments)
-        wrench = applied(arguments, grasp)
-        question_document(grasp, wrench, "compare")
-    comparison = compare(grasp, wrench, methods=arguments.methods or None, pyramid=arguments.cone)
+    if isinstance(subject, Grasp):
+        question_document(subject, load, "compare")
+    comparison = compare(subject, load, methods=arguments.methods or None, pyramid=arguments.cone)
     lines, document = list[str](), comparison.to_dict()
     yes = comparison.answers[0].accepts
     for answer in comparison.answers:
@@ -223,48 +204,69 @@ def _by_methods(arguments: argparse.Namespace, document: Mapping[str, Any] | Non
         lines.append(f"{mark} {_WORDS[answer.accepts]:<4}{answer.title:<60}{answer.remark}")
     marks = {line[0] for line in lines} | {line[2] for line in lines}
     lines += [f"{mark}  {text}" for mark, text in _MARKS.items() if mark in marks]
-    if grasp.data_error is not None:
-        rounding = solve(grasp, wrench, pyramid=arguments.cone).within_error()
+    if subject.data_error is not None:
+        rounding = solve(subject, load, pyramid=arguments.cone).within_error()
         document["within_error"] = rounding.to_dict()
         lines += rounding.lines()
         yes = yes if rounding.turned is None else None
     return show(arguments, document, lines, yes, comparison.grasp)
 
 
-def _as_printed(arguments: argparse.Namespace) -> int:
+def _as_printed(arguments: argparse.Namespace, subject: Any, load: Any) -> int:
     """Print the verdict that follows from the text of the paper as printed."""
     from equilibrium.decide.solver import solve
+    from equilibrium.decide.verdict_text import piece_lines
 
-    grasp = grasp_of(arguments)
-    verdict = solve(grasp, applied(arguments, grasp), as_printed=arguments.as_printed)
-    lines = piece_lines(verdict.equilibria, grasp)
-    return show(arguments, verdict.to_dict(), lines, verdict.stable, grasp)
+    verdict = solve(subject, load, as_printed=arguments.as_printed)
+    lines = piece_lines(verdict.equilibria, subject)
+    return show(arguments, verdict.to_dict(), lines, verdict.stable, subject)
 
 
-def _by_full_model(arguments: argparse.Namespace) -> int:
+def _by_full_model(arguments: argparse.Namespace, subject: Any, load: Any) -> int:
     """Print the verdict, and what it is within the error of the data or within bounds."""
     from equilibrium.decide.solver import solve
+    from equilibrium.decide.verdict_text import with_rounding
 
-    grasp = grasp_of(arguments)
-    wrench = applied(arguments, grasp)
-    deadline = Deadline(arguments.time_limit)
+    deadline, path = Deadline(arguments.time_limit), arguments.certificate
     verdict = solve(
-        grasp,
-        wrench,
+        subject,
+        load,
         time_limit=arguments.time_limit,
         shorten=arguments.shorten,
         pyramid=arguments.cone,
         max_displacement=arguments.max_displacement,
     )
-    if arguments.certificate is not None and verdict.certificate is not None:
-        verdict.certificate.save(arguments.certificate)
+    if path is not None and verdict.certificate is not None:
+        verdict.certificate.save(path)
     every = arguments.all or None
-    lines, document = (
-        list(verdict_lines(verdict, every, arguments.certificate)),
-        verdict.to_dict(every),
-    )
+    document, lines = verdict.to_dict(every), verdict.lines(every, path)
     if arguments.robust is not None:
-        yes = robustly(arguments, verdict, document, lines, deadline)
+        yes = _robustly(arguments, verdict, document, lines, deadline)
     else:
         lines, yes = with_rounding(verdict, lines)
-    return show(arguments, document, lines, yes, verdict.grasp)
+    if isinstance(document.get("equilibria"), dict):  # of an assembly: they are not known
+        yes = None
+    return show(arguments, document, lines, yes, subject)
+
+
+def _robustly(
+    arguments: argparse.Namespace,
+    verdict: Verdict,
+    document: dict[str, Any],
+    lines: list[str],
+    deadline: Deadline,
+) -> bool | None:
+    """Decide whether a verdict holds within bounds; add this to its document and lines."""
+    from equilibrium.certificate.uncertain import Bounds
+    from equilibrium.decide.robustness import robust
+
+    bounds = dict(arguments.robust)
+    if len(bounds) < len(arguments.robust):
+        raise GraspError("--robust has one bound twice; give each once")
+    robustness = robust(verdict, Bounds(**bounds), deadline)
+    document["robust"] = robustness.to_dict()
+    lines += robustness.lines()
+    if arguments.certificate is not None and robustness.certificate is not None:
+        robustness.certificate.save(arguments.certificate)
+        lines.append("the certificate written is the proof for all of them")
+    return True if robustness else None if robustness.turned is None else False

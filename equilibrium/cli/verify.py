@@ -21,10 +21,11 @@ from .arguments import (
     add_displacement,
     add_grasp,
     applied,
+    bodies_of,
     grasp_of,
     show,
 )
-from .assemblies import asked_assembly, assembly_document
+from .goes_with import ASSEMBLY, check_options
 
 if TYPE_CHECKING:
     from equilibrium.certificate.report import Report
@@ -97,9 +98,10 @@ def _question(arguments: argparse.Namespace) -> Any:
     loads = ("wrench", "force", "weight", "at")
     names = ("grasp", *loads, "preload", "cone", "max_displacement")
     grasp, *load = (getattr(arguments, name) is not None for name in names)
-    document = assembly_document(arguments) if grasp else None
-    if document is not None:
-        return asked_assembly(document)
+    bodies = bodies_of(arguments) if grasp else None
+    if bodies is not None:
+        check_options(arguments, "verify", ASSEMBLY)
+        return bodies.assembly, bodies.wrenches()
     if grasp and any(load[:3]):
         wanted = grasp_of(arguments)
         return wanted, applied(arguments, wanted)

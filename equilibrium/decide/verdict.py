@@ -16,7 +16,6 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any, ClassVar
 
-from arrangement.console.number_form import counted, number, vector
 from arrangement.console.plugins import attached
 from arrangement.errors import HintsMixin, OutOfReachError
 from arrangement.numbers.deadline import Deadline
@@ -35,7 +34,6 @@ from equilibrium.model.contact import pyramid_edges, pyramid_words
 from equilibrium.model.displacement import (
     displacement,
     displacement_entry,
-    displacement_words,
     small_displacement,
     warning,
 )
@@ -46,7 +44,7 @@ from equilibrium.model.errors import (
     TimeLimitError,
     UndecidedError,
 )
-from equilibrium.model.labels import ROUNDED, force_lines
+from equilibrium.model.labels import ROUNDED
 from equilibrium.model.solution import Open, Refutation, Solution, Tree, pad_entries
 from equilibrium.model.subject import LoadCase, Subject, by_body
 
@@ -54,11 +52,10 @@ from . import NOT_RESISTED, RESISTED, UNDECIDED, robustness, undecided
 from .engines import Engine, PlanarEngine, SpatialEngine
 from .nearby import Robustness, WithinError
 from .proofs_for_all import NO_DEADLINE
+from .verdict_text import verdict_lines
 
 #: With more contacts all equilibria are listed only when asked for: their search takes long.
 MAX_CONTACTS_LISTED = 20
-#: Why rigid bodies hold, and springs do not.
-_SQUEEZED = "forces in the friction cones balance the wrenches, and no displacement gives them"
 
 
 def engine_of(
@@ -461,42 +458,14 @@ class Verdict(HintsMixin):
     def _pads(self, forces: Sequence[RationalVector], form: Any = to_text) -> dict[str, Any]:
         return pad_entries(self.grasp.groups, self.grasp.contacts, forces, form)
 
-    def lines(self, every: bool = False) -> list[str]:
-        """Return the answer for an assembly in lines: the reason, or motions and forces.
+    def lines(self, every: bool | None = None, path: str | None = None) -> list[str]:
+        """Return the answer in lines for people: equilibria, or why there is none.
 
         Args:
-            every: with `equilibria`, or why they are not known.
+            every: see `to_dict`.
+            path: of the certificate, if it was written.
         """
-        assembly, within = self._assembly("lines"), displacement_words(self.max_displacement)
-        if self.solution is None:
-            proof = within
-            if self.decided:
-                leaves = self.verify().leaves
-                proof += f"; proof with {counted(leaves, 'leaf', 'leaves')}"
-            found = [f"{self.verdict}: {self.reason}{proof}"]
-            if self.decided and self.balances_rigidly:
-                found.append(f"rigid bodies would hold: {_SQUEEZED}")
-            return found
-        found = [f"resisted{within}: an exact equilibrium"]
-        found += [f"  {name} moves by {vector(moved)}" for name, moved in self.motions.items()]
-        joints = assembly.contacts
-        rows = []
-        for i, (c, state, force) in enumerate(zip(joints, self.states, self.forces, strict=True)):
-            cells = f"contact {i + 1}", c.pair, state, *map(number, force)
-            stuck = c.contact.adhesion
-            rows.append((cells, f"  adhesion {number(stuck)}" if stuck else ""))
-        found += force_lines(rows, assembly.units, "bodies")
-        parts = self._all_equilibria if every else ()
-        if isinstance(parts, str):
-            return [*found, f"all equilibria: undecided, {parts}"]
-        for part in parts:
-            numbers = ", ".join(str(i + 1) for i in part[0].contacts)
-            many = counted(len(part), "family", "families")
-            found.append(f"  contacts {numbers}: {many} of equilibria")
-            for one in part:
-                forces = "unique" if one.unique else "not unique"
-                found.append(f"    {' '.join(one.states)}  (contact forces {forces})")
-        return found
+        return list(verdict_lines(self, every, path))
 
     @cached_property
     def rounding(self) -> WithinError | None:

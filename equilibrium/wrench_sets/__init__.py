@@ -7,6 +7,7 @@
 * `any_direction`: the smallest wrench that is not resisted.
 * `margin`: factors and preloads; `friction`: the least coefficient; `search_map`: the paper's map.
 * `spatial`: brackets of magnitudes of grasps in space.
+* `text`: all of these as lines for people.
 """
 
 from arrangement.numbers.linear.polyhedron import Polyhedron as Polyhedron

@@ -682,6 +682,9 @@ class TestCommand:
         assert answer["verdict"] == "not resisted"
         assert answer["wrench"]["lower"] == ["0", "-2", "0"]
         assert main(["verify", proof, "--grasp", stack]) == 1
+        capsys.readouterr()
+        assert main(["verify", proof, "--grasp", stack, "--wrench", "0", "0", "1"]) == 2
+        assert "--wrench is for one body" in capsys.readouterr().err
 
     @pytest.mark.parametrize("limit", [0, -1, float("nan")])
     def test_time_limit_that_is_not_positive_is_refused(self, limit):

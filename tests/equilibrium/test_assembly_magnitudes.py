@@ -306,6 +306,7 @@ class TestCommand:
             (["--along", "block 3", "0", "0", "1"], "one of the bodies"),
             (["--wrench", "0", "0", "1"], "--wrench is for one body"),
             (["--slice", "fx", "fy"], "--slice is for one body"),
+            (["--along", "block 1", "0", "0", "1", "--contacts", "1"], "goes with --margin"),
         ],
     )
     def test_bad_options_are_refused(self, file, options, words, capsys):

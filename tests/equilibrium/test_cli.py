@@ -203,11 +203,14 @@ def test_info_describes_a_grasp(capsys):
         ("info ladder --modes --preload 1", "--preload does not go with --modes"),
         (
             "solve ladder --weight 1 --methods --robust friction=1%",
-            "--methods does not take --robust",
+            "--robust goes with the verdict of the full model, not with --methods",
         ),
         ("solve ladder --weight 1 --methods mosek", "there is no method 'mosek'"),
         ("solve wedge --weight 1 --methods printed", "no method 'printed' for one wrench of such"),
-        ("solve ladder --weight 1 --as-printed signs --max-displacement 1", "does not take --max-"),
+        (
+            "solve ladder --weight 1 --as-printed signs --max-displacement 1",
+            "--max-displacement goes with the verdict of the full model, not with --as-printed",
+        ),
     ],
 )
 def test_options_that_do_not_go_together_are_refused(capsys, words, reason):

@@ -564,4 +564,4 @@ def test_report_of_data_and_a_load(tmp_path, capsys):
     assert document["least_preload"] == "5"
     for words in (["--modes"], ["--force-closure"]):
         assert main(["info", path, *words, "-o", str(page)]) == 2
-        assert "are for the report" in capsys.readouterr().err
+        assert "--output goes with the report, not with --" in capsys.readouterr().err

@@ -18,8 +18,8 @@ from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate
 from equilibrium.certificate.leaves import ClosedPart, parts, works
 from equilibrium.cli.program import main
-from equilibrium.cli.verdict_words import verdict_lines
 from equilibrium.decide.solver import Solver
+from equilibrium.decide.verdict_text import verdict_lines
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.pictures import draw_proof
 from proofs_check.routes.oracle import Touch

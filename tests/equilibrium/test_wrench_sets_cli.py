@@ -66,7 +66,10 @@ def test_smallest_unresisted_wrench(capsys):
         ([THREE, "--slice", "fx", "fx"], "not parallel"),
         ([THREE, "--margin"], "--margin goes with a load"),
         ([THREE, "--rays", "3"], "--rays goes with --search, not with the whole set"),
-        ([THREE, "--search", "--max-displacement", "1"], "not with --search"),
+        (
+            [THREE, "--search", "--max-displacement", "1"],
+            "--max-displacement does not go with --search",
+        ),
         ([THREE, "--at", "0", "1"], "--at goes with"),
     ],
 )

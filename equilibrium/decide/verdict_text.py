@@ -1,4 +1,4 @@
-"""What each answer prints: equilibria, or a short proof that a wrench is not resisted."""
+"""The text of a verdict: equilibria, or a short proof that a wrench is not resisted."""
 
 from __future__ import annotations
 
@@ -10,25 +10,26 @@ from arrangement.console.number_form import counted, near, number, vector
 from arrangement.numbers.exact import dot
 from equilibrium.certificate.leaves import SpatialLeaf, parts, spatial_leaves, works
 from equilibrium.certificate.reading import read_plane
+from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.displacement import STIFFNESS_ASSUMED, displacement_words, has_unit
-from equilibrium.model.errors import GraspError
+from equilibrium.model.errors import UndecidedError
 from equilibrium.model.labels import equilibria_words, force_lines
 from equilibrium.model.solution import PadForce, numbering_words
 
 if TYPE_CHECKING:
-    import argparse
-
-    from arrangement.numbers.deadline import Deadline
     from equilibrium.certificate.leaves import ClosedPart
-    from equilibrium.decide.verdict import Verdict
     from equilibrium.model.grasp import Grasp
     from equilibrium.model.solution import Solution
     from equilibrium.plane.states.equilibrium import Equilibrium
 
+    from .verdict import Verdict
+
 #: Longer proofs are only counted.
 _MOST = 3
 _UNFELT = "that no attached contact feels"
+#: Why rigid bodies hold, and springs do not.
+_SQUEEZED = "forces in the friction cones balance the wrenches, and no displacement gives them"
 
 
 def with_rounding(verdict: Verdict, lines: list[str]) -> tuple[list[str], bool | None]:
@@ -45,29 +46,6 @@ def with_rounding(verdict: Verdict, lines: list[str]) -> tuple[list[str], bool |
     return stated, yes if known.turned is None else None
 
 
-def robustly(
-    arguments: argparse.Namespace,
-    verdict: Verdict,
-    document: dict[str, Any],
-    lines: list[str],
-    deadline: Deadline,
-) -> bool | None:
-    """Decide whether a verdict holds within bounds; add this to its document and lines."""
-    from equilibrium.certificate.uncertain import Bounds
-    from equilibrium.decide.robustness import robust
-
-    bounds = dict(arguments.robust)
-    if len(bounds) < len(arguments.robust):
-        raise GraspError("--robust has one bound twice; give each once")
-    robustness = robust(verdict, Bounds(**bounds), deadline)
-    document["robust"] = robustness.to_dict()
-    lines += robustness.lines()
-    if arguments.certificate is not None and robustness.certificate is not None:
-        robustness.certificate.save(arguments.certificate)
-        lines.append("the certificate written is the proof for all of them")
-    return True if robustness else None if robustness.turned is None else False
-
-
 def verdict_lines(
     found: Verdict, every: bool | None = None, path: str | None = None
 ) -> Iterator[str]:
@@ -77,6 +55,9 @@ def verdict_lines(
         every: see `Verdict.to_dict`.
         path: where the certificate was written, if it was.
     """
+    if isinstance(found.subject, Assembly):
+        yield from _body_lines(found, every)
+        return
     about = pyramid_words(found.pyramid, before=", with ")
     about += displacement_words(found.max_displacement)
     solution = found.solution
@@ -215,6 +196,40 @@ def _leaf_lines(verdict: Verdict, leaf: SpatialLeaf) -> Iterator[str]:
     yield f"    on the virtual motion {vector(leaf.motion)} the load does work"
     work = number(dot(verdict.wrench, leaf.motion))
     yield f"    {work}, and all contacts together at least {number(leaf.least)}"
+
+
+def _body_lines(verdict: Verdict, every: bool | None) -> Iterator[str]:
+    """Yield the answer for an assembly: the reason, or motions and forces."""
+    within = displacement_words(verdict.max_displacement)
+    if verdict.solution is None:
+        proof = within
+        if verdict.decided:
+            proof += f"; proof with {counted(verdict.verify().leaves, 'leaf', 'leaves')}"
+        yield f"{verdict.verdict}: {verdict.reason}{proof}"
+        if verdict.decided and verdict.balances_rigidly:
+            yield f"rigid bodies would hold: {_SQUEEZED}"
+        return
+    yield f"resisted{within}: an exact equilibrium"
+    yield from (f"  {name} moves by {vector(moved)}" for name, moved in verdict.motions.items())
+    joints, rows = verdict.assembly.contacts, []
+    triples = zip(joints, verdict.states, verdict.forces, strict=True)
+    for i, (c, state, force) in enumerate(triples, 1):
+        stuck = c.contact.adhesion
+        cells = f"contact {i}", c.pair, state, *map(number, force)
+        rows.append((cells, f"  adhesion {number(stuck)}" if stuck else ""))
+    yield from force_lines(rows, verdict.assembly.units, "bodies")
+    try:
+        families = verdict.equilibria if every else ()
+    except UndecidedError as unknown:
+        yield f"all equilibria: undecided, {unknown}"
+        return
+    for part in families:
+        numbers = ", ".join(str(i + 1) for i in part[0].contacts)
+        many = counted(len(part), "family", "families")
+        yield f"  contacts {numbers}: {many} of equilibria"
+        for piece in part:
+            forces = "unique" if piece.unique else "not unique"
+            yield f"    {' '.join(piece.states)}  (contact forces {forces})"
 
 
 def _floats(numbers: Iterable[Fraction]) -> str:

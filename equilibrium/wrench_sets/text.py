@@ -1,0 +1,355 @@
+"""The text of resisted sets: magnitudes, margins, slices and more, as lines for people."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from fractions import Fraction
+from itertools import groupby
+from operator import itemgetter
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from arrangement.console.number_form import bracket, counted, number, vector
+from arrangement.numbers.exact import number_text
+from arrangement.numbers.linear.intervals import Interval
+from equilibrium.decide import undecided
+from equilibrium.decide.assemblies.ends import Giving, listed_contacts
+from equilibrium.decide.nearby import DEPENDS
+from equilibrium.model.errors import UndecidedError
+from equilibrium.model.labels import AS_ROUNDED, ROUNDED
+
+from .any_direction import SmallestUnresisted
+from .friction import TOLERANCE, rough_contacts
+from .line import Magnitudes
+from .margin import Margin, Preloads
+from .outline import Segment
+from .plane import Region, polygon_cycle
+from .resisted_set import ResistedSet
+from .search_map import SearchMap
+from .spatial import SpatialMagnitudes
+
+if TYPE_CHECKING:
+    from equilibrium.model.assembly import Assembly
+    from equilibrium.model.grasp import Grasp
+
+
+class Answer(NamedTuple):
+    """A result as JSON and as lines, and whether it says yes; None is undecided."""
+
+    document: dict[str, Any]
+    lines: Iterable[str]
+    yes: bool | None
+
+
+def intervals_text(intervals: Iterable[Interval]) -> str:
+    """Return closed intervals in words, such as "[0, 1] or {3/2} or [2, oo)"."""
+    shown = [
+        f"{{{number(low)}}}"
+        if low is not None and low == high
+        else ("(-oo" if low is None else f"[{number(low)}")
+        + (", oo)" if high is None else f", {number(high)}]")
+        for low, high in intervals
+    ]
+    return " or ".join(shown) if shown else "no interval"
+
+
+def resisted_text(intervals: Sequence[Interval]) -> str:
+    """Return which magnitudes t are resisted, such as "resisted for t in [0, 1] or [2, oo)"."""
+    if not intervals:
+        return "resisted for no t"
+    if (point := _only(intervals)) is not None:
+        return f"resisted at {number(point)} only"
+    return f"resisted for t in {intervals_text(intervals)}"
+
+
+def among_text(intervals: Sequence[Interval], name: str) -> str:
+    """Return where a number lies: "a preload in [0, 1]", "a preload of 0 only", "no preload"."""
+    if not intervals:
+        return f"no {name}"
+    if (point := _only(intervals)) is not None:
+        return f"a {name} of {number(point)} only"
+    return f"a {name} in {intervals_text(intervals)}"
+
+
+def factors_text(intervals: Sequence[Interval]) -> str:
+    """Return by which factors a load may be scaled."""
+    return f"resisted when scaled by {among_text(intervals, 'factor')}"
+
+
+def _only(intervals: Sequence[Interval]) -> Fraction | None:
+    """Return the only number of some intervals; None if there are none or more."""
+    ends = {end for part in intervals for end in part}
+    return ends.pop() if len(ends) == 1 else None
+
+
+def along_answer(resisted: ResistedSet, magnitudes: Magnitudes) -> Answer:
+    """Return the magnitudes that are resisted, what gives at their ends, and other roundings."""
+    gives, ends = end_lines(resisted, magnitudes)
+    more, lines, depends = _with_rounding(resisted, magnitudes, resisted_text, ends)
+    yes = None if depends else bool(magnitudes.intervals)
+    return Answer(magnitudes.to_dict() | gives | more, lines, yes)
+
+
+def end_lines(
+    resisted: ResistedSet, found: Magnitudes | Preloads
+) -> tuple[dict[str, Any], list[str]]:
+    """Return what gives at the ends of magnitudes or preloads: JSON form and lines."""
+    ends = resisted.what_gives(found)
+    lines = [
+        f"  at {number(end)}: {given.words}"
+        for interval, pair in zip(found.intervals, ends, strict=True)
+        for end, given in zip(interval, pair, strict=True)
+        if end is not None and given is not None
+    ]
+    return {"gives": [[x and x.to_dict() for x in pair] for pair in ends]}, lines
+
+
+def _with_rounding(
+    resisted: ResistedSet,
+    found: Magnitudes,
+    text: Callable[[Sequence[Interval]], str],
+    ends: Sequence[str],
+) -> tuple[dict[str, Any], list[str], bool]:
+    """Return what is known of other roundings as JSON, all lines, and whether others differ.
+
+    Args:
+        text: of the magnitudes, or factors.
+        ends: what gives there.
+    """
+    stated = text(found.intervals)
+    if resisted.grasp.data_error is None:
+        return {}, [stated, *ends], False
+    # A wrench of zero has no direction in which others are compared.
+    zero = not isinstance(found.direction, dict) and not any(found.direction)
+    if zero or (again := resisted.within_error(found)) is None:
+        return {"as_rounded": True}, [f"{stated}, {AS_ROUNDED}", *ends], False
+    more = {"as_rounded": True, "within_error": again.to_dict()}
+    if again.turned is not None:
+        other = f"{text(again.turned)}, for other data within the rounding error"
+        return more, [f"{DEPENDS}: {other}", f"{ROUNDED}: {stated}", *ends], True
+    tried = f"  tried {again.asked} other data within the error: {_tried_text(again.ends)}"
+    return more, [f"{stated}, {AS_ROUNDED}", *ends, *([tried] if again.asked else [])], False
+
+
+def _tried_text(ends: Sequence[tuple[Any, Any] | None]) -> str:
+    """Return what all others tried resist, of the least and greatest value of each end."""
+    parts = []
+    for low, high in zip(ends[::2], ends[1::2], strict=True):
+        start = _between(*low) if low else "-oo"
+        point = low == high and low is not None and low[0] == low[1]
+        until = "on" if high is None else f"to {_between(*high)}"
+        parts.append(f"at {start} only" if point else f"from {start} {until}")
+    return f"resisted {' and '.join(parts) or 'for no t'}"
+
+
+def spatial_answer(magnitudes: SpatialMagnitudes) -> Answer:
+    """Return the magnitudes tried in space, and the boundaries between them."""
+    yes = {"resisted": True, "not resisted": False}.get(magnitudes.verdict)
+    gives = magnitudes.what_gives()
+    lines, document = list(_border_lines(magnitudes, gives)), magnitudes.to_dict()
+    document["gives"] = [given and given.to_dict() for given in gives]
+    if magnitudes.grasp.data_error is not None:
+        document["as_rounded"] = True
+    if (nearby := magnitudes.within_error()) is not None:
+        document["within_error"] = [near.to_dict() for near in nearby]
+        for near in nearby:
+            lines.append(f"at {number(near.t)}: {near.rounding.words}")
+    return Answer(document, lines, yes)
+
+
+def _border_lines(found: SpatialMagnitudes, gives: Sequence[Giving | None]) -> Iterator[str]:
+    runs = [list(run) for _, run in groupby(found.samples, key=itemgetter(1))]
+    known = ", ".join(f"{run[0][1]} at {_samples(run)}" for run in runs)
+    tried = counted(len(found.samples), "magnitude")
+    yield f"{tried} t tried from 0 to {number(found.samples[-1][0])}: {known}"
+    doubt = "" if found.grasp.data_error is None else f", {AS_ROUNDED}"
+    if found.zero_only:
+        yield f"resisted at 0 only{doubt}"
+        return
+    for border, given in zip(found.borders, gives, strict=True):
+        order = "resisted, then not" if border.resisted < border.refused else "not, then resisted"
+        place = f"{number(border.resisted)} exactly" if border.exact else bracket(*border.ends)
+        line = f"{order}: the boundary is {place}"
+        left = len(border.undecided)
+        yield line + (f"; {left} undecided between them" if left else "")
+        if given is not None:
+            yield f"  in an equilibrium at {number(border.resisted)}: {given.words}"
+    for a, b in found.gaps:
+        yield f"a gap: not resisted from {number(a.refused)} to {number(b.refused)}"
+    yield f"other t, between these and beyond, are not covered: the verdict may change there{doubt}"
+
+
+def _samples(run: Sequence[tuple[Fraction, str]]) -> str:
+    """Return which magnitudes of a run of samples there are: "0", "each from 2 to 16"."""
+    low, high = run[0][0], run[-1][0]
+    return number(low) if low == high else f"each from {number(low)} to {number(high)}"
+
+
+def margin_answer(
+    resisted: ResistedSet,
+    factors: Margin,
+    chosen: Sequence[int] | None = None,
+    also: Sequence[Sequence[Fraction]] = (),
+    tolerance: Fraction = TOLERANCE,
+) -> Answer:
+    """Return a margin, with the preload and the friction that resist the wrench.
+
+    Args:
+        chosen: numbers of the contacts whose preload and friction these are; None: all.
+        also: more wrenches that the preload has to resist.
+        tolerance: of the friction.
+    """
+    grasp = resisted.grasp
+    whose, rubbing = "uniform preload", "uniform friction"
+    if chosen is not None:
+        named = listed_contacts(chosen)
+        whose, rubbing = f"preload of {named}", f"friction of {named}"
+        rubbing += ", for the load alone" if also else ""
+    elif smooth := sorted({*grasp.contact_numbers} - {*rough_contacts(grasp)}):
+        rubbing += f" with {listed_contacts(smooth)} smooth"
+    loads = [factors.wrench, *also]
+    at_preloads: dict[str, Any] = {}
+
+    def preload_text(found: Preloads) -> str:
+        gives, ends = end_lines(resisted, found)
+        at_preloads.update(gives)
+        first = f"resisted with {among_text(found.intervals, whose)}{_force(grasp)}{doubt}"
+        return "\n".join([first, *ends])
+
+    doubt = "" if grasp.data_error is None else f", {ROUNDED}"
+    preload, in_preloads = _or_undecided(
+        lambda: factors.preloads if chosen is None else resisted.preloads(loads, chosen),
+        preload_text,
+        f"resisted with a {whose}",
+    )
+    friction, coefficient = _or_undecided(
+        lambda: factors.friction(tolerance, chosen),
+        lambda found: f"least {rubbing}: {_friction(found.low, found.high)}{doubt}",
+        f"least {rubbing}",
+    )
+    gives, ends = end_lines(resisted, factors.magnitudes)
+    more, scaled, changes = _with_rounding(resisted, factors.magnitudes, factors_text, ends)
+    known = None if grasp.data_error is None else resisted.solve(factors.wrench).rounding
+    word = "yes" if factors.resisted else "no"
+    depends = known is not None and known.turned is not None
+    if known is not None and not known.proved:
+        word += f", for the data as rounded; it {known.words}" if depends else f", {AS_ROUNDED}"
+    unknown = depends or changes or "verdict" in {*preload, *friction}
+    yes = None if unknown else factors.resisted
+    lines = [f"resisted: {word}", *scaled, in_preloads, coefficient]
+    remedies = {"preload": preload | at_preloads, "friction": friction}
+    return Answer(factors.to_dict() | gives | more | remedies, lines, yes)
+
+
+def _or_undecided(
+    ask: Callable[[], Any], text: Callable[[Any], str], name: str
+) -> tuple[dict[str, Any], str]:
+    """Return the JSON form and the text of an answer, or why what has this name is undecided."""
+    try:
+        found = ask()
+    except UndecidedError as unknown:
+        return undecided(unknown), f"{name}: undecided, {unknown}"
+    return found.to_dict(), text(found)
+
+
+def smallest_answer(found: SmallestUnresisted, grasp: Grasp) -> Answer:
+    """Return the size below which every wrench is resisted, and a wrench that is not."""
+    return Answer(found.to_dict(), _smallest_lines(found, grasp), found.size_squared != 0)
+
+
+def _smallest_lines(found: SmallestUnresisted, grasp: Grasp) -> Iterator[str]:
+    load = "with the base, " if any(found.base) else ""
+    if found.size is None or found.wrench is None or found.beyond is None:
+        yield f"{load}every wrench is resisted, whichever way it points and however large it is"
+        return
+    if found.size_squared:
+        exact = found.size**2 == found.size_squared
+        size = number(found.size) if exact else number_text(found.size, longest=0)
+        squared = "" if exact else f" (its square is {number(found.size_squared)})"
+        yield f"{load}every wrench smaller than {size}{_force(grasp)}{squared} is resisted"
+        length = f"length {number(found.length)} (--torque-length)"
+        yield f"  where size^2 = f_x^2 + f_y^2 + (tau / length)^2, {length}"
+        yield f"on the boundary: {vector(found.wrench)}"
+    else:
+        yield f"{load}no size is resisted in every direction"
+    yield f"not resisted: {vector(found.beyond)}"
+
+
+def region_answer(region: Region) -> Answer:
+    """Return the polygons of a slice."""
+    return Answer(region.to_dict(), _region_lines(region), bool(region.polygons))
+
+
+def _region_lines(region: Region) -> Iterator[str]:
+    many = counted(len(region.polygons), "polygon")
+    yield f"{many} (corners counter-clockwise; then rays, lines)"
+    for piece in region.polygons:
+        shape = piece.polyhedron
+        parts = [_points(polygon_cycle(shape))]
+        parts += [f"rays {_points(shape.rays)}"] if shape.rays else []
+        parts += [f"lines {_points(shape.lines)}"] if shape.lines else []
+        yield f"  {' '.join(piece.states)}: {'; '.join(parts)}"
+    outline = region.outline
+    for name, segments in (("boundary", outline.border), ("whisker", outline.whiskers)):
+        yield from (f"{name} {_segment(segment)}" for segment in segments)
+    yield from (f"point {vector(point)}" for point in outline.points)
+    for sector in region.unlimited:
+        ends = f"from {vector(sector.start)} counter-clockwise to {vector(sector.end)}"
+        yield f"unbounded: {'all directions' if sector.whole else ends}"
+
+
+def set_answer(whole: ResistedSet) -> Answer:
+    """Return the polyhedra of the whole set."""
+    return Answer(whole.to_dict(), _set_lines(whole), bool(whole.polyhedra))
+
+
+def _set_lines(whole: ResistedSet) -> Iterator[str]:
+    many = counted(len(whole.polyhedra), "polyhedron", "polyhedra")
+    yield f"{many} (conditions a f_x + b f_y + c tau + d >= 0 or = 0)"
+    for piece in whole.polyhedra:
+        yield f"  {' '.join(piece.states)}"
+        yield from (f"    {vector(row)} >= 0" for row in piece.polyhedron.inequalities)
+        yield from (f"    {vector(row)} = 0" for row in piece.polyhedron.equalities)
+
+
+def search_answer(found: SearchMap, grasp: Grasp) -> Answer:
+    """Return what a search in many directions finds, beside the exact answers."""
+    return Answer(found.to_dict(), _search_lines(found, _force(grasp)), not found.disagreements)
+
+
+def _search_lines(found: SearchMap, unit: str) -> Iterator[str]:
+    yield (
+        f"{counted(len(found.entries), 'direction')}, tolerance {number(found.tolerance)}{unit}, "
+        f"limit {number(found.limit)}{unit}: the search errs in {len(found.disagreements)}"
+    )
+    for entry in found.entries:
+        answer = "unbounded" if entry.found is None else f"up to {number(entry.found)}{unit}"
+        shown = ", ".join(f"{float(x):+.4f}" for x in entry.direction)
+        wrong = "" if entry.agrees else f"; exactly {intervals_text(entry.exact)}"
+        yield f"  ({shown})  {answer}{wrong}"
+
+
+def _force(grasp: Grasp | Assembly) -> str:
+    """Return what to write after a number that is a force."""
+    return f" {grasp.units.force}" if grasp.units else ""
+
+
+def _between(low: Any, high: Any) -> str:
+    return number(high) if low == high else bracket(low, high)
+
+
+def _friction(low: Fraction | None, high: Fraction | None) -> str:
+    if low is None:
+        return "none is enough"
+    if high is None:
+        return f"not below {number(low)}; undecided above"
+    return _between(low, high)
+
+
+def _segment(segment: Segment) -> str:
+    start = "unbounded" if segment.start is None else vector(segment.start)
+    end = "unbounded" if segment.end is None else vector(segment.end)
+    return f"{start} to {end}, direction {vector(segment.direction)}"
+
+
+def _points(points: Iterable[Iterable[Fraction | int]]) -> str:
+    return " ".join(map(vector, points))
