@@ -329,9 +329,9 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "equilibrium.methods.springs",
     ),
     ("tests/equilibrium/test_force_closure.py", "tests/equilibrium/test_methods.py"): (
-        "equilibrium.methods.closure.force_closure",
-        "equilibrium.methods.closure.round_cones",
-        "equilibrium.methods.closure.search",
+        "equilibrium.methods.force_closure",
+        "equilibrium.methods.round_cones",
+        "equilibrium.methods.closure_search",
     ),
     (
         "tests/equilibrium/test_methods.py",
@@ -496,7 +496,6 @@ EXCEPTIONS = {
     "proofs_check.routes.proved": "runs the program proved in Coq, which is not built everywhere",
     "equilibrium.decide.verdict_text": "text of verdicts",
     "equilibrium.methods.registry": "a table of names",
-    "equilibrium.methods.resistance": "puts the answers of two other modules into one document",
     "equilibrium.model.errors": "messages",
     "equilibrium.model.labels": "units and errors that results repeat",
     "equilibrium.model.outline": "shapes of pictures",

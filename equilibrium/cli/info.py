@@ -32,7 +32,7 @@ from .arguments import (
 from .goes_with import ASSEMBLY, DESCRIPTION, REPORT, check_options
 
 if TYPE_CHECKING:
-    from equilibrium.methods.closure.force_closure import ForceClosure
+    from equilibrium.methods.force_closure import ForceClosure
     from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
     from equilibrium.model.grasp import Grasp
     from equilibrium.modes import ContactModes, Slips
@@ -93,7 +93,7 @@ def _description(arguments: argparse.Namespace) -> int:
     """
     from arrangement.numbers.exact import primitive
     from arrangement.numbers.linear.rank import rank
-    from equilibrium.methods.closure.force_closure import force_closure
+    from equilibrium.methods.force_closure import force_closure
 
     bodies = bodies_of(arguments)
     if bodies is not None:
@@ -162,7 +162,7 @@ def _closure_line(grasp: Grasp, closed: ForceClosure) -> str:
 
 def _force_closure(arguments: argparse.Namespace) -> int:
     """Print force closure, and the Grasp Wrench Space: epsilon, slice, facets."""
-    from equilibrium.methods.closure.force_closure import force_closure
+    from equilibrium.methods.force_closure import force_closure
     from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
 
     grasp = grasp_of(arguments)

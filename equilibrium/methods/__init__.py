@@ -5,13 +5,14 @@ Signs follow the package: the grasp resists the wrench w when contact forces c e
 lets arise. `registry` is their table, `compare` asks all of them.
 """
 
-from .closure.force_closure import ForceClosure as ForceClosure, force_closure as force_closure
 from .compare import (
     Answer as Answer,
     Comparison as Comparison,
     compare as compare,
     predict as predict,
+    resistance_figure as resistance_figure,
 )
+from .force_closure import ForceClosure as ForceClosure, force_closure as force_closure
 from .grasp_robustness import (
     contact_robustness as contact_robustness,
     grasp_robustness as grasp_robustness,
@@ -19,4 +20,3 @@ from .grasp_robustness import (
 from .grasp_wrench_space import GraspWrenchSpace as GraspWrenchSpace
 from .method import Method as Method
 from .registry import METHODS as METHODS, method_named as method_named
-from .resistance import resistance_figure as resistance_figure

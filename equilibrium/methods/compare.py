@@ -1,8 +1,8 @@
-"""One question put to every method: a table of verdicts."""
+"""One question put to every method, a table of verdicts; and two models in one plane."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,7 +15,9 @@ from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
+from equilibrium.wrench_sets.plane import FORCES, resisted_region
 
+from .grasp_wrench_space import GraspWrenchSpace
 from .registry import DECIDING, DECIDING_ASSEMBLIES, DECIDING_IN_SPACE, METHODS, method_named
 
 
@@ -191,3 +193,28 @@ def _chosen(grasp: Grasp | Assembly, methods: Iterable[str] | None) -> list[str]
             known = ", ".join(answering)
             raise GraspError(f"there is no method {shown(name)}{where}; expected one of {known}")
     return [name for name in answering if name in wanted]
+
+
+def resistance_figure(
+    grasp: Grasp, spans: Sequence[Iterable[Any]] = FORCES, origin: Iterable[Any] = (0, 0, 0)
+) -> dict[str, Any]:
+    """Return the wrench-space slice, and the resisted wrenches without preload and with preload 1.
+
+    Returns:
+        A JSON form. ``grasp_wrench_space``: the corners, counter-clockwise, of the slice of the
+        space with normal forces that sum to at most 1; ``no_preload`` and ``preload_1``: as
+        `Region.to_dict`, where the border is drawn only where resistance ends.
+
+    Source: [HaasHeger2018], the figure with parts (a), (b), (c).
+    """
+    frame, start = [tuple(span) for span in spans], tuple(origin)
+    corners = GraspWrenchSpace(grasp, "L1").slice(start, *frame)
+    slice_of_space = {"norm": "L1", "corners": [[to_text(x) for x in p] for p in corners]}
+    unloaded, loaded = (
+        resisted_region(grasp.with_preload(preload), frame, start) for preload in (0, 1)
+    )
+    return {
+        "grasp_wrench_space": slice_of_space,
+        "no_preload": unloaded.to_dict(),
+        "preload_1": loaded.to_dict(),
+    }

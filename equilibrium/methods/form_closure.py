@@ -6,7 +6,7 @@ by ray shooting: with the centroid P of the wrenches, maximise ``-P . v`` over a
 ``(w_i - P) . v <= 1``. The optimum z says where the ray from P through the origin leaves the hull:
 at the distance 1/z, counted in units of the distance to the origin. So the origin is strictly
 inside exactly when ``z < 1``. In the plane the same test on the edges of the cones decides force
-closure, see `equilibrium.methods.closure.force_closure` for both.
+closure, see `equilibrium.methods.force_closure` for both.
 """
 
 from __future__ import annotations

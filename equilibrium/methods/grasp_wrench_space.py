@@ -11,7 +11,7 @@ part of the space, its volume and epsilon.
 
 The linearised space lies inside that of the round cones, so what it holds is proved, and what it
 misses is not: force closure is decided with round cones, see
-`equilibrium.methods.closure.force_closure`.
+`equilibrium.methods.force_closure`.
 """
 
 from __future__ import annotations
@@ -50,9 +50,9 @@ from equilibrium.core.contact_rows import (
     sum_row,
     unit_row,
 )
-from equilibrium.methods.closure.force_closure import force_closure
-from equilibrium.methods.closure.round_cones import round_cones
+from equilibrium.methods.force_closure import force_closure
 from equilibrium.methods.method import Accepting, Method, Outcome, cut
+from equilibrium.methods.round_cones import round_cones
 from equilibrium.methods.springs import Forces
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp

@@ -50,8 +50,8 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.outline import coordinates
 
-from .closure.round_cones import round_cones
 from .grasp_wrench_space import GraspWrenchSpace
+from .round_cones import round_cones
 
 
 @dataclass(frozen=True)

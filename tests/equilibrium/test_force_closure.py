@@ -2,10 +2,11 @@
 
 import json
 import re
+import sys
 from fractions import Fraction
-from importlib import import_module
 from itertools import pairwise
 from random import Random
+from types import ModuleType
 
 import pytest
 
@@ -17,8 +18,8 @@ from equilibrium.cli.program import main
 from equilibrium.core.contact_rows import cone_edge, friction_edges
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.methods import compare, force_closure
-from equilibrium.methods.closure.round_cones import separates
 from equilibrium.methods.form_closure import _ray_value, form_closure
+from equilibrium.methods.round_cones import separates
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
 
@@ -207,8 +208,9 @@ def test_without_the_cone_programs_pyramids_decide_or_the_extra_is_named(monkeyp
     def missing(_):
         raise MissingExtraError("clarabel is not installed")
 
-    module = import_module("equilibrium.methods.closure.force_closure")
-    monkeypatch.setattr(module, "named", missing)
+    search = ModuleType("equilibrium.methods.closure_search")
+    monkeypatch.setattr(search, "__getattr__", missing, raising=False)
+    monkeypatch.setitem(sys.modules, search.__name__, search)
     assert check(fingers(TRIANGLE)) is True
     assert check(fingers(TRIANGLE, "0.35")) is False
     with pytest.raises(MissingExtraError, match="clarabel"):

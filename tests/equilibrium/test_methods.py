@@ -17,7 +17,6 @@ from equilibrium import Contact, Grasp, ResistedSet, methods, read_grasp, solve
 from equilibrium.cli.program import main
 from equilibrium.core.contact_rows import friction_edges
 from equilibrium.grasps.inputs.random import random_grasp
-from equilibrium.methods.closure.round_cones import round_cones
 from equilibrium.methods.compare import compare, predict
 from equilibrium.methods.cones import cones
 from equilibrium.methods.form_closure import form_closure
@@ -31,6 +30,7 @@ from equilibrium.methods.registry import (
     WITH_REGION,
     method_named,
 )
+from equilibrium.methods.round_cones import round_cones
 from equilibrium.methods.springs import (
     balancing_friction,
     frictionless_slip,

@@ -9,8 +9,8 @@ from scipy.optimize import linprog
 from arrangement.numbers.exact import dot
 from equilibrium.core.contact_rows import friction_edges
 from equilibrium.decide.solver import solve
-from equilibrium.methods.closure.force_closure import force_closure
 from equilibrium.methods.cones import cones
+from equilibrium.methods.force_closure import force_closure
 from equilibrium.methods.form_closure import form_closure
 from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace, _hull
 from equilibrium.methods.springs import frictionless_slip, linear_compliance

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from numbers import Integral
@@ -28,6 +27,7 @@ from .conversion import (
     Conversion,
     assembled,
     contact_values,
+    direction_of,
     unit_normals,
     value_columns,
 )
@@ -72,7 +72,9 @@ def on_circle(
         raise GraspError(
             f"radius is {shown(size)}, it must be above 0; a centre has two coordinates"
         )
-    inward = unit_normals([_direction(angle) for angle in wanted], angle_tolerance)
+    inward = unit_normals(
+        [tuple(-x for x in direction_of(Fraction(angle))) for angle in wanted], angle_tolerance
+    )
     places = [
         (
             tuple(c - size * n for c, n in zip(middle, normal.normal, strict=True)),
@@ -89,17 +91,6 @@ def _degrees(value: Any, name: str) -> float:
         return float(from_float(value, name))
     except OverflowError:
         raise GraspError(f"{name} is {shown(value)}; give degrees that a float holds") from None
-
-
-def _direction(degrees: float) -> tuple[float, float]:
-    """Return the inward direction at an angle, exact at multiples of 90 degrees."""
-    turns, rest = divmod(degrees, 90)
-    x, y = math.cos(math.radians(rest)), math.sin(math.radians(rest))
-    if rest == 0:
-        x, y = 1.0, 0.0
-    for _ in range(int(turns) % 4):
-        x, y = -y, x
-    return (-x, -y)
 
 
 class OnEdge(NamedTuple):

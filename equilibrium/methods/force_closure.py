@@ -98,7 +98,7 @@ def _proofs(grasp: Grasp) -> Iterator[ForceClosure]:
     load = tuple(sum(column, Fraction(0)) for column in columns)
     try:
         if grasp.dimension == 3:
-            from .search import ClosureSearch
+            from .closure_search import ClosureSearch
 
             search = ClosureSearch(grasp, load)
             yield ForceClosure(False, free_motion=search.motion())

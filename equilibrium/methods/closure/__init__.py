@@ -1,1 +1,0 @@
-"""Whether forces inside the cones, in space round ones, balance one wrench, or every one."""
