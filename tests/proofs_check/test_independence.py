@@ -132,7 +132,7 @@ CERTIFIED = {
 RUNS = {
     "adding": ["proofs_check/claims/equations.py: _add_equations"],
     "brute_force": ["proofs_check/routes/bodies.py"],
-    "certificates": ["equilibrium/certificate/"],
+    "certificates": ["equilibrium/certificate/checker.py: check"],
     "checker": ["equilibrium/certificate/checker.py: check"],
     "chi": ["arrangement/counts/"],
     "circles": ["arrangement/enumeration/great_circles/"],
