@@ -33,10 +33,10 @@ from arrangement.pictures import (
     draw_sphere,
     write_drawing,
 )
-from arrangement.pictures.cells import Lifted, cells_model, lifted_cells
+from arrangement.pictures.cells import cells_model
 from arrangement.pictures.coordinates import in_space
 from arrangement.pictures.planes import PlanesSheet, draw_planes
-from arrangement.pictures.stage import Facet, Stage, StagedAxes
+from arrangement.pictures.stage import Facet, Lifted, Stage, StagedAxes, lifted_cells
 from arrangement.pictures.views import DRAWINGS
 from tests.drawn import paths
 from tests.instances import PLANAR
