@@ -151,6 +151,7 @@ TARGETS = {
     "inscribed": Target("arrangement.duals.inscribed.certificates", (INSCRIBED,)),
     "modular": Target("arrangement.counts.modular", (SYMMETRIC, FIELD)),
     "lowrank": Target("arrangement.counts.low_rank", (COUNTS,)),
+    "ratios": Target("arrangement.counts.ratio_groups", (COUNTS,)),
     "lattice": Target("arrangement.counts.lattice", (LATTICE, COUNTS, *FORECASTS)),
     "cone": Target("proofs_check.routes.contact_modes", ("tests/equilibrium/test_fan.py", MODES)),
     "operations": Target("arrangement.counts.operations", (OPERATIONS, *FORECASTS)),

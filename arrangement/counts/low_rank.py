@@ -38,55 +38,39 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from arrangement.console.progress import watched
 from arrangement.numbers import budget
 from arrangement.numbers.deadline import check_time
-from arrangement.numbers.exact import all_reduced, fast_integers, largest, one_way, work_factor
+from arrangement.numbers.exact import fast_integers, largest, work_factor
 
 from .configuration import Configuration
 from .modular import ModularVectors
+from .ratio_groups import (
+    Groups,
+    Integers,
+    close_slopes,
+    contract_by_one,
+    contract_by_two,
+    equal_slopes,
+    group_ratios,
+    keep_groups,
+    row_chunks,
+    without_infinity,
+)
 
 #: Highest rank, infinity included, that this module counts.
 MAX_RANK = 4
 _INT64_MAX = 2**63 - 1
-_CHUNK = 1 << 19
-#: Relative distance of quotients, each rounded three times, that may be equal.
-_CLOSE = 2.0**-48
 #: Planes through which flats of rank 2 are counted to foresee how many there are.
 _SAMPLE = 16
 #: Steps for each pair of planes whose slopes are sorted.
 _SORT_STEPS = 1 / 35
-_COLUMN_PAIRS = np.array([(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)])
-_COLUMN_REST = np.array([(2, 3), (1, 3), (1, 2), (0, 3), (0, 2), (0, 1)])
 
-Integers = NDArray[Any]
 WhitneyMatrix = tuple[tuple[int, ...], ...]
-
-
-@dataclass(frozen=True)
-class Groups:
-    """Columns grouped within each row by equal ratio of their coordinates.
-
-    Attributes:
-        row, first, last, size: of each group; `first` and `last` are its extreme columns.
-        columns: the members of all groups, one group after the other, increasing in each.
-    """
-
-    row: Integers
-    first: Integers
-    last: Integers
-    size: Integers
-    columns: Integers
-
-    def members(self) -> list[Integers]:
-        """Return the columns of every group."""
-        return np.split(self.columns, np.cumsum(self.size)[:-1])
 
 
 def whitney_matrix(config: Configuration) -> WhitneyMatrix:
@@ -125,12 +109,12 @@ def _rank_two_parts(config: Configuration, bytes: float) -> Iterator[Groups]:
         bases = np.arange(m)[:, None]
         groups = iter([_covers(vectors, bases, np.eye(m, vectors.count, dtype=np.bool_))])
     else:
-        parts = _chunks(m, len(vectors))
-        groups = (_group(_contract_by_one(vectors, rows), rows) for rows in parts)
+        parts = row_chunks(m, len(vectors))
+        groups = (group_ratios(contract_by_one(vectors, rows), rows) for rows in parts)
     for group in groups:
         check_time()
         # A plane is in no group of its own row, so the first one is never equal to it.
-        yield _keep(_flats_only(group, m), lambda g: g.first > g.row)
+        yield keep_groups(without_infinity(group, m), lambda g: g.first > g.row)
 
 
 def _below_top(config: Configuration) -> WhitneyMatrix:
@@ -182,7 +166,7 @@ def _rank_two_sums(config: Configuration) -> tuple[int, int]:
         vectors = vectors.astype(np.float64)
     alone = groups = 0
     for parts in _with_later(vectors, m):
-        found = (_equal_groups if distinct else _close_groups)(parts, len(vectors) > m)
+        found = (equal_slopes if distinct else close_slopes)(parts, len(vectors) > m)
         alone += found[0]
         groups += found[1]
     return alone, alone + groups
@@ -200,7 +184,7 @@ def _with_later(vectors: Integers, m: int) -> Iterator[list[Integers]]:
     chunks = [
         (pivot, ends[pivot] + rows)
         for pivot in range(3)
-        for rows in _chunks(ends[pivot + 1] - ends[pivot], 8 * len(vectors))
+        for rows in row_chunks(ends[pivot + 1] - ends[pivot], 8 * len(vectors))
     ]
     for pivot, rows in watched(chunks, "chunks of planes"):
         budget.spend(len(rows) * m * _SORT_STEPS)
@@ -217,59 +201,6 @@ def _with_later(vectors: Integers, m: int) -> Iterator[list[Integers]]:
         yield parts
 
 
-def _equal_groups(parts: list[Integers], affine: bool) -> tuple[int, int]:
-    """Return how many groups of equal slope have one member, and how many there are.
-
-    Args:
-        parts: two coordinates of vectors, in rows; 0 for what is not in a group.
-        affine: the last column is infinity, whose groups are left out.
-    """
-    lines, columns = parts[0].shape
-    framed = np.full((lines, columns + 2), np.nan)
-    slopes = framed[:, 1:-1]
-    _divide(parts, slopes)
-    if affine:
-        slopes[slopes == slopes[:, -1:]] = np.nan
-    nobody = int(np.isnan(slopes).sum())
-    slopes.sort(axis=1)
-    changes = framed[:, 1:] != framed[:, :-1]  # NaN, which differs from itself, too
-    alone, groups = changes[:, 1:] & changes[:, :-1], changes[:, :-1]
-    return int(np.count_nonzero(alone)) - nobody, int(np.count_nonzero(groups)) - nobody
-
-
-def _close_groups(parts: list[Integers], affine: bool) -> tuple[int, int]:
-    """Return the same, where slopes that floats do not distinguish are compared exactly."""
-    slopes: Integers = np.empty(parts[0].shape)
-    _divide(parts, slopes)
-    is_open = _are_close(np.sort(slopes, axis=1)).any(axis=1)
-    count = int((~np.isnan(slopes[~is_open])).sum()) - affine * int((~is_open).sum())
-    rows, end = np.flatnonzero(is_open), slopes.shape[1] - affine
-    if not len(rows):
-        return count, count
-    slopes = slopes[rows]
-    order = np.argsort(slopes, axis=1)
-    changes = np.ones((len(rows), slopes.shape[1] + 1), np.bool_)
-    changes[:, 1:-1] = ~_are_close(np.take_along_axis(slopes, order, axis=1))
-    alone = np.empty(slopes.shape, np.bool_)
-    np.put_along_axis(alone, order, changes[:, 1:] & changes[:, :-1], axis=1)
-    count += int((alone & ~np.isnan(slopes))[:, :end].sum())
-    sizes = _flats_only(_group([np.where(alone, 0, part[rows]) for part in parts], rows), end).size
-    return count + int((sizes == 1).sum()), count + len(sizes)
-
-
-def _are_close(line: Any) -> Any:
-    """Return which of sorted slopes floats do not distinguish from the one before."""
-    with np.errstate(invalid="ignore"):
-        near = np.abs(line[:, 1:] - line[:, :-1]) <= _CLOSE * np.abs(line[:, 1:])
-    return near | (line[:, 1:] == line[:, :-1])
-
-
-def _divide(parts: list[Integers], slopes: Any) -> None:
-    with np.errstate(divide="ignore", invalid="ignore"):
-        np.divide(parts[0], parts[1], out=slopes)  # 0 / 0 is NaN
-    slopes[slopes == -np.inf] = np.inf
-
-
 def with_top(below: WhitneyMatrix, rank: int) -> WhitneyMatrix:
     """Append the one flat of full rank to the table of a central configuration."""
     rows = []
@@ -284,7 +215,7 @@ def _rank_three_sums(config: Configuration, lines: Groups) -> tuple[int, int, in
     vectors, m = _matrix(config), len(config.vectors)
     points = point_planes = pairs = triples = 0
     members = lines.members()
-    for rows in _chunks(len(lines.row), m):
+    for rows in row_chunks(len(lines.row), m):
         check_time()
         first, second = lines.row[rows], lines.first[rows]
         if isinstance(vectors, ModularVectors):
@@ -295,8 +226,8 @@ def _rank_three_sums(config: Configuration, lines: Groups) -> tuple[int, int, in
             group = _covers(vectors, np.column_stack([first, second]), inside)
             group = replace(group, row=rows[group.row])
         else:
-            group = _group(_contract_by_two(vectors, first, second), rows)
-        group = _flats_only(group, m)
+            group = group_ratios(contract_by_two(vectors, first, second), rows)
+        group = without_infinity(group, m)
         on_line = lines.size[group.row] + 1
         counted = group.first > lines.first[group.row]
         points += int(counted.sum())
@@ -312,7 +243,7 @@ def _about_rank_two(config: Configuration) -> float:
     if isinstance(vectors, ModularVectors):
         return m * m / 2
     rows = np.linspace(0, m - 1, _SAMPLE).astype(np.intp)
-    groups = _flats_only(_group(_contract_by_one(vectors, rows), rows), m)
+    groups = without_infinity(group_ratios(contract_by_one(vectors, rows), rows), m)
     return float((1 / (groups.size + 1)).sum()) * m / _SAMPLE
 
 
@@ -346,85 +277,3 @@ def _covers(vectors: ModularVectors, bases: Integers, inside: Integers) -> Group
     covers = vectors.covers(bases, inside)
     last = covers.member[np.cumsum(covers.added) - 1]
     return Groups(covers.below, covers.plane, last, covers.added, covers.member)
-
-
-def _chunks(rows: int, columns: int) -> list[Integers]:
-    """Split row numbers so that each piece holds about `_CHUNK` entries."""
-    step = max(1, _CHUNK // max(1, columns))
-    return [np.arange(start, min(rows, start + step)) for start in range(0, rows, step)]
-
-
-def _contract_by_one(vectors: Integers, rows: Integers) -> list[Integers]:
-    """Return the coordinates of every vector in the quotient by each of the chosen vectors."""
-    rank = vectors.shape[1]
-    pivots = (vectors[rows] != 0).argmax(axis=1)
-    order = np.array([[j, *(k for k in range(rank) if k != j)] for j in range(rank)])[pivots]
-    a = np.take_along_axis(vectors[rows], order, axis=1)
-    columns = vectors.T
-    at_pivot = columns[order[:, 0]]
-    return [columns[order[:, k]] * a[:, :1] - at_pivot * a[:, k, None] for k in range(1, rank)]
-
-
-def _contract_by_two(vectors: Integers, first: Integers, second: Integers) -> list[Integers]:
-    """Return two 3 x 3 minors of (a, b, c) for every c: its ratio in the quotient by a and b."""
-    a, b = vectors[first], vectors[second]
-    i, j = _COLUMN_PAIRS.T
-    minors = a[:, i] * b[:, j] - a[:, j] * b[:, i]
-    choice = (minors != 0).argmax(axis=1)
-    each = np.arange(len(first))
-    i, j = _COLUMN_PAIRS[choice].T
-    columns = vectors.T
-    plain = minors[each, choice][:, None]
-    coordinates = []
-    for k in _COLUMN_REST[choice].T:
-        with_i = (a[each, i] * b[each, k] - a[each, k] * b[each, i])[:, None]
-        with_j = (a[each, j] * b[each, k] - a[each, k] * b[each, j])[:, None]
-        coordinates.append(columns[i] * with_j - columns[j] * with_i + columns[k] * plain)
-    return coordinates
-
-
-def _group(coordinates: list[Integers], rows: Integers) -> Groups:
-    """Group the columns of each row by ratio; columns whose coordinates are all 0 are left out."""
-    local, column = np.nonzero(np.logical_or.reduce([part != 0 for part in coordinates]))
-    keys = _canonical([part[local, column] for part in coordinates])
-    order = np.lexsort((*reversed(keys), local))
-    changed = np.zeros(len(order), dtype=bool)
-    changed[:1] = True
-    for key in (local, *keys):
-        changed[1:] |= key[order[1:]] != key[order[:-1]]
-    start = np.flatnonzero(changed)
-    size = np.diff(np.append(start, len(order)))
-    columns = column[order]
-    return Groups(
-        rows[local[order[start]]], columns[start], columns[start + size - 1], size, columns
-    )
-
-
-def _canonical(parts: list[Integers]) -> list[Integers]:
-    """Return sortable keys, equal exactly for proportional coordinates."""
-    if parts[0].dtype == object:
-        names: dict[tuple[int, ...], int] = {}
-        lines = map(one_way, all_reduced(list(zip(*parts, strict=True))))
-        return [np.array([names.setdefault(key, len(names)) for key in lines], dtype=np.int64)]
-    divisor = np.gcd.reduce(parts)
-    sign = np.zeros(len(divisor), dtype=np.int64)
-    for part in parts:
-        sign = np.where(sign == 0, np.sign(part), sign)
-    return [part // divisor * sign for part in parts]
-
-
-def _flats_only(groups: Groups, infinity: int) -> Groups:
-    """Leave out groups with the column of infinity, which is the last if there is one."""
-    return _keep(groups, lambda g: g.last < infinity)
-
-
-def _keep(groups: Groups, rule: Any) -> Groups:
-    """Return the groups for which the vectorised rule holds."""
-    chosen = rule(groups)
-    return Groups(
-        groups.row[chosen],
-        groups.first[chosen],
-        groups.last[chosen],
-        groups.size[chosen],
-        groups.columns[np.repeat(chosen, groups.size)],
-    )

@@ -11,7 +11,7 @@ from hypothesis import assume, given, settings
 from sympy import sqrt
 
 from arrangement import Arrangement, InputError, OutOfReachError, counts, families
-from arrangement.counts import low_rank as lowrank, points, whitney
+from arrangement.counts import low_rank as lowrank, points, ratio_groups, whitney
 from arrangement.counts.configuration import configuration
 
 from . import oracle
@@ -132,7 +132,7 @@ def test_work_is_split_without_changing_the_sums(monkeypatch):
     )
     whole = counts.doubly_indexed_whitney_numbers(planes)
     for entries in (64, 8):
-        monkeypatch.setattr(lowrank, "_CHUNK", entries)
+        monkeypatch.setattr(ratio_groups, "_CHUNK", entries)
         assert counts.doubly_indexed_whitney_numbers(planes) == whole
 
 
@@ -144,9 +144,9 @@ def test_stretched_rank_4_planes_have_the_same_counts():
 
 
 def test_each_pair_of_columns_has_the_two_others():
-    for pair, rest in zip(lowrank._COLUMN_PAIRS, lowrank._COLUMN_REST, strict=True):
+    for pair, rest in zip(ratio_groups._COLUMN_PAIRS, ratio_groups._COLUMN_REST, strict=True):
         assert sorted([*pair, *rest]) == [0, 1, 2, 3]
-    assert len({tuple(sorted(pair)) for pair in lowrank._COLUMN_PAIRS}) == 6
+    assert len({tuple(sorted(pair)) for pair in ratio_groups._COLUMN_PAIRS}) == 6
 
 
 @pytest.mark.parametrize("root", [1, sqrt(2)])
