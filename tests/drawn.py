@@ -13,10 +13,8 @@ import shapely
 from arrangement import InputError, read_arrangement
 from arrangement.drawing.output import PICTURES, own_settings, picture_bytes
 from arrangement.drawing.path_artist import figure
-from arrangement.drawing.scene.curves import flattened
-from arrangement.drawing.scene.items import Item, Label, Path
-from arrangement.drawing.scene.scene import Scene, measure
-from arrangement.drawing.tikz.tikz import tikz
+from arrangement.drawing.scene import Item, Label, Path, Scene, flattened, measure
+from arrangement.drawing.tikz import tikz
 from arrangement.drawing.views import Drawings
 from arrangement.library.families import generic
 from arrangement.pictures import DRAWINGS as OF_PLANES

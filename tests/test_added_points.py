@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from arrangement import Arrangement, InputError, read_arrangement
-from arrangement.drawing.scene.items import Item, Mark
-from arrangement.drawing.scene.layout import laid_out
+from arrangement.drawing.layout import laid_out
+from arrangement.drawing.scene import Item, Mark
 from arrangement.library.families import generic, shi
 from arrangement.pictures import compose
 from equilibrium import Contact, Grasp, read_grasp, solve

@@ -322,7 +322,7 @@ for name in packages:
     sys.modules["arrangement." + name] = None
 sys.modules["equilibrium"] = None
 from arrangement.drawing.path_artist import write_scene
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene import Scene
 def triangle():
     scene = Scene(60, 40)
     scene.polygon([(-50, -30), (50, -30), (0, 30)], gid="triangle", ec="#000000")

@@ -22,14 +22,12 @@ from PIL import Image
 from arrangement import Arrangement, ArrangementError, InputError, read_arrangement
 from arrangement.cli import main as draw_planes
 from arrangement.console import number_form
+from arrangement.drawing.layout import BELOW, laid_out, picture_width
 from arrangement.drawing.output import font_settings, own_settings, picture_bytes
 from arrangement.drawing.path_artist import Paths, figure, into
-from arrangement.drawing.scene.items import ROLES, Ball, Item, Label, Mark, Path as Drawn
-from arrangement.drawing.scene.layout import BELOW, laid_out, picture_width
-from arrangement.drawing.scene.scene import Scene, measure
-from arrangement.drawing.scene.themes import _from_oklab, _oklab, themed
-from arrangement.drawing.tikz.tex_text import tex_text
-from arrangement.drawing.tikz.tikz import tikz
+from arrangement.drawing.scene import ROLES, Ball, Item, Label, Mark, Path as Drawn, Scene, measure
+from arrangement.drawing.themes import _from_oklab, _oklab, themed
+from arrangement.drawing.tikz import tex_text, tikz
 from arrangement.library.families import catalan, generic, shi
 from arrangement.pictures import DRAWINGS as OF_PLANES, compose, draw_sphere
 from arrangement.pictures.views import write_drawing

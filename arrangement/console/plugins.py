@@ -1,6 +1,7 @@
-"""What lies above a module and is looked up by name: kinds of files, methods, public names.
+"""Functions of higher packages that lower ones call: by kind of file, by method, by public name.
 
-Nothing is imported before it is used, and a package that is absent adds nothing.
+Each is named by a text ``package.module:function`` and imported when it is called. A package that
+is not installed adds nothing.
 """
 
 from __future__ import annotations

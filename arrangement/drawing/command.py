@@ -18,9 +18,9 @@ from typing import Any, NamedTuple
 from arrangement.console import terminal
 from arrangement.console.options.parser import Parser
 from arrangement.console.options.signature import Option, options_of
+from arrangement.drawing.views import RENAMED_OPTIONS
 from arrangement.errors import InputError
 
-from .output import RENAMED_OPTIONS
 from .views import KINDS, Drawings, Printing
 
 #: The options that ``--help`` shows without a view.

@@ -1,19 +1,22 @@
-"""Pictures as files: the suffix decides the format. No slow import happens here before it must."""
+"""The files of pictures: their formats by suffix, fonts, settings of matplotlib, the same bytes.
+
+matplotlib, Pillow and ffmpeg are looked for when a picture is written.
+"""
 
 from __future__ import annotations
 
 import io
 import os
-from collections.abc import Callable, Container, Iterable, Mapping
-from contextlib import AbstractContextManager, suppress
+from collections.abc import Callable, Iterable, Mapping
+from contextlib import AbstractContextManager
 from difflib import get_close_matches
-from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.writing import write_bytes_atomically
-from arrangement.errors import InputError, MissingExtraError, extra, refusal
-from arrangement.numbers.exact import rational, shown
+from arrangement.drawing.scene import require_matplotlib
+from arrangement.errors import InputError, MissingExtraError, refusal
+from arrangement.numbers.exact import shown
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -37,70 +40,10 @@ _METADATA: dict[str, dict[str, Any]] = {
 }
 
 
-#: Options of earlier releases, each with its name now.
-RENAMED_OPTIONS = {
-    "axes": "slice",
-    "base": "bottom",
-    "direction": "camera",
-    "directions": "rays",
-    "piece": "equilibrium",
-    "plane": "section",
-    "turn": "rotation",
-}
-
-
-def check_renamed(options: Iterable[str], known: Container[str]) -> None:
-    """Refuse an option of an earlier release as an unknown argument, with its name now."""
-    for option in options:
-        if option not in known and (now := RENAMED_OPTIONS.get(option, "")) in known:
-            raise TypeError(f"{option!r} is now {now!r}")
-
-
 def check_choice(name: str, value: object, known: tuple[str, ...]) -> None:
     """Refuse what is not one of the known words."""
     if value not in known:
         raise refusal(f"the {name} is {shown(value)}", value, known)
-
-
-def require_matplotlib() -> Any:
-    """Return matplotlib, or say which extra installs it and what places labels."""
-    with extra("figures"):
-        import matplotlib as mpl
-        import shapely  # noqa: F401
-    return mpl
-
-
-#: In millimetres; a point is that of TeX, as in ``\\the\\columnwidth``.
-_UNITS = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72.27}
-
-
-def millimetres(value: object, name: str, unit: str = "mm") -> float:
-    """Return a length for paper or print as a float, or refuse what is not positive and finite.
-
-    Args:
-        value: a number, or a text such as ``84``, ``8.4cm``, ``3.3in``, ``252pt``.
-        name: of the length, for the error.
-        unit: of a number without one.
-    """
-    number: object = value
-    if isinstance(value, str):
-        given = value.strip()
-        unit = next((end for end in _UNITS if given.endswith(end)), unit)
-        with suppress(InputError):
-            number = rational(given.removesuffix(unit).strip())
-    if isinstance(number, (int, float, Fraction)) and 0 < number < 100_000:
-        length = float(number) * _UNITS[unit]
-        if length < 10_000:
-            return length
-    raise InputError(
-        f"{name} is {shown(value)}; give a number above 0 in {unit}, or one with mm, cm, in or pt "
-        "after it, below ten metres"
-    )
-
-
-def points(value: object, name: str) -> float:
-    """Return a length such as ``8``, ``8pt`` or ``3mm`` in points, or refuse it."""
-    return millimetres(value, name, "pt") / _UNITS["pt"]
 
 
 def ending(path: str | os.PathLike[str], known: Iterable[str]) -> str:

@@ -18,10 +18,8 @@ import numpy as np
 
 from arrangement.console.number_form import sign_text
 from arrangement.console.writing import write_bytes_atomically, write_text_atomically
-from arrangement.errors import InputError, refusal
-from arrangement.numbers.exact import shown
-
-from .output import (
+from arrangement.drawing.layout import laid_out
+from arrangement.drawing.output import (
     LEGENDS,
     PICTURES,
     THEMES,
@@ -30,12 +28,26 @@ from .output import (
     ending,
     own_settings,
     picture_bytes,
+)
+from arrangement.drawing.scene import (
+    DPI,
+    LIGHT,
+    SHADES,
+    Ball,
+    Box,
+    Item,
+    Label,
+    Mark,
+    NarrowError,
+    PageMap,
+    Path,
+    Place,
+    Scene,
     require_matplotlib,
 )
-from .scene.items import LIGHT, SHADES, Ball, Box, Item, Label, Mark, PageMap, Path, Place
-from .scene.layout import laid_out
-from .scene.scene import DPI, NarrowError, Scene
-from .scene.themes import themed
+from arrangement.drawing.themes import themed
+from arrangement.errors import InputError, refusal
+from arrangement.numbers.exact import shown
 
 try:
     from matplotlib.artist import Artist
@@ -324,7 +336,7 @@ def write_scene(
     """
     suffix = ending(path, (*PICTURES, *TIKZ))
     if suffix in TIKZ:
-        from .tikz.tikz import tikz
+        from arrangement.drawing.tikz import tikz
 
         with own_settings():
             write_text_atomically(path, tikz(make(), fragment=fragment))

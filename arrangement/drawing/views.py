@@ -11,7 +11,7 @@ from __future__ import annotations
 import functools
 import inspect
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, fields, replace
 from importlib import import_module
@@ -22,10 +22,8 @@ from arrangement.console.options.signature import Option, Syntax, options_of, su
 from arrangement.console.options.values import rational_argument
 from arrangement.console.progress import watched
 from arrangement.console.writing import write_bytes_atomically, write_text_atomically
-from arrangement.errors import InputError, MissingExtraError, refusal
-from arrangement.numbers.exact import shown
-
-from .output import (
+from arrangement.drawing.layout import APART, composed, laid_out, picture_width
+from arrangement.drawing.output import (
     LEGENDS,
     MODELS,
     MOVIES,
@@ -34,19 +32,24 @@ from .output import (
     THEMES,
     TIKZ,
     check_choice,
-    check_renamed,
     ending,
     font_settings,
-    millimetres,
     movie_bytes,
     own_settings,
     picture_bytes,
-    points,
-    require_matplotlib,
     svg_text,
 )
-from .scene.layout import APART, composed, laid_out, picture_width
-from .scene.scene import FONT, NarrowError, Scene, checked_width
+from arrangement.drawing.scene import (
+    FONT,
+    NarrowError,
+    Scene,
+    checked_width,
+    millimetres,
+    points,
+    require_matplotlib,
+)
+from arrangement.errors import InputError, MissingExtraError, refusal
+from arrangement.numbers.exact import shown
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -64,6 +67,25 @@ _LENGTH = Syntax(metavar="LENGTH")
 Length: TypeAlias = Annotated[object, _LENGTH]
 LegendPlace: TypeAlias = Annotated[str | None, Syntax(metavar="PLACE")]
 TextKind: TypeAlias = Annotated[str | None, Syntax(metavar="KIND")]
+
+#: Options of earlier releases, each with its name now.
+RENAMED_OPTIONS = {
+    "axes": "slice",
+    "base": "bottom",
+    "direction": "camera",
+    "directions": "rays",
+    "piece": "equilibrium",
+    "plane": "section",
+    "turn": "rotation",
+}
+
+
+def check_renamed(options: Iterable[str], known: Container[str]) -> None:
+    """Refuse an option of an earlier release as an unknown argument, with its name now."""
+    for option in options:
+        if option not in known and (now := RENAMED_OPTIONS.get(option, "")) in known:
+            raise TypeError(f"{option!r} is now {now!r}")
+
 
 #: What can be drawn: pictures, models for printers, interactive pages.
 KINDS = ("view", "model", "page")
@@ -462,7 +484,7 @@ class Drawings:
 
     def tikz(self, subject: Any, view: str, **options: Any) -> str | None:
         """Return a picture as TikZ for a document; None as `svg`."""
-        from .tikz.tikz import tikz
+        from arrangement.drawing.tikz import tikz
 
         try:
             self._check_options("view", view, options)

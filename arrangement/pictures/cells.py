@@ -14,10 +14,8 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import EXACT, LABEL, counted, sign_text
 from arrangement.console.progress import note
 from arrangement.drawing.colours import SKIN, DrawnRegion, Painter, painter, pale, plane_colour
-from arrangement.drawing.output import millimetres
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene import Floats, Scene, millimetres
 from arrangement.drawing.solids.depth_tree import plane_tree
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes, triangles
 from arrangement.drawing.solids.sight import picture_axes, turned, view_direction

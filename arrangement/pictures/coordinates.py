@@ -33,8 +33,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.options.signature import Syntax
 from arrangement.console.progress import note
 from arrangement.counts.configuration import pivot_columns
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene import Floats, Scene
 from arrangement.drawing.solids.sight import unit, unit_vectors
 from arrangement.drawing.views import DrawingView, Vector, picture
 from arrangement.errors import InputError, refusal

@@ -12,9 +12,8 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.counts import f_vector, fukuda_bound
 from arrangement.drawing.colours import BLACK
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.layout import laid_out
+from arrangement.drawing.scene import Floats, Scene
 from arrangement.drawing.views import picture
 from arrangement.errors import InputError
 from arrangement.library.families import braid, generic, near_pencil, pencil, type_b

@@ -14,12 +14,8 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.progress import note
 from arrangement.counts import region_count
 from arrangement.drawing.colours import BLUE, VERMILION, Choice, Painter, letter_colour, side_colour
-from arrangement.drawing.output import millimetres
-from arrangement.drawing.scene.curves import ring
-from arrangement.drawing.scene.items import Box, Floats
-from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
-from arrangement.drawing.scene.places import across, beside, tried
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.labels import SIZES, across, beside, keep_off, tried, write_if_free
+from arrangement.drawing.scene import Box, Floats, Scene, millimetres, ring
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.drawing.solids.sight import face_normal, lit, unit, unit_vectors
 from arrangement.drawing.views import Vector

@@ -26,12 +26,8 @@ from arrangement.drawing.colours import (
     colouring,
     letter_colour,
 )
-from arrangement.drawing.scene.curves import along, flattened, ring
-from arrangement.drawing.scene.items import Box, Floats, PageMap
-from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
-from arrangement.drawing.scene.leaders import Leaders
-from arrangement.drawing.scene.places import inside, spread, turn
-from arrangement.drawing.scene.scene import Scene, joined
+from arrangement.drawing.labels import SIZES, Leaders, inside, keep_off, spread, turn, write_if_free
+from arrangement.drawing.scene import Box, Floats, PageMap, Scene, along, flattened, joined, ring
 from arrangement.drawing.solids.sight import (
     Score,
     across,

@@ -15,10 +15,16 @@ import numpy.typing as npt
 from arrangement.arrangement import Arrangement
 from arrangement.counts import region_count
 from arrangement.drawing.colours import CHECKERS, Choice, DrawnRegion, colouring, letter_colour
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import SIZES, keep_off, sign_text, write_if_free
-from arrangement.drawing.scene.places import across, beside, tried
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.labels import (
+    SIZES,
+    across,
+    beside,
+    keep_off,
+    sign_text,
+    tried,
+    write_if_free,
+)
+from arrangement.drawing.scene import Floats, Scene
 from arrangement.drawing.solids.sight import unit, unit_vectors
 from arrangement.drawing.views import picture
 from arrangement.duals.zonohedron import dual_polyhedron, dual_zonotope

@@ -11,8 +11,7 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.counts import Flat, IntersectionLattice, intersection_lattice
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.scene import GAP, POINTS, Scene
+from arrangement.drawing.scene import GAP, POINTS, Floats, Scene
 from arrangement.drawing.views import picture
 from arrangement.numbers import budget
 from arrangement.pictures.coordinates import RAISED

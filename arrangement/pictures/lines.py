@@ -29,11 +29,16 @@ from arrangement.drawing.colours import (
     DrawnRegion,
     colouring,
 )
-from arrangement.drawing.scene.curves import along
-from arrangement.drawing.scene.items import Floats, PageMap
-from arrangement.drawing.scene.labels import SIZES, keep_off, sign_text, write_if_free
-from arrangement.drawing.scene.places import beside, beyond, fixed
-from arrangement.drawing.scene.scene import POINTS, Scene, arrow
+from arrangement.drawing.labels import (
+    SIZES,
+    beside,
+    beyond,
+    fixed,
+    keep_off,
+    sign_text,
+    write_if_free,
+)
+from arrangement.drawing.scene import POINTS, Floats, PageMap, Scene, along, arrow
 from arrangement.drawing.solids.flat_polygons import between, clipped
 from arrangement.drawing.views import Corner
 from arrangement.enumeration.great_circles import SphereArrangement

@@ -12,8 +12,8 @@ from arrangement.console import number_form
 from arrangement.console.number_form import counted
 from arrangement.console.options.signature import Syntax
 from arrangement.drawing.colours import GREY, Colouring, DrawnRegion
-from arrangement.drawing.scene.labels import sign_text
-from arrangement.drawing.scene.scene import POINTS, Legend, Scene, Symbol
+from arrangement.drawing.labels import sign_text
+from arrangement.drawing.scene import POINTS, Legend, Scene, Symbol
 from arrangement.errors import InputError, refusal
 from arrangement.numbers.exact import IntegerVector, shown, sum_text, to_text
 from arrangement.pictures.coordinates import items_of

@@ -17,10 +17,17 @@ from arrangement.console.number_form import sign_text
 from arrangement.console.options.signature import Syntax
 from arrangement.counts.configuration import pivot_columns
 from arrangement.drawing.colours import SKIN, chosen, pale, plane_colour
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
-from arrangement.drawing.scene.places import beside, beyond, inside, spread, turn
-from arrangement.drawing.scene.scene import Scene, area, arrow, measure
+from arrangement.drawing.labels import (
+    SIZES,
+    beside,
+    beyond,
+    inside,
+    keep_off,
+    spread,
+    turn,
+    write_if_free,
+)
+from arrangement.drawing.scene import Floats, Scene, area, arrow, measure
 from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import light, lit, turned, unit, unit_vectors, view_direction
 from arrangement.drawing.solids.surface import Patch

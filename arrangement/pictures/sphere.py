@@ -13,11 +13,8 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.drawing.colours import Choice, DrawnRegion, Painter
-from arrangement.drawing.scene.curves import along, flattened, ring
-from arrangement.drawing.scene.items import Floats, PageMap
-from arrangement.drawing.scene.labels import SIZES, keep_off, write_if_free
-from arrangement.drawing.scene.places import beside, inside
-from arrangement.drawing.scene.scene import Scene, arrow
+from arrangement.drawing.labels import SIZES, beside, inside, keep_off, write_if_free
+from arrangement.drawing.scene import Floats, PageMap, Scene, along, arrow, flattened, ring
 from arrangement.drawing.solids.sight import best_view, picture_axes, unit, unit_vectors, views
 from arrangement.drawing.views import Vector
 from arrangement.errors import InputError, extra

@@ -18,7 +18,7 @@ from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 
-from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene import Floats
 from arrangement.drawing.solids.depth_tree import (
     Node,
     back_to_front,

@@ -8,7 +8,8 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import DrawnRegion as DrawnRegion
-from arrangement.drawing.output import require_matplotlib, save_figure as save_figure
+from arrangement.drawing.output import save_figure as save_figure
+from arrangement.drawing.scene import require_matplotlib
 from arrangement.drawing.views import Drawings, ViewEntry, compose as compose
 from arrangement.errors import MissingExtraError
 from arrangement.numbers import budget

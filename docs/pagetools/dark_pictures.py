@@ -9,7 +9,7 @@ from pathlib import Path
 
 from docutils import nodes
 
-from arrangement.drawing.scene.themes import dark_colour
+from arrangement.drawing.themes import dark_colour
 
 FOLDER = "_generated"
 _STYLE = re.compile(r'<(\w+)([^<>]*?)style="([^"]*)"')

@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from arrangement.console.number_form import LABEL
-from arrangement.drawing.scene.scene import Legend, Scene
+from arrangement.drawing.scene import Legend, Scene
 from arrangement.drawing.views import picture
 from arrangement.numbers.exact import RationalVector, sign
 from equilibrium.decide.solver import Solver

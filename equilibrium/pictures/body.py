@@ -16,9 +16,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from arrangement.drawing.scene.curves import flattened
-from arrangement.drawing.scene.items import Floats, PageMap
-from arrangement.drawing.scene.scene import arc
+from arrangement.drawing.scene import Floats, PageMap, arc, flattened
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.linear.rank import cycle_edges, difference
 from equilibrium.model.grasp import Grasp

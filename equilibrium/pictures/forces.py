@@ -11,8 +11,7 @@ from typing import Any
 from arrangement.console.number_form import LABEL
 from arrangement.console.progress import watched
 from arrangement.drawing.colours import GREY, VERMILION
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.scene import POINTS, Legend, Scene, measure
+from arrangement.drawing.scene import POINTS, Floats, Legend, Scene, measure
 from arrangement.drawing.views import Exact, picture
 from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget

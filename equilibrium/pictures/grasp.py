@@ -10,9 +10,7 @@ from typing import Any
 import numpy as np
 
 from arrangement.console.number_form import LABEL
-from arrangement.drawing.scene.curves import flattened
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.scene import Floats, Scene, flattened
 from arrangement.drawing.views import Corner, Exact, Vector, picture
 from arrangement.numbers.exact import sign
 from equilibrium.decide.solver import Solver

@@ -14,11 +14,18 @@ from typing import Any
 import numpy as np
 
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
-from arrangement.drawing.scene.curves import flattened, ring
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import Labels
-from arrangement.drawing.scene.places import near
-from arrangement.drawing.scene.scene import AROUND, Legend, Scene, arrow, fitted, turning_arrow
+from arrangement.drawing.labels import Labels, near
+from arrangement.drawing.scene import (
+    AROUND,
+    Floats,
+    Legend,
+    Scene,
+    arrow,
+    fitted,
+    flattened,
+    ring,
+    turning_arrow,
+)
 from arrangement.numbers.exact import RationalVector
 from equilibrium.model.contact import Contact
 from equilibrium.model.labels import Units

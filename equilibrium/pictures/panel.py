@@ -12,10 +12,8 @@ from typing import Any
 import numpy as np
 
 from arrangement.drawing.colours import BLACK, GREY
-from arrangement.drawing.scene.items import Box, Floats, PageMap, Place
-from arrangement.drawing.scene.labels import Labels, covering, keep_off, write_if_free
-from arrangement.drawing.scene.places import inside, near
-from arrangement.drawing.scene.scene import FONT, POINTS, Legend, Scene, area
+from arrangement.drawing.labels import Labels, covering, inside, keep_off, near, write_if_free
+from arrangement.drawing.scene import FONT, POINTS, Box, Floats, Legend, PageMap, Place, Scene, area
 from arrangement.drawing.views import Exact
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, rational, shown
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions

@@ -12,19 +12,18 @@ import numpy as np
 
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLUE, GREY, VERMILION, pale, plane_colour
+from arrangement.drawing.labels import Labels, inside, near, pole, write_if_free
 from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, floats, one_page
-from arrangement.drawing.scene.curves import flattened
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import Labels, write_if_free
-from arrangement.drawing.scene.places import inside, near, pole
-from arrangement.drawing.scene.scene import (
+from arrangement.drawing.scene import (
     FONT,
     POINTS,
+    Floats,
     Scene,
     arc,
     area,
     arrow,
     checked_width,
+    flattened,
     turning_arrow,
 )
 from arrangement.drawing.views import Exact, picture

@@ -13,12 +13,9 @@ import numpy as np
 
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
-from arrangement.drawing.output import millimetres
+from arrangement.drawing.labels import Labels, near
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage, page_face
-from arrangement.drawing.scene.items import Floats, PageMap
-from arrangement.drawing.scene.labels import Labels
-from arrangement.drawing.scene.places import near
-from arrangement.drawing.scene.scene import AROUND, Key, Legend, Scene
+from arrangement.drawing.scene import AROUND, Floats, Key, Legend, PageMap, Scene, millimetres
 from arrangement.drawing.solids.depth_tree import Node, SolidSheet, depth_tree
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes, volume
 from arrangement.drawing.solids.pieces import (

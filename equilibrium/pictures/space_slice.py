@@ -10,8 +10,7 @@ import numpy as np
 
 from arrangement.console.progress import watched
 from arrangement.drawing.colours import BLACK, VERMILION
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.scene import Legend, Scene
+from arrangement.drawing.scene import Floats, Legend, Scene
 from arrangement.numbers.exact import shown
 from arrangement.pictures.names import stroke
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED

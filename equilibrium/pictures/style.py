@@ -13,10 +13,8 @@ from arrangement.console.number_form import LABEL
 from arrangement.console.options.signature import Syntax
 from arrangement.console.options.values import rational_argument
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALETTE, VERMILION
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.labels import Labels
-from arrangement.drawing.scene.places import fixed
-from arrangement.drawing.scene.scene import POINTS, Legend, Scene, Symbol, arc, arrow
+from arrangement.drawing.labels import Labels, fixed
+from arrangement.drawing.scene import POINTS, Floats, Legend, Scene, Symbol, arc, arrow
 from arrangement.numbers.exact import RationalVector
 from arrangement.pictures.names import HALF, WIDTH, canvas, stroke, swatch
 from equilibrium.model.grasp import Grasp

@@ -16,8 +16,8 @@ from typing import Any, TypeAlias
 
 from arrangement.console.number_form import counted
 from arrangement.console.safe_text import safe_lines
-from arrangement.drawing.output import require_matplotlib
 from arrangement.drawing.pages.html_page import BASE_STYLE, CARD_STYLE, Template, framed
+from arrangement.drawing.scene import require_matplotlib
 from arrangement.drawing.views import Drawings
 from arrangement.errors import InputError, MissingExtraError, extra
 from arrangement.library.files.table import read_arrangement

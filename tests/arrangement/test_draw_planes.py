@@ -20,7 +20,7 @@ from hypothesis import given, strategies as st
 from arrangement import Arrangement, ArrangementError, read_arrangement
 from arrangement.cli import main
 from arrangement.counts import f_vector, region_count
-from arrangement.drawing.scene.items import Path
+from arrangement.drawing.scene import Path
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.duals.cells import Cells, body_around, cut_cells
 from arrangement.library.families.classical import golden_ratio

@@ -16,13 +16,11 @@ from arrangement import Arrangement, InputError, read_arrangement
 from arrangement.console import progress
 from arrangement.counts import bounded_region_count, f_vector, whitney_numbers
 from arrangement.drawing.colours import PALETTE, DrawnRegion, colouring, plane_colour
+from arrangement.drawing.labels import HAIR, spread
+from arrangement.drawing.layout import laid_out
 from arrangement.drawing.output import own_settings, picture_bytes
 from arrangement.drawing.path_artist import figure
-from arrangement.drawing.scene.items import Label, Path as Drawn
-from arrangement.drawing.scene.labels import HAIR
-from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.places import spread
-from arrangement.drawing.scene.scene import Scene, area
+from arrangement.drawing.scene import Label, Path as Drawn, Scene, area
 from arrangement.duals.inscribed.hull import representative_hull
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.library.families import coxeter, random_integer, simplicial

@@ -3,11 +3,20 @@
 import numpy as np
 import pytest
 
-from arrangement.drawing.scene.items import Label, Path
-from arrangement.drawing.scene.labels import Labels, covering, keep_off, write_if_free
-from arrangement.drawing.scene.leaders import Leaders
-from arrangement.drawing.scene.places import across, around, beside, fixed, inside, near
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.labels import (
+    Labels,
+    Leaders,
+    across,
+    around,
+    beside,
+    covering,
+    fixed,
+    inside,
+    keep_off,
+    near,
+    write_if_free,
+)
+from arrangement.drawing.scene import Label, Path, Scene
 
 SQUARE = np.array([[40.0, 40.0], [100.0, 40.0], [100.0, 100.0], [40.0, 100.0]])
 MIDDLE = np.array([70.0, 70.0])

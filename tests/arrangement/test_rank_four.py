@@ -10,10 +10,10 @@ import pytest
 from arrangement import Arrangement, InputError
 from arrangement.counts import f_vector
 from arrangement.counts.operations import addition, restriction
+from arrangement.drawing.labels import sign_text
 from arrangement.drawing.output import own_settings
-from arrangement.drawing.scene.items import Label
-from arrangement.drawing.scene.labels import sign_text
-from arrangement.drawing.tikz.tikz import tikz
+from arrangement.drawing.scene import Label
+from arrangement.drawing.tikz import tikz
 from arrangement.duals.schlegel import schlegel_diagram
 from arrangement.errors import OutOfReachError
 from arrangement.library.families import catalan, coxeter, generic, random_integer, shi

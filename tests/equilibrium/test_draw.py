@@ -10,10 +10,8 @@ import numpy as np
 import pytest
 from hypothesis import example, given
 
-from arrangement.drawing.scene.curves import flattened
-from arrangement.drawing.scene.items import Label
-from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.scene import Scene, measure
+from arrangement.drawing.layout import laid_out
+from arrangement.drawing.scene import Label, Scene, flattened, measure
 from equilibrium import Circle, Contact, Grasp, Polygon, read_grasp, solve
 from equilibrium.grasps.inputs import random_grasp, star_outline
 from equilibrium.methods import METHODS, resistance_figure

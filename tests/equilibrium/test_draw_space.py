@@ -10,9 +10,8 @@ import numpy as np
 import pytest
 import trimesh
 
-from arrangement.drawing.scene.items import Label, Path as Line
-from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.layout import laid_out
+from arrangement.drawing.scene import Label, Path as Line, Scene
 from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, GraspError, Mesh, ResistedSet, read_grasp
 from equilibrium.cli.program import main

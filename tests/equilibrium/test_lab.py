@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from arrangement import InputError
-from arrangement.drawing.scene.curves import flattened
+from arrangement.drawing.scene import flattened
 from equilibrium import Contact, Grasp, ResistedSet, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.law import law_problem, law_rows

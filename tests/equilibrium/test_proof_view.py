@@ -9,9 +9,8 @@ import numpy as np
 import pytest
 from hypothesis import given, reject, strategies as st
 
-from arrangement.drawing.scene.items import Label, Path
-from arrangement.drawing.scene.layout import laid_out
-from arrangement.drawing.scene.scene import area
+from arrangement.drawing.layout import laid_out
+from arrangement.drawing.scene import Label, Path, area
 from arrangement.numbers.exact import dot
 from equilibrium import Grasp, GraspError, Verdict, read_grasp, solve
 from equilibrium.certificate.checker import check

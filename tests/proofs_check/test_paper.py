@@ -81,8 +81,8 @@ def test_times_are_measured_when_asked(monkeypatch):
 
 @pytest.mark.parametrize("figure", FIGURES, ids=lambda figure: figure.name)
 def test_no_label_of_a_figure_covers_another(figure):
+    from arrangement.drawing.layout import laid_out
     from arrangement.drawing.output import own_settings
-    from arrangement.drawing.scene.layout import laid_out
 
     with own_settings():
         assert not offences(laid_out(figure.scene()))

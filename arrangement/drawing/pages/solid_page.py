@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene import Floats
 from arrangement.drawing.solids.depth_tree import Node
 from arrangement.drawing.solids.sight import unit
 from arrangement.drawing.solids.surface import Patch, rounded

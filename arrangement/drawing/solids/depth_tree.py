@@ -16,8 +16,7 @@ from typing import Any, Generic, TypeAlias, TypeVar
 
 import numpy as np
 
-from arrangement.drawing.scene.items import Floats
-from arrangement.drawing.scene.scene import Margins, fitted
+from arrangement.drawing.scene import Floats, Margins, fitted
 from arrangement.numbers.exact import IntegerVector, dot
 
 from .flat_polygons import Segment, between, clipped

@@ -10,7 +10,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from arrangement.drawing.scene.items import Floats
+from arrangement.drawing.scene import Floats
 from arrangement.errors import extra
 from arrangement.numbers.exact import IntegerVector, primitive, reduced
 from arrangement.numbers.linear.rank import cycle_edges, plane_through

@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from arrangement.drawing.colours import darkened
-from arrangement.drawing.scene.items import LIGHT, Floats
+from arrangement.drawing.scene import LIGHT, Floats
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, primitive, shown
 from arrangement.numbers.symbolic import real_vector

@@ -42,15 +42,15 @@ _APART = 1e-9
 
 @dataclass(frozen=True)
 class Patch:
-    """A convex piece of the surface.
+    """A convex polygon, segment or point of a surface in R^3.
 
     Attributes:
-        row: ``(a, b)`` with ``a . x + b = 0`` on it and < 0 in the solid behind it; of a segment
-            or a point zeros.
-        corners: in cyclic order.
+        row: (a, b) of its plane: ``a . x + b`` is 0 on the patch and negative in the solid behind
+            it. Of a segment or a point all entries are 0.
+        corners: homogeneous, in cyclic order.
         edges: the parts of its edges where the surface bends or ends.
-        sheet: whether there is no solid behind it.
-        name: whatever its user makes of it.
+        sheet: whether no solid is behind it.
+        name: set by the caller; not used here.
     """
 
     row: IntegerVector

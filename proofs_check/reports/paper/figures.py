@@ -6,8 +6,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from arrangement.drawing.scene.layout import composed
-from arrangement.drawing.scene.scene import Scene
+from arrangement.drawing.layout import composed
+from arrangement.drawing.scene import Scene
 from arrangement.library.files.table import read_arrangement
 from arrangement.pictures.dual import draw_dual
 from arrangement.pictures.planes import draw_planes

@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
-from arrangement.drawing.scene.items import Floats, Place
-from arrangement.drawing.scene.layout import composed
-from arrangement.drawing.scene.scene import POINTS, Scene, arrow, turning_arrow
+from arrangement.drawing.layout import composed
+from arrangement.drawing.scene import POINTS, Floats, Place, Scene, arrow, turning_arrow
 
 GREEN = "#00735a"
 _DASHES = (0, (5, 2.5))

@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import BLACK, BLUE, GREY
-from arrangement.drawing.scene.scene import FONT, POINTS, Scene, measure, wrapped
+from arrangement.drawing.scene import FONT, POINTS, Scene, measure, wrapped
 from arrangement.enumeration.paper_steps import published_enumeration
 from equilibrium.decide.solver import solve
 from equilibrium.grasps.inputs.random import random_grasp

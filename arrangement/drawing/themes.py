@@ -13,8 +13,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from .items import Ball, Floats, Item, Label, Path
-from .scene import Scene
+from arrangement.drawing.scene import Ball, Floats, Item, Label, Path, Scene
 
 #: The lightness of the darkest and of the lightest colour of the dark theme.
 _NIGHT, _DAY = 0.19, 0.95

@@ -10,10 +10,18 @@ from typing import Any
 
 from arrangement.console.progress import note
 from arrangement.drawing.colours import BLACK, VERMILION
+from arrangement.drawing.scene import (
+    FONT,
+    POINTS,
+    Key,
+    Legend,
+    PageMap,
+    Scene,
+    measure,
+    moved,
+    wrapped,
+)
 from arrangement.errors import InputError
-
-from .items import PageMap, moved
-from .scene import FONT, POINTS, Key, Legend, Scene, measure, wrapped
 
 #: The share of the width for a legend at the right, and of the height for keys and lines below.
 BESIDE, BELOW = 0.32, 1 / 6

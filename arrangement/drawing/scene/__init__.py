@@ -1,1 +1,0 @@
-"""What a picture is made of, before anything is written: items, labels, legend, layout."""
