@@ -1,13 +1,15 @@
 """Scenes as artists and figures of matplotlib, which is imported with this module.
 
-A `Patch` for each path, with its own transforms and callbacks, takes most of the time of a picture.
+A patch is what a path looks like. In axes of the user each path has one; in a figure of ours the
+paths of one style take turns, since making thousands of patches takes most of the time of a
+picture.
 """
 
 from __future__ import annotations
 
 import operator
 import os
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fnmatch import fnmatchcase
@@ -34,14 +36,12 @@ from arrangement.drawing.scene import (
     LIGHT,
     SHADES,
     Ball,
-    Box,
     Item,
     Label,
     Mark,
     NarrowError,
     PageMap,
     Path,
-    Place,
     Scene,
     require_matplotlib,
 )
@@ -57,7 +57,7 @@ try:
     from matplotlib.patches import Circle, PathPatch, Rectangle
     from matplotlib.path import Path as Outline
     from matplotlib.patheffects import Normal, Stroke
-    from matplotlib.transforms import Affine2D, Bbox, Transform, TransformedPath
+    from matplotlib.transforms import Affine2D, Transform
 except ImportError:
     require_matplotlib()  # says which extra brings it
     raise
@@ -87,46 +87,16 @@ class Paths(Artist):
     def draw(self, renderer: Any) -> None:
         """Draw all paths, each cut to its clip, or to the sheet."""
         assert self.axes is not None
-        affine = Affine2D(self.page.get_matrix())
-        sheet = self.axes.bbox.frozen()
-        styles: dict[tuple[str, ...], tuple[Any, tuple[float, ...] | None]] = {}
+        patches: dict[tuple[str, ...], PathPatch] = {}
         for item in self.items:
-            renderer.open_group("patch", item.name or None)
             # Thousands of paths have few styles.
-            style = (str(item.kind == "line"), repr(item.style), repr(item.clip))
-            if style not in styles:
-                context = renderer.new_gc()
-                styles[style] = (context, _set_up(context, item))
-                context.set_clip_rectangle(sheet)
-                if item.clip is not None:
-                    _cut(context, item.clip, affine)
-            context, face = styles[style]
-            renderer.draw_path(context, _outline(item), affine, face)
-            renderer.close_group("patch")
-        for context, _ in styles.values():
-            context.restore()
-
-
-def _set_up(context: Any, item: Path) -> tuple[float, ...] | None:
-    """Give the style of a path to a graphics context; return the colour inside, if any."""
-    style = item.style
-    alpha, filled = style.get("alpha"), item.kind != "line" and style.get("fill", True)
-    edge = to_rgba(style.get("ec", "none" if filled else "black"), alpha)
-    width = style.get("lw", 1.0) if edge[3] else 0
-    context.set_alpha(alpha)
-    context.set_foreground(edge, isRGBA=True)
-    context.set_linewidth(width)
-    context.set_capstyle(style.get("capstyle", "butt"))
-    context.set_joinstyle(style.get("joinstyle", "miter"))
-    if width and isinstance(dashes := style.get("ls"), tuple):
-        context.set_dashes(dashes[0] * width, [x * width for x in dashes[1]])
-    if hatch := style.get("hatch"):
-        context.set_hatch(hatch)
-        context.set_hatch_color(edge if edge[3] else "black")
-        context.set_hatch_linewidth(_HATCH_WIDTH)
-    face = to_rgba(style.get("fc", "none"), alpha) if filled else None
-    # With a face that lets all through, renderers leave out the hatches.
-    return face if face and face[3] else None
+            style = str(item.kind == "line"), repr(item.style), repr(item.clip)
+            if style not in patches:
+                patches[style] = patch(item, self.axes, self.page)
+            shared = patches[style]
+            shared.set_path(_outline(item))
+            shared.set_gid(item.name or None)
+            shared.draw(renderer)
 
 
 def _outline(item: Path) -> Outline:
@@ -141,26 +111,21 @@ def _outline(item: Path) -> Outline:
     return Outline(points, [Outline.MOVETO] + [Outline.CURVE4] * (len(points) - 1))
 
 
-def _cut(context: Any, clip: Box | tuple[Place, float], affine: Affine2D) -> None:
-    if len(clip) == 2:
-        (x, y), radius = clip
-        context.set_clip_path(TransformedPath(Outline.circle((x, y), radius), affine))
-    else:
-        left, low, right, high = clip
-        context.set_clip_rectangle(Bbox([[left, low], [right, high]]).transformed(affine))
-
-
-def patch(item: Path, page: Transform) -> PathPatch:
-    """Return a path as an artist of its own, for who wants to change it."""
+def patch(item: Path, axes: Any, page: Transform) -> PathPatch:
+    """Return a path as an artist, cut to its clip or to the axes."""
     style = dict(item.style)
     filled = item.kind != "line" and style.pop("fill", True)
     style.setdefault("ec", "none" if filled else "black")
     made = PathPatch(_outline(item), fill=filled, gid=item.name or None, **style)
     made.set_transform(page)
-    if item.clip is not None and len(item.clip) == 2:
+    made.set_hatch_linewidth(_HATCH_WIDTH)
+    made.set_figure(axes.figure)
+    if item.clip is None:
+        made.set_clip_box(axes.bbox)
+    elif len(item.clip) == 2:
         (x, y), radius = item.clip
         made.set_clip_path(Circle((x, y), radius, transform=page))
-    elif item.clip is not None:
+    else:
         left, low, right, high = item.clip
         box = Rectangle((left, low), right - left, high - low, transform=page)
         made.set_clip_path(box)
@@ -183,15 +148,7 @@ def figure(scene: Scene, made: Figure | None = None) -> Figure:
     axes = panels[0]
     for k, panel in enumerate(panels):
         _set_coordinates(panel, scene, k)
-    page = _page(axes, scene)
-    for order, items in _runs(scene):
-        paths = []
-        for item in items:
-            if isinstance(item, Path):
-                paths.append(item)
-            else:
-                _draw(axes, page, item, {**item.style, "zorder": order})
-        axes.add_artist(Paths(paths, page)).set_zorder(order)
+    _fill(axes, scene, lambda paths, page: [Paths(paths, page)])
     return made
 
 
@@ -226,13 +183,7 @@ def into(place: Room, make: Callable[[float], Scene]) -> Figure:
                 scene = make(width)
     scene = scene.scaled(min(1.0, *map(operator.truediv, room, scene.paper)))
     _set_coordinates(axes, scene, 0)
-    page = _page(axes, scene)
-    for order, items in _runs(scene):
-        for item in items:
-            if isinstance(item, Path):
-                axes.add_artist(patch(item, page)).set_zorder(order)
-            else:
-                _draw(axes, page, item, {**item.style, "zorder": order})
+    _fill(axes, scene, lambda paths, page: [patch(path, axes, page) for path in paths])
     axes.set_aspect("equal")  # an image has changed it
     return owner  # type: ignore[no-any-return]
 
@@ -247,18 +198,24 @@ def _set_coordinates(axes: Any, scene: Scene, panel: int) -> None:
     axes.set_axis_off()
 
 
-def _page(axes: Any, scene: Scene) -> Transform:
-    """Return the map from points of the sheet to the display, whatever coordinates axes have."""
-    made: Transform = Affine2D().scale(1 / scene.width, 1 / scene.height) + axes.transAxes
-    return made
+def _fill(
+    axes: Any, scene: Scene, artists: Callable[[list[Path], Transform], Iterable[Artist]]
+) -> None:
+    """Draw a scene into axes, its paths as the artists that are returned for them.
 
-
-def _runs(scene: Scene) -> Iterator[tuple[float, list[Item]]]:
-    """Yield runs of items of one kind, from below, with their heights: below all of matplotlib."""
+    Each takes points of the sheet, whatever coordinates the axes have; all are below what
+    matplotlib draws.
+    """
+    page = Affine2D().scale(1 / scene.width, 1 / scene.height) + axes.transAxes
     runs = groupby(sorted(scene.items, key=lambda item: item.height), key=type)
-    found = [list(items) for _, items in runs]
-    for k, items in enumerate(found):
-        yield k / len(found), items
+    items_of_a_kind = [list(items) for _, items in runs]
+    for k, items in enumerate(items_of_a_kind):
+        order = k / len(items_of_a_kind)
+        paths = [item for item in items if isinstance(item, Path)]
+        for artist in artists(paths, page) if paths else ():
+            axes.add_artist(artist).set_zorder(order)
+        for item in () if paths else items:
+            _draw(axes, page, item, {**item.style, "zorder": order})
 
 
 def _draw(axes: Any, page: Transform, item: Item, style: dict[str, Any]) -> None:
