@@ -142,12 +142,14 @@ def displacement_problem(
 def displacement_work(
     max_displacement: Fraction | None, displacements: Mapping[int, RationalVector]
 ) -> tuple[str, Fraction]:
-    """Return what the largest displacement D takes from the work of a leaf, for ``d_0 = 1``.
+    """Return what is wrong with the multipliers of a leaf for the largest displacement, and a sum.
 
-    Where each contact point moves by at most D along its normal and its tangents, the sum of
-    ``|u| D - u N . d`` and of the same for tangents is at least 0, whatever the numbers u of a
-    contact are. So they take ``|u| D``, and give ``u N . d``. First comes what is wrong, if
-    anything.
+    Contact points move by at most D, so ``|u| D - u N . d >= 0`` for any multiplier u and each row
+    N or T of a contact. A leaf may add such terms: ``u N . d`` joins its linear form in the motion
+    d, and its constant, for ``d_0 = 1``, becomes smaller by the sum of all ``|u| D``.
+
+    Returns:
+        The problem, empty if there is none, and that sum.
     """
     if displacements and max_displacement is None:
         return "the question has no largest displacement", Fraction(0)

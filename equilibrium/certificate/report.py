@@ -74,7 +74,7 @@ class Report(ReprMixin):
         pyramid: int | None = None,
         max_displacement: Fraction | None = None,
     ) -> Report:
-        """Return what this says of a question: nothing, if the certificate is about another one."""
+        """Return the report compared with a question; false if the certificate is about another."""
         if question is None:
             return self
         problem = _difference(question, self.case)

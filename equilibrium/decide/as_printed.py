@@ -100,9 +100,9 @@ def solve_as_printed(
             friction_sign=-1 if "signs" in chosen else 1,
             cell_check="cell-check" not in chosen,
         )
-        found = equilibrium_of(system)
-        if found is not None:
-            pieces.append(found)
+        equilibrium = equilibrium_of(system)
+        if equilibrium is not None:
+            pieces.append(equilibrium)
             if "single-solution" in chosen:
                 break
     return PrintedVerdict(grasp, applied, chosen, maximal(pieces))

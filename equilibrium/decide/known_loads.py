@@ -124,14 +124,14 @@ class KnownLoads:
         if (known := self._verdicts.get(wrench)) is not None:
             return known
         if tree is not None:
-            found = self.solver.close(wrench, tree, self.nodes)
+            verdict = self.solver.close(wrench, tree, self.nodes)
         else:
-            found = self.solver.solve(wrench, nodes=self.nodes if nodes is None else nodes)
-        if found.verdict == NOT_RESISTED:
-            self.trees.append(tuple((x.motion, x.least) for x in spatial_leaves(found.proof)))
-        if found.decided or (nodes is None and tree is None):
-            self._verdicts[wrench] = found
-        return found
+            verdict = self.solver.solve(wrench, nodes=self.nodes if nodes is None else nodes)
+        if verdict.verdict == NOT_RESISTED:
+            self.trees.append(tuple((x.motion, x.least) for x in spatial_leaves(verdict.proof)))
+        if verdict.decided or (nodes is None and tree is None):
+            self._verdicts[wrench] = verdict
+        return verdict
 
 
 class KnownMagnitudes:
@@ -162,12 +162,12 @@ class KnownMagnitudes:
             return NOT_RESISTED
         if any(low <= t <= high for low, high in self.held):
             return RESISTED
-        found = self.known.solve(self.load(t), **how)
-        if found.verdict == NOT_RESISTED and (around := self._range(self.known.trees[-1])):
+        verdict = self.known.solve(self.load(t), **how)
+        if verdict.verdict == NOT_RESISTED and (around := self._range(self.known.trees[-1])):
             self.refuted.append(around)
-        if found.solution is not None and found.solution.box is None:
-            self._hold(t, found.solution)
-        return found.verdict
+        if verdict.solution is not None and verdict.solution.box is None:
+            self._hold(t, verdict.solution)
+        return verdict.verdict
 
     def _hold(self, t: Fraction, solution: Solution) -> None:
         """Remember an equilibrium, and what lies between it and its neighbours."""
@@ -238,16 +238,16 @@ def blends(grasp: Grasp, one: Solution, other: Solution) -> bool:
     )
 
 
-def _same(contact: Contact, both: Sequence[tuple[RationalVector, RationalVector]]) -> bool:
+def _same(contact: Contact, pair: Sequence[tuple[RationalVector, RationalVector]]) -> bool:
     """Return whether a contact is on one side of its spring, and slips in one direction or not."""
     springs = [
         contact.preload - contact.stiffness * dot(contact.normal_wrench, motion)
-        for motion, _ in both
+        for motion, _ in pair
     ]
     if max(springs) <= 0:
         return True
     (a, b), (c, d) = (
-        tuple(dot(row, motion) for row in contact.tangential_wrenches) for motion, _ in both
+        tuple(dot(row, motion) for row in contact.tangential_wrenches) for motion, _ in pair
     )
     one_way = a * d == b * c and a * c + b * d >= 0 and any((a, b)) == any((c, d))
     return min(springs) >= 0 and one_way

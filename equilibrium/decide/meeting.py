@@ -187,18 +187,18 @@ class _Balance:
         rank = np.count_nonzero(sizes > _FELT * sizes.max(initial=0.0))
         table = [[nearest(x * column.size) for x in column.wrench] for column in shifts]
         works = np.array(table).reshape(len(shifts), self.rows.n) * arms @ axes[rank:].T
-        found = []
+        best_shifts = []
         for _ in range(min(works.shape)):
             # The one that does the most; of the others, what they do on further motions.
             lengths = np.linalg.norm(works, axis=1)
             best = int(lengths.argmax())
             if not lengths[best] > 0:
                 break
-            found.append(shifts[best])
+            best_shifts.append(shifts[best])
             way = works[best] / lengths[best]
             works = works - np.outer(works @ way, way)
             works[best] = 0.0
-        return [*found, *frictions]
+        return [*best_shifts, *frictions]
 
     def _equations(self, chosen: Sequence[_Column]) -> list[list[Fraction]]:
         """Return equations for the motion and columns, the constant last."""
@@ -240,8 +240,8 @@ class _Balance:
         chosen = self._chosen()
         rows = self._equations(chosen)
         start = [Fraction(x) for x in self.motion] + [Fraction(0)] * len(chosen)
-        found = _least(rows, start, self._sizes(chosen))
-        return None if found is None else self._by_contact(chosen, "shift", found)
+        values = _least(rows, start, self._sizes(chosen))
+        return None if values is None else self._by_contact(chosen, "shift", values)
 
     def _by_contact(
         self, chosen: Sequence[_Column], kind: str, values: Sequence[Fraction]
@@ -251,16 +251,16 @@ class _Balance:
         Args:
             values: of the motion and the columns.
         """
-        n, found = self.rows.n, dict[int, list[Fraction]]()
+        n, by_contact = self.rows.n, dict[int, list[Fraction]]()
         for column, x in zip(chosen, values[n:], strict=True):
             row = self.rows[column.contact]
             pressed = row.preload - row.stiffness * dot(row.normal_wrench, values[:n])
             # Adhesion pulls along the row that changes, too.
             pressed -= row.adhesion
             if column.kind == kind and x and pressed:
-                shares = found.setdefault(column.contact, [Fraction(0)] * self.rows.tangents)
+                shares = by_contact.setdefault(column.contact, [Fraction(0)] * self.rows.tangents)
                 shares[column.tangent] = x / pressed
-        return found
+        return by_contact
 
 
 def _least(

@@ -62,8 +62,8 @@ class StateChoices:
         """Return an equilibrium of the first choice that has one and that floats can solve."""
         possible = self.screen.possible(wrench) & ~self.screen.singular
         tried = map(states_of_code, self.codes[possible].tolist())
-        found = (self._equilibrium(states, wrench) for states in tried)
-        return next((piece for piece in found if piece is not None), None)
+        pieces = (self._equilibrium(states, wrench) for states in tried)
+        return next((piece for piece in pieces if piece is not None), None)
 
     def may_be_missed(self, wrench: RationalVector) -> bool:
         """Return whether a choice that floats cannot solve may have an equilibrium."""

@@ -436,20 +436,20 @@ class Assembly(HintsMixin):
                 '{"block": [0, -1, 0]}'
             )
         names = self.names
-        found: Wrenches = dict.fromkeys(names, _ZERO)
+        by_name: Wrenches = dict.fromkeys(names, _ZERO)
         for name, wrench in wrenches.items():
-            if name not in found:
+            if name not in by_name:
                 raise GraspError(
                     f"there is a wrench on {shown(name)}; expected one of the bodies "
                     f"{', '.join(names) or '(there are none)'}"
                 )
-            found[name] = rational_vector(wrench, f"the wrench on {name}")
-            if len(found[name]) != SIZE:
+            by_name[name] = rational_vector(wrench, f"the wrench on {name}")
+            if len(by_name[name]) != SIZE:
                 raise GraspError(
-                    f"the wrench on {name} has {counted(len(found[name]), 'entry', 'entries')}; "
+                    f"the wrench on {name} has {counted(len(by_name[name]), 'entry', 'entries')}; "
                     "expected three: f_x, f_y and tau"
                 )
-        return found
+        return by_name
 
 
 def wrenches_of(document: Mapping[str, Any]) -> Mapping[str, Any] | None:

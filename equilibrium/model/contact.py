@@ -294,11 +294,11 @@ def groups_of(contacts: Sequence[Contact]) -> tuple[range, ...]:
     Raises:
         GraspError: shares that do not add up to 1, or points that are not one flat pad.
     """
-    found, start, total = [], 0, Fraction(0)
+    groups, start, total = [], 0, Fraction(0)
     for i, contact in enumerate(contacts):
         total += contact.share
         if total == 1:
-            found.append(range(start, i + 1))
+            groups.append(range(start, i + 1))
             start, total = i + 1, Fraction(0)
         elif total > 1:
             break
@@ -308,7 +308,7 @@ def groups_of(contacts: Sequence[Contact]) -> tuple[range, ...]:
             f"{', '.join(to_text(c.share) for c in contacts[start : start + 5])}; expected "
             "neighbours whose shares add up to 1. Leave share out for a contact of its own"
         )
-    for group in found:
+    for group in groups:
         first = contacts[group.start]
         for i in group[1:]:
             away = difference(contacts[i].point, first.point)
@@ -318,7 +318,7 @@ def groups_of(contacts: Sequence[Contact]) -> tuple[range, ...]:
                     f"contacts[{i}] and contacts[{group.start}] are points of one pad; expected "
                     f"the same {other[0] if other else 'height along the normal'}"
                 )
-    return tuple(found)
+    return tuple(groups)
 
 
 def joined(points: Sequence[Contact]) -> Contact:
@@ -346,13 +346,13 @@ def spread(points: Sequence[Contact], moved: Contact) -> tuple[Contact, ...]:
         return (moved,)
     old = joined(points)
     middle = tuple(x + y for x, y in zip(old.normal, moved.normal, strict=True))
-    found = []
+    points_after = []
     for c in points:
         away = difference(c.point, old.point)
         # The smallest rotation that takes the old normal to the new one.
         turn = dot(moved.normal, away) / (1 + dot(old.normal, moved.normal))
         place = (p + a - turn * m for p, a, m in zip(moved.point, away, middle, strict=True))
-        found.append(
+        points_after.append(
             replace(
                 moved,
                 point=tuple(place),
@@ -362,7 +362,7 @@ def spread(points: Sequence[Contact], moved: Contact) -> tuple[Contact, ...]:
                 share=c.share,
             )
         )
-    return tuple(found)
+    return tuple(points_after)
 
 
 def _shared(point: Contact, old: Contact, new: Contact, name: str) -> Fraction:

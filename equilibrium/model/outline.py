@@ -27,10 +27,10 @@ class Polygon(ReprMixin):
     corners: tuple[RationalVector, ...]
 
     def __init__(self, corners: Iterable[Iterable[Any]]) -> None:
-        found = tuple(coordinates(corner, f"outline[{i}]", 2) for i, corner in enumerate(corners))
-        if len(found) < 3:
-            raise GraspError(f"the outline has {len(found)} corners; give at least three")
-        object.__setattr__(self, "corners", found)
+        places = tuple(coordinates(corner, f"outline[{i}]", 2) for i, corner in enumerate(corners))
+        if len(places) < 3:
+            raise GraspError(f"the outline has {len(places)} corners; give at least three")
+        object.__setattr__(self, "corners", places)
 
     @property
     def extremes(self) -> tuple[RationalVector, ...]:
@@ -86,15 +86,15 @@ class Mesh(JsonMixin):
 
     def __init__(self, vertices: Iterable[Iterable[Any]], faces: Iterable[Iterable[int]]) -> None:
         points = tuple(coordinates(p, f"outline.vertices[{i}]", 3) for i, p in enumerate(vertices))
-        found = tuple(map(tuple, faces))
-        for i, face in enumerate(found):
+        listed = tuple(map(tuple, faces))
+        for i, face in enumerate(listed):
             if len(face) < 3 or any(type(k) is not int or not 0 <= k < len(points) for k in face):
                 raise GraspError(
                     f"outline.faces[{i}] is {shown(list(face))}; give at least three numbers of "
                     f"vertices, from 0 to {len(points) - 1}"
                 )
         object.__setattr__(self, "vertices", points)
-        object.__setattr__(self, "faces", found)
+        object.__setattr__(self, "faces", listed)
 
     @property
     def extremes(self) -> tuple[RationalVector, ...]:
@@ -154,8 +154,8 @@ def read_outline(form: Any) -> Outline:
 
 def coordinates(values: Iterable[Any], name: str, dimension: int | None = None) -> RationalVector:
     """Return the rational coordinates of a vector in the plane or in space, or in one of them."""
-    found = rational_vector(values, name)
-    if len(found) not in ((2, 3) if dimension is None else (dimension,)):
+    place = rational_vector(values, name)
+    if len(place) not in ((2, 3) if dimension is None else (dimension,)):
         due = {None: "two, or three in space", 2: "two", 3: "three"}[dimension]
-        raise GraspError(f"{name} has {len(found)} coordinates; give {due}")
-    return found
+        raise GraspError(f"{name} has {len(place)} coordinates; give {due}")
+    return place

@@ -18,17 +18,20 @@ from .contact import Contact
 
 
 class Enclosure(NamedTuple):
-    """What shows an equilibrium in space whose numbers are not rational.
+    """A box that holds exactly one equilibrium in space, whose numbers are not rational.
+
+    The unknowns are the coefficients of a motion in the basis and the forces of pillars, six
+    numbers in all. The derivative of the balance keeps them apart in the box.
 
     Attributes:
-        basis: p motions; the motions looked at are their combinations.
-        friction: for each contact None if it is detached, () if it slips, and if it sticks its
-            friction force over ``mu c_n``, without that of pillars.
-        pillars: (contact, 0 or 1): tangents along which a sticking contact has one more force.
-        centre, radius: six intervals, of the combination and of the forces of pillars.
-        inverse: (6, 6), about the inverse of the derivative of the balance in the centre.
-        idle: null-space motions, which do no work at any loaded contact, as turns about the line of
-        two, with a number.
+        basis: motions; that of the equilibrium is a combination of them.
+        friction: for each contact None where it is detached, () where it slips, and where it sticks
+            its friction force over ``mu c_n``, without the forces of pillars.
+        pillars: (contact, 0 or 1): active tangents of sticking contacts, whose force is unknown.
+        centre, radius: of the six intervals of the unknowns.
+        inverse: (6, 6), near the inverse of the derivative of the balance in the centre.
+        idle: null-space motions v, which do no work at any loaded contact, such as a turn about
+            the line of two; each is followed by the value of ``v . d``.
     """
 
     basis: tuple[RationalVector, ...]
@@ -99,12 +102,12 @@ class PadForce:
         Args:
             form: of a number.
         """
-        found: dict[str, Any] = {"force": list(map(form, self.force))}
+        document: dict[str, Any] = {"force": list(map(form, self.force))}
         if self.at:
-            found["at"] = list(map(form, self.at))
+            document["at"] = list(map(form, self.at))
         if len(self.at) == 3:
-            found["torsion"] = form(self.torsion)
-        return found
+            document["torsion"] = form(self.torsion)
+        return document
 
 
 def numbering_words(groups: Sequence[range], taker: str = "the certificate") -> str:
@@ -133,7 +136,7 @@ def pad_entries(
     Args:
         form: of a number.
     """
-    found = [
+    entries = [
         {
             "contact": k,
             "points": list(group),
@@ -144,7 +147,7 @@ def pad_entries(
         for k, group in enumerate(groups, 1)
         if len(group) > 1
     ]
-    return {"pads": found} if found else {}
+    return {"pads": entries} if entries else {}
 
 
 @dataclass(frozen=True)

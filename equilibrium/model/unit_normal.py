@@ -82,17 +82,17 @@ def unit_normal(direction: Iterable[Any], tolerance: Any = Fraction(1, 10**6)) -
         limit *= 2
 
 
-def angle_error(wanted: RationalVector, found: RationalVector) -> Fraction:
-    """Return the error of `UnitNormal`, for a unit vector found in another way.
+def angle_error(wanted: RationalVector, unit: RationalVector) -> Fraction:
+    """Return the error of `UnitNormal`, for a unit vector that was made in another way.
 
     Raises:
         GraspError: the two are at a right angle or more.
     """
-    if len(wanted) == 3 and not any(cross(wanted, found)):
+    if len(wanted) == 3 and not any(cross(wanted, unit)):
         return Fraction(0)
-    error = (_tangent if len(wanted) == 2 else _tangent_in_space)(wanted, found)
+    error = (_tangent if len(wanted) == 2 else _tangent_in_space)(wanted, unit)
     if error is None:
-        raise GraspError(f"{shown(wanted)} and {shown(found)} are not near each other")
+        raise GraspError(f"{shown(wanted)} and {shown(unit)} are not near each other")
     return error
 
 
@@ -158,19 +158,19 @@ def _root(square: Fraction, limit: int) -> Fraction:
     return Fraction(math.isqrt(scaled.numerator // scaled.denominator), 1 << digits)
 
 
-def _tangent_in_space(wanted: RationalVector, found: RationalVector) -> Fraction | None:
+def _tangent_in_space(wanted: RationalVector, unit: RationalVector) -> Fraction | None:
     """Return a rational just above the tangent of the angle; None at a right angle or beyond."""
-    cosine = dot(wanted, found)
+    cosine = dot(wanted, unit)
     if cosine <= 0:
         return None
-    sines = cross(wanted, found)
+    sines = cross(wanted, unit)
     square = dot(sines, sines) / (cosine * cosine)
     scaled = square * 10**40
     return Fraction(math.isqrt(scaled.numerator // scaled.denominator) + 1, 10**20)
 
 
-def _tangent(wanted: RationalVector, found: RationalVector) -> Fraction | None:
-    """Return the tangent of the angle from wanted to found; None at a right angle or beyond."""
-    cosine = wanted[0] * found[0] + wanted[1] * found[1]
-    sine = wanted[0] * found[1] - wanted[1] * found[0]
+def _tangent(wanted: RationalVector, unit: RationalVector) -> Fraction | None:
+    """Return the tangent of the angle from wanted to unit; None at a right angle or beyond."""
+    cosine = wanted[0] * unit[0] + wanted[1] * unit[1]
+    sine = wanted[0] * unit[1] - wanted[1] * unit[0]
     return sine / cosine if cosine > 0 else None

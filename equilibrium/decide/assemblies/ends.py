@@ -158,9 +158,9 @@ def _given_by_parts(parts: Iterable[_PartQuestion], end: Fraction, way: int) -> 
     """Return what gives at an end of the common magnitudes of all parts; None if unknown."""
     given: dict[str, list[int]] = {name: [] for name in Giving.json_fields}
     for part in parts:
-        if (found := what_gives(part.question, part.groups, end, way)) is not None:
+        if (giving := what_gives(part.question, part.groups, end, way)) is not None:
             for name, numbers in given.items():
-                numbers += [part.numbers[k - 1] for k in getattr(found, name)]
+                numbers += [part.numbers[k - 1] for k in getattr(giving, name)]
     return Giving(**{name: tuple(sorted(numbers)) for name, numbers in given.items()}) or None
 
 
@@ -192,12 +192,12 @@ def what_gives(question: LinearQuestion, groups: Groups, end: Fraction, way: int
         return replace(after, lifts_off=(), unloaded=after.lifts_off) or None
     before = _given(inside, groups)
     gone = {*after.lifts_off}
-    found = Giving(
+    giving = Giving(
         tuple(k for k in after.slips if k not in {*before.slips, *before.lifts_off}),
         tuple(k for k in after.lifts_off if k not in before.lifts_off),
         tuple(k for k in after.tips if k not in before.tips and k not in gone),
     )
-    return found or None
+    return giving or None
 
 
 def _common(program: ContactProgram) -> _Loaded:

@@ -61,19 +61,19 @@ def assembly_magnitudes(
     Raises:
         UndecidedError: a part takes more nodes or steps than the limits allow.
     """
-    found = _ALL
+    intervals = _ALL
     moves = zip(*(parts_of(assembly, wrenches)[1] for wrenches in (base, along)), strict=True)
     for (_, total), (_, slope) in moves:
         rows = [(sign * x, sign * y) for x, y in zip(slope, total, strict=True) for sign in (1, -1)]
         still = where_positive(rows)
-        found = common(found, () if still is None else (still,))
+        intervals = common(intervals, () if still is None else (still,))
     for _, question in part_questions(assembly, base, along, chosen):
-        if found:
+        if intervals:
             changed = replace(
                 question, preload_slope=preload_slope, max_displacement=max_displacement
             )
-            found = common(found, _magnitudes(changed))
-    return found
+            intervals = common(intervals, _magnitudes(changed))
+    return intervals
 
 
 def surviving_states(
@@ -97,7 +97,7 @@ def surviving_states(
     Raises:
         UndecidedError: a part takes more nodes or steps than the limits allow.
     """
-    found = []
+    survivors = []
     pairs = part_questions(assembly, wrenches, assembly.read_wrenches({}), chosen)
     questions = [question for _, question in pairs]
     if any(any(total) for _, total in parts_of(assembly, wrenches)[1]):
@@ -105,12 +105,12 @@ def surviving_states(
     for question, first in zip(questions, known or [None] * len(questions), strict=True):
         ranged = replace(question, frictions=frictions, max_displacement=max_displacement)
         if first is not None and ContactProgram(ranged, first).feasible:
-            found.append(first)
+            survivors.append(first)
         elif (states := _survivor(ranged)) is not None:
-            found.append(states)
+            survivors.append(states)
         else:
             return None
-    return tuple(found)
+    return tuple(survivors)
 
 
 class PartEquilibrium(NamedTuple):
@@ -151,7 +151,7 @@ def part_equilibria(
         UndecidedError: a part has too many choices of states.
     """
     none = assembly.read_wrenches({})
-    found = []
+    equilibria = []
     for part, question in part_questions(assembly, wrenches, none):
         bounded = replace(question, max_displacement=max_displacement)
         with _limited(bounded) as tree:
@@ -168,8 +168,8 @@ def part_equilibria(
             assert solution is not None
             states, unique = program.states, program.has_one_solution
             sets.append(PartEquilibrium(part.contacts, states, solution.forces, unique))
-        found.append(tuple(sets))
-    return tuple(found)
+        equilibria.append(tuple(sets))
+    return tuple(equilibria)
 
 
 def complete_programs(tree: StateTree) -> Iterator[ContactProgram]:
@@ -251,24 +251,24 @@ def _limited(question: LinearQuestion) -> Iterator[StateTree]:
 
 def _magnitudes(question: LinearQuestion) -> tuple[Interval, ...]:
     """Return all t >= 0 with an equilibrium of one part."""
-    found: tuple[Interval, ...] = ()
+    intervals: tuple[Interval, ...] = ()
     with _limited(question) as tree:
         for program in tree:
             ends = program.ends()
-            if not ends or _covers(found, part := (ends[0].t, ends[-1].t)):
+            if not ends or _covers(intervals, part := (ends[0].t, ends[-1].t)):
                 continue
             if program.is_complete:
-                found = union([*found, part])
+                intervals = union([*intervals, part])
                 continue
             for end in ends:
                 if end.is_lawful:
                     own = ContactProgram(question, end.states, tree.effort).ends()
-                    found = union([*found, (own[0].t, own[-1].t)])
-            if not _covers(found, part):
+                    intervals = union([*intervals, (own[0].t, own[-1].t)])
+            if not _covers(intervals, part):
                 # Where an end is resisted, what it violates says nothing about the other.
-                open_ = [end for end in ends if not _covers(found, (end.t, end.t))] or ends
+                open_ = [end for end in ends if not _covers(intervals, (end.t, end.t))] or ends
                 tree.waiting += program.split(max((end.violations for end in open_), key=max))
-    return found
+    return intervals
 
 
 def _survivor(question: LinearQuestion) -> Node | None:
@@ -286,5 +286,5 @@ def _survivor(question: LinearQuestion) -> Node | None:
     return None
 
 
-def _covers(found: tuple[Interval, ...], part: Interval) -> bool:
-    return any(intersection(part, one) == part for one in found)
+def _covers(intervals: tuple[Interval, ...], part: Interval) -> bool:
+    return any(intersection(part, interval) == part for interval in intervals)

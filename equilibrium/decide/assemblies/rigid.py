@@ -1,7 +1,9 @@
-"""Rigid bodies in place of springs: forces in the friction cones that balance, and nothing else.
+"""Rigid bodies in place of springs: contact forces in the friction cones that balance the wrenches.
 
-This is the linear program of most programs for stacks and arches. It may squeeze bodies for free,
-so it says yes where springs say no; where it says no, no contact forces balance the wrenches.
+The test is one linear program, as in most programs for stacks and arches. Its forces need not come
+from any displacement: rigid bodies may be squeezed between others at no cost. So it is necessary
+for an equilibrium with springs and not sufficient. Where it fails, no contact forces in the
+friction cones balance the wrenches.
 """
 
 from __future__ import annotations
@@ -28,5 +30,5 @@ def rigid_forces(assembly: Assembly, wrenches: Wrenches) -> tuple[RationalVector
     """
     load = tuple(x for name in assembly.names for x in wrenches[name])
     question = LinearQuestion(assembly.rows, load, (Fraction(0),) * len(load))
-    found = ContactProgram(question, ("loose",) * len(assembly.contacts)).solution()
-    return None if found is None else found.forces
+    solution = ContactProgram(question, ("loose",) * len(assembly.contacts)).solution()
+    return None if solution is None else solution.forces

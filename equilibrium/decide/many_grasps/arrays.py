@@ -123,16 +123,16 @@ def near_floats(
     def filled(rows: Sequence[Sequence[RationalVector]], size: int) -> Floats:
         nonlocal rounded
         most = max(map(len, rows), default=0)
-        found = np.full((len(rows), most, size), np.nan)
+        table = np.full((len(rows), most, size), np.nan)
         for i, row in enumerate(rows):
             if i and row is rows[i - 1]:  # the same loads
-                found[i] = found[i - 1]
+                table[i] = table[i - 1]
             elif row:
                 near = [list(map(near_float, numbers)) for numbers in row]
-                found[i, : len(row)] = near
+                table[i, : len(row)] = near
                 pairs = zip(chain(*near), chain(*row), strict=True)
                 rounded |= any(not math.isfinite(x) or Fraction(x) != y for x, y in pairs)
-        return found
+        return table
 
     columns = {
         name: filled([[_entry(c, name) for c in grasp] for grasp in grasps], size)
@@ -149,19 +149,19 @@ def near_floats(
 
 
 def _entry(contact: Contact, name: str) -> RationalVector:
-    found: Any = getattr(contact, name)
+    value: Any = getattr(contact, name)
     if name == "adhesion":
         return (Fraction(0),)
-    return found if isinstance(found, tuple) else (found,)
+    return value if isinstance(value, tuple) else (value,)
 
 
 def near_float(value: Fraction) -> float:
     """Return the nearest float, which is off by half a unit of its last digit; else infinity."""
     try:
-        found = float(value)
+        rounded = float(value)
     except OverflowError:
         return math.inf
-    return found if not value or abs(found) > _SMALLEST else math.inf
+    return rounded if not value or abs(rounded) > _SMALLEST else math.inf
 
 
 def _column(value: Any, name: str, missing: Booleans, least: str) -> Floats:

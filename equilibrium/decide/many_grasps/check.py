@@ -187,8 +187,8 @@ def _checked(
         )
         for i in np.flatnonzero(left.any(axis=1)).tolist()
     ]
-    found = done(_exactly, budget.times(), tasks, jobs, dask)
-    for number, answers in watched(found, "grasps", len(tasks)):
+    results = done(_exactly, budget.times(), tasks, jobs, dask)
+    for number, answers in watched(results, "grasps", len(tasks)):
         for load, answer in answers:
             (undecided if answer is None else exact)[number, load] = True
             resisted[number, load] = bool(answer)

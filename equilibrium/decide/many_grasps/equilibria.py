@@ -166,13 +166,13 @@ def _length(vectors: Floats) -> Floats:
 
 
 class _FixedStates:
-    """The equations and inequalities of given contact states.
+    """The balance and the conditions of n questions whose contact states are fixed.
 
     Attributes:
-        on, slides: (n, m), which contacts press, and which of them slip.
-        stuck: (n, s), numbers of the contacts that stick, s at most 2, filled up with others.
-        real: (n, s), which are no filling.
-        pulls: (n, s t, k), tangents of these.
+        on, slides: (n, m), which contacts are loaded, and which of these slip.
+        stuck: (n, s), numbers of the sticking contacts, s at most 2, padded with other contacts.
+        real: (n, s), which entries of `stuck` are not padding.
+        pulls: (n, s t, k), the t tangential wrenches of each contact in `stuck`, 0 for padding.
     """
 
     def __init__(self, q: Questions, on: Booleans, sticks: Booleans) -> None:

@@ -165,12 +165,12 @@ def read_grasps(path: str) -> ManyGrasps:
     groups = _groups(path, lambda header: check_header(header, (_GRASP,)))
     for rows in groups.values():
         ask_contacts(len(rows))
-    found = {name: read_rows(rows, exactly()) for name, rows in groups.items()}
-    remarks = ((name, x) for name, conversion in found.items() for x in conversion.remarks)
+    conversions = {name: read_rows(rows, exactly()) for name, rows in groups.items()}
+    remarks = ((name, x) for name, conversion in conversions.items() for x in conversion.remarks)
     return ManyGrasps(
-        list(found),
-        [conversion.grasp for conversion in found.values()],
-        rounded=not all(conversion.exact for conversion in found.values()),
+        list(conversions),
+        [conversion.grasp for conversion in conversions.values()],
+        rounded=not all(conversion.exact for conversion in conversions.values()),
         remarks=tuple(f"{f'grasp {shown(name)}: ' * bool(name)}{x}" for name, x in remarks),
     )
 
