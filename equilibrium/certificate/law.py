@@ -145,8 +145,9 @@ def displacement_work(
     """Return what is wrong with the multipliers of a leaf for the largest displacement, and a sum.
 
     Contact points move by at most D, so ``|u| D - u N . d >= 0`` for any multiplier u and each row
-    N or T of a contact. A leaf may add such terms: ``u N . d`` joins its linear form in the motion
-    d, and its constant, for ``d_0 = 1``, becomes smaller by the sum of all ``|u| D``.
+    N or T of a contact. A leaf may subtract such terms, after which its work must be above 0:
+    ``u N . d`` joins its linear form in the motion d, and its constant, for ``d_0 = 1``, becomes
+    smaller by the sum of all ``|u| D``.
 
     Returns:
         The problem, empty if there is none, and that sum.
