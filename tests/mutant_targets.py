@@ -129,6 +129,7 @@ TARGETS = {
         "equilibrium.certificate.leaf_rule",
         (*CHECKER, PLANES, PYRAMIDS, *ASSEMBLIES, *SPACE, "tests/equilibrium/test_proof_view.py"),
     ),
+    "contact rule": Target("equilibrium.certificate.contact_rule", (*CHECKER, *ASSEMBLIES, *SPACE)),
     "tree walk": Target("equilibrium.certificate.tree", (*CHECKER, *ASSEMBLIES, *SPACE)),
     "law": Target(
         "equilibrium.certificate.law",

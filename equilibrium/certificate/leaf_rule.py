@@ -37,6 +37,8 @@ lambda, and multipliers alpha, h of some contacts (Farkas multipliers of the row
    contacts do work on lambda together. Forces that balance do none. For all motions that says: what
    depends on d cancels, and the rest is above 0.
 
+Steps 2 and 3 of one contact are in `contact_rule`.
+
 Where only displacements of contact points up to D count, a leaf may give numbers u of contacts, for
 the normal and each tangent. They take ``|u| D g_0 - u N . d`` and the same for tangents from the
 sum, which is at least 0 there: see `equilibrium.certificate.law.displacement_work`.
@@ -48,31 +50,21 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import chain, product
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot
 from equilibrium.model.grasp import Grasp
 
+from .contact_rule import (
+    State,
+    broken_multipliers,
+    greatest_product,
+    state_text,
+    with_sign,
+    within_room,
+)
 from .law import LawRow, applied, displacement_work, law_rows, short
 from .reading import FORMS, Leaf, Place, TreeForm
-
-#: A sector from u to v, counter-clockwise by less than half a turn.
-Sector: TypeAlias = tuple[RationalVector, RationalVector]
-
-
-class SlipFace(NamedTuple):
-    """Slip in the cone of one or two directions, with friction between some edges of a pyramid."""
-
-    ends: tuple[RationalVector, ...]
-    edges: tuple[RationalVector, ...]
-
-
-State: TypeAlias = str | Sector | SlipFace
-#: The directions of slip of the states with a sign, of one tangent.
-_SIGNS: dict[str, tuple[RationalVector, ...]] = {
-    "slip+": ((Fraction(1),),),
-    "slip-": ((Fraction(-1),),),
-}
 
 
 class Generator(NamedTuple):
@@ -236,9 +228,9 @@ class TreeQuestion:
             mu, mu_unit = contact.friction.numerator, contact.friction.denominator
             unit_of_kappa = contact.unit * mu_unit
             if self._round:
-                is_below = _is_below(a - alpha * contact.unit, b, contact.friction, state)
+                is_below = within_room(a - alpha * contact.unit, b, contact.friction, state)
             else:
-                kappa = a * mu_unit - mu * _greatest(b, _with_sign(state, slips), self.edges)
+                kappa = a * mu_unit - mu * greatest_product(b, with_sign(state, slips), self.edges)
                 is_below = alpha * unit_of_kappa <= kappa
                 factors[i] = None if is_idle else (kappa, scale * unit_of_kappa)
             if multipliers or not region:
@@ -271,84 +263,11 @@ class TreeQuestion:
                 yield factor * per_wrench, row
 
 
-def broken_multipliers(state: State, alpha: Any, h: Sequence[Any], *, is_below: bool) -> str:
-    """Return which condition of step 3 the multipliers of a contact break, or nothing.
-
-    Args:
-        is_below: whether alpha is at most kappa.
-    """
-    if alpha < 0 and state in ("undecided", "detached"):
-        return "alpha must be at least 0"
-    if any(h) and state != "stick":
-        if not (ends := _slip_ends(state)):
-            return "h must be 0"
-        if any(dot(h, end) > 0 for end in ends):
-            return "h has the wrong sign, a positive product with a direction of slip"
-    return "" if is_below or state == "detached" else _LARGE
-
-
-_LARGE = "alpha is larger than what the contact does on the virtual motion"
-
-
-def _slip_ends(state: State) -> tuple[RationalVector, ...]:
-    """Return what generates the directions of slip; nothing where there may be none."""
-    if isinstance(state, SlipFace):
-        return state.ends
-    return _SIGNS.get(state, ()) if isinstance(state, str) else state
-
-
-def _with_sign(state: State, slips: Sequence[int]) -> State:
-    """Return the state of a contact with its slip where it slips one way in a whole region."""
-    if slips and state in ("undecided", "attached"):
-        return "slip+" if min(slips) > 0 else "slip-" if max(slips) < 0 else state
-    return state
-
-
-def _greatest(b: Sequence[int], state: State, edges: Sequence[Sequence[Any]]) -> Any:
-    """Return the greatest product of b with directions of slip, of a cone that is not round."""
-    if len(b) == 1:
-        return -b[0] if state == "slip-" else b[0] if state == "slip+" else abs(b[0])
-    return max(dot(edge, b) for edge in (state.edges if isinstance(state, SlipFace) else edges))
-
-
-def _is_below(room: Any, b: Sequence[int], friction: Fraction, state: State) -> bool:
-    """Return whether mu times the greatest product of b with directions of slip is at most room.
-
-    Args:
-        room: ``a - alpha``, in the unit of b.
-        state: of a contact with a round cone.
-    """
-    square, size = dot(b, b), 1
-    if isinstance(state, tuple) and not (turn(state[0], b) >= 0 and turn(b, state[1]) >= 0):
-        # The nearer end: the squares compare as the products do, since both ends are in view.
-        along = [(dot(end, b), dot(end, end)) for end in state]
-        (square, size), (other, length) = [(x * abs(x), length) for x, length in along]
-        if other * size > square * length:
-            square, size = other, length
-    room *= friction.denominator
-    reach = room * room * size - friction.numerator**2 * abs(square)
-    # Below 0, alpha may be above a: at most a + mu |x . b|.
-    return bool(room >= 0 or reach <= 0) if square < 0 else bool(room >= 0 and reach >= 0)
-
-
 def _numbers(multipliers: Sequence[Fraction | int], kappa: tuple[Any, int] | None) -> str:
     """Return the multipliers of a contact for a message, and its factor where it is rational."""
     alpha, *h = map(short, multipliers)
     words = f"alpha = {alpha}, h = {h[0] if len(h) == 1 else '(' + ', '.join(h) + ')'}"
     return f"{words}, kappa = {short(Fraction(kappa[0]) / kappa[1])}" if kappa else words
-
-
-def state_text(state: State) -> str:
-    """Return a state for a message."""
-    if isinstance(state, str):
-        return state
-    ends = (f"({', '.join(map(short, end))})" for end in getattr(state, "ends", state))
-    return f"slip between {' and '.join(ends)}"
-
-
-def turn(left: Sequence[Any], right: Sequence[Any]) -> Any:
-    """Return a positive number where right is less than half a turn counter-clockwise of left."""
-    return left[0] * right[1] - left[1] * right[0]
 
 
 def _denominator(row: Iterable[Fraction | int]) -> int:

@@ -14,8 +14,9 @@ from arrangement.numbers.exact import IntegerVector, RationalVector, dot, vector
 from equilibrium.model.grasp import Grasp
 
 from .checker import edges_of
+from .contact_rule import SlipFace, State
 from .law import applied, displacement_work, law_rows
-from .leaf_rule import SlipFace, State, TreeQuestion
+from .leaf_rule import TreeQuestion
 from .reading import Leaf, read_bound, read_plane, read_question
 from .tree import placed_leaves, slip_faces
 

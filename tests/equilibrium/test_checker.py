@@ -25,6 +25,7 @@ from equilibrium import CertificateError, Contact, Grasp, Solution
 from equilibrium.certificate import (
     assemblies,
     checker,
+    contact_rule,
     enclosure,
     law,
     leaf_rule,
@@ -539,7 +540,7 @@ def test_what_is_no_equilibrium_is_one_clear_error(motion, forces, words):
 
 @pytest.mark.parametrize(
     "module",
-    [assemblies, checker, enclosure, law, leaf_rule, reading, report, robust, tree],
+    [assemblies, checker, contact_rule, enclosure, law, leaf_rule, reading, report, robust, tree],
 )
 def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
     tree = ast.parse(inspect.getsource(module))
@@ -558,7 +559,7 @@ def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
     values |= {f"equilibrium.model.{name}" for name in ("assembly", "displacement", "solution")}
     values |= {"arrangement.numbers.linear.rank", "equilibrium.model.subject"}
     values |= {"assemblies", "enclosure", "law", "leaf_rule", "reading", "report", "robust"}
-    values |= {"tree", "uncertain"}
+    values |= {"contact_rule", "tree", "uncertain"}
     assert imported <= standard | values
     for node in ast.walk(tree):
         assert not (isinstance(node, ast.Constant) and isinstance(node.value, float))

@@ -12,6 +12,7 @@ import sympy
 from arrangement import InputError
 from arrangement.numbers.exact import dot
 from equilibrium import CertificateError, Grasp
+from equilibrium.certificate.contact_rule import broken_multipliers, within_room
 from equilibrium.certificate.document import resisted_certificate
 from equilibrium.certificate.enclosure import (
     BrokenLaw,
@@ -22,7 +23,7 @@ from equilibrium.certificate.enclosure import (
     total,
 )
 from equilibrium.certificate.law import law_rows
-from equilibrium.certificate.leaf_rule import TreeQuestion, _is_below, broken_multipliers
+from equilibrium.certificate.leaf_rule import TreeQuestion
 from equilibrium.certificate.reading import FORMS, Leaf, Place, Split, read_enclosure, read_node
 from equilibrium.certificate.tree import slip_states
 from equilibrium.model.contact import Contact, pyramid_edges
@@ -220,10 +221,10 @@ def test_bounds_have_no_gap_between_whole_numbers():
     sector = ((F(1, 9), F(0)), (F(0), F(1, 9)))
     cases = {(1, 1): 2**0.5, (1, -1): 1, (-1, 1): 1, (-1, -1): -1, (0, -1): 0, (0, 0): 0}
     for (b, largest), mu, room in product(cases.items(), (F(1, 2), F(1), F(3)), range(-4, 6)):
-        assert _is_below(room, b, mu, sector) == (room >= mu * largest)
+        assert within_room(room, b, mu, sector) == (room >= mu * largest)
     # Below 0 at the bound, -1 for (4, 3), and less than 1 in the square beyond it, 1/2 for (1, 1).
-    assert _is_below(-1, (-1, 0), F(5, 4), ((4, -3), (4, 3)))
-    assert not _is_below(-1, (-1, 0), F(1), ((1, -1), (1, 1)))
+    assert within_room(-1, (-1, 0), F(5, 4), ((4, -3), (4, 3)))
+    assert not within_room(-1, (-1, 0), F(1), ((1, -1), (1, 1)))
     for state in ("undecided", "detached"):
         assert broken_multipliers(state, -1, (0, 0), is_below=True)
     question = question_of(table((0, 0), friction=0, preload=0), plus(ALONG))
