@@ -155,7 +155,7 @@ _ENDINGS = r"\.(css|csv|html|js|json|md|ml|mjs|py|pyi|rst|svg|toml|txt|v)$"
 
 def paths_named(text: str) -> set[str]:
     """Return what stands between backticks, or is linked to, and has the form of a path."""
-    quoted = re.findall(r"`{1,2}([^`\s]+)`{1,2}|\]\(([^)\s]+)\)", text)
+    quoted = re.findall(r"(?<!:doc:)`{1,2}([^`\s]+)`{1,2}|\]\(([^)\s]+)\)", text)
     words = ((word or link).partition("::")[0] for word, link in quoted)
     return {
         word
@@ -194,3 +194,20 @@ def test_readme_is_true():
         results.append({"verdict": verdict, "added_hypotheses": added, "as_expected": True})
         results[-1]["evidence_kind"] = claim.kind.value
     assert summary(results) in text
+
+
+def test_files_of_an_hours_reading_are_short():
+    """The path that opens the page on architecture: who lengthens a file of it divides it."""
+    page = (ROOT / "docs" / "architecture.rst").read_text(encoding="utf-8")
+    path = page.partition("An hour's reading")[2].partition("The packages\n")[0]
+    files = re.findall(r"^   \* - ``(\S+\.py)``$", path, re.MULTILINE)
+    assert len(files) == 12
+    for file in files:
+        text = (ROOT / file).read_text(encoding="utf-8")
+        assert len(text.splitlines()) < 300, file
+        assert text.startswith('"""'), file
+    for name in re.findall(r"``(\w+)``", path):
+        known = [ROOT / file for file in files] + list(ROOT.glob("proofs_check/formal/*/*.v"))
+        assert any(re.search(rf"\b{name}\b", one.read_text(encoding="utf-8")) for one in known), (
+            name
+        )
