@@ -98,7 +98,7 @@ class ModularVectors:
                 labels = self._labels(bases, members, primes)
             except _BadPrimeError:
                 continue
-            return self._grouped(labels, members)
+            return self._group(labels, members)
         raise AssertionError("there are infinitely many primes")
 
     @cached_property
@@ -149,24 +149,24 @@ class ModularVectors:
         for prime in primes:
             check_time()
             images = self._quotients(bases, prime)
-            for place, coordinate in enumerate(_normalised(images, members, prime)):
+            for place, coordinate in enumerate(_normalise(images, members, prime)):
                 size = prime if place else 2
                 if radix * size >= 1 << (_INT64_BITS - self.index_bits):
-                    labels, radix = _ranked(labels), self.count
+                    labels, radix = _rank(labels), self.count
                 labels = labels * size + coordinate
                 radix *= size
         return labels
 
     def _quotients(self, bases: Integers, prime: int) -> Integers:
         """Return coordinates of the quotient by each basis: of each, a row of all vectors."""
-        vectors = self._reduced(prime)
+        vectors = self._reduce(prime)
         count, rank = len(bases), self.rank
         forms = np.broadcast_to(np.eye(rank, dtype=np.int64), (count, rank, rank))
         rows = np.arange(count)
         for base in bases.T:
             values = _modulo((vectors[base][:, None, :] @ forms)[:, 0, :], prime)
             pivot = (values != 0).argmax(axis=1)
-            # Where it is 0 all forms become 0, and `_normalised` refuses the prime.
+            # Where it is 0 all forms become 0, and `_normalise` refuses the prime.
             top = values[rows, pivot]
             others = np.arange(forms.shape[2] - 1)
             others = others + (others >= pivot[:, None])
@@ -181,10 +181,10 @@ class ModularVectors:
             images = columns @ vectors.T
         return _modulo(images, prime).reshape(-1, count, self.count)
 
-    def _reduced(self, prime: int) -> Integers:
+    def _reduce(self, prime: int) -> Integers:
         return np.array(residues(self._vectors, prime), dtype=np.int64)
 
-    def _grouped(self, labels: Integers, members: NDArray[np.bool_]) -> Covers:
+    def _group(self, labels: Integers, members: NDArray[np.bool_]) -> Covers:
         """Group the vectors beside each flat by equal labels."""
         keys = labels << self.index_bits | np.arange(self.count)
         keys[members] = np.iinfo(np.int64).max
@@ -204,7 +204,7 @@ def _size(x: Any) -> int:
     return abs(x) if isinstance(x, int) else x.size()
 
 
-def _normalised(images: Integers, members: NDArray[np.bool_], prime: int) -> Iterator[Integers]:
+def _normalise(images: Integers, members: NDArray[np.bool_], prime: int) -> Iterator[Integers]:
     """Yield the coordinates of each vector scaled to begin with 1; the first one is 0 or 1."""
     lead = images[0].copy()
     for coordinate in images[1:]:
@@ -237,7 +237,7 @@ def _inverses(values: Integers, prime: int) -> Integers:
     return found
 
 
-def _ranked(labels: Integers) -> Integers:
+def _rank(labels: Integers) -> Integers:
     """Return the place of each label among the different ones of its row."""
     order = labels.argsort(axis=1)
     ordered = np.take_along_axis(labels, order, axis=1)

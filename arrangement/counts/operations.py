@@ -53,7 +53,7 @@ def deletion(arrangement: AnyPlanes, planes: Indices) -> AnyPlanes:
     ((1, 0, 0), (1, 1, 0))
     """
     gone = set(indices(arrangement, planes))
-    return _selected(arrangement, [i for i in range(len(arrangement)) if i not in gone])
+    return _select(arrangement, [i for i in range(len(arrangement)) if i not in gone])
 
 
 def addition(arrangement: AnyPlanes, normal: Iterable[Any], offset: Any = 0) -> AnyPlanes:
@@ -102,7 +102,7 @@ def localization(arrangement: AnyPlanes, planes: Indices) -> AnyPlanes:
     <Arrangement: 3 planes (3 distinct) in R^2, rank 2, central>
     """
     rows = _on_flat(arrangement, flat_chart(arrangement, planes))
-    return _selected(arrangement, [i for i, row in enumerate(rows) if not any(row)])
+    return _select(arrangement, [i for i, row in enumerate(rows) if not any(row)])
 
 
 def restriction(arrangement: AnyPlanes, planes: Indices) -> AnyPlanes:
@@ -241,10 +241,10 @@ def _circuits(normals: Sequence[IntegerVector]) -> list[set[int]]:
     columns = list(zip(*normals, strict=True))
     ask_elimination(columns, len(normals))
     rows, pivots, _ = gauss_jordan(columns)
-    return _joined({i for i, x in enumerate(row) if x} for row in rows[: len(pivots)])
+    return _join({i for i, x in enumerate(row) if x} for row in rows[: len(pivots)])
 
 
-def _joined(circuits: Iterable[set[int]]) -> list[set[int]]:
+def _join(circuits: Iterable[set[int]]) -> list[set[int]]:
     """Return the parts of rows: a plane and those that its column has are a circuit."""
     parts: list[set[int]] = []
     for row in circuits:
@@ -273,7 +273,7 @@ def over_factors(
     return tuple(found)
 
 
-def _selected(arrangement: AnyPlanes, planes: Sequence[int]) -> AnyPlanes:
+def _select(arrangement: AnyPlanes, planes: Sequence[int]) -> AnyPlanes:
     return _of(arrangement, [arrangement.integer_planes[i] for i in planes])
 
 

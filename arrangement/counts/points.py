@@ -86,10 +86,10 @@ def by_points(arrangement: Planes, primes: Iterable[int] | None = None) -> sympy
         good = (q for q in usable if not any(_vanish(g, q) for g, _ in minors))
         chosen = list(islice(good, needed))
     else:
-        chosen = sorted({_checked(q, arrangement, minors) for q in primes})
+        chosen = sorted({_check_q(q, arrangement, minors) for q in primes})
     if len(chosen) < needed:
         raise InputError(f"there are {len(chosen)} different primes; give at least {needed}")
-    return _interpolated(arrangement, chosen)
+    return _interpolate(arrangement, chosen)
 
 
 def characteristic_quasi_polynomial(arrangement: Planes) -> QuasiPolynomial:
@@ -203,7 +203,7 @@ class QuasiPolynomial(Mapping[int, "sympy.Poly"]):
         by_subsets = budget.power(2, m) * _DIVISORS_STEPS
         if "_sets" in vars(self) or by_subsets < by_points:
             return self._from_sets(g)
-        return _interpolated(self._arrangement, moduli)
+        return _interpolate(self._arrangement, moduli)
 
     def _from_sets(self, g: int) -> sympy.Poly:
         import sympy
@@ -247,7 +247,7 @@ def _elementary_divisors(rows: Sequence[IntegerVector]) -> list[int]:
     return [int(e) for e in found]
 
 
-def _interpolated(arrangement: Planes, moduli: Iterable[int]) -> sympy.Poly:
+def _interpolate(arrangement: Planes, moduli: Iterable[int]) -> sympy.Poly:
     """Return the polynomial of degree d, beginning with t^d, that counts points for d moduli."""
     import sympy
 
@@ -372,7 +372,7 @@ def _has_image(arrangement: Planes, q: int) -> bool:
     return arrangement.field is None or arrangement.field.root_modulo(q) is not None
 
 
-def _checked(q: int, arrangement: Planes, minors: list[tuple[list[Any], tuple[int, ...]]]) -> int:
+def _check_q(q: int, arrangement: Planes, minors: list[tuple[list[Any], tuple[int, ...]]]) -> int:
     """Return a prime of good reduction, or refuse the number."""
     _check_prime(q, arrangement)
     for divisors, planes in minors:

@@ -305,7 +305,7 @@ class _Knife:
             low, high = min(values), max(values)
             above, below = above or high > 0, below or low < 0
             if low < 0 < high:
-                parts = {side: self._clipped(face, [side * x for x in values]) for side in kept}
+                parts = {side: self._clip(face, [side * x for x in values]) for side in kept}
             else:
                 parts = {1 if low >= 0 else -1: face}
             for side, part in parts.items():
@@ -317,10 +317,10 @@ class _Knife:
                         if not (self.values[i] or self.values[j])
                     )
         if above and below:
-            return {side: self._closed(kept[side], edges[side]) for side in kept}
+            return {side: self._close(kept[side], edges[side]) for side in kept}
         return {1 if above else -1: solid}
 
-    def _closed(
+    def _close(
         self, kept: Sequence[tuple[tuple[int, ...], int]], edges: set[tuple[int, int]]
     ) -> _Solid:
         """Return a part, closed by a face in the plane, whose edges are among those there."""
@@ -328,7 +328,7 @@ class _Knife:
         faces, walls = zip(*kept, strict=True)
         return (*faces, (first, *reversed(rest))), (*walls, self.label)
 
-    def _clipped(self, face: tuple[int, ...], values: Sequence[int]) -> tuple[int, ...]:
+    def _clip(self, face: tuple[int, ...], values: Sequence[int]) -> tuple[int, ...]:
         """Return the part of a face where values are positive."""
         return tuple(map(self._number, clipped([self.points[i] for i in face], values)))
 

@@ -159,13 +159,13 @@ def _all_rises(numbers: Coefficients, normals: Integers) -> list[_Rises]:
             return levels
         rows, pivot, sides = numbers.unoriented(forms[flat, :, plane])
         beside = (sides > 0)[:, None]
-        first, group = _grouped(np.column_stack([flat, rows.reshape(len(flat), -1)]))
+        first, group = _group(np.column_stack([flat, rows.reshape(len(flat), -1)]))
         shape = (len(first), positive.shape[1])
         words, members = np.zeros(shape, np.uint64), np.zeros(shape, np.uint64)
         np.bitwise_or.at(words, group, np.where(beside, positive[plane], positive[plane] << _ONE))
         np.bitwise_or.at(members, group, positive[plane])
         members |= masks[flat[first]]
-        chosen, lower = _grouped(members)
+        chosen, lower = _group(members)
         upper, vectors_beside = flat[first], bases[flat[first], pivot[first]]
         levels.append(_both_sides(lower, upper, words, vectors_beside))
         masks, kept = members[chosen], first[chosen]
@@ -228,7 +228,7 @@ def _unit_words(classes: int) -> Words:
     return pack(np.eye(2 * classes, dtype=bool)[::2])
 
 
-def _grouped(rows: NDArray[Any]) -> tuple[Indices, Indices]:
+def _group(rows: NDArray[Any]) -> tuple[Indices, Indices]:
     """Return the place of one copy of each different row, and for each row which one it is."""
     if rows.dtype == object:
         known: dict[tuple[int, ...], int] = {}

@@ -313,10 +313,10 @@ def sectors(lines: Arrangements, units: Words) -> HalfRegions:
     changes[starts] = np.add.reduceat(on_this_side, starts, axis=0)
     signs = np.bitwise_xor.accumulate(changes, axis=0)
     signs[ends[0] + 1 :] ^= np.repeat(signs[ends[:-1]], lines.sizes[1:], axis=0)
-    return _kept(HalfRegions(signs, scaled(points), owner), lines, units)
+    return _keep(HalfRegions(signs, scaled(points), owner), lines, units)
 
 
-def _kept(found: HalfRegions, lines: Arrangements, units: Words) -> HalfRegions:
+def _keep(found: HalfRegions, lines: Arrangements, units: Words) -> HalfRegions:
     """Return those of all regions that are on the positive side of the first hyperplanes."""
     several = np.flatnonzero(lines.sides[found.of] > 1)
     if not len(several):

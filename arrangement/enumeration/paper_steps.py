@@ -116,7 +116,7 @@ def published_enumeration(arrangement: Planes, merge: bool = False) -> Published
         facets=tuple(filled(signs) for signs in facets),
         lines=tuple(filled(signs) for signs in lines),
         cycles=cycles,
-        graph=_described(graph, [filled(signs) for signs in regions], classes),
+        graph=_describe(graph, [filled(signs) for signs in regions], classes),
     )
 
 
@@ -242,7 +242,7 @@ def _on_planes(signs: SignVector, zero: set[int]) -> SignVector:
     return tuple(0 if i in zero else s for i, s in enumerate(signs))
 
 
-def _described(
+def _describe(
     graph: nx.Graph, signs: list[SignVector], classes: tuple[tuple[int, ...], ...]
 ) -> nx.Graph:
     """Return a frozen copy of the graph with the attributes that readers expect."""

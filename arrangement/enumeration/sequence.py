@@ -95,21 +95,21 @@ class FaceSequence(ReprMixin, Sequence[Face]):
     def dimensions(self) -> Signs:
         """(count); the dimension of each face."""
         dimensions = np.arange(self._lowest, self._lowest + len(self.levels), dtype=np.int8)
-        return _frozen(np.repeat(dimensions, self.f_vector))
+        return _freeze(np.repeat(dimensions, self.f_vector))
 
     @cached_property
     def signs(self) -> Signs:
         """(count, m); the sign of every face at every input plane. Count times m bytes."""
         empty = np.empty((0, len(self._planes)), np.int8)
         parts = [level.signs(slice(None)) for level in self.levels if level.count]
-        return _frozen(np.concatenate([empty, *parts]))
+        return _freeze(np.concatenate([empty, *parts]))
 
     @cached_property
     def points(self) -> Integers:
         """(count, d + 1); an exact point in every face: integers ``(X, W)``, W > 0, for X / W."""
         empty = np.empty((0, self._planes.dimension + 1), np.int64)
         parts = [level.points(slice(None)) for level in self.levels if level.count]
-        return _frozen(np.concatenate([empty, *parts]))
+        return _freeze(np.concatenate([empty, *parts]))
 
     def of_dimension(self, dimension: int) -> FaceSequence:
         """Return the faces of one dimension."""
@@ -223,6 +223,6 @@ class _KnownFractions(dict[tuple[int, int], Fraction]):
         return self.setdefault(pair, fraction(x) if scale == 1 else quotient(x, scale))
 
 
-def _frozen(array: NDArray[Any]) -> NDArray[Any]:
+def _freeze(array: NDArray[Any]) -> NDArray[Any]:
     array.flags.writeable = False
     return array

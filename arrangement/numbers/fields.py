@@ -115,7 +115,7 @@ class NumberField:
         """Return the sum of coefficients times powers 1, a, a^2, ... of the generator."""
         scale = math.lcm(*(x.denominator for x in coefficients))
         whole = [x.numerator * (scale // x.denominator) for x in coefficients]
-        return self.made(self._reduced(whole + [0] * (self.degree - len(whole))), scale)
+        return self.made(self._reduce(whole + [0] * (self.degree - len(whole))), scale)
 
     def isolating_interval(self) -> tuple[Fraction, Fraction]:
         """Return the longest ``[k / 2^j, (k + 1) / 2^j]``, j >= 0, with only this root inside."""
@@ -228,7 +228,7 @@ class NumberField:
             rows.append(tuple(x + top * y for x, y in zip((0, *rest), rows[0], strict=True)))
         return rows
 
-    def _reduced(self, coefficients: Sequence[int]) -> IntegerVector:
+    def _reduce(self, coefficients: Sequence[int]) -> IntegerVector:
         """Return a sum of powers up to 2n - 2 as one of powers up to n - 1."""
         n = self.degree
         found = list(coefficients[:n])
@@ -260,7 +260,7 @@ class NumberField:
             if x:
                 for j, y in enumerate(right, i):
                     found[j] += x * y
-        return self._reduced(found)
+        return self._reduce(found)
 
     def inverse(self, coefficients: IntegerVector) -> Real:
         """Return 1 over a number."""
@@ -278,10 +278,10 @@ class NumberField:
     def float_powers(self) -> tuple[float, ...]:
         """The powers of the generator; infinite where floats cannot be trusted with them."""
         one = 1 << _BITS
-        powers = [p / one if abs(p) < _LARGEST * one else math.inf for p in self._scaled(_BITS)]
+        powers = [p / one if abs(p) < _LARGEST * one else math.inf for p in self._scale(_BITS)]
         return tuple(p if abs(p) >= _SMALLEST else math.inf for p in powers)
 
-    def _scaled(self, bits: int) -> tuple[int, ...]:
+    def _scale(self, bits: int) -> tuple[int, ...]:
         """Return integers within 1 of the powers of the generator times 2^bits."""
         known = self._approximations.get(bits)
         if known is None:
@@ -317,7 +317,7 @@ class NumberField:
         """Return v, k so that v / 2^k is an irrational number but for 2^-bits of its size."""
         error, k = 2 * sum(map(abs, coefficients)), _BITS
         while True:
-            total = sum(map(mul, coefficients, self._scaled(k)))
+            total = sum(map(mul, coefficients, self._scale(k)))
             if abs(total) >> bits > error:
                 return total, k
             k *= 2
@@ -596,10 +596,10 @@ class ValuesInField:
         """Return the value of a number, from those of its atoms."""
         found = self._known.get(number)
         if found is None:
-            found = self._known[number] = self._computed(number)
+            found = self._known[number] = self._compute(number)
         return found
 
-    def _computed(self, number: Any) -> Real:
+    def _compute(self, number: Any) -> Real:
         found: Any
         if number.is_Rational:
             return Fraction(int(number.p), int(number.q))
@@ -622,7 +622,7 @@ class ValuesInField:
         import sympy
 
         polynomial = _minimal_polynomial(atom)
-        low, high = _isolated(atom, polynomial)
+        low, high = _isolate(atom, polynomial)
         if self._field is None:
             self._field = NumberField(_coefficients(polynomial), (low, high))
             return self._field.root
@@ -688,7 +688,7 @@ def _minimal_polynomial(number: Any) -> sympy.Poly:
     return found
 
 
-def _isolated(number: Any, polynomial: sympy.Poly) -> tuple[Fraction, Fraction]:
+def _isolate(number: Any, polynomial: sympy.Poly) -> tuple[Fraction, Fraction]:
     """Return rational ends between which the number is the only root of its polynomial."""
     import sympy
 

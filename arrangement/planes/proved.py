@@ -118,7 +118,7 @@ def proved_f_vectors(many: Iterable[Planes]) -> list[tuple[int, ...]]:
     listed = list(many)
     said = ask_proved_each("--faces", (json.dumps(_document(planes)) for planes in listed))
     pairs = zip(said, listed, strict=True)
-    return [_filled(text, planes.dimension)[::-1] for text, planes in pairs]
+    return [_pad(text, planes.dimension)[::-1] for text, planes in pairs]
 
 
 def proved_whitney_numbers(planes: Planes) -> tuple[int, ...]:
@@ -144,10 +144,10 @@ def proved_complete(planes: Planes, faces: Iterable[Face]) -> bool:
 
 def _numbers(option: str, planes: Planes, last: int, deepest: int) -> tuple[int, ...]:
     text, seconds = json.dumps(_document(planes)), _forecast(planes, deepest) / _MANY
-    return _filled(ask_proved(option, "-", text=text, seconds=seconds)[1], last)
+    return _pad(ask_proved(option, "-", text=text, seconds=seconds)[1], last)
 
 
-def _filled(said: str, last: int) -> tuple[int, ...]:
+def _pad(said: str, last: int) -> tuple[int, ...]:
     numbers = [int(word) for word in said.split()][: last + 1]
     return (*numbers, *[0] * (last + 1 - len(numbers)))
 
@@ -234,14 +234,14 @@ def _probe(
         on = _most(len(different), further, rank - 1, central)
         if source.random() * (off + on) < on:
             weight *= (off + on) / on
-            apart, others, rank = _restricted(apart, plane), _restricted(others, plane), rank - 1
+            apart, others, rank = _restrict(apart, plane), _restrict(others, plane), rank - 1
         else:
             weight *= (off + on) / off
             apart += [plane] * kept
     return weight, steps
 
 
-def _restricted(rows: Iterable[IntegerVector], plane: IntegerVector) -> list[IntegerVector]:
+def _restrict(rows: Iterable[IntegerVector], plane: IntegerVector) -> list[IntegerVector]:
     """Return the planes on one of them, but for those that do not meet it and those with all."""
     j = next(i for i, x in enumerate(plane) if x)
     p = plane[j]

@@ -262,7 +262,7 @@ def test_what_is_completed_is_an_automorphism(planes):
         for signs in itertools.product((1, -1), repeat=len(chosen)):
             path = [(plane, 1) for plane in search._base[:fixed]]
             path += zip(chosen, signs, strict=True)
-            image = search._completed(path, search._key(path))
+            image = search._complete(path, search._key(path))
             if image is not None:
                 search.verified([image])
                 found += 1

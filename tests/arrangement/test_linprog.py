@@ -1,6 +1,8 @@
 """Exact linear programs: every answer proves itself, and elimination agrees."""
 
 from fractions import Fraction
+from itertools import combinations, permutations
+from math import prod
 from random import Random
 from typing import Any
 
@@ -9,6 +11,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from arrangement.errors import ArrangementError
+from arrangement.numbers.fields import NumberField
 from arrangement.numbers.linear import programs
 from arrangement.numbers.linear.float_dictionary import FloatDictionary
 from arrangement.numbers.linear.programs import (
@@ -18,7 +21,7 @@ from arrangement.numbers.linear.programs import (
     feasible_point,
     minimize,
 )
-from arrangement.numbers.linear.rank import gauss_jordan, rank
+from arrangement.numbers.linear.rank import determinant, gauss_jordan, rank
 from proofs_check.routes.oracle import project
 
 Rows = list[tuple[Fraction, ...]]
@@ -238,3 +241,30 @@ def test_elimination_leaves_one_pivot_per_column(bits):
     assert [[row[j] for j in pivots] for row in reduced[:2]] == [[scale, 0], [0, scale]]
     assert reduced[2:] == [[0] * 5] * 2
     assert rank([*rows, *reduced]) == len(pivots) == 2
+
+
+@pytest.mark.parametrize("irrational", [False, True], ids=["integers", "a field"])
+@pytest.mark.parametrize("size", [1, 2, 3, 4, 6])
+def test_elimination_keeps_its_laws(size, irrational):
+    """Also where rows are exchanged, and on both sides of the size from which FLINT eliminates."""
+    source, root = Random(size), NumberField([-2, 0, 1], [1, 2]).generator if irrational else 1
+    for _ in range(6 if irrational else 25):
+        drawn = [[source.choice((0, 0, -1, 2, 3)) for _ in range(size)] for _ in range(size)]
+        rows = [[x * source.choice((1, root)) for x in row] for row in drawn]
+        assert determinant(rows) == sum(
+            (-1) ** sum(a > b for a, b in combinations(order, 2))
+            * prod(rows[i][j] for i, j in enumerate(order))
+            for order in permutations(range(size))
+        )
+        reduced, pivots, scale = gauss_jordan(rows)
+        assert [[row[j] for j in pivots] for row in reduced[: len(pivots)]] == [
+            [scale * (i == j) for j in range(len(pivots))] for i in range(len(pivots))
+        ]
+        assert not any(map(any, reduced[len(pivots) :]))
+        assert rank(rows) == rank([*rows, *reduced]) == len(pivots)
+
+
+def test_rank_of_tall_matrices_is_not_that_of_a_sample_alone():
+    rows = [(1, 0, 1), (0, 1, 1)] * 20
+    assert rank(rows) == 2
+    assert rank([*rows[:33], (1, 1, 1), *rows]) == 3

@@ -76,14 +76,14 @@ class Automorphisms:
                 if tried[plane]:
                     continue
                 if self._steps_left <= 0:
-                    return self._stacked(found)
+                    return self._stack(found)
                 image = self._search([], level, int(plane))
                 if image is None:
                     tried |= self._orbit(found, int(plane))
                 else:
                     found.append(image)
                     tried |= self._orbit(found, self._base[level])
-        return self._stacked(found)
+        return self._stack(found)
 
     def orbits(self, generators: Permutations) -> int:
         """Return the number of orbits of the vectors, infinity left out."""
@@ -107,9 +107,9 @@ class Automorphisms:
                     "that of its image; leave it out, or leave out symmetry to have it found"
                 )
             checked.append(image)
-        return self._stacked(checked)
+        return self._stack(checked)
 
-    def _stacked(self, found: list[Permutations]) -> Permutations:
+    def _stack(self, found: list[Permutations]) -> Permutations:
         return np.array(found, dtype=np.intp).reshape(len(found), self.size)
 
     def _orbit(self, found: list[Permutations], plane: int) -> NDArray[np.bool_]:
@@ -138,7 +138,7 @@ class Automorphisms:
         if not np.array_equal(np.sort(key), self._sorted[depth]) or self._steps_left <= 0:
             return None
         if depth == len(self._base):
-            return self._completed(path, key)
+            return self._complete(path, key)
         for step in self._steps(path, level, plane, key):
             path.append(step)
             image = self._search(path, level, plane)
@@ -165,7 +165,7 @@ class Automorphisms:
             for place in np.flatnonzero((products * sign == wanted).all(axis=1)):
                 yield int(planes[place]), sign
 
-    def _completed(self, path: list[tuple[int, int]], key: _Integers) -> Permutations | None:
+    def _complete(self, path: list[tuple[int, int]], key: _Integers) -> Permutations | None:
         """Return the permutation that takes the base to the path, if it is an automorphism.
 
         The columns of G at the base span its columns, and those at the path lie among them. If a

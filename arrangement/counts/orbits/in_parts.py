@@ -325,7 +325,7 @@ def _read(root: str, rank: int, part: int, above: int | None = None) -> dict[str
 
     try:
         most = _MAX_EXPANSION * place.stat().st_size
-        if above is not None and above not in _filled(root, plan, rank, part):
+        if above is not None and above not in _parts_above(root, plan, rank, part):
             return {}
         with ZipFile(place) as file:
             names = _SUMS if above is None else tuple(f"{name}-{above}" for name in _FLATS)
@@ -339,7 +339,7 @@ def _read(root: str, rank: int, part: int, above: int | None = None) -> dict[str
 
 
 @lru_cache(maxsize=1024)
-def _filled(root: str, _: bytes, rank: int, part: int) -> frozenset[int]:
+def _parts_above(root: str, _: bytes, rank: int, part: int) -> frozenset[int]:
     """Return the parts of the rank after that flats of a file come up to: the plan decides them.
 
     Where there are few flats, most files have none for most parts: a process opens each once.

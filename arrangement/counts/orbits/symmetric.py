@@ -78,14 +78,14 @@ class Images:
         if len(self._moves) > 1:
             order = sets.sum(axis=1).argsort(kind="stable")
             for part in chunks(len(sets), _BATCH):
-                found[order[part]] = pack(self._lowered(sets[order[part]]))
+                found[order[part]] = pack(self._lower(sets[order[part]]))
         return found
 
     def steps(self, sets: Bits) -> float:
         """Return about how many steps their images take."""
         return np.count_nonzero(sets) * len(self._moves) / 20
 
-    def _lowered(self, sets: Bits) -> Bits:
+    def _lower(self, sets: Bits) -> Bits:
         """Return images of sets of about the same size."""
         count, size = sets.shape
         sizes = sets.sum(axis=1)

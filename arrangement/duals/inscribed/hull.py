@@ -80,14 +80,14 @@ def rational_direction(vector: IntegerVector, bits: int) -> IntegerVector:
     length = math.isqrt(dot(vector, vector) << 2 * guard)
     divisor = length + (abs(vector[k]) << guard)
     unit = 1 << bits
-    point = [_rounded(x << (guard + bits), divisor) for x in vector]
+    point = [_round(x << (guard + bits), divisor) for x in vector]
     square = sum(a * a for j, a in enumerate(point) if j != k)
     result = [2 * unit * a for a in point]
     result[k] = (unit * unit - square) * (1 if vector[k] > 0 else -1)
     return (*result, unit * unit + square)
 
 
-def _rounded(numerator: int, denominator: int) -> int:
+def _round(numerator: int, denominator: int) -> int:
     """Return the nearest integer to a ratio; halves go away from zero."""
     size = (2 * abs(numerator) + denominator) // (2 * denominator)
     return size if numerator >= 0 else -size

@@ -248,7 +248,7 @@ class _MarginProgram:
         """Round to weights that sum to 1 at every vertex exactly; take the first that verify."""
         for denominator in _DENOMINATORS:
             rounded = [Fraction(round(w * denominator), denominator) for w in solution.weights]
-            exact = _balanced(self.graph, rounded)
+            exact = _balance(self.graph, rounded)
             if exact is not None and all(0 < w < Fraction(1, 2) for w in exact):
                 certificate = WeightCertificate(self.graph, exact)
                 try:
@@ -264,13 +264,13 @@ class _MarginProgram:
             multipliers = [Fraction(x).limit_denominator(limit) for x in solution.multipliers]
             vertices = [Fraction(x).limit_denominator(limit) for x in solution.vertex_multipliers]
             certificate = self.farkas(multipliers, vertices)
-            if _verified(certificate):
+            if _verify(certificate):
                 return certificate
         used = [i for i, x in enumerate(solution.multipliers) if x > _TOLERANCE]
         for chosen in (used, range(len(solution.multipliers))):
             multipliers, vertices = self.exact_multipliers(list(chosen))
             certificate = self.farkas(multipliers, vertices)
-            if _verified(certificate):
+            if _verify(certificate):
                 return certificate
         raise ArrangementError("the margin is positive but too small; no certificate was found")
 
@@ -306,7 +306,7 @@ class _MarginProgram:
         return multipliers, list(answer.equality_multipliers)
 
 
-def _verified(certificate: FarkasCertificate) -> bool:
+def _verify(certificate: FarkasCertificate) -> bool:
     try:
         certificate.verify()
     except ArrangementError:
@@ -314,7 +314,7 @@ def _verified(certificate: FarkasCertificate) -> bool:
     return True
 
 
-def _balanced(graph: PolyhedralGraph, weights: list[Fraction]) -> tuple[Fraction, ...] | None:
+def _balance(graph: PolyhedralGraph, weights: list[Fraction]) -> tuple[Fraction, ...] | None:
     """Change the weights of a spanning tree so that every vertex has sum 1, exactly.
 
     The tree is peeled from its leaves. A defect that remains at the root is split by an edge that

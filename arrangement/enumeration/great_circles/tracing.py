@@ -104,7 +104,7 @@ class _Slots:
             starts = ~crossings.tied[rows].ravel()
             places = crossings.order[rows] + count * np.arange(rows.stop - rows.start)[:, None]
             across[rows].reshape(-1)[places.ravel()] = own.start - 1 + np.cumsum(starts)
-            rank[own] = _merged(np.add, crossings.turn[rows].ravel() < 0, starts)
+            rank[own] = _merge(np.add, crossings.turn[rows].ravel() < 0, starts)
         return cls(offsets, rank, across)
 
     def arcs(self, slots: Indices, circles: Indices) -> _Arcs:
@@ -117,7 +117,7 @@ class _Slots:
         return _Arcs(entering, leaving, leaving + size)
 
 
-def _merged(combine: np.ufunc, entries: NDArray[Any], starts: NDArray[np.bool_]) -> NDArray[Any]:
+def _merge(combine: np.ufunc, entries: NDArray[Any], starts: NDArray[np.bool_]) -> NDArray[Any]:
     """Return entries combined over the runs that begin at starts."""
     if starts.all():
         return entries
@@ -179,7 +179,7 @@ class _Stars:
             slot_line, line_slots: see `Incidence`.
             lines, filled: the number of lines so far, and of slots in their rings.
         """
-        least = _merged(np.minimum, self.others, self.starts)
+        least = _merge(np.minimum, self.others, self.starts)
         new = least > self.slots
         found = slot_line[self.slots[0] : self.slots[-1] + 1]
         np.cumsum(new, out=found)

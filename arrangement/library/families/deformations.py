@@ -48,7 +48,7 @@ def shi(type: Type, m: int = 1) -> Arrangement:
     >>> shi(3).f_vector
     (0, 6, 21, 16)
     """
-    return _deformed(type, range(1 - at_least(m, 1, "m"), m + 1))
+    return _deform(type, range(1 - at_least(m, 1, "m"), m + 1))
 
 
 def catalan(type: Type, m: int = 1) -> Arrangement:
@@ -66,7 +66,7 @@ def catalan(type: Type, m: int = 1) -> Arrangement:
     >>> catalan(3).f_vector[-1]
     30
     """
-    return _deformed(type, range(-at_least(m, 0, "m"), m + 1))
+    return _deform(type, range(-at_least(m, 0, "m"), m + 1))
 
 
 def linial(type: Type) -> Arrangement:
@@ -82,7 +82,7 @@ def linial(type: Type) -> Arrangement:
     >>> linial(3).f_vector[-1]
     7
     """
-    return _deformed(type, (1,))
+    return _deform(type, (1,))
 
 
 def semiorder(type: Type) -> Arrangement:
@@ -99,7 +99,7 @@ def semiorder(type: Type) -> Arrangement:
     >>> semiorder(3).f_vector[-1]
     19
     """
-    return _deformed(type, (-1, 1))
+    return _deform(type, (-1, 1))
 
 
 def ish(n: int) -> Arrangement:
@@ -137,7 +137,7 @@ def ish_b(n: int) -> Arrangement:
     return Arrangement([*mirrors, *units], [*(0 for _ in mirrors), *(k for _, k in axes)])
 
 
-def _deformed(type: Type, offsets: Sequence[int]) -> Arrangement:
+def _deform(type: Type, offsets: Sequence[int]) -> Arrangement:
     """Return the planes of every root with every offset."""
     size = offsets[-1] - offsets[0] + 1  # a range too long for len()
     if isinstance(type, str) and not type[:1].isdigit():

@@ -92,7 +92,7 @@ def signed_graphical(graph: Graph) -> Arrangement:
     >>> signed_graphical("1-2,1+2,1").f_vector[-1]
     6
     """
-    found = _checked(graph)
+    found = _check_edges(graph)
     place = {node: i for i, node in enumerate(found.nodes)}
     normals = []
     for tail, head, sign in found.edges(data="sign", default=1):
@@ -107,7 +107,7 @@ def signed_graphical(graph: Graph) -> Arrangement:
 
 def edge_differences(graph: Graph) -> tuple[list[list[int]], int]:
     """Return e_u - e_v for every edge uv, u the earlier vertex, and the number of vertices."""
-    found = _checked(graph)
+    found = _check_edges(graph)
     place = {node: i for i, node in enumerate(found.nodes)}
     normals = []
     for edge in found.edges():
@@ -122,7 +122,7 @@ def edge_differences(graph: Graph) -> tuple[list[list[int]], int]:
     return normals, len(place)
 
 
-def _checked(graph: Graph) -> nx.Graph:
+def _check_edges(graph: Graph) -> nx.Graph:
     found: Any = _read(graph) if isinstance(graph, str) else graph
     if is_listed(graph) and not hasattr(graph, "edges"):
         found = _of_pairs(entries(graph, "graph", "edges"))

@@ -94,13 +94,13 @@ def discriminantal(n: int, d: int = 3, *, affine: bool = False, seed: int = 0) -
     width = d + affine
     planned(budget.choose(n, width - 1), width, 400 * width)
     points = random_integer(n, d, bound=999, seed=seed).integer_planes
-    rows = _spanned([(*point[:-1], 1) if affine else point[:-1] for point in points], width)
+    rows = _span([(*point[:-1], 1) if affine else point[:-1] for point in points], width)
     if affine:
         return Arrangement([row[:-1] for row in rows], [-row[-1] for row in rows])
     return Arrangement(rows)
 
 
-def _spanned(vectors: Sequence[IntegerVector], width: int) -> list[list[int]]:
+def _span(vectors: Sequence[IntegerVector], width: int) -> list[list[int]]:
     """Return the normals of what any ``width - 1`` of the vectors span, 0 if they are dependent."""
     rows = []
     for chosen in combinations(vectors, width - 1):
@@ -128,7 +128,7 @@ def lines_through(points: Points) -> Arrangement:
     d = len(given[0])
     planned(budget.choose(len(given), d), d)
     vectors = [primitive((*point, Fraction(1))) for point in given]
-    rows = dict.fromkeys(unoriented(row) for row in _spanned(vectors, d + 1) if any(row))
+    rows = dict.fromkeys(unoriented(row) for row in _span(vectors, d + 1) if any(row))
     return Arrangement([row[:-1] for row in rows], [-row[-1] for row in rows], dimension=d)
 
 

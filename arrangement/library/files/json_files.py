@@ -155,13 +155,13 @@ def read_bytes(source: str | os.PathLike[str], name: str, kind: str) -> bytes:
         if source == "-":
             if sys.stdin is None:
                 raise InputError("standard input is closed; give a path or a built-in name")
-            return _limited(sys.stdin.buffer, name, kind)
+            return _read_limited(sys.stdin.buffer, name, kind)
         if isinstance(source, str) and _NAME.fullmatch(source):
             built_in = _built_in(source)
             if built_in is not None:
                 return built_in.read_bytes()
         with Path(source).open("rb") as stream:
-            return _limited(stream, name, kind)
+            return _read_limited(stream, name, kind)
     except (OSError, ValueError) as error:
         if isinstance(error, InputError):
             raise
@@ -175,7 +175,7 @@ def read_bytes(source: str | os.PathLike[str], name: str, kind: str) -> bytes:
         raise InputError(f"cannot read {name}: {reason(error)}{meant}") from None
 
 
-def _limited(stream: BinaryIO, name: str, kind: str) -> bytes:
+def _read_limited(stream: BinaryIO, name: str, kind: str) -> bytes:
     """Return all bytes; `read(n)` would ask for n bytes of memory, however short the stream is."""
     content, most = bytearray(), budget.max_size(kind)
     while len(content) <= most and (part := stream.read(_PORTION)):

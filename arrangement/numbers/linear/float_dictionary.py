@@ -51,7 +51,7 @@ class FloatDictionary:
         cls, rows: Sequence[Sequence[int]], width: int, equalities: int
     ) -> FloatDictionary:
         """Return the dictionary of rows of integers of any size, of `width` entries each."""
-        table, scale = _balanced(*_split(rows, width))
+        table, scale = _balance(*_split(rows, width))
         dictionary = cls(table, equalities)
         dictionary._scale = scale
         return dictionary
@@ -228,7 +228,7 @@ def _split(rows: Sequence[Sequence[int]], width: int) -> tuple[Floats, Any]:
     return mantissas, exponents + np.array(cut, int).reshape(-1, width)
 
 
-def _balanced(mantissas: Floats, exponents: Any) -> tuple[Floats, Any]:
+def _balance(mantissas: Floats, exponents: Any) -> tuple[Floats, Any]:
     """Return a matrix whose rows and columns are scaled towards 1, and the columns' exponents.
 
     Constants are a column like others: points have a unit of their own.

@@ -121,7 +121,7 @@ class Rows:
         Args:
             tight: n rows, or n + j for the variable j at 0.
         """
-        found = self._solved([self._row(k) for k in tight])
+        found = self._solve([self._row(k) for k in tight])
         if found is None:
             return None
         numbers, common = found
@@ -143,7 +143,7 @@ class Rows:
         Those of inequalities are at least 0.
         """
         columns = zip(*(self._row(k)[:-1] for k in tight), strict=True)
-        found = self._solved([[*c, -x] for c, x in zip(columns, target, strict=True)])
+        found = self._solve([[*c, -x] for c, x in zip(columns, target, strict=True)])
         if found is None:
             return None
         numbers, common = found
@@ -156,7 +156,7 @@ class Rows:
     def ray(self, objective: Sequence[int], symbol: int, tight: Sequence[int]) -> Numbers | None:
         """Return the direction in which one tight row rises, if it lowers an objective for ever."""
         rows = [[*self._row(k)[:-1], -int(k == symbol)] for k in tight]
-        found = self._solved(rows)
+        found = self._solve(rows)
         if found is None:
             return None
         numbers, common = found
@@ -196,7 +196,7 @@ class Rows:
             return self.integers[k]
         return [int(k - count == j) for j in range(self.variables + 1)]
 
-    def _solved(self, rows: list[list[int]]) -> Numbers | None:
+    def _solve(self, rows: list[list[int]]) -> Numbers | None:
         """Return the solution of n rows, constant last, over a common integer above 0."""
         from flint import fmpz_mat
 
@@ -507,7 +507,7 @@ class Program:
         """
         if not self.feasible:
             return self._infeasible()
-        weights, found = self._guessed(objective)
+        weights, found = self._guess(objective)
         if found is None or self._at is None:
             exact = self._pivots(objective)
             return exact.optimize() or exact.optimal()
@@ -527,7 +527,7 @@ class Program:
         """
         if not self.feasible:
             return None
-        weights, found = self._guessed(objective)
+        weights, found = self._guess(objective)
         if found is None or self._at is None:
             exact = self._pivots(objective)
             return None if exact.optimize() else exact.value()
@@ -537,7 +537,7 @@ class Program:
         size = scale_of(objective, weights) / (int(common) * self._rows.unit)
         return size * int(dot(weights, numbers))
 
-    def _guessed(self, objective: Row) -> tuple[IntegerVector, Terms | Numbers | None]:
+    def _guess(self, objective: Row) -> tuple[IntegerVector, Terms | Numbers | None]:
         """Move to a least point that floats find, or one on a ray.
 
         Returns:

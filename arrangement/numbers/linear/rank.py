@@ -38,7 +38,7 @@ def rank(rows: Sequence[Sequence[int]]) -> int:
         return width
     ask_elimination(rows, width)
     matrix = None if len(rows) * width < _FLINT_ENTRIES else _flint_matrix(rows)
-    return len(_eliminated(rows, reduced=False)[1]) if matrix is None else int(matrix.rank())
+    return len(_eliminate(rows, reduced=False)[1]) if matrix is None else int(matrix.rank())
 
 
 def _flint_matrix(rows: Sequence[Sequence[Any]]) -> Any:
@@ -126,7 +126,7 @@ def determinant(rows: Sequence[Sequence[int]]) -> int:
     matrix = _flint_matrix(rows)
     if matrix is not None:
         return int(matrix.det())
-    _, pivots, scale = _eliminated(rows, reduced=False)
+    _, pivots, scale = _eliminate(rows, reduced=False)
     return scale if len(pivots) == len(rows) else 0
 
 
@@ -166,13 +166,13 @@ def gauss_jordan(matrix: Sequence[Sequence[Any]]) -> tuple[list[list[Any]], list
     small = not rows or (len(rows) * len(rows[0]) < _FLINT_ENTRIES and largest(rows) < _FLINT_SIZE)
     whole = None if small else _flint_matrix(rows)
     if whole is None:
-        return _eliminated(rows)
+        return _eliminate(rows)
     whole, scale, count = whole.rref()
     rows = [list(map(int, row)) for row in whole.tolist()]
     return rows, [next(j for j, x in enumerate(row) if x) for row in rows[:count]], int(scale)
 
 
-def _eliminated(
+def _eliminate(
     matrix: Sequence[Sequence[Any]], *, reduced: bool = True
 ) -> tuple[list[list[Any]], list[int], Any]:
     """Eliminate as `gauss_jordan` does; of an invertible matrix the scale is its determinant.

@@ -32,7 +32,7 @@ def surely_outside(shapes: Sequence[Polyhedron]) -> Booleans:
 
     The mean of all generators is asked first: where it is outside, some generator is.
     """
-    points, starts = _stacked([_both_ways(*shape.homogeneous) for shape in shapes])
+    points, starts = _stack([_both_ways(*shape.homogeneous) for shape in shapes])
     counts = np.diff([*starts, len(points)])
     means = np.add.reduceat(points, starts) / counts[:, None] if len(shapes) else points
     rows, firsts = _conditions(shapes)
@@ -64,7 +64,7 @@ def possibly_meeting(
         return meeting
     rows, firsts = _conditions(polygons)
     for start in range(0, len(edges), _POINTS_AT_ONCE):
-        points, starts = _stacked(edges[start : start + _POINTS_AT_ONCE])
+        points, starts = _stack(edges[start : start + _POINTS_AT_ONCE])
         beyond = np.logical_and.reduceat(points @ rows.T < _NEGATIVE, starts)
         meeting[start : start + _POINTS_AT_ONCE] = ~_any_of(beyond, firsts)
     return meeting
@@ -76,7 +76,7 @@ def sides(
     """Return for each row and polygon whether the row is surely positive, or negative, on it."""
     above, below = np.zeros((2, len(rows), len(polygons)), dtype=np.bool_)
     if polygons:
-        points, starts = _stacked([_both_ways(*polygon.homogeneous) for polygon in polygons])
+        points, starts = _stack([_both_ways(*polygon.homogeneous) for polygon in polygons])
         for start in range(0, len(rows), _POINTS_AT_ONCE):
             values = scaled(rows[start : start + _POINTS_AT_ONCE])[0] @ points.T
             part = slice(start, start + _POINTS_AT_ONCE)
@@ -87,7 +87,7 @@ def sides(
 
 def _conditions(shapes: Sequence[Polyhedron]) -> tuple[Floats, list[int]]:
     """Return the conditions of all shapes, each with one at least, and the first of each shape."""
-    return _stacked(
+    return _stack(
         [
             _both_ways(shape.inequalities, shape.equalities) or [(*[0] * len(shape.points[0]), 1)]
             for shape in shapes
@@ -100,7 +100,7 @@ def _any_of(flags: Booleans, starts: Sequence[int]) -> Booleans:
     return np.logical_or.reduceat(flags, starts, axis=1)
 
 
-def _stacked(groups: Sequence[Sequence[IntegerVector]]) -> tuple[Floats, list[int]]:
+def _stack(groups: Sequence[Sequence[IntegerVector]]) -> tuple[Floats, list[int]]:
     """Return the vectors of all groups as rounded rows, and the first row of each group."""
     starts = np.cumsum([0, *map(len, groups)])[:-1].tolist()
     return scaled([vector for group in groups for vector in group])[0], starts

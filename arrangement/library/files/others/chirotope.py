@@ -213,7 +213,7 @@ def read_topcom(text: str) -> Arrangement:
     return Arrangement(realise(signs_of(signs, ORDERS[1]), size_of(signs)))
 
 
-def _checked(arrangement: Arrangement) -> Arrangement:
+def _check(arrangement: Arrangement) -> Arrangement:
     rank = arrangement.rank + (not arrangement.is_central)
     if rank != 3:
         raise InputError(f"the rank is {rank}; chirotopes of rank 3 are written")
@@ -222,12 +222,12 @@ def _checked(arrangement: Arrangement) -> Arrangement:
 
 def write(arrangement: Arrangement) -> str:
     """Write the signs in reverse lexicographic order."""
-    return chirotope_string(_checked(arrangement)) + "\n"
+    return chirotope_string(_check(arrangement)) + "\n"
 
 
 def write_topcom(arrangement: Arrangement) -> str:
     """Write the signs in lexicographic order."""
-    n = len(_checked(arrangement)) + (not arrangement.is_central)
+    n = len(_check(arrangement)) + (not arrangement.is_central)
     return f"{n},3:\n{chirotope_string(arrangement, ORDERS[1])}\n"
 
 

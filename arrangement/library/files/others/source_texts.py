@@ -102,7 +102,7 @@ def read_sage(text: str) -> Arrangement:
     )
     space = _SPACE.search(plain)
     if space is None:
-        items, names = _printed(plain)
+        items, names = _read_printed(plain)
     elif space[3] in ("QQ", "ZZ"):
         names = re.findall(r"\w+", space[2] or "") or _names(space[4] or "")
         items = _items(plain[space.end() :], space[1])
@@ -113,7 +113,7 @@ def read_sage(text: str) -> Arrangement:
     return Arrangement([row[:-1] for row in rows], offsets, dimension=len(names))
 
 
-def _printed(text: str) -> tuple[list[_Item], list[str]]:
+def _read_printed(text: str) -> tuple[list[_Item], list[str]]:
     """Return the hyperplanes that Sage printed, and the variables.
 
     ``Hyperplane x + 0*y + 1`` has all of them; of ``Arrangement <y | x - y>`` they are those that
@@ -144,7 +144,7 @@ def _items(text: str, space: str) -> list[_Item]:
     call = re.search(rf"\b{re.escape(space)}\s*\(", text)
     if call is not None:
         given = split_outside(inside(text, call.end() - 1, "()"))
-        items = [_nested(part) for part in given if not _OPTION.match(part)]
+        items = [_read_nested(part) for part in given if not _OPTION.match(part)]
         first = items[0] if items else ""
         is_list = isinstance(first, list) and not (
             all(isinstance(x, str) and re.fullmatch(r"-?\s*[0-9]+(?:/[0-9]+)?", x) for x in first)
@@ -154,10 +154,10 @@ def _items(text: str, space: str) -> list[_Item]:
     joined = re.search(r"<([^<>]+)>|(?:=|^)([^=<>()\n;]*\|[^=<>()\n;]*)", text, re.MULTILINE)
     if joined is not None:
         return [part.strip() for part in (joined[1] or joined[2]).split("|")]
-    return _printed(text)[0]
+    return _read_printed(text)[0]
 
 
-def _nested(text: str, depth: int = 0) -> _Item:
+def _read_nested(text: str, depth: int = 0) -> _Item:
     if depth > _DEPTH:
         raise InputError(f"{shown(text)} is nested too deeply; no hyperplane needs that")
     if text[:1] in ("(", "["):
@@ -165,7 +165,7 @@ def _nested(text: str, depth: int = 0) -> _Item:
         if len(content) + 2 == len(text):
             if text[0] == "(" and "," not in content:
                 return content
-            return [_nested(part, depth + 1) for part in split_outside(content)]
+            return [_read_nested(part, depth + 1) for part in split_outside(content)]
     return text
 
 
