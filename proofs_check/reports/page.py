@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from typing import Any, TypeAlias
@@ -97,14 +97,7 @@ def html_page(record: Record) -> str:
 def _body(record: Record) -> str:
     results = record["results"]
     kinds = [kind for kind in KINDS.values() if kind in set(map(_kind, results))]
-    pages = Environment(
-        loader=PackageLoader(__package__),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    pages.filters |= {
+    filters: dict[str, Callable[..., Any]] = {
         "anchor": lambda id: id.replace(" ", "-"),
         "formula": _formula,
         "counted": counted,
@@ -112,7 +105,9 @@ def _body(record: Record) -> str:
         "value": value_text,
         "conclusion": conclusion,
     }
-    return pages.get_template("report.html").render(
+    return rendered(
+        (__package__, "report.html"),
+        filters,
         record={"title": "", "about": "", "command": "", **record},
         sections=[
             (name, list(group))
@@ -134,6 +129,24 @@ def _body(record: Record) -> str:
         kind_of=_kind,
         origins=_origins,
     )
+
+
+def rendered(template: Template, filters: Mapping[str, Callable[..., Any]], **values: Any) -> str:
+    """Return the body of a page, from a template that escapes every text in it.
+
+    Raises:
+        UndefinedError: the template names what is not there.
+    """
+    package, name = template
+    pages = Environment(
+        loader=PackageLoader(package),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    pages.filters |= filters
+    return pages.get_template(name).render(**values)
 
 
 def _kind(result: Record) -> VerdictStyle:

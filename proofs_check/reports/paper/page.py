@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Iterable, Iterator, Mapping
-from html import escape
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -14,12 +13,15 @@ from arrangement.console.writing import make_folder, reason
 from arrangement.drawing.output import LEGENDS, THEMES, own_settings
 from arrangement.drawing.pages.html_page import BASE_STYLE, Template, framed
 from arrangement.drawing.scene import require_matplotlib
-from arrangement.errors import InputError
+from arrangement.errors import InputError, extra
 from arrangement.numbers.exact import shown
-from proofs_check.reports.page import svg_for_page
+from proofs_check.reports.page import rendered, svg_for_page
 
-from .figures import FIGURES, PaperFigure, PaperPart
+from .figures import FIGURES
 from .tables import TABLES, PaperTable, TableContent, Times, table_scene
+
+with extra("report"):
+    from markupsafe import Markup, escape
 
 PAGE = "index.html"
 SUFFIXES = (".svg", ".pdf", ".tex")
@@ -101,57 +103,24 @@ def paper_page(
     about: Mapping[str, str],
 ) -> str:
     """Return the page, from the SVG of every figure and the cells of every table."""
-    body = [
-        "<main>",
-        f"<h1>{escape(about['title'])}</h1>",
-        f"<p class='source'>{escape(about['about'])}</p>",
-        "<p>Every figure and table of the paper, made again. What is printed is described in our "
-        "words; the numbers of the tables are the printed ones. The claims named are not checked "
-        "here: <code>proofs-check run ID</code> prints the verdict.</p>",
-    ]
-    for part in (*FIGURES, *TABLES):
-        body += [
-            f"<section id='{part.name}'>",
-            f"<h2>{part.kind.title()} {part.number}: {escape(part.title)}</h2>",
-        ]
-        body += _words(part)
-        if isinstance(part, PaperFigure):
-            picture = svg_for_page(pictures[part.name], part.name)
-            body.append(f"<figure>{picture}</figure>")
-        else:
-            body += _table(contents[part.name])
-        links = (f"<a href='{part.name}{end}'>{end[1:].upper()}</a>" for end in SUFFIXES)
-        body += [f"<p class='files'>{' '.join(links)}</p>", "</section>"]
-    body.append("</main>")
+    body = rendered(
+        (__package__, "paper.html"),
+        {"cell": _cell},
+        about=about,
+        figures=[(part, Markup(svg_for_page(pictures[part.name], part.name))) for part in FIGURES],
+        tables=[(part, contents[part.name]) for part in TABLES],
+        suffixes=SUFFIXES,
+    )
     policy = "; style-src-attr 'unsafe-inline'"
-    return framed("The paper, figure by figure", "\n".join(body), [BASE_STYLE, _STYLE], [], policy)
+    return framed("The paper, figure by figure", body, [BASE_STYLE, _STYLE], [], policy)
 
 
-def _words(part: PaperPart) -> Iterator[str]:
-    """Yield what is printed, what stands here, and what differs, with the claims behind it."""
-    yield "<dl>"
-    for name, text in (("printed", part.printed), ("here", part.made), ("differs", part.differs)):
-        yield f"<dt>{name}</dt><dd>{escape(text)}</dd>"
-    claims = (f"<code>{id}</code>" for id in part.claims)
-    yield f"<dt>claims</dt><dd>{', '.join(claims)}</dd></dl>"
-
-
-def _table(content: TableContent) -> Iterator[str]:
-    yield "<div class='wide'><table><thead><tr>"
-    yield "".join(f"<th>{_cell(cell)}</th>" for cell in content.head)
-    yield "</tr></thead><tbody>"
-    for row in content.rows:
-        cells = "".join(f"<td>{_cell(cell)}</td>" for cell in row.cells)
-        yield f"<tr class='{row.by}{' first' * row.first}'>{cells}</tr>"
-    yield f"</tbody></table></div><p class='note'>{escape(content.note)}</p>"
-
-
-def _cell(text: str) -> str:
+def _cell(text: str) -> Markup:
     """Return a cell; ``$f_1$`` has a lowered index."""
     if text.startswith("$"):
         letter, _, index = text.strip("$").partition("_")
-        return f"<i>{escape(letter)}</i><sub>{escape(index)}</sub>"
-    return escape(text)
+        return Markup("<i>{}</i><sub>{}</sub>").format(letter, index)
+    return Markup(escape(text))
 
 
 def document(contents: Iterable[tuple[PaperTable, TableContent]], folder: str) -> dict[str, Any]:
