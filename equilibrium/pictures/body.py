@@ -166,8 +166,8 @@ def _crosses(points: Floats) -> bool:
 
     def sides(a: Floats, b: Floats, c: Floats) -> Floats:
         one, two = (b - a)[:, None], c[None] - a[:, None]
-        found: Floats = one[..., 0] * two[..., 1] - one[..., 1] * two[..., 0]
-        return found
+        areas: Floats = one[..., 0] * two[..., 1] - one[..., 1] * two[..., 0]
+        return areas
 
     apart = sides(points, ends, points) * sides(points, ends, ends) < -1e-18
     return bool((apart & apart.T).any())
@@ -192,8 +192,8 @@ def free_lengths(outline: Floats, start: Floats, angles: Floats) -> Floats:
     crossed = (outline[:, 1] > y) != (ends[:, 1] > y)
     slope = along[:, 0] / np.where(along[:, 1] == 0, 1, along[:, 1])
     right = crossed & (x < outline[:, 0] + (y - outline[:, 1]) * slope)
-    found: Floats = np.where(right.sum(axis=1) % 2 == 1, free, 0.0)
-    return found
+    lengths: Floats = np.where(right.sum(axis=1) % 2 == 1, free, 0.0)
+    return lengths
 
 
 def _joined(pieces: Sequence[_Piece]) -> Floats:

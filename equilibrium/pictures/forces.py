@@ -96,8 +96,8 @@ def _describe(
     if not region.polygons:
         legend.line("nothing in this plane is resisted")
     if applied is not None:
-        held = region.contains(applied[:2])
-        legend.key(symbol("resisted" if held else "refused"), wrench_text(applied, grasp.units))
+        resisted = region.contains(applied[:2])
+        legend.key(symbol("resisted" if resisted else "refused"), wrench_text(applied, grasp.units))
     counts = sorted({min(s.count("stick"), len(FILLS) - 1) for s in states})
     for count in counts:
         example = next(s for s in states if min(s.count("stick"), len(FILLS) - 1) == count)
@@ -107,8 +107,8 @@ def _describe(
         legend.key(symbol("#ffffff hatched"), "some detached")
     explain_borders(legend, [region], question.half is None)
     if states and len(grasp):
-        found = [s for s in SYMBOLS if any(s in x for x in states)]
-        shown = ", ".join(f"{SYMBOLS[s]} {s.replace('-', '−')}" for s in found)
+        signs = [s for s in SYMBOLS if any(s in x for x in states)]
+        shown = ", ".join(f"{SYMBOLS[s]} {s.replace('-', '−')}" for s in signs)
         kind = "point" if grasp.has_pads else "contact"
         which = f"{kind} 1" if len(grasp) == 1 else f"{kind}s 1 to {len(grasp)}"
         legend.line(f"{which}: {shown}")
@@ -193,8 +193,8 @@ def draw_slice(
     if slice:
         raise GraspError("slice is for grasps in space; leave it out")
     question = PlaneQuestion(wrench, extent)
-    given = None if preload is None else rational(preload, "preload")
-    parts = slices(grasp, question.torque, given)
+    loaded = None if preload is None else rational(preload, "preload")
+    parts = slices(grasp, question.torque, loaded)
     return draw_parts(grasp, parts, question, width)
 
 
@@ -207,15 +207,15 @@ def draw_parts(
 ) -> Scene:
     """Return panels of one window with a region each, in one colour."""
     marked, fades = question.marked, question.half is None
-    found = [region for _, region in parts]
-    window = joint_window(found, marked, question.half)
+    regions = [region for _, region in parts]
+    window = joint_window(regions, marked, question.half)
     scene, panels = row_of_panels(len(parts), window, width, grasp, columns)
     legend = scene.legend
-    if any(region.polygons for region in found):
+    if any(region.polygons for region in regions):
         legend.key(symbol(SHADE), f"resisted forces at torque {LABEL.number(question.torque)}")
     else:
         legend.line(f"nothing is resisted at torque {LABEL.number(question.torque)}")
-    explain_borders(legend, found, fades)
+    explain_borders(legend, regions, fades)
     if question.wrench is not None:
         legend.key(symbol("wrench-points"), f"{wrench_text(question.wrench, grasp.units)}: yes, no")
     for panel, (title, region) in zip(panels, parts, strict=True):
@@ -238,11 +238,11 @@ def slices(grasp: Grasp, torque: Fraction, preload: Fraction | None) -> list[tup
         chosen = (max(own, default=0) or 1) if preload is None else preload
         title, loaded = f"(c) preload {LABEL.number(chosen)}", grasp.with_preload(chosen)
     # Most choices of states are with preload: what is out of reach is refused at once.
-    held = resisted_region(loaded, origin=origin)
+    with_preload = resisted_region(loaded, origin=origin)
     return [
         ("(a) Grasp Wrench Space, L1", METHODS["wrench-space-L1"].region(grasp, origin=origin)),
         ("(b) no preload", resisted_region(grasp.with_preload(0), origin=origin)),
-        (title, held),
+        (title, with_preload),
     ]
 
 
@@ -350,15 +350,15 @@ def draw_polar(
     region = resisted_region(grasp)
     radius = read_extent(extent) or _radius(grasp, region)
     step = radius / 1000 if tolerance is None else rational(tolerance, "tolerance")
-    found = search_map(grasp, rays, step, 1000 * radius)
+    search = search_map(grasp, rays, step, 1000 * radius)
     window = Window((Fraction(0), Fraction(0)), radius)
     scene, (panel,) = row_of_panels(1, window, width, grasp)
-    _describe_polar(found.entries, region, scene.legend)
+    _describe_polar(search.entries, region, scene.legend)
     panel.title(f"largest resisted force in {rays} directions", above=8.0)
     middle, half = panel.at((0, 0)), panel.side / 2
     panel.region(region, by_states=False, clip=(middle, half))
     scene.circle(middle, half, fill=False, ec=RIM, lw=0.5, gid="rim")
-    for i, entry in enumerate(found.entries):
+    for i, entry in enumerate(search.entries):
         _mark(panel, i, entry)
     return scene
 

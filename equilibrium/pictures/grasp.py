@@ -198,30 +198,30 @@ def _cone_rim(curve: Floats | None, place: Floats, normal: Floats, friction: Fra
 
 
 def _lines(layout: GraspLayout) -> Iterator[tuple[str, bool]]:
-    verdict, found = layout.verdict, layout.equilibrium
+    verdict, equilibrium = layout.verdict, layout.equilibrium
     if verdict is None or not layout.by_model:
         return
     if layout.moved:
         assert layout.applied is not None
         torque = LABEL.number(layout.applied[2])
         yield f"w drawn about the middle of the contacts, torque {torque}", False
-    if found is not None and layout.step is None:
+    if equilibrium is not None and layout.step is None:
         yield "no motion", False
     if verdict.warnings:
         yield NOT_SMALL, True
     if verdict.doubt:
         yield verdict.doubt, True
-    if found is None:
+    if equilibrium is None:
         yield f"no equilibrium{displacement_words(verdict.max_displacement)}", True
-    elif isinstance(found, Solution):
+    elif isinstance(equilibrium, Solution):
         yield "the equilibrium found; there may be others", False
     else:
         notes = []
         if len(verdict.equilibria) > 1:
-            place = verdict.equilibria.index(found) + 1
+            place = verdict.equilibria.index(equilibrium) + 1
             notes.append(f"equilibrium {place} of {len(verdict.equilibria)}")
-        if not found.unique:
-            what = "motion" if found.forces_determined else "motion and forces"
-            notes.append(f"{what} not determined: least norm shown")
+        if not equilibrium.unique:
+            what = "motion" if equilibrium.forces_determined else "motion and forces"
+            notes.append(f"{what} not unique; the minimum-norm solution is drawn")
         if notes:
             yield "; ".join(notes), False

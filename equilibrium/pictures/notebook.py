@@ -82,10 +82,10 @@ def verdict_table(verdict: Verdict) -> str:
     elif verdict.solution is None:
         note = "there is no equilibrium"
     elif verdict.lists_all():
-        found = verdict.equilibria
-        note = counted(len(found), "equilibrium", "equilibria")
-        tables = "".join(_table(names, x.states, x, _freedom(x)) for x in found[:MOST_PIECES])
-        more = len(found) - MOST_PIECES
+        equilibria = verdict.equilibria
+        note = counted(len(equilibria), "equilibrium", "equilibria")
+        tables = "".join(_table(names, x.states, x, _freedom(x)) for x in equilibria[:MOST_PIECES])
+        more = len(equilibria) - MOST_PIECES
         tables += f"<p>and {more} more</p>" if more > 0 else ""
     else:
         note = "one equilibrium, and there may be others"
@@ -104,15 +104,18 @@ def grasp_svg(grasp: Grasp) -> str | None:
 
 
 def _table(
-    names: Iterable[str], states: Iterable[str], found: Equilibrium | Solution, freedom: str = ""
+    names: Iterable[str],
+    states: Iterable[str],
+    equilibrium: Equilibrium | Solution,
+    freedom: str = "",
 ) -> str:
     head = "<tr><th>contact</th><th>state</th><th>c<sub>n</sub></th><th>c<sub>t</sub></th></tr>"
     rows = "".join(
         f"<tr><td>{name}</td><td>{escape(state)}</td><td>{_number(c_n)}</td>"
         f"<td>{', '.join(map(_number, c_t))}</td></tr>"
-        for name, state, (c_n, *c_t) in zip(names, states, found.forces, strict=True)
+        for name, state, (c_n, *c_t) in zip(names, states, equilibrium.forces, strict=True)
     )
-    caption = f"d = {_vector(found.motion)}{freedom}"
+    caption = f"d = {_vector(equilibrium.motion)}{freedom}"
     return f"<table><caption>{caption}</caption><thead>{head}</thead><tbody>{rows}</tbody></table>"
 
 
@@ -120,7 +123,7 @@ def _freedom(piece: Equilibrium) -> str:
     if piece.unique:
         return ""
     what = "the motion is" if piece.forces_determined else "motion and forces are"
-    return f" ({what} not determined: least norm)"
+    return f" ({what} not unique; the minimum-norm solution is shown)"
 
 
 def _vector(values: Iterable[Fraction]) -> str:

@@ -37,13 +37,13 @@ class Window(Frame):
     @property
     def rows(self) -> tuple[IntegerVector, ...]:
         """The conditions ``a . x + b >= 0`` of the square."""
-        found = []
+        walls = []
         for k in (0, 1):
             for side in (1, -1):
                 row = [Fraction(0), Fraction(0), self.half - side * self.centre[k]]
                 row[k] = Fraction(side)
-                found.append(primitive(row))
-        return tuple(found)
+                walls.append(primitive(row))
+        return tuple(walls)
 
     def inside(self, polyhedron: Polyhedron) -> Floats | None:
         """Return the corners of the part of a polygon inside, counter-clockwise, on paper."""
@@ -258,8 +258,8 @@ class Panel:
             if shape is not None:
                 parts.append((area(shape), i, shape, piece.states))
         parts.sort(key=lambda part: (-part[0], part[1]))
-        found = map(self.window.stretch, region.outline.whiskers)
-        whiskers = np.array([line for line in found if line is not None]).reshape(-1, 2, 2)
+        stretches = map(self.window.stretch, region.outline.whiskers)
+        whiskers = np.array([line for line in stretches if line is not None]).reshape(-1, 2, 2)
         alone = set()
         for _, i, shape, _ in parts:
             middle = np.tile(shape.mean(axis=0), (1, 2))
@@ -324,11 +324,11 @@ class Panel:
         outline = region.outline
         for kind, segments in (("border", outline.border), ("whisker", outline.whiskers)):
             for i, segment in enumerate(segments):
-                found = self.window.stretch(segment)
-                if found is not None:
+                line = self.window.stretch(segment)
+                if line is not None:
                     look: dict[str, Any] = {"ec": BLACK, "lw": 1.3, "capstyle": "round"}
                     look |= {"gid": self.gid(kind, i), "role": "border"}
-                    self.scene.line(self.at(found), zorder=2, **look)
+                    self.scene.line(self.at(line), zorder=2, **look)
         for i, point in enumerate(outline.points):
             place = self.at(self.window.paper(point))
             self.scene.mark(place, "o", 3.5, color=BLACK, gid=self.gid("point", i), zorder=3)
@@ -396,8 +396,8 @@ def row_of_panels(
     names: Sequence[str] = FORCE_NAMES,
 ) -> tuple[Scene, list[Panel]]:
     """Return a scene with empty panels of planes of wrenches; only outer ones have rulers."""
-    given = grasp.units
-    units = [(given.force if "f" in name else given.torque) if given else "" for name in names]
+    stated = grasp.units
+    units = [(stated.force if "f" in name else stated.torque) if stated else "" for name in names]
     columns = min(number, columns or number)
     rows = -(-number // columns)
     side = (width * POINTS - LEFT - RIGHT - (columns - 1) * GAP) / columns

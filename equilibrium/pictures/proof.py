@@ -94,25 +94,25 @@ def proof_maps(grasp: Grasp, wrench: Wrench, rotation: Exact | None) -> ProofMap
             "the wrench is resisted, so no proof refutes it; the view grasp shows what balances it"
         )
     frame = frame_of(grasp, grasp.outline)
-    found = list(parts(verdict.proof))
-    angle = _angle(grasp, frame, found, rotation)
+    regions = list(parts(verdict.proof))
+    angle = _angle(grasp, frame, regions, rotation)
     window = Window(frame.centre, MAP * frame.half)
     shapes = [
         Shape(part, sense, corners)
-        for part in found
+        for part in regions
         for sense in TURNS
         if (centres := _centres(part, grasp, sense, angle)) is not None
         and (corners := window.inside(centres)) is not None
     ]
-    sizes: dict[RationalVector, float] = {part.leaf.motion: 0.0 for part in found}
+    sizes: dict[RationalVector, float] = {part.leaf.motion: 0.0 for part in regions}
     for shape in shapes:
         sizes[shape.part.leaf.motion] += area(shape.corners)
     ranks = {motion: i for i, motion in enumerate(sorted(sizes, key=lambda m: -sizes[m]))}
-    return ProofMaps(verdict, found, angle, window, shapes, ranks)
+    return ProofMaps(verdict, regions, angle, window, shapes, ranks)
 
 
 def _angle(
-    grasp: Grasp, frame: Frame, found: list[ClosedPart], rotation: Exact | None
+    grasp: Grasp, frame: Frame, regions: list[ClosedPart], rotation: Exact | None
 ) -> Fraction | None:
     """Return the rotation to be shown; None if regions do not depend on the size of motions."""
     if rotation is not None:
@@ -120,12 +120,12 @@ def _angle(
         if angle <= 0:
             raise GraspError(f"rotation is {angle}; it must be above 0")
         return angle
-    plain = all(g[0] == 0 or not any(g[1:]) for part in found for g in part.region)
-    if plain and not any(grasp.contacts[i].preload for part in found for i in part.states):
+    plain = all(g[0] == 0 or not any(g[1:]) for part in regions for g in part.region)
+    if plain and not any(grasp.contacts[i].preload for part in regions for i in part.states):
         return None
     reach = max((c.preload / c.stiffness for c in grasp if c.stiffness), default=Fraction(0))
     angle = nice_near(reach / frame.half or Fraction(1))
-    rows = (row for part in found for row, _ in _conditions(part, grasp))
+    rows = (row for part in regions for row, _ in _conditions(part, grasp))
     borders = {Fraction(abs(zero), abs(r)) for x, y, r, zero in rows if r and not (x or y)}
     while angle in borders:
         angle *= Fraction(9, 10)
@@ -298,8 +298,8 @@ def _example(
     half, name = _SMALL[len(verdict.grasp) > _WRITTEN], f"{i + 3}-"
     scale = size / 2 / half
     drawn = _grasp(scene, layout, scale, middle, name)
-    done = works(verdict.grasp, verdict.wrench, together, verdict.max_displacement)
-    load, least, both = map(LABEL.number, (done.load, done.least, done.load + done.least))
+    work = works(verdict.grasp, verdict.wrench, together, verdict.max_displacement)
+    load, least, both = map(LABEL.number, (work.load, work.least, work.load + work.least))
     loads = "load and adhesion" if any(verdict.grasp.adhesion_wrench) else "load"
     for k, text in enumerate(
         (f"{i + 1}: {loads} {load}, contacts ≥ {least}", f"together ≥ {both}")
@@ -309,7 +309,7 @@ def _example(
     shifts = [shift_at((x, y, r), c.point) for c in verdict.grasp]
     largest = max((abs(v) for shift in shifts for v in shift), default=Fraction(0))
     colours = [
-        GREY if factor is None else VERMILION if factor < 0 else BLUE for factor in done.factors
+        GREY if factor is None else VERMILION if factor < 0 else BLUE for factor in work.factors
     ]
     for k, (shift, start) in enumerate(zip(shifts, drawn.places, strict=True)):
         if any(shift):
@@ -330,7 +330,7 @@ def _example(
     drawn.letter()
     if len(verdict.grasp) <= _WRITTEN:
         drawn.numbers()
-        for k, (factor, colour) in enumerate(zip(done.factors, colours, strict=True)):
+        for k, (factor, colour) in enumerate(zip(work.factors, colours, strict=True)):
             text = "no force" if factor is None else f"{LABEL.number(factor)} c"
             places = near(drawn.places[k], -layout.normals[k])
             drawn.labels.write(text, places, color=colour, gid=f"{name}work-{k + 1}")
@@ -435,17 +435,17 @@ def _motion(maps: ProofMaps, motion: RationalVector) -> dict[str, Any]:
 
 def _part(maps: ProofMaps, part: ClosedPart) -> dict[str, Any]:
     """Return a part: its motions, and the numbers of its inequality."""
-    done = works(maps.verdict.grasp, maps.verdict.wrench, [part], maps.verdict.max_displacement)
-    total = done.load + done.least
+    work = works(maps.verdict.grasp, maps.verdict.wrench, [part], maps.verdict.max_displacement)
+    total = work.load + work.least
     return {
         "motion": maps.ranks[part.leaf.motion],
         "cone": [f"({', '.join(map(to_text, generator))})" for generator in part.region],
         "states": [
             f"{maps.verdict.grasp.point_names[i]} {state}" for i, state in part.states.items()
         ],
-        "works": [LABEL.number(value) for value in (done.load, done.least, total)],
-        "exact": [to_text(value) for value in (done.load, done.least, total)],
-        "factors": [None if factor is None else LABEL.number(factor) for factor in done.factors],
+        "works": [LABEL.number(value) for value in (work.load, work.least, total)],
+        "exact": [to_text(value) for value in (work.load, work.least, total)],
+        "factors": [None if factor is None else LABEL.number(factor) for factor in work.factors],
     }
 
 

@@ -159,10 +159,10 @@ class SolidGrasp:
 
         The first point among `places`, the first points of all, and their numbers as a text.
         """
-        found: dict[object, list[int]] = {}
+        contacts: dict[object, list[int]] = {}
         for i, contact in enumerate(self.grasp.joined()):
-            found.setdefault(contact.point, []).append(i)
-        for members in found.values():
+            contacts.setdefault(contact.point, []).append(i)
+        for members in contacts.values():
             firsts = [self.grasp.groups[i].start for i in members]
             yield firsts[0], firsts, ", ".join(str(i + 1) for i in members)
 
@@ -212,8 +212,8 @@ class SolidGrasp:
         sizes = np.linalg.norm(slips, axis=1)
         slips[sizes < 1e-9 * np.linalg.norm(moved, axis=1)] = 0
         largest = float(np.linalg.norm(slips, axis=1).max(initial=0.0))
-        found: Floats = slips * (MOVED / largest if largest else 0.0)
-        return found
+        scaled: Floats = slips * (MOVED / largest if largest else 0.0)
+        return scaled
 
     def arrows(self) -> Iterator[Arrow]:
         """Yield the arrows: preloads, the wrench, forces, slips, the axis of the motion."""
@@ -286,22 +286,22 @@ class SolidGrasp:
             towards: the viewer, see `drawn_edges`.
         """
         points, faces, _ = self.body
-        drawn, found = drawn_edges(points, faces, towards), []
+        drawn, pieces = drawn_edges(points, faces, towards), []
         for face in faces:
             shown = [(points[a], points[b]) for a, b in cycle_edges(face) if (a, b) in drawn]
-            found += flat([points[a] for a in face], "body", shown)
+            pieces += flat([points[a] for a in face], "body", shown)
         if not faces and len(self.places) > 1:
             middle = self.places.mean(axis=0)
-            found += [p for place in self.places for p in segment(place, middle, "link")]
+            pieces += [p for place in self.places for p in segment(place, middle, "link")]
         for i, apex, rim in self.cones:
             if len(rim) == 1:
-                found += segment(apex, rim[0], f"normal-{i}")
+                pieces += segment(apex, rim[0], f"normal-{i}")
                 continue
             for p, q in zip(rim, np.roll(rim, -1, axis=0), strict=True):
-                found += flat([apex, p, q], f"cone-{i}", [(p, q)])
+                pieces += flat([apex, p, q], f"cone-{i}", [(p, q)])
         for arrow in self.arrows():
-            found += arrow_pieces(arrow)
-        return found
+            pieces += arrow_pieces(arrow)
+        return pieces
 
     def tree(self, towards: Floats | None = None) -> list[Node[Patch]]:
         """Return the pieces in an order for painting; they may be cut."""
@@ -360,11 +360,11 @@ def clear_side(solid: SolidGrasp) -> IntegerVector:
 
     def score(seen: Sequence[IntegerVector]) -> Floats:
         units = unit_vectors(seen)
-        found: Floats = 0.02 * units[:, 0] - (np.abs(units @ along.T) ** 4).mean(axis=1)
-        return found
+        scores: Floats = 0.02 * units[:, 0] - (np.abs(units @ along.T) ** 4).mean(axis=1)
+        return scores
 
-    found = views((-9, -7, -4, 4, 7, 9), (-9, -7, -4), (4, 6))
-    return best_view([v for v in found if abs(v[0]) != abs(v[1])], score)
+    candidates = views((-9, -7, -4, 4, 7, 9), (-9, -7, -4), (4, 6))
+    return best_view([v for v in candidates if abs(v[0]) != abs(v[1])], score)
 
 
 class _SpatialGraspPicture(SolidSheet):
@@ -468,7 +468,9 @@ def screw_text(solid: SolidGrasp) -> str:
     unit = f" {solid.grasp.units.length}" if solid.grasp.units else ""
     far = " about an axis outside the picture" if solid.axis_is_far else ""
     pitch = f"{screw.pitch:.3g}".replace("-", "−")
-    return f"a rotation{far}" + (f", pitch {pitch}{unit} a radian" if screw.pitch else "")
+    if not screw.pitch:
+        return f"a rotation{far}"
+    return f"a screw motion{far}, pitch {pitch}{unit} per radian"
 
 
 #: This many leaves are shown, side by side.
@@ -559,7 +561,7 @@ def grasp_page(
         picture_axes(towards),
         reach,
         [node.drawn_as(_face) for node in tree],
-        [(name.capitalize(), _told(solid, i)) for i, name in enumerate(grasp.point_names)],
+        [(name.capitalize(), _contact_facts(solid, i)) for i, name in enumerate(grasp.point_names)],
         legend,
         marks=[
             (solid.places[k] - 0.12 * solid.normals[members].mean(axis=0), text)
@@ -576,7 +578,7 @@ def _face(patch: Patch) -> PageFace:
     return page_face(patch, fill, number, sheet=True, faint=faint, ink=ink)
 
 
-def _told(solid: SolidGrasp, i: int) -> list[tuple[str, str]]:
+def _contact_facts(solid: SolidGrasp, i: int) -> list[tuple[str, str]]:
     """Return what the page says of a contact."""
     contact = solid.grasp.contacts[i]
     facts = [("point", LABEL.vector(contact.point)), ("normal", LABEL.vector(contact.normal))]
@@ -646,8 +648,8 @@ def _solids(arrow: Arrow) -> list[tuple[Floats, list[tuple[int, ...]]]]:
     end = arrow.end if arrow.headless else neck
     base, top = tuple(range(k - 1, -1, -1)), tuple(range(k, 2 * k))
     sides = [(j, (j + 1) % k, k + (j + 1) % k, k + j) for j in range(k)]
-    found = [(np.vstack([arrow.start + thin, end + thin]), [base, top, *sides])]
+    solids = [(np.vstack([arrow.start + thin, end + thin]), [base, top, *sides])]
     if not arrow.headless:
         slopes = [(0, 1 + j, 1 + (j + 1) % k) for j in range(k)]
-        found.append((np.vstack([tip, ring]), [*slopes, tuple(range(k, 0, -1))]))
-    return found
+        solids.append((np.vstack([tip, ring]), [*slopes, tuple(range(k, 0, -1))]))
+    return solids

@@ -51,9 +51,9 @@ def slice_in_space(grasp: Grasp, axes: Iterable[str], rays: int, width: float) -
         load = [Fraction(0)] * 6
         load[first], load[second] = way
         # Without preload there is one load to ask, and an answer in any case.
-        asked = patient if loads.scales else loads
-        known = spatial_magnitudes(grasp, load, width=_WIDTH, loads=asked, every=_EVERY)
-        if asked is loads and known.samples[-1][1] == UNDECIDED:
+        chosen_loads = patient if loads.scales else loads
+        known = spatial_magnitudes(grasp, load, width=_WIDTH, loads=chosen_loads, every=_EVERY)
+        if chosen_loads is loads and known.samples[-1][1] == UNDECIDED:
             known = spatial_magnitudes(grasp, load, width=_WIDTH, loads=patient, every=_EVERY)
         spokes.append((np.array([float(x) for x in way]), known))
     rows = [
@@ -113,12 +113,12 @@ def _stretches(known: SpatialMagnitudes) -> Iterator[tuple[float, float, bool, b
 
     What lies between two that are refused is left out; the last one is unbounded.
     """
-    found: dict[Fraction, str] = dict(known.samples)
+    verdicts: dict[Fraction, str] = dict(known.samples)
     for border in known.borders:
-        found |= {border.resisted: RESISTED, border.refused: NOT_RESISTED}
-        found |= dict.fromkeys(border.undecided, UNDECIDED)
-    since, start, before, tried = 0.0, 0.0, found.pop(Fraction(0)), False
-    for t, verdict in [*sorted(found.items()), (Fraction(0), "")]:
+        verdicts |= {border.resisted: RESISTED, border.refused: NOT_RESISTED}
+        verdicts |= dict.fromkeys(border.undecided, UNDECIDED)
+    since, start, before, tried = 0.0, 0.0, verdicts.pop(Fraction(0)), False
+    for t, verdict in [*sorted(verdicts.items()), (Fraction(0), "")]:
         end = float(t) if verdict else math.inf
         if not verdict and before == RESISTED and not tried:
             break  # Beyond the largest that was tried nothing is known.

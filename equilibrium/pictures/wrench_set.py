@@ -80,6 +80,10 @@ class WrenchBox:
     pieces: tuple[Piece, ...]
     shapes: tuple[Polyhedron, ...]
 
+    def resists(self, wrench: RationalVector) -> bool:
+        """Return whether a wrench is resisted."""
+        return any(piece.polyhedron.contains(wrench) for piece in self.pieces)
+
     @cached_property
     def tree(self) -> list[Node[Patch]]:
         """The surface of the union, in an order for painting."""
@@ -153,8 +157,8 @@ def wrench_box(grasp: Grasp, extent: Fraction | None = None) -> WrenchBox:
         middle, half = _around(pieces)
     else:
         middle, half = (Fraction(0),) * 3, (extent,) * 3
-    found = [(piece, shape) for piece in pieces if (shape := _inside(piece, middle, half))]
-    return WrenchBox(middle, half, tuple(p for p, _ in found), tuple(s for _, s in found))
+    inside = [(piece, shape) for piece in pieces if (shape := _inside(piece, middle, half))]
+    return WrenchBox(middle, half, tuple(p for p, _ in inside), tuple(s for _, s in inside))
 
 
 def _around(pieces: tuple[Piece, ...]) -> tuple[RationalVector, RationalVector]:
@@ -313,7 +317,7 @@ class _WrenchSetPicture(SolidSheet):
             legend.line("nothing is resisted")
         legend.line(_maths(box_text(self.grasp, self.box)))
         if applied is not None:
-            held = any(piece.polyhedron.contains(applied) for piece in self.box.pieces)
+            held = self.box.resists(applied)
             legend.key(
                 symbol("resisted" if held else "refused"), wrench_text(applied, self.grasp.units)
             )
@@ -371,10 +375,10 @@ class _WrenchSetPicture(SolidSheet):
     @cached_property
     def _cuts(self) -> dict[tuple[int, ...], list[tuple[int, int]]]:
         """The walls, as axis and side, that cut what the set has in each plane."""
-        found: dict[tuple[int, ...], list[Floats]] = {}
+        places: dict[tuple[int, ...], list[Floats]] = {}
         for patch in (p for node in self.box.tree for p in node.patches if len(p.corners) > 2):
-            found.setdefault(patch.row, []).append(rounded(patch.corners))
-        corners = {row: np.concatenate(parts) for row, parts in found.items()}
+            places.setdefault(patch.row, []).append(rounded(patch.corners))
+        corners = {row: np.concatenate(parts) for row, parts in places.items()}
         sides = list(product(range(3), (1, -1)))
         return {
             row: [
@@ -450,7 +454,7 @@ class _WrenchSetPicture(SolidSheet):
         place = self.box.inside(applied)
         if max(map(abs, place)) > 1:
             return
-        held = any(piece.polyhedron.contains(applied) for piece in self.box.pieces)
+        held = self.box.resists(applied)
         look: dict[str, Any] = {"lw": 0.5, "zorder": 5, "ls": (0, (1, 1.5)), "role": "line"}
         self.scene.line(self.at([place, [*place[:2], -1.0]]), ec=VERMILION, **look)
         sign, size, style = MARKS["resisted" if held else "refused"]
@@ -480,13 +484,13 @@ def wrench_set_page(
     box = wrench_box(grasp, read_extent(extent))
     number_of = grasp.size_words
     pieces: dict[IntegerVector, int] = {}
-    told: list[tuple[str, list[tuple[str, str]]]] = []
+    facts: list[tuple[str, list[tuple[str, str]]]] = []
 
     def face(patch: Patch) -> PageFace:
         wall = patch.row in WALLS
         if any(patch.row) and patch.row not in pieces:
-            pieces[patch.row] = len(told)
-            told.append(_told(box, patch, wall))
+            pieces[patch.row] = len(facts)
+            facts.append(_face_facts(box, patch, wall))
         number, faint = pieces.get(patch.row, -1), wall or patch.name == "axis"
         return page_face(patch, CUT if wall else SOLID, number, sheet=patch.sheet, faint=faint)
 
@@ -496,7 +500,7 @@ def wrench_set_page(
     ]
     if wrench is not None:
         applied = read_wrench(wrench)
-        held = any(piece.polyhedron.contains(applied) for piece in box.pieces)
+        held = box.resists(applied)
         place = box.inside(applied)
         marks.append((place, "●" if held else "✕"))
     return SolidPage(
@@ -507,14 +511,14 @@ def wrench_set_page(
         picture_axes(box.clear_side),
         math.sqrt(3),
         [node.drawn_as(face) for node in box.tree],
-        told,
+        facts,
         [(SOLID, "where resistance ends"), (CUT, "cut by the box, goes on")],
         [ends for ends, _ in box_edges()],
         marks,
     ).text()
 
 
-def _told(box: WrenchBox, patch: Patch, wall: bool) -> tuple[str, list[tuple[str, str]]]:
+def _face_facts(box: WrenchBox, patch: Patch, wall: bool) -> tuple[str, list[tuple[str, str]]]:
     """Return what the page says of a face: its condition on wrenches."""
     *normal, offset = patch.row
     row = [Fraction(a) / h for a, h in zip(normal, box.half, strict=True)]

@@ -128,8 +128,8 @@ def lab_page(
     if grasp.has_pads:
         summary += " Here each point of a pad is a contact of its own."
     if grasp.data_error is not None:
-        known = solve(grasp, applied).within_error().words
-        summary += f" The data of this grasp were rounded; under the first load: {known}."
+        rounding = solve(grasp, applied).within_error().words
+        summary += f" The data of this grasp were rounded; under the first load: {rounding}."
     data: dict[str, Any] = {
         "title": heading,
         "summary": summary,
