@@ -20,6 +20,7 @@ from equilibrium.cli.program import main
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict_text import verdict_lines
 from equilibrium.grasps.inputs import random_grasp
+from equilibrium.model.solution import Refutation
 from equilibrium.pictures import draw_proof
 from proofs_check.routes.oracle import Touch
 
@@ -104,7 +105,7 @@ def test_a_proof_by_states_is_drawn_and_said_by_their_planes():
     inner = {"contact": 2, "attachment": {"detached": ["1", "2", "0"], "attached": aside}}
     tree = {"contact": 0, "attachment": {"detached": ["-1", "2", "0"], "attached": inner}}
     wrench = (Fraction(0), Fraction(1), Fraction(0))
-    verdict = Solver(THREE)._verdict(wrench, tree)
+    verdict = Solver(THREE)._verdict(wrench, Refutation(tree))
     assert verdict.verify()
     said = "\n".join(verdict_lines(verdict))
     assert "contact 1 attached, contact 3 detached: on the virtual" in said
