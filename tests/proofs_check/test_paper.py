@@ -13,7 +13,14 @@ from proofs_check.cli.program import main
 from proofs_check.instances import printed
 from proofs_check.reports.paper import page, tables
 from proofs_check.reports.paper.figures import FIGURES
-from proofs_check.reports.paper.tables import COMPUTED, MEASURED, PRINTED, TABLES, stored_times
+from proofs_check.reports.paper.tables import (
+    COMPUTED,
+    MEASURED,
+    PRINTED,
+    TABLES,
+    TableContent,
+    stored_times,
+)
 from tests.drawn import offences
 
 
@@ -31,7 +38,7 @@ def test_every_figure_and_table_is_a_file_and_on_the_page(folder):
     assert sorted(path.name for path in folder.iterdir()) == sorted(page.file_names())
     text = (folder / page.PAGE).read_text(encoding="utf-8")
     for part in (*FIGURES, *TABLES):
-        assert f"<section id='{part.name}'>" in text
+        assert f'<section id="{part.name}">' in text
         assert (folder / f"{part.name}.pdf").read_bytes().startswith(b"%PDF")
         assert "tikzpicture" in (folder / f"{part.name}.tex").read_text(encoding="utf-8")
     assert text.count("<svg") == 7
@@ -39,10 +46,15 @@ def test_every_figure_and_table_is_a_file_and_on_the_page(folder):
 
 
 def test_claims_on_the_page_have_no_verdict_that_nobody_checked():
-    for part in FIGURES:
-        words = "".join(page._words(part))
+    pictures = {figure.name: "<svg></svg>" for figure in FIGURES}
+    contents = {table.name: TableContent(("$f_1$", "a < b"), ()) for table in TABLES}
+    text = page.paper_page(pictures, contents, {"title": "A <paper>", "about": "us"})
+    for part in (*FIGURES, *TABLES):
+        words = text.partition(f'<section id="{part.name}">')[2].partition("</section>")[0]
         assert all(f"<code>{id}</code>" in words for id in part.claims)
         assert not any(f"({verdict.value})" in words for verdict in ClaimVerdict)
+    assert "<h1>A &lt;paper&gt;</h1>" in text
+    assert "<th><i>f</i><sub>1</sub></th><th>a &lt; b</th>" in text
 
 
 def test_claims_named_on_the_page_are_claims():
