@@ -9,9 +9,10 @@ from dataclasses import asdict
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from arrangement.console.number_form import sign_text, vector
+from arrangement.console.number_form import vector
 from arrangement.console.options import values
 from arrangement.console.options.parser import Parser
+from arrangement.numbers.exact import sign_text
 
 from .console import terminal
 from .errors import InputError, OutOfReachError, WaitingError

@@ -230,8 +230,6 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ): (
         "arrangement.enumeration.great_circles.arrangement",
         "arrangement.enumeration.great_circles.incidence",
-        "arrangement.enumeration.great_circles.signs",
-        "arrangement.enumeration.great_circles.tracing",
         "arrangement.enumeration.great_circles.validation",
     ),
     ("tests/arrangement/test_budget.py",): ("arrangement.numbers.budget",),

@@ -21,7 +21,6 @@ from PIL import Image
 
 from arrangement import Arrangement, ArrangementError, InputError, read_arrangement
 from arrangement.cli import main as draw_planes
-from arrangement.console import number_form
 from arrangement.drawing.layout import BELOW, laid_out, picture_width
 from arrangement.drawing.output import font_settings, own_settings, picture_bytes
 from arrangement.drawing.path_artist import Paths, figure, into
@@ -29,6 +28,7 @@ from arrangement.drawing.scene import ROLES, Ball, Item, Label, Mark, Path as Dr
 from arrangement.drawing.themes import _from_oklab, _oklab, themed
 from arrangement.drawing.tikz import tex_text, tikz
 from arrangement.library.families import catalan, generic, shi
+from arrangement.numbers import exact
 from arrangement.pictures import DRAWINGS as OF_PLANES, compose, draw_sphere
 from arrangement.pictures.views import write_drawing
 from equilibrium import read_grasp
@@ -611,7 +611,7 @@ def test_style_by_signs_by_number_and_by_circle(view):
     drawn, regions = planes.draw(view), planes.regions()
     front = [k for k in (1, 3, 5) if any(f"-{k}" in x.name for x in drawn.scene.items)]
     for number in front:
-        signs = number_form.sign_text(regions[number - 1].signs)
+        signs = exact.sign_text(regions[number - 1].signs)
         for which, fill in ((signs, f"#12345{number}"), (number, f"#65432{number}")):
             drawn.region(which).set(fc=fill)
             styled = [x.name for x in drawn.scene.items if x.style.get("fc") == fill]

@@ -176,15 +176,6 @@ def near(value: float | Fraction, digits: int = DIGITS) -> str:
     return f"≈{float(value):.{digits}g}"
 
 
-def sign_text(signs: Sequence[int], minus: str = "-") -> str:
-    """Return a sign vector as text.
-
-    >>> sign_text((1, 0, -1))
-    '+0-'
-    """
-    return "".join("+" if sign > 0 else minus if sign < 0 else "0" for sign in signs)
-
-
 def counted(number: int, one: str, many: str = "") -> str:
     """Return a number with its noun.
 

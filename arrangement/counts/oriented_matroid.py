@@ -11,12 +11,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import combinations
 
-from arrangement.console.number_form import sign_text
 from arrangement.counts.configuration import pivot_columns
 from arrangement.counts.operations import cone
 from arrangement.errors import InputError
 from arrangement.numbers import budget
-from arrangement.numbers.exact import shown, sign
+from arrangement.numbers.exact import shown, sign, sign_text
 from arrangement.numbers.linear.rank import determinant
 from arrangement.planes.planes import Planes
 

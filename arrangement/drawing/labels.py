@@ -15,8 +15,8 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.console import number_form
 from arrangement.drawing.scene import FONT, Box, Floats, Place, Scene
+from arrangement.numbers import exact
 
 #: For half the width and half the height of a label, its centres (k, 2), the best first.
 Places: TypeAlias = Callable[[Floats], Floats]
@@ -224,7 +224,7 @@ HAIR = "\u200a"
 
 def sign_text(signs: Sequence[int]) -> str:
     """Return a sign vector as text: true minus signs, a hair apart."""
-    return HAIR.join(number_form.sign_text(signs, "\u2212"))
+    return HAIR.join(exact.sign_text(signs, "\u2212"))
 
 
 def write_if_free(

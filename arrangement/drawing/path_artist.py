@@ -18,7 +18,6 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from arrangement.console.number_form import sign_text
 from arrangement.console.writing import write_bytes_atomically, write_text_atomically
 from arrangement.drawing.layout import laid_out
 from arrangement.drawing.output import (
@@ -47,7 +46,7 @@ from arrangement.drawing.scene import (
 )
 from arrangement.drawing.themes import themed
 from arrangement.errors import InputError, refusal
-from arrangement.numbers.exact import shown
+from arrangement.numbers.exact import shown, sign_text
 
 try:
     from matplotlib.artist import Artist

@@ -38,9 +38,12 @@ Box: TypeAlias = tuple[float, float, float, float]
 
 def require_matplotlib() -> Any:
     """Return matplotlib, or say which extra installs it and what places labels."""
-    with extra("figures"):
+    try:
         import matplotlib as mpl
         import shapely  # noqa: F401
+    except ImportError:
+        with extra("figures"):
+            raise
     return mpl
 
 

@@ -137,6 +137,15 @@ def shown(value: object) -> str:
     return text if len(text) <= 60 else f"{text[:40]}...{text[-10:]}"
 
 
+def sign_text(signs: Sequence[int], minus: str = "-") -> str:
+    """Return a sign vector as text.
+
+    >>> sign_text((1, 0, -1))
+    '+0-'
+    """
+    return "".join("+" if sign > 0 else minus if sign < 0 else "0" for sign in signs)
+
+
 def from_floats(values: Any, name: str = "value to convert") -> Any:
     """Convert binary floats to the rationals that they are, exactly and on purpose.
 

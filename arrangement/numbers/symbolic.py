@@ -219,6 +219,8 @@ def in_one_field(rows: Iterable[Sequence[Any]], field: Any = None) -> list[tuple
     """
     listed = list(map(tuple, rows))
     irrational = [x for row in listed for x in row if not isinstance(x, (int, Fraction))]
+    if not irrational:
+        return listed
     known = field_of(x for x in irrational if isinstance(x, Irrational)) or field
     of_sympy = [x for x in irrational if not isinstance(x, Irrational)]
     if not of_sympy:

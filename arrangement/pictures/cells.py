@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.console.number_form import EXACT, LABEL, counted, sign_text
+from arrangement.console.number_form import EXACT, LABEL, counted
 from arrangement.console.progress import note
 from arrangement.drawing.colours import SKIN, DrawnRegion, Painter, painter, pale, plane_colour
 from arrangement.drawing.pages.solid_page import PageFace, SolidPage
@@ -23,7 +23,7 @@ from arrangement.drawing.views import Exact, Vector
 from arrangement.duals.cells import Cell, Cells, cut_cells
 from arrangement.errors import InputError
 from arrangement.numbers import budget
-from arrangement.numbers.exact import shown
+from arrangement.numbers.exact import shown, sign_text
 from arrangement.numbers.linear.rank import cycle_edges
 from arrangement.pictures.coordinates import caption, in_coordinates, in_view_space, planes_view
 from arrangement.pictures.names import Labels, RegionLabels, equation, generator_text, plane_names

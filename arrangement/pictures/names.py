@@ -8,13 +8,13 @@ from functools import cached_property
 from typing import Annotated, Any, TypeAlias
 
 from arrangement.arrangement import Arrangement
-from arrangement.console import number_form
 from arrangement.console.number_form import counted
 from arrangement.console.options.signature import Syntax
 from arrangement.drawing.colours import GREY, Colouring, DrawnRegion
 from arrangement.drawing.labels import sign_text
 from arrangement.drawing.scene import POINTS, Legend, Scene, Symbol
 from arrangement.errors import InputError, refusal
+from arrangement.numbers import exact
 from arrangement.numbers.exact import IntegerVector, shown, sum_text, to_text
 from arrangement.pictures.coordinates import items_of
 
@@ -109,7 +109,7 @@ class RegionLabels:
     @property
     def numbers(self) -> dict[str, int]:
         """The number of each region, by its signs as text."""
-        return {number_form.sign_text(signs): k for signs, k in self._numbers.items()}
+        return {exact.sign_text(signs): k for signs, k in self._numbers.items()}
 
     def element(self, kind: str, signs: Sequence[int]) -> str:
         """Return the name of what stands for a region in a file: its number, as in ``region-3``."""

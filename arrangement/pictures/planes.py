@@ -13,7 +13,6 @@ from typing import Annotated, Any, TypeAlias
 import numpy as np
 
 from arrangement.arrangement import Arrangement
-from arrangement.console.number_form import sign_text
 from arrangement.console.options.signature import Syntax
 from arrangement.counts.configuration import pivot_columns
 from arrangement.drawing.colours import SKIN, chosen, pale, plane_colour
@@ -34,7 +33,7 @@ from arrangement.drawing.solids.surface import Patch
 from arrangement.drawing.views import Exact, Vector, picture
 from arrangement.duals.cells import cut_cells, read_signs
 from arrangement.errors import InputError, extra
-from arrangement.numbers.exact import IntegerVector, dot, primitive, shown
+from arrangement.numbers.exact import IntegerVector, dot, primitive, shown, sign_text
 from arrangement.numbers.linear.rank import cut, rank, unit_vectors as standard_basis
 from arrangement.numbers.symbolic import real_vector
 from arrangement.pictures.coordinates import (

@@ -18,12 +18,12 @@ from arrangement.planes.planes import Planes
 
 #: Where each view is.
 VIEWS = {
-    "sphere": "sphere:draw_sphere",
+    "sphere": "globe:draw_sphere",
     "planes": "planes:draw_planes",
     "cells": "cells:draw_cells",
     "lines": "lines:draw_lines",
-    "stereographic": "sphere:draw_stereographic",
-    "gnomonic": "sphere:draw_gnomonic",
+    "stereographic": "charts:draw_stereographic",
+    "gnomonic": "charts:draw_gnomonic",
     "dual": "dual:draw_dual",
     "section": "planes:draw_section",
     "graph": "graph:draw_graph",

@@ -13,9 +13,17 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from arrangement.console.number_form import ReprMixin, sign_text
+from arrangement.console.number_form import ReprMixin
 from arrangement.errors import InputError
-from arrangement.numbers.exact import IntegerVector, RationalVector, bits, dot, quotient, shown
+from arrangement.numbers.exact import (
+    IntegerVector,
+    RationalVector,
+    bits,
+    dot,
+    quotient,
+    shown,
+    sign_text,
+)
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
 from arrangement.numbers.linear.rank import rank, triple_product
 from arrangement.numbers.symbolic import real_vector, to_sympy

@@ -20,10 +20,9 @@ from statistics import fmean, stdev
 from typing import Any
 
 from arrangement.console import progress
-from arrangement.console.number_form import sign_text
 from arrangement.errors import InputError
 from arrangement.numbers import budget
-from arrangement.numbers.exact import IntegerVector, to_text, unoriented
+from arrangement.numbers.exact import IntegerVector, sign_text, to_text, unoriented
 
 from .faces import Face
 from .planes import Planes

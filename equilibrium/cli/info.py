@@ -9,9 +9,10 @@ from itertools import chain
 from math import gcd
 from typing import TYPE_CHECKING, Any
 
-from arrangement.console.number_form import counted, number, sign_text, vector
+from arrangement.console.number_form import counted, number, vector
 from arrangement.console.progress import shown
 from arrangement.errors import OutOfReachError
+from arrangement.numbers.exact import sign_text
 from equilibrium.model.contact import contact_entry, contact_words, pyramid_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.solution import numbering_words

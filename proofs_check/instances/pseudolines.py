@@ -17,10 +17,10 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.console.number_form import sign_text
 from arrangement.library.census import MOST_PLANES
 from arrangement.library.census.catalogue import PUBLISHED, chirotopes, without_coordinates
 from arrangement.library.census.chirotopes import Signs, alternating, t_vectors, triples
+from arrangement.numbers.exact import sign_text
 from proofs_check.errors import OwnClaimError
 from proofs_check.routes.many_types import flags
 from proofs_check.statements.statement import Case, Domain, Kind, Source, range_text

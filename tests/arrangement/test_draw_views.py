@@ -25,6 +25,7 @@ from arrangement.duals.inscribed.hull import representative_hull
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.library.families import coxeter, random_integer, simplicial
 from arrangement.pictures import (
+    charts,
     draw_counts,
     draw_dual,
     draw_gnomonic,
@@ -32,16 +33,15 @@ from arrangement.pictures import (
     draw_sphere,
     draw_stereographic,
     save_figure,
-    sphere,
     write_drawing,
 )
+from arrangement.pictures.charts import compressed
 from arrangement.pictures.coordinates import orbits
 from arrangement.pictures.dual import dual_solid
 from arrangement.pictures.globe import Globe, stereographic
 from arrangement.pictures.graph import planar_graph
 from arrangement.pictures.lattice import layered_orders
 from arrangement.pictures.lines import LinesChart
-from arrangement.pictures.sphere import compressed
 from arrangement.pictures.views import DRAWINGS
 from tests.drawn import elements, offences, paths, scene
 
@@ -726,8 +726,8 @@ def test_a_gnomonic_chart_shows_lines_where_the_planes_meet_it(planes):
     (rim,) = (item for item in made.items if item.name == "border")
     units = np.array([[float(x) for x in plane[:3]] for plane in planes.integer_planes])
     units /= np.linalg.norm(units, axis=1)[:, None]
-    globe = sphere._upright(Globe(planes, ahead)).axes
-    reach = sphere._cut(Globe(planes, ahead)).reach
+    globe = charts._upright(Globe(planes, ahead)).axes
+    reach = charts._cut(Globe(planes, ahead)).reach
     places = {}
     for item in made.items:
         flat = (getattr(item, "points", np.zeros((1, 2))) - rim.points) / rim.radius * reach

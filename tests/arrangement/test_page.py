@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from arrangement import Arrangement, families, read_arrangement
-from arrangement.console.number_form import sign_text
+from arrangement.numbers.exact import sign_text
 from arrangement.pictures import arrangement_page, cells_page
 from arrangement.pictures.names import equation
 from tests.arrangement.test_lab import arrangements

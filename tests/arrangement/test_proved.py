@@ -15,13 +15,12 @@ import pytest
 
 from arrangement import Arrangement, InputError, OutOfReachError, counts
 from arrangement.cli import main
-from arrangement.console.number_form import sign_text
 from arrangement.counts.completeness import certify_complete
 from arrangement.library import census, families
 from arrangement.library.census import tables
 from arrangement.library.published import published_counts
 from arrangement.numbers.budget import limit
-from arrangement.numbers.exact import primitive, to_text
+from arrangement.numbers.exact import primitive, sign_text, to_text
 from arrangement.planes import proved
 from arrangement.planes.proved import proved_f_vector, proved_whitney_numbers
 

@@ -59,8 +59,8 @@ class Option:
 
     Attributes:
         several: whether it takes several values.
-        default: if it is required, `inspect.Parameter.empty`.
         text: what the docstring says of it.
+        required: whether it has no default.
     """
 
     name: str
@@ -68,11 +68,7 @@ class Option:
     several: bool
     default: Any
     text: str
-
-    @property
-    def required(self) -> bool:
-        """Whether it has no default."""
-        return self.default is inspect.Parameter.empty
+    required: bool
 
     @property
     def flag(self) -> str:
@@ -126,7 +122,8 @@ def options_of(function: Callable[..., Any], keywords: bool = False) -> dict[str
             continue
         hint = SimpleNamespace(__annotations__={name: parameter.annotation})
         kind, several = _kind(get_type_hints(hint, names, include_extras=True)[name])
-        found[name] = Option(name, _syntax(kind), several, parameter.default, texts.get(name, ""))
+        text, required = texts.get(name, ""), parameter.default is parameter.empty
+        found[name] = Option(name, _syntax(kind), several, parameter.default, text, required)
     return found
 
 

@@ -11,11 +11,11 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement.enumeration.great_circles.incidence import Incidence, Indices
 from arrangement.enumeration.sequence import primitive_rows
 from arrangement.errors import ArrangementError
 from arrangement.numbers.exact import IntegerVector
 
-from .incidence import Incidence, Indices
 from .predicates import Integers, integer_array, turns
 
 

@@ -21,7 +21,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
-from arrangement.console.number_form import sign_text
+from arrangement.numbers.exact import sign_text
 from arrangement.planes.proved import ask_proved
 
 Triple: TypeAlias = tuple[int, int, int]

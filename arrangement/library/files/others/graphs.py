@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 from arrangement import counts
 from arrangement.arrangement import Arrangement
-from arrangement.console.number_form import sign_text
 from arrangement.numbers import budget
+from arrangement.numbers.exact import sign_text
 
 if TYPE_CHECKING:
     import networkx as nx
