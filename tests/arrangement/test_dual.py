@@ -295,3 +295,11 @@ def test_zonotope_keeps_lengths_and_multiplicities_that_the_dual_forgets():
         dual_polyhedron(families.coordinate(4))
     with pytest.raises(InputError, match="a polyhedron; use dual_zonotope"):
         schlegel_diagram(families.coordinate(3))
+
+
+@pytest.mark.parametrize("d", [2, 3])
+def test_vertices_beyond_machine_integers_are_exact(d):
+    large = 2**62
+    body = zonotope([[large, *(int(i == j) for j in range(d - 1))] for i in range(d)])
+    assert max(body.vertices)[0] == d * large
+    assert {vertex[0] // large for vertex in body.vertices} == set(range(-d, d + 1, 2))
