@@ -29,10 +29,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from arrangement import InputError
 from arrangement.numbers.exact import to_text
 from equilibrium import Assembly, Contact, Grasp, Solution, read_certificate, solve
-from equilibrium.certificate.assemblies import read_assembly_question
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
-from equilibrium.certificate.reading import read_question
+from equilibrium.certificate.reading import read_case
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.model.contact import VALUES
 from proofs_check.instances.bodies import textbook_questions
@@ -313,16 +312,16 @@ def _new_answer(path: Path) -> tuple[str, Any]:
 
 def asked(document: dict[str, Any]) -> tuple[list[list[Fraction]], list[Fraction]]:
     """Return the numbers of contacts and load; contacts of an assembly begin with their bodies."""
+    _, case = read_case(document)
     if "assembly" in document:
-        _, assembly, wrenches = read_assembly_question(document)
+        assembly = case.subject
         place = {name: Fraction(k) for k, name in enumerate(assembly.names)}
         rows = [
             [place[name] for name in (c.body_a, c.body_b) if name is not None] + _values(c.contact)
             for c in assembly.contacts
         ]
-        return rows, [x for name in place for x in wrenches[name]]
-    _, grasp, load = read_question(document)
-    return [_values(c) for c in grasp], list(load)
+        return rows, list(case.load)
+    return [_values(c) for c in case.subject], list(case.load)
 
 
 def _values(contact: Contact) -> list[Fraction]:

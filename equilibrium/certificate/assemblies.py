@@ -19,98 +19,22 @@ from typing import Any
 
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.exact import RationalVector, shown
-from equilibrium.model.assembly import SIZE, Assembly, Wrenches
+from equilibrium.model.assembly import SIZE, Wrenches
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.subject import LoadCase, by_body, flat
+from equilibrium.model.subject import LoadCase
 
-from .law import LawRow, displacement_problem, frame, law_problem
 from .leaf_rule import TreeQuestion
 from .reading import (
-    KEYS,
-    STATES,
-    TreeForm,
-    check_version,
-    read_bound,
-    read_equilibrium,
     read_index,
-    read_motion,
 )
 from .report import Report, tree_report
-from .robust import check_form, read_bounds, robust_problem
 
 
-def check_assembly(document: Mapping[str, Any]) -> Report:
-    """Check a certificate about an assembly.
-
-    Raises:
-        InputError: this is not a certificate, whatever its numbers are.
-    """
-    kind, assembly, wrenches = read_assembly_question(document)
-    rows, form = joint_rows(assembly), _form(assembly)
-    load, bound = flat(assembly, wrenches), read_bound(document)
-    if "bounds" in document:
-        problem = robust_problem(document, assembly, load)
-        report = Report(kind, problem, bounds=read_bounds(document))
-    elif kind == "resisted":
-        motion, forces = read_equilibrium(document, len(rows), form)
-        problem = displacement_problem(rows, motion, bound)
-        report = Report(kind, problem or law_problem(rows, load, motion, forces))
-    elif isinstance(document["tree"], Mapping) and "part" in document["tree"]:
-        report = _part(document["tree"], assembly, wrenches, bound)
-    else:
-        report = tree_report(document["tree"], TreeQuestion(rows, load, form, (), bound))
-    return replace(report, case=LoadCase(assembly, load, bound))
-
-
-def read_assembly_question(document: Mapping[str, Any]) -> tuple[str, Assembly, Wrenches]:
-    """Return the kind of a certificate about an assembly, and what it is about.
-
-    Raises:
-        InputError: this is not such a certificate; its proof is not looked at.
-    """
-    kind = check_version(document)
-    common = ("schema_version", "certificate", "assembly", "wrench")
-    if "bounds" in document:
-        check_form(document, kind, common)
-    else:
-        required = (*common, *KEYS[kind])
-        check_keys(document, required, ("max_displacement",), "the certificate")
-    assembly = Assembly.from_dict(document["assembly"])
-    if "wrench" in document["assembly"] or any(body.outline for body in assembly.bodies):
-        raise CertificateError("the assembly of a certificate has no wrench and no outlines")
-    load = read_motion(document["wrench"], _form(assembly), "wrench")
-    return kind, assembly, by_body(assembly, load)
-
-
-def _form(assembly: Assembly) -> TreeForm:
-    return TreeForm(SIZE * len(assembly.bodies), 1, tuple(STATES), assembly.names)
-
-
-def joint_rows(assembly: Assembly) -> list[LawRow]:
-    """Return the rows of the contacts in R^(3b), made without those of the solver."""
-    place = {name: SIZE * k for k, name in enumerate(assembly.names)}
-    rows = []
-    for joint in assembly.contacts:
-        lifted, c = [], joint.contact
-        for wrench in frame(c):
-            row = [Fraction(0)] * (SIZE * len(place))
-            row[place[joint.body_a] : place[joint.body_a] + SIZE] = wrench
-            if joint.body_b is not None:
-                other = [-x for x in wrench]
-                row[place[joint.body_b] : place[joint.body_b] + SIZE] = other
-            lifted.append(tuple(row))
-        rows.append(LawRow(tuple(lifted), c.friction, c.stiffness, c.preload, c.adhesion))
-    return rows
-
-
-def _part(
-    tree: Mapping[str, Any],
-    assembly: Assembly,
-    wrenches: Wrenches,
-    max_displacement: Fraction | None,
-) -> Report:
-    """Check a planar proof about the contacts of a part with the rest."""
+def part_report(tree: Mapping[str, Any], case: LoadCase) -> Report:
+    """Check a planar proof about the contacts of a part of an assembly with the rest."""
+    assembly: Any = case.subject
+    wrenches: Wrenches = case.wrench
     check_keys(tree, ("part", "contacts", "tree"), (), "tree")
     part = check_list(tree["part"], "tree.part")
     for name in part:
@@ -129,7 +53,7 @@ def _part(
     load = [sum(column) for column in zip(zero, *(wrenches[name] for name in part), strict=True)]
     grasp = Grasp(joint.contact for joint in inward)
     wrench = tuple(map(Fraction, load))
-    question = TreeQuestion.of(grasp, wrench, max_displacement=max_displacement)
+    question = TreeQuestion.of(grasp, wrench, max_displacement=case.max_displacement)
     report = tree_report(tree["tree"], question)
     if len({(joint.body_a, joint.body_b) for joint in inward}) > 1:
         problem = "tree.part: it touches the rest at more than one pair of bodies"

@@ -16,31 +16,25 @@ there.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 from arrangement.numbers.exact import RationalVector
+from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.displacement import along_tangents
 from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp, in_plane
 from equilibrium.model.solution import Solution
-from equilibrium.model.subject import LoadCase
+from equilibrium.model.subject import LoadCase, points_of
 
-from .assemblies import check_assembly
+from .assemblies import part_report
 from .enclosure import enclosure_problem
-from .law import displacement_problem, law_problem, law_rows
+from .law import displacement_problem, law_problem, rows_of
 from .leaf_rule import TreeQuestion
-from .reading import (
-    FORMS,
-    read_bound,
-    read_enclosure,
-    read_equilibrium,
-    read_plane,
-    read_question,
-)
+from .reading import form_of, read_case, read_enclosure, read_equilibrium, read_plane
 from .report import Question, Report, tree_report
 from .robust import read_bounds, robust_problem
 
@@ -66,88 +60,63 @@ def check(
 
     Complexity: O(m) integer operations for each node of the tree.
     """
-    about = "assembly" if isinstance(document, Mapping) and "assembly" in document else "grasp"
-    return _CHECKS[about](document).asked(question, pyramid, max_displacement)
-
-
-def _check_grasp(document: Mapping[str, Any]) -> Report:
-    kind, grasp, wrench = read_question(document)
-    bound = read_bound(document)
+    kind, case = read_case(document)
     if "bounds" in document:
-        problem = robust_problem(document, grasp, wrench)
+        problem = robust_problem(document, case.subject, case.load)
         report = Report(kind, problem, bounds=read_bounds(document))
-    elif kind == "resisted":
-        how = edges_of(document), bound
-        report = Report(kind, proof_problem(grasp, wrench, _read_solution(document, grasp), *how))
     else:
-        report = _tree_report(document["tree"], grasp, wrench, edges_of(document), bound)
-    return replace(report, case=LoadCase(grasp, wrench, bound, document.get("pyramid")))
+        proof = document["tree"] if kind == "not resisted" else _read_solution(document, case)
+        report = proof_report(case, proof)
+    return replace(report, case=case).asked(question, pyramid, max_displacement)
 
 
-#: The check of each form of certificate, by the key of what it is about.
-_CHECKS: Mapping[str, Callable[[Mapping[str, Any]], Report]] = {
-    "assembly": check_assembly,
-    "grasp": _check_grasp,
-}
-
-
-def _tree_report(
-    tree: Any,
-    grasp: Grasp,
-    wrench: RationalVector,
-    edges: Sequence[RationalVector],
-    max_displacement: Fraction | None,
-) -> Report:
-    """Check a tree; in space also one in the plane that has all contacts and the load."""
-    plane = read_plane(tree) if grasp.dimension == 3 else None
-    if plane is None:
-        return tree_report(tree, TreeQuestion.of(grasp, wrench, edges, max_displacement))
-    if edges:
-        raise CertificateError("tree.plane is for round cones")
-    try:
-        flat, load = in_plane(grasp, wrench, plane.axes)
-    except GraspError as error:
-        return Report("not resisted", f"tree.plane: {error}")
-    if max_displacement is not None and not along_tangents(grasp, plane.axes):
-        problem = "displacements along tangents that are at an angle to the plane are bounded"
-        return Report("not resisted", f"tree.plane: {problem}")
-    question = TreeQuestion.of(flat, load, max_displacement=max_displacement)
-    return tree_report(plane.tree, question)
-
-
-def _read_solution(document: Mapping[str, Any], grasp: Grasp) -> Solution:
-    """Return the equilibrium of a certificate, or the box that holds it."""
-    form = FORMS[grasp.dimension]
-    if "enclosure" in document:
-        return Solution((), (), read_enclosure(document["enclosure"], len(grasp), form))
-    motion, forces = read_equilibrium(document, len(grasp), form)
-    return Solution(motion, tuple(forces))
-
-
-def proof_problem(
-    grasp: Grasp,
-    wrench: RationalVector,
-    proof: Solution | Any,
-    edges: Sequence[RationalVector] = (),
-    max_displacement: Fraction | None = None,
-) -> str:
-    """Return what is wrong with an equilibrium, or a tree; empty if it is proof.
-
-    Args:
-        edges: of friction pyramids; none for cones, in space round ones.
+def proof_report(case: LoadCase, proof: Solution | Any) -> Report:
+    """Check an equilibrium, or a tree.
 
     Raises:
         InputError: a node of the tree is none, or does not fit its place.
     """
+    edges = edges_of(case)
     if not isinstance(proof, Solution):
-        return _tree_report(proof, grasp, wrench, edges, max_displacement).problem
-    if proof.box is not None:
-        return enclosure_problem(grasp, wrench, proof.box, max_displacement)
-    rows = law_rows(grasp)
-    problem = displacement_problem(rows, proof.motion, max_displacement)
-    return problem or law_problem(rows, wrench, proof.motion, proof.forces, edges)
+        return _tree_report(case, proof, edges)
+    if proof.box is not None and isinstance(case.subject, Grasp):
+        problem = enclosure_problem(case.subject, case.load, proof.box, case.max_displacement)
+        return Report("resisted", problem)
+    rows = rows_of(case.subject)
+    problem = displacement_problem(rows, proof.motion, case.max_displacement)
+    problem = problem or law_problem(rows, case.load, proof.motion, proof.forces, edges)
+    return Report("resisted", problem)
 
 
-def edges_of(document: Mapping[str, Any]) -> tuple[RationalVector, ...]:
+def _tree_report(case: LoadCase, tree: Any, edges: Sequence[RationalVector]) -> Report:
+    """Check a tree; it may be one in the plane, which has all contacts and the load, or a part."""
+    subject, bound = case.subject, case.max_displacement
+    if isinstance(subject, Assembly):
+        if isinstance(tree, Mapping) and "part" in tree:
+            return part_report(tree, case)
+    elif subject.dimension == 3 and (plane := read_plane(tree)) is not None:
+        if edges:
+            raise CertificateError("tree.plane is for round cones")
+        try:
+            flat, load = in_plane(subject, case.load, plane.axes)
+        except GraspError as error:
+            return Report("not resisted", f"tree.plane: {error}")
+        if bound is not None and not along_tangents(subject, plane.axes):
+            problem = "displacements along tangents that are at an angle to the plane are bounded"
+            return Report("not resisted", f"tree.plane: {problem}")
+        return tree_report(plane.tree, TreeQuestion.of(flat, load, max_displacement=bound))
+    return tree_report(tree, TreeQuestion.of(subject, case.load, edges, bound))
+
+
+def _read_solution(document: Mapping[str, Any], case: LoadCase) -> Solution:
+    """Return the equilibrium of a certificate, or the box that holds it."""
+    contacts, form = len(points_of(case.subject)), form_of(case.subject)
+    if "enclosure" in document:
+        return Solution((), (), read_enclosure(document["enclosure"], contacts, form))
+    motion, forces = read_equilibrium(document, contacts, form)
+    return Solution(motion, tuple(forces))
+
+
+def edges_of(case: LoadCase) -> tuple[RationalVector, ...]:
     """Return the edges of friction pyramids, none for round cones."""
-    return pyramid_edges(document["pyramid"]) if "pyramid" in document else ()
+    return () if case.pyramid is None else pyramid_edges(case.pyramid)

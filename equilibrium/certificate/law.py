@@ -13,8 +13,10 @@ from typing import NamedTuple
 
 from arrangement.numbers.exact import RationalVector, number_text, primitive
 from arrangement.numbers.linear.rank import rank
+from equilibrium.model.assembly import SIZE, Assembly
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.subject import Subject
 
 
 class LawRow(NamedTuple):
@@ -34,6 +36,28 @@ class LawRow(NamedTuple):
 def law_rows(contacts: Iterable[Contact]) -> list[LawRow]:
     """Return the rows of the contacts of a grasp."""
     return [LawRow(frame(c), c.friction, c.stiffness, c.preload, c.adhesion) for c in contacts]
+
+
+def joint_rows(assembly: Assembly) -> list[LawRow]:
+    """Return the rows of the contacts of an assembly in R^(3b)."""
+    place = {name: SIZE * k for k, name in enumerate(assembly.names)}
+    rows = []
+    for joint in assembly.contacts:
+        lifted, c = [], joint.contact
+        for wrench in frame(c):
+            row = [Fraction(0)] * (SIZE * len(place))
+            row[place[joint.body_a] : place[joint.body_a] + SIZE] = wrench
+            if joint.body_b is not None:
+                other = [-x for x in wrench]
+                row[place[joint.body_b] : place[joint.body_b] + SIZE] = other
+            lifted.append(tuple(row))
+        rows.append(LawRow(tuple(lifted), c.friction, c.stiffness, c.preload, c.adhesion))
+    return rows
+
+
+def rows_of(subject: Subject) -> list[LawRow]:
+    """Return the rows of the contacts of a grasp or an assembly."""
+    return joint_rows(subject) if isinstance(subject, Assembly) else law_rows(subject)
 
 
 def applied(rows: Iterable[LawRow], wrench: RationalVector) -> RationalVector:

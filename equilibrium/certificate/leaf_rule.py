@@ -53,7 +53,7 @@ from itertools import chain, product
 from typing import Any, NamedTuple
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot
-from equilibrium.model.grasp import Grasp
+from equilibrium.model.subject import Subject
 
 from .contact_rule import (
     State,
@@ -63,8 +63,8 @@ from .contact_rule import (
     with_sign,
     within_room,
 )
-from .law import LawRow, applied, displacement_work, law_rows, short
-from .reading import FORMS, Leaf, Place, TreeForm
+from .law import LawRow, applied, displacement_work, rows_of, short
+from .reading import Leaf, Place, TreeForm, form_of
 
 
 class Generator(NamedTuple):
@@ -145,13 +145,13 @@ class TreeQuestion:
     @classmethod
     def of(
         cls,
-        grasp: Grasp,
-        wrench: RationalVector,
+        subject: Subject,
+        load: RationalVector,
         edges: Sequence[RationalVector] = (),
         max_displacement: Fraction | None = None,
     ) -> TreeQuestion:
-        """Return the question of a tree about a grasp."""
-        return cls(law_rows(grasp), wrench, FORMS[grasp.dimension], edges, max_displacement)
+        """Return the question of a tree about a grasp or an assembly."""
+        return cls(rows_of(subject), load, form_of(subject), edges, max_displacement)
 
     @property
     def root(self) -> list[Generator]:

@@ -15,9 +15,9 @@ from equilibrium.model.grasp import Grasp
 
 from .checker import edges_of
 from .contact_rule import SlipFace, State
-from .law import applied, displacement_work, law_rows
+from .law import applied, displacement_work, law_rows, rows_of
 from .leaf_rule import TreeQuestion
-from .reading import Leaf, read_bound, read_plane, read_question
+from .reading import Leaf, read_case, read_plane
 from .tree import placed_leaves, slip_faces
 
 
@@ -52,8 +52,8 @@ class Works(NamedTuple):
 
 def parts(document: Mapping[str, Any]) -> Iterator[ClosedPart]:
     """Yield the parts of a valid certificate "not resisted", in the order of the document."""
-    _, grasp, wrench = read_question(document)
-    for leaf, place in placed_leaves(document["tree"], TreeQuestion.of(grasp, wrench)):
+    _, case = read_case(document)
+    for leaf, place in placed_leaves(document["tree"], TreeQuestion.of(case.subject, case.load)):
         yield ClosedPart(tuple(g.vector for g in place.region), place.states, leaf)
 
 
@@ -101,13 +101,14 @@ class SpatialLeaf(NamedTuple):
 
 def spatial_leaves(document: Mapping[str, Any]) -> Iterator[SpatialLeaf]:
     """Yield the leaves of a valid certificate in its order; none of a tree in the plane."""
-    _, grasp, wrench = read_question(document)
+    _, case = read_case(document)
     if read_plane(document["tree"]):
         return
-    pull = applied(law_rows(grasp), (Fraction(0),) * len(wrench))
-    question = TreeQuestion.of(grasp, wrench, edges_of(document), read_bound(document))
+    rows, bound = rows_of(case.subject), case.max_displacement
+    pull = applied(rows, (Fraction(0),) * len(case.load))
+    question = TreeQuestion.of(case.subject, case.load, edges_of(case), bound)
     for leaf, place in placed_leaves(document["tree"], question):
-        works = (row[0] * grasp.contacts[i].preload for i, row in leaf.multipliers.items())
+        works = (row[0] * rows[i].preload for i, row in leaf.multipliers.items())
         _, taken = displacement_work(question.max_displacement, leaf.displacements)
         states = {i: _words(state, question.edges) for i, state in place.states.items()}
         least = sum(works, Fraction(dot(pull, leaf.motion)) - taken)

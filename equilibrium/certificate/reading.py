@@ -52,11 +52,13 @@ from typing import Any, NamedTuple
 
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.exact import RationalVector, rational, rational_vector, shown
-from equilibrium.model.contact import WRENCH_SIZES
+from equilibrium.model.assembly import SIZE, Assembly
+from equilibrium.model.contact import WRENCH_SIZES, pyramid_edges
 from equilibrium.model.displacement import read_displacement
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Enclosure
+from equilibrium.model.subject import LoadCase, Subject
 
 from .robust import check_form
 
@@ -164,13 +166,41 @@ def check_version(document: Any) -> str:
     return kind
 
 
-def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
-    """Return kind, grasp and wrench of a certificate.
+def form_of(subject: Subject) -> TreeForm:
+    """Return the form of trees about a grasp or an assembly."""
+    if isinstance(subject, Assembly):
+        return TreeForm(SIZE * len(subject.bodies), 1, tuple(STATES), subject.names)
+    return FORMS[subject.dimension]
+
+
+def read_case(document: Any) -> tuple[str, LoadCase]:
+    """Return the kind of a certificate, and what it is about; its proof is not looked at.
 
     Raises:
         InputError: an old certificate, unknown keys, wrong types, a grasp out of range.
     """
     kind = check_version(document)
+    read = _assembly_and_load if "assembly" in document else _grasp_and_wrench
+    subject, load = read(document, kind)
+    bound = None
+    if "max_displacement" in document:
+        bound = read_displacement(rational(document["max_displacement"], "max_displacement"))
+    return kind, LoadCase(subject, load, bound, document.get("pyramid"))
+
+
+def _assembly_and_load(document: Mapping[str, Any], kind: str) -> tuple[Assembly, RationalVector]:
+    common = ("schema_version", "certificate", "assembly", "wrench")
+    if "bounds" in document:
+        check_form(document, kind, common)
+    else:
+        check_keys(document, (*common, *KEYS[kind]), ("max_displacement",), "the certificate")
+    assembly = Assembly.from_dict(document["assembly"])
+    if "wrench" in document["assembly"] or any(body.outline for body in assembly.bodies):
+        raise CertificateError("the assembly of a certificate has no wrench and no outlines")
+    return assembly, read_motion(document["wrench"], form_of(assembly), "wrench")
+
+
+def _grasp_and_wrench(document: Mapping[str, Any], kind: str) -> tuple[Grasp, RationalVector]:
     if old := next((key for key in _OLD_BOUNDS if key in document), ""):
         raise CertificateError(
             f"the certificate has {old}; expected max_displacement. Make a new one with "
@@ -180,28 +210,20 @@ def read_question(document: Any) -> tuple[str, Grasp, RationalVector]:
     shown_by = ("enclosure",) if "enclosure" in document else KEYS[kind]
     if "bounds" in document:
         check_form(document, kind, common)
-        return kind, *_grasp_and_wrench(document)
-    check_keys(document, (*common, *shown_by), ("pyramid", "max_displacement"), "the certificate")
-    grasp, wrench = _grasp_and_wrench(document)
+    else:
+        rest = ("pyramid", "max_displacement")
+        check_keys(document, (*common, *shown_by), rest, "the certificate")
+    if isinstance(document["grasp"], Mapping) and "outline" in document["grasp"]:
+        raise CertificateError("the grasp of a certificate has no outline; leave it out")
+    grasp = Grasp.from_dict(document["grasp"])
+    wrench = grasp.read_wrench(check_list(document["wrench"], "wrench"))
     if "enclosure" in document and (kind, grasp.dimension) != ("resisted", 3):
         raise CertificateError("an enclosure shows that a grasp in space resists")
     if "pyramid" in document and ("enclosure" in document or grasp.dimension != 3):
         raise CertificateError("a pyramid is for a grasp in space, and needs no enclosure")
-    return kind, grasp, wrench
-
-
-def _grasp_and_wrench(document: Mapping[str, Any]) -> tuple[Grasp, RationalVector]:
-    if isinstance(document["grasp"], Mapping) and "outline" in document["grasp"]:
-        raise CertificateError("the grasp of a certificate has no outline; leave it out")
-    grasp = Grasp.from_dict(document["grasp"])
-    return grasp, grasp.read_wrench(check_list(document["wrench"], "wrench"))
-
-
-def read_bound(document: Mapping[str, Any]) -> Fraction | None:
-    """Return the largest displacement that a certificate is about; None where it has none."""
-    if "max_displacement" not in document:
-        return None
-    return read_displacement(rational(document["max_displacement"], "max_displacement"))
+    if "pyramid" in document:
+        pyramid_edges(document["pyramid"])
+    return grasp, wrench
 
 
 def read_equilibrium(

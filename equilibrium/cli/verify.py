@@ -73,20 +73,17 @@ def _by_python_checker(arguments: argparse.Namespace, question: Any) -> Report:
 
 
 def _by_verified_checker(arguments: argparse.Namespace, question: Any) -> Report:
-    from equilibrium.certificate.assemblies import read_assembly_question
-    from equilibrium.certificate.reading import read_question
+    from equilibrium.certificate.reading import read_case
     from equilibrium.certificate.report import Report
     from equilibrium.grasps.files import read_certificate, verify_proved
-    from equilibrium.model.subject import LoadCase, flat
+    from equilibrium.model.subject import LoadCase
 
     path, max_displacement = arguments.certificate, read_displacement(arguments.max_displacement)
     valid, kind = verify_proved(path)
     report = Report(kind, "" if valid else f"this does not prove {kind}")
     if path != "-":
-        document = read_certificate(path)
-        read = read_assembly_question if "assembly" in document else read_question
-        _, subject, wrench = read(document)
-        report = replace(report, case=LoadCase(subject, flat(subject, wrench)))
+        _, case = read_case(read_certificate(path))
+        report = replace(report, case=LoadCase(case.subject, case.load))
         return report.asked(question, arguments.cone, max_displacement)
     if question is not None:
         raise GraspError("--verified compares no proof on stdin; give a file")

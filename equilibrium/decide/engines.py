@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
@@ -16,13 +15,15 @@ from typing import TYPE_CHECKING, Any
 from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, dot
-from equilibrium.certificate.checker import proof_problem
+from equilibrium.certificate.checker import proof_report
 from equilibrium.core.contacts import FloatContacts, IntegerContacts
+from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import TimeLimitError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Open, Outcome, Refutation, Solution, Tree
+from equilibrium.model.subject import LoadCase
 from equilibrium.plane.coplanar import decide_in_plane
 from equilibrium.plane.search.motion_regions import resistance
 from equilibrium.plane.search.units import SearchUnits
@@ -125,11 +126,7 @@ class PlanarEngine(Engine):
 
 
 class SpatialEngine(Engine):
-    """The search in a tree of contact states.
-
-    Args:
-        edges: of friction pyramids; none for round cones.
-    """
+    """The search in a tree of contact states, with round cones or pyramids."""
 
     checks_equilibria = True
 
@@ -137,9 +134,10 @@ class SpatialEngine(Engine):
         self,
         grasp: Grasp,
         max_displacement: Fraction | None = None,
-        edges: Sequence[RationalVector] = (),
+        pyramid: int | None = None,
     ) -> None:
-        self.grasp, self.max_displacement, self._edges = grasp, max_displacement, edges
+        self.grasp, self.max_displacement, self.pyramid = grasp, max_displacement, pyramid
+        self._edges = () if pyramid is None else pyramid_edges(pyramid)
 
     def outcome(
         self,
@@ -164,9 +162,10 @@ class SpatialEngine(Engine):
         from equilibrium.core.cones import Pyramids
         from equilibrium.core.tree import SETTINGS, SpatialSearch
 
+        case = LoadCase(self.grasp, wrench, self.max_displacement, self.pyramid)
+
         def accept(solution: Solution) -> bool:
-            asked = self.grasp, wrench, solution, self._edges, self.max_displacement
-            return not proof_problem(*asked)
+            return bool(proof_report(case, solution))
 
         rows = ContactRows.of_grasp(self.grasp)
         load = rows.total_load(wrench)

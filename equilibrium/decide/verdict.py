@@ -20,7 +20,7 @@ from arrangement.console.plugins import attached
 from arrangement.errors import HintsMixin, OutOfReachError
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, to_text, vector_text
-from equilibrium.certificate.checker import check, proof_problem
+from equilibrium.certificate.checker import check, proof_report
 from equilibrium.certificate.document import (
     Certificate,
     refuted_certificate,
@@ -70,9 +70,10 @@ def engine_of(
         from .assemblies.engine import AssemblyEngine
 
         return AssemblyEngine(subject, max_displacement)
-    edges = () if pyramid is None else pyramid_edges(pyramid, subject.dimension)
+    if pyramid is not None:
+        pyramid_edges(pyramid, subject.dimension)
     if subject.dimension == 3:
-        return SpatialEngine(subject, max_displacement, edges)
+        return SpatialEngine(subject, max_displacement, pyramid)
     return PlanarEngine(subject, max_displacement)
 
 
@@ -346,11 +347,7 @@ class Verdict(HintsMixin):
     @property
     def problem(self) -> str:
         """What the checker finds wrong with the equilibrium or the tree; empty if nothing."""
-        if isinstance(self.subject, Assembly):
-            return self.verify().problem if self.decided else ""
-        edges = () if self.pyramid is None else pyramid_edges(self.pyramid)
-        proof = self.solution or self.tree
-        return proof_problem(self.subject, self.load, proof, edges, self.max_displacement)
+        return proof_report(self.case, self.solution or self.tree).problem if self.decided else ""
 
     def accepted(self) -> Verdict:
         """Return this verdict, whose proof the checker accepts.

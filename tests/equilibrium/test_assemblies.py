@@ -30,9 +30,8 @@ from equilibrium import (
     solve,
     verify,
 )
-from equilibrium.certificate.assemblies import joint_rows
 from equilibrium.certificate.checker import check
-from equilibrium.certificate.law import law_problem
+from equilibrium.certificate.law import joint_rows, law_problem
 from equilibrium.cli import main
 from equilibrium.core.cones import LineCones
 from equilibrium.core.contacts import FloatContacts

@@ -13,6 +13,7 @@ from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, read_grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.leaves import parts
+from equilibrium.certificate.report import Report
 from equilibrium.cli.program import main
 from equilibrium.decide import engines as deciding, verdict as verdicts
 from equilibrium.decide.solver import Solver
@@ -142,7 +143,7 @@ def test_displacements_without_stiffness_have_no_unit(capsys, tmp_path):
 def test_checker_must_accept_a_proof_before_the_verdict_leaves(monkeypatch, capsys):
     grasp = read_grasp(THREE)
     with monkeypatch.context() as forging:
-        forging.setattr(verdicts, "proof_problem", lambda *_, **__: "forged")
+        forging.setattr(verdicts, "proof_report", lambda *_: Report("resisted", "forged"))
         with pytest.raises(EquilibriumError, match="internal error") as caught:
             solve(grasp, (0, 1, 0))
     assert not isinstance(caught.value, InputError)

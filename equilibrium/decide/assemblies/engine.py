@@ -12,8 +12,7 @@ from typing import Any, NamedTuple
 
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.exact import RationalVector, dot, to_text, vector_text
-from equilibrium.certificate.assemblies import joint_rows
-from equilibrium.certificate.law import displacement_problem, law_problem
+from equilibrium.certificate.law import displacement_problem, joint_rows, law_problem
 from equilibrium.decide.engines import Engine, PlanarEngine
 from equilibrium.model.assembly import SIZE, Assembly, Wrenches
 from equilibrium.model.effort import Effort
