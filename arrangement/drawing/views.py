@@ -285,7 +285,7 @@ class ViewEntry:
     shows: Callable[[Any], bool] = lambda _: True
 
 
-def showing(views: Mapping[str, ViewEntry], subject: Any) -> dict[str, ViewEntry]:
+def able_to_show(views: Mapping[str, ViewEntry], subject: Any) -> dict[str, ViewEntry]:
     """Return the views, models or pages that can show a subject."""
     return {name: view for name, view in views.items() if view.shows(subject)}
 
@@ -312,14 +312,14 @@ class Drawings:
             default.
         models: likewise, ``f(subject, suffix, **options) -> bytes``.
         pages: likewise, ``f(subject, **options) -> str``.
-        suited: returns those of them that suit a subject, the best one first.
+        select: returns those of them that suit a subject, the best one first.
     """
 
     package: str
     views: Mapping[str, ViewEntry]
     models: Mapping[str, ViewEntry]
     pages: Mapping[str, ViewEntry]
-    suited: Callable[[Mapping[str, ViewEntry], Any], Mapping[str, ViewEntry]] = showing
+    select: Callable[[Mapping[str, ViewEntry], Any], Mapping[str, ViewEntry]] = able_to_show
 
     def entries(self, kind: str) -> Mapping[str, ViewEntry]:
         """Return the views, models or pages by name."""
@@ -347,7 +347,7 @@ class Drawings:
 
     def of(self, subject: Any) -> Drawings:
         """Return what suits a subject, the best view, model and page first."""
-        views, models, pages = (self.suited(self.entries(kind), subject) for kind in KINDS)
+        views, models, pages = (self.select(self.entries(kind), subject) for kind in KINDS)
         return replace(self, views=views, models=models, pages=pages)
 
     @_within_floats()

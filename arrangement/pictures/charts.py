@@ -43,8 +43,7 @@ from arrangement.pictures.names import (
     Labels,
     RegionLabels,
     explain_regions,
-    near_classes,
-    note_near,
+    names_on_paper,
     plane_names,
 )
 
@@ -209,10 +208,7 @@ class _Whole:
             x, y, larger = discs[one] - discs[other]
             return math.hypot(x, y) + abs(float(larger))
 
-        groups = near_classes(len(classes), apart, LINE_WIDTH)
-        texts = {g[0]: plane_names(sorted(i for k in g for i in classes[k])) for g in groups}
-        joint = [texts[group[0]] for group in groups if len(group) > 1]
-        note_near(self.scene.legend, self.names.items, joint)
+        texts = names_on_paper(self.scene.legend, self.names, classes, apart, LINE_WIDTH)
         for k, text in sorted(texts.items(), key=lambda item: abs(self.normals[item[0], 2])):
             for step in range(84):
                 if self._name(k, text, step, off):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
@@ -12,7 +11,6 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.counts import f_vector, fukuda_bound
 from arrangement.drawing.colours import BLACK
-from arrangement.drawing.layout import laid_out
 from arrangement.drawing.scene import Floats, Scene
 from arrangement.drawing.views import picture
 from arrangement.errors import InputError
@@ -43,26 +41,6 @@ def check_largest(largest: int) -> None:
     """Refuse a number of planes that is out of range."""
     if type(largest) is not int or not 4 <= largest <= 30:
         raise InputError(f"the largest m is {shown(largest)}; give an integer from 4 to 30")
-
-
-def counts_table(largest: int) -> list[dict[str, int]]:
-    """Return, for 1 to `largest` central planes in general position in R^3, counts and bounds.
-
-    Rays, facets, regions and states (all faces) by Zaslavsky's theorem; the printed formulas of
-    regions and states; the bound of Fukuda and others on the regions of as many planes in R^3.
-    """
-    return [
-        {
-            "m": m,
-            **dict(zip(("rays", "facets", "regions"), f[1:], strict=True)),
-            "states": sum(f),
-            "printed_regions": m * m - m + 2,
-            "printed_states": 4 * m * m - 4 * m + 3,
-            "bound": fukuda_bound(m, 3, 3),
-        }
-        for m in range(1, largest + 1)
-        for f in [f_vector(generic(m))]
-    ]
 
 
 @picture(60.0)
@@ -196,11 +174,3 @@ def _families(panel: _CountsPanel) -> None:
     points = ((len(planes), f_vector(planes)[-1]) for planes in mirrors)
     panel.marks(points, "star", "family-reflection", "regions, mirrors of A₃ and B₃", "#88ccee")
     panel.scene.legend.key(stroke(ec=_CURVE, lw=0.8), "bound m² − m + 2")
-
-
-def write_counts(path: str | os.PathLike[str], **options: Any) -> None:
-    """Write the picture of `draw_counts` into a file, in the format of its suffix."""
-    draw: Callable[..., Scene] = draw_counts.scene
-    from arrangement.drawing.path_artist import write_scene
-
-    write_scene(path, lambda: laid_out(draw(**options)))

@@ -79,8 +79,7 @@ from arrangement.pictures.names import (
     Labels,
     RegionLabels,
     explain_regions,
-    near_classes,
-    note_near,
+    names_on_paper,
     plane_names,
     thinner,
 )
@@ -535,15 +534,9 @@ class Disc:
             away = units[one] - signs[one, other] * units[other]
             return self.radius * float(np.linalg.norm(away))
 
-        groups = near_classes(len(distinct), apart, LINE_WIDTH)
-        joint = []
-        for group in groups:
-            circle = group[0]
-            members = sorted(k for c in group for k in distinct[c])
-            text = plane_names(members, len(globe.whole.arrangement))
-            if not text:
-                continue
-            joint += [text] * (len(group) > 1)
+        planes, legend = len(globe.whole.arrangement), self.scene.legend
+        texts = names_on_paper(legend, self.names, distinct, apart, LINE_WIDTH, planes)
+        for circle, text in texts.items():
             at_rim = circle == globe.limb and not isinstance(self.drawn, CutChart)
             ends = [0.25] if at_rim else list(self.drawn.ends(circle))
             if not ends:
@@ -554,8 +547,6 @@ class Disc:
             # Angles of one point of the rim differ by rounding, also by a whole turn.
             near = [(end + 1e-9) % (2 * math.pi) - 1e-9 for end in ends]
             wanted += [(round(a, 8), self._lean(circle, a), text, circle) for a in near]
-        note_near(self.scene.legend, self.names.items, joint)
-        self.names.joined = bool(joint)
         wanted.sort()
         placed = spread([angle for angle, *_ in wanted], 9.0 / (self.radius + RIM / 2))
         for (angle, _, text, circle), at in zip(wanted, placed, strict=True):

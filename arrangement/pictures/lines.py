@@ -69,8 +69,7 @@ from arrangement.pictures.names import (
     Labels,
     RegionLabels,
     explain_regions,
-    near_classes,
-    note_near,
+    names_on_paper,
     plane_names,
     swatch,
     vertex_symbol,
@@ -542,7 +541,6 @@ class _WindowSheet(_Sheet):
         chart = self.chart
         x, y = (float(half) for half in chart.half)
         names = [plane_names(members) for members in chart.lines.distinct]
-        joint: list[str] = []
         trial = Scene(width, 10.0)
         margin = max([MARGIN, *(trial.measure(name)[0] + 5 for name in names)])
         room = trial.width - 2 * margin
@@ -592,11 +590,10 @@ class _WindowSheet(_Sheet):
         def apart(one: int, other: int) -> float:
             return _apart(self.lines[drawn[one]], self.lines[drawn[other]])
 
-        for group in near_classes(len(drawn), apart, _WIDTH):
-            members = sorted(k for g in group for k in chart.lines.distinct[drawn[g]])
-            joint += [plane_names(members)] * (len(group) > 1)
-            self._name(self.lines[drawn[group[0]]], plane_names(members))
-        note_near(self.scene.legend, self.names.items, joint)
+        seen = [chart.lines.distinct[label] for label in drawn]
+        texts = names_on_paper(self.scene.legend, self.names, seen, apart, _WIDTH)
+        for k, text in texts.items():
+            self._name(self.lines[drawn[k]], text)
 
     def plane(self, place: Floats) -> Floats:
         return np.append((place - self.centre) / self.scale, 1.0)

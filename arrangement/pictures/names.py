@@ -212,26 +212,38 @@ def plane_names(members: Sequence[int], count: int | None = None) -> str:
     return ",".join(parts)
 
 
-def near_classes(
-    count: int, distance: Callable[[int, int], float], nearest: float
-) -> list[list[int]]:
-    """Return classes of elements, those together that are drawn nearer than a line's width."""
+def names_on_paper(
+    legend: Legend,
+    names: RegionLabels,
+    classes: Sequence[Sequence[int]],
+    distance: Callable[[int, int], float],
+    nearest: float,
+    count: int | None = None,
+) -> dict[int, str]:
+    """Return the names of classes of planes, by the first one of those that look like one.
+
+    Classes that are nearer than a line's width have a joint name, and the legend says so.
+
+    Args:
+        distance: between two classes on paper, by their numbers.
+        nearest: the width of a line.
+        count: of planes; later ones have no name.
+    """
     groups: list[list[int]] = []
-    for k in range(count):
+    for k in range(len(classes)):
         group = next((own for own in groups if distance(own[0], k) < nearest), None)
         if group is None:
             groups.append([k])
         else:
             group.append(k)
-    return groups
-
-
-def note_near(legend: Legend, items: str, names: Sequence[str]) -> None:
-    """Report which elements a picture cannot tell apart; their label is a joint one."""
-    if names:
-        text = f"{items} {'; '.join(names)}: nearer than a line's width, drawn as one"
+    texts = [plane_names(sorted(i for k in own for i in classes[k]), count) for own in groups]
+    joint = [text for text, own in zip(texts, groups, strict=True) if text and len(own) > 1]
+    names.joined = bool(joint)
+    if joint:
+        text = f"{names.items} {'; '.join(joint)}: nearer than a line's width, drawn as one"
         legend.line(text)
         legend.note(text)
+    return {own[0]: text for own, text in zip(groups, texts, strict=True) if text}
 
 
 _LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")

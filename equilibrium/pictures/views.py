@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from arrangement.drawing.views import Drawings, ViewEntry, showing
+from arrangement.drawing.views import Drawings, ViewEntry, able_to_show
 from arrangement.numbers import budget
 from equilibrium.model.grasp import Grasp
 
@@ -18,10 +18,10 @@ def _in_space(grasp: Grasp) -> bool:
     return grasp.dimension == 3
 
 
-def _suited(views: Mapping[str, ViewEntry], grasp: Grasp) -> dict[str, ViewEntry]:
+def _select(views: Mapping[str, ViewEntry], grasp: Grasp) -> dict[str, ViewEntry]:
     """Return what can be drawn of a grasp, in the plane or in space."""
     budget.check_size(len(grasp), "contacts in a picture")
-    return showing(views, grasp)
+    return able_to_show(views, grasp)
 
 
 DRAWINGS = Drawings(
@@ -46,7 +46,7 @@ DRAWINGS = Drawings(
         "wrench-set": ViewEntry("wrench_set:wrench_set_page", _in_plane),
         "grasp": ViewEntry("space_grasp:grasp_page", _in_space),
     },
-    suited=_suited,
+    select=_select,
 )
 
 #: What can be drawn of an assembly, or of the verdict on one.
