@@ -95,10 +95,10 @@ def _contact(touch: Touch, state: str, rest: Fraction, push: int, size: int) -> 
     """Conditions of one contact; its forces are the variables `push` and `push` + 1."""
 
     def row(motion: Row, constant: Fraction, **forces: Fraction | int) -> Row:
-        found = [*motion, *[Fraction(0)] * (size - 4), constant]
-        found[push] += forces.get("normal", 0)
-        found[push + 1] += forces.get("tangential", 0)
-        return tuple(found)
+        entries = [*motion, *[Fraction(0)] * (size - 4), constant]
+        entries[push] += forces.get("normal", 0)
+        entries[push + 1] += forces.get("tangential", 0)
+        return tuple(entries)
 
     zero = Fraction(0)
     still = (zero,) * 3
@@ -157,7 +157,7 @@ def _cones(_rng: random.Random) -> Iterator[Case]:
 
 def _method(id: str, **checked: Any) -> Claim:
     """Return a claim on what a method says, and on what is right."""
-    checked = {"judge": lambda asked, found: found == asked.says, **checked}
+    checked = {"judge": lambda asked, verdicts: verdicts == asked.says, **checked}
     return stated(id, solver=_by_packages, elimination=_by_elimination, **checked)
 
 
@@ -210,8 +210,8 @@ _Classes = tuple[bool, bool]
 
 
 def _classes(question: Question) -> _Classes:
-    found = weak_strong(grasp_of(question), question.wrench)
-    return found.strong, found.frictionless
+    stability = weak_strong(grasp_of(question), question.wrench)
+    return stability.strong, stability.frictionless
 
 
 def _loads(_rng: random.Random) -> Iterator[Case]:
@@ -262,11 +262,11 @@ def _within_bound_by_minors(bounded: Bounded) -> tuple[bool, bool]:
     touches = bounded.question.touches
     wrench = bounded.question.wrench
     size = oracle.dot(wrench, wrench)
-    found = any(
+    covered = any(
         within_bound(touches, states, size)
         for states in product(bounded.states, repeat=len(touches))
     )
-    return found, oracle.stable(bounded.question)
+    return covered, oracle.stable(bounded.question)
 
 
 def _jaws(
@@ -287,9 +287,9 @@ def _jaws(
             for s in (1, -1):
                 point = [x - s * reach * n for x, n in zip(shift, normal, strict=True)]
                 rows.append((*point, *(s * n for n in normal), *rest, preload))
-        found = bound(grasp_of(Question(tuple(rows), (Fraction(0),) * 3)))
+        limit = bound(grasp_of(Question(tuple(rows), (Fraction(0),) * 3)))
         for way in ((1, 0, 0), (0, -1, 0), (1, 2, 2)):
-            size = Fraction(int(9999 * (found.value if found else 0.0) / hypot(*way)), 10000)
+            size = Fraction(int(9999 * (limit.value if limit else 0.0) / hypot(*way)), 10000)
             for times in (1, 2):
                 question = Question(tuple(rows), tuple(times * size * x for x in way))
                 label = f"m = {len(rows)}, w along {way}, {'beyond' if times > 1 else 'within'}"
@@ -304,7 +304,7 @@ def _robust(
         id,
         method=_within_bound_and_stable,
         minors=_within_bound_by_minors,
-        judge=lambda _, found: found[1] or not found[0],
+        judge=lambda _, verdicts: verdicts[1] or not verdicts[0],
         cases=partial(_jaws, bound, states),
     )
 
@@ -316,10 +316,10 @@ CLAIMS = (
     ),
     _method(
         "method-cones-only",
-        judge=lambda asked, found: found[0],
+        judge=lambda asked, verdicts: verdicts[0],
         cases=_cones,
         covers=lambda asked: all(touch.friction > 1 for touch in asked.question.touches),
-        explain=lambda asked, found: f"corrected model: {'Yes' if found[1] else 'No'}",
+        explain=lambda asked, verdicts: f"corrected model: {'Yes' if verdicts[1] else 'No'}",
     ),
     _method(
         "method-linear-compliance",
@@ -346,7 +346,7 @@ CLAIMS = (
         "strong-is-virtual-work",
         faces=_classes,
         elimination=classes,
-        judge=lambda _, found: found[0] == found[1],
+        judge=lambda _, verdicts: verdicts[0] == verdicts[1],
         cases=_loads,
         search=lambda: smallest_questions(range(1, 3), _SIDEWAYS, preloads=(0,)),
     ),
@@ -354,7 +354,7 @@ CLAIMS = (
         "frictionless-implies-strong",
         faces=_classes,
         elimination=classes,
-        judge=lambda _, found: found[0] or not found[1],
+        judge=lambda _, verdicts: verdicts[0] or not verdicts[1],
         cases=_frictionless,
     ),
     _robust("pcr-is-safe", contact_robustness, ("stick",)),

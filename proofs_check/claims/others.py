@@ -30,8 +30,8 @@ from .stated import stated
 
 def _census_planes(m: int) -> Iterator[Arrangement]:
     """Yield new arrangements of the census that have rank 3 and m distinct planes."""
-    for found in census(m):
-        fresh = Arrangement(found.normals)
+    for entry in census(m):
+        fresh = Arrangement(entry.normals)
         if fresh.rank == 3 and len(fresh.distinct) == m:
             yield fresh
 
@@ -55,8 +55,8 @@ def _by_isomorphism(m: int) -> tuple[int, int]:
         group = kept.setdefault(text, [])
         if not any(nx.is_isomorphic(graph, other) for other, _ in group):
             group.append((graph, planes.is_simple))
-    found = [simple for group in kept.values() for _, simple in group]
-    return len(found), sum(found)
+    kinds = [simple for group in kept.values() for _, simple in group]
+    return len(kinds), sum(kinds)
 
 
 def _adjacent(planes: Arrangement) -> Iterator[tuple[RegionSigns, RegionSigns]]:
@@ -98,15 +98,19 @@ def _flags(graph: DualGraph) -> dict[Flag, tuple[Flag, Flag, Flag]]:
     for k, face in enumerate(graph.faces):
         for edge in face:
             faces_of[edge].add(k)
-    found = {}
+    near_flags = {}
     for k, face in enumerate(graph.faces):
         for edge in face:
             (next_face,) = faces_of[edge] - {k}
             for v in edge:
                 (vertex,) = edge - {v}
                 (next_edge,) = (e for e in face if v in e and e != edge)
-                found[v, edge, k] = ((vertex, edge, k), (v, next_edge, k), (v, edge, next_face))
-    return found
+                near_flags[v, edge, k] = (
+                    (vertex, edge, k),
+                    (v, next_edge, k),
+                    (v, edge, next_face),
+                )
+    return near_flags
 
 
 def _walk(near: list[list[int]], start: int) -> tuple[int, ...]:
@@ -246,8 +250,8 @@ CLAIMS = (
         "census-types",
         codes=_by_codes,
         isomorphism=_by_isomorphism,
-        judge=lambda m, found: (
-            found == (PUBLISHED[m], PUBLISHED_SIMPLE[m]) and len(census(m)) == found[0]
+        judge=lambda m, numbers: (
+            numbers == (PUBLISHED[m], PUBLISHED_SIMPLE[m]) and len(census(m)) == numbers[0]
         ),
         cases=lambda _: (Case(f"m = {m}", m, {"planes_count": m}) for m in range(3, 8)),
     ),

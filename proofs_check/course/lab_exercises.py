@@ -57,11 +57,11 @@ def lab_judges(source: str) -> dict[str, tuple[str, Callable[[Any], Judged]]]:
         InputError: the file holds no exercises of either lab, or two of one name.
     """
     if _is_of_lines(source):
-        found, judge = lines.line_exercises(_path(source)), _judge_lines
+        exercises, judge = lines.line_exercises(_path(source)), _judge_lines
     else:
-        found, judge = page.slip_exercises(_path(source)), _judge_slip
-    named = {one["name"]: (one["task"], _refusing(judge, one)) for one in found}
-    if len(named) < len(found):
+        exercises, judge = page.slip_exercises(_path(source)), _judge_slip
+    named = {one["name"]: (one["task"], _refusing(judge, one)) for one in exercises}
+    if len(named) < len(exercises):
         raise InputError(f"{source} has two exercises of one name; expected different names")
     return named
 
@@ -131,8 +131,8 @@ def _change_problem(fixed: list[str], start: tuple[Grasp, Any], now: tuple[Grasp
 
 
 def _judge_resisted(wanted: bool, grasp: Grasp, wrench: Any, motion: Any) -> Judged:
-    found = bool(solve(grasp, wrench))
-    return found is wanted or f"the grasp {'resists' if found else 'does not resist'} this load"
+    resists = bool(solve(grasp, wrench))
+    return resists is wanted or f"the grasp {'resists' if resists else 'does not resist'} this load"
 
 
 def _equilibria(least: int, grasp: Grasp, wrench: Any, motion: Any) -> Judged:
@@ -141,13 +141,13 @@ def _equilibria(least: int, grasp: Grasp, wrench: Any, motion: Any) -> Judged:
 
 
 def _states(wanted: list[str], grasp: Grasp, wrench: Any, motion: Any) -> Judged:
-    found = [piece.states for piece in solve(grasp, wrench).equilibria]
+    solutions = [piece.states for piece in solve(grasp, wrench).equilibria]
     right = any(
         len(states) == len(wanted)
         and all(w in (s, "any") for w, s in zip(wanted, states, strict=True))
-        for states in found
+        for states in solutions
     )
-    said = "; or ".join(", ".join(states) for states in found)
+    said = "; or ".join(", ".join(states) for states in solutions)
     return right or (f"the states are {said}" if said else "the grasp does not resist this load")
 
 
@@ -164,8 +164,8 @@ def _gap(_: bool, grasp: Grasp, wrench: Any, motion: Any) -> Judged:
 
 def _along(grasp: Grasp, wrench: Any) -> tuple[Interval, ...]:
     """Return the multiples of a load that a planar grasp resists."""
-    found: Any = ResistedSet(grasp).along(wrench)
-    intervals: tuple[Interval, ...] = found.intervals
+    resisted: Any = ResistedSet(grasp).along(wrench)
+    intervals: tuple[Interval, ...] = resisted.intervals
     return intervals
 
 
@@ -190,8 +190,8 @@ def _refutes(_: bool, grasp: Grasp, wrench: Any, motion: Any) -> Judged:
 
 
 def _regions(count: int, grasp: Grasp, wrench: Any, motion: Any) -> Judged:
-    found = grasp.tangential_arrangement().region_count()
-    return found == count or f"{found} regions; expected {count}"
+    number = grasp.tangential_arrangement().region_count()
+    return number == count or f"{number} regions; expected {count}"
 
 
 _SLIP_GOALS: Mapping[str, Callable[[Any, Grasp, Any, Any], Judged]] = {
@@ -220,9 +220,9 @@ def _judge_lines(exercise: Mapping[str, Any], answer: tuple[str, Any]) -> Judged
 
 def _counts(wanted: Mapping[str, Any], planes: Arrangement) -> Judged:
     for name, value in wanted.items():
-        found = _COUNTS[name](planes)
-        if found != value:
-            return f"{name.replace('_', ' ')}: {shown(found)}; expected {shown(value)}"
+        number = _COUNTS[name](planes)
+        if number != value:
+            return f"{name.replace('_', ' ')}: {shown(number)}; expected {shown(value)}"
     return True
 
 
@@ -239,9 +239,9 @@ def _triangles(planes: Arrangement) -> int:
 
 def _class_name(planes: Arrangement) -> str | None:
     """Return the isomorphism class as the lab names it; of more than six planes none."""
-    found = planes.identify()
-    named = found.type is not None and found.planes <= lines.NAMED_PLANES
-    return f"{found.planes}.{found.type}" if named else None
+    identified = planes.identify()
+    named = identified.type is not None and identified.planes <= lines.NAMED_PLANES
+    return f"{identified.planes}.{identified.type}" if named else None
 
 
 _COUNTS: Mapping[str, Callable[[Arrangement], Any]] = {
@@ -286,5 +286,5 @@ def _homogeneous(row: IntegerVector, dimension: int) -> IntegerVector:
 
 
 def _up_to_sign(row: Any) -> IntegerVector:
-    found = primitive(row)
-    return max(found, tuple(-x for x in found))
+    vector = primitive(row)
+    return max(vector, tuple(-x for x in vector))

@@ -126,21 +126,21 @@ def _row(cells: Mapping[str, str], line: int) -> Row:
     named = {"planes": "m"}.get(named, named)
     kind, _, rest = subject.partition(" ")
     quantity = named if named in (*QUANTITIES, *_OF_ALL.get(kind, ())) else quantity
-    found: Value | None = None
+    result: Value | None = None
     over, reason = None, ""
     try:
         if kind in _OF_ALL:
             if quantity not in _OF_ALL[kind]:
                 raise refusal(f"the quantity is {shown(quantity)}", quantity, _OF_ALL[kind])
-            found = _OF_ALL[kind][quantity](_number(rest))
+            result = _OF_ALL[kind][quantity](_number(rest))
         else:
-            over, found = _of_arrangements(subject, quantity)
+            over, result = _of_arrangements(subject, quantity)
     except (NotComputed, OutOfReachError) as error:
         reason = str(error)
-    printed = _read_printed(text, quantity, found)
-    if quantity == "bounded_regions" and printed != found and isinstance(over, Arrangement):
+    printed = _read_printed(text, quantity, result)
+    if quantity == "bounded_regions" and printed != result and isinstance(over, Arrangement):
         reason = why_none_is_bounded(over)
-    return Row(line, subject, quantity, printed, found, reason)
+    return Row(line, subject, quantity, printed, result, reason)
 
 
 def _of_arrangements(subject: str, quantity: str) -> tuple[Arrangement | None, Value]:
@@ -173,24 +173,24 @@ def _read_printed(text: str, quantity: str, computed: Value | None) -> Value:
         return _coefficients(read(text.replace("^", "**"), ["t"]))
     words = _GROUPING.sub("", text).replace(";", " ").split()
     pairs = list(map(_PAIR.fullmatch, words))
-    found: Value
+    value: Value
     if words and all(pairs):
         numbers = {int(pair[1]): int(pair[2]) for pair in pairs if pair}
-        found = {k: number for k, number in sorted(numbers.items()) if number}
+        value = {k: number for k, number in sorted(numbers.items()) if number}
     elif words and all(re.fullmatch(r"-?[0-9]+", w, re.ASCII) or w in _TRUTH for w in words):
-        found = tuple(_TRUTH[word] if word in _TRUTH else integer(word) for word in words)
+        value = tuple(_TRUTH[word] if word in _TRUTH else integer(word) for word in words)
     else:
         how = "t2=3 t3=4" if isinstance(computed, dict) else "integers"
         raise InputError(f"the printed value is {shown(text)}; write {how}")
     if isinstance(computed, (tuple, dict)):
-        if type(found) is not type(computed):
+        if type(value) is not type(computed):
             how = "write t2=3 t3=4" if isinstance(computed, dict) else "write integers"
             raise InputError(f"{quantity} is {shown(text)}; {how}")
-    elif isinstance(found, tuple) and len(found) == 1:
-        return int(found[0])
+    elif isinstance(value, tuple) and len(value) == 1:
+        return int(value[0])
     elif computed is not None:
         raise InputError(f"{quantity} is {shown(text)}; write one number")
-    return found
+    return value
 
 
 def _coefficients(node: ast.expr) -> tuple[int, ...]:
@@ -222,10 +222,10 @@ def _coefficients(node: ast.expr) -> tuple[int, ...]:
 
 
 def _number(rest: str) -> int:
-    found = re.fullmatch(r"n=([0-9]{1,3})", rest.strip(), re.ASCII)
-    if found is None:
+    match = re.fullmatch(r"n=([0-9]{1,3})", rest.strip(), re.ASCII)
+    if match is None:
         raise InputError(f"how many is {shown(rest)}; write lines n=7")
-    return int(found[1])
+    return int(match[1])
 
 
 def _in_census(n: int) -> int:
@@ -247,11 +247,11 @@ def _pseudolines(n: int, simple: bool) -> Signs:
         raise NotComputed(f"isomorphism classes of 3 to {MOST_PSEUDOLINES} pseudolines are counted")
     if n == 3:
         return np.ones((1, 1), dtype=np.int8)
-    found = []
+    parts = []
     for signs in _pseudolines(n - 1, simple):
         new = extensions(signs, n - 1)
-        found.append(extended(signs, new[(new != 0).all(1)] if simple else new, n - 1))
-    everything = np.concatenate(found)
+        parts.append(extended(signs, new[(new != 0).all(1)] if simple else new, n - 1))
+    everything = np.concatenate(parts)
     _, first = np.unique(canonical(everything, n).codes, axis=0, return_index=True)
     return everything[first]
 

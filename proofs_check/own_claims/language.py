@@ -151,9 +151,9 @@ def _as_python(text: str) -> list[_TypedPiece]:
     # Each open bracket with its arguments, and each of them with the sides of its implications.
     groups: list[tuple[list[_TypedPiece], list[list[list[_TypedPiece]]]]] = [([], [[[]]])]
     previous = ""
-    for found in _TOKEN.finditer(text):
-        token, arguments = found[0], groups[-1][1]
-        piece = _TypedPiece("**" if token == "^" else token, *found.span())
+    for match in _TOKEN.finditer(text):
+        token, arguments = match[0], groups[-1][1]
+        piece = _TypedPiece("**" if token == "^" else token, *match.span())
         if token in "([{":
             groups.append(([piece], [[[]]]))
         elif token in ")]}" and len(groups) > 1:
@@ -288,9 +288,9 @@ class _PartTypes:
         )
 
     def _mapping(self, value: ast.expr, node: ast.expr) -> None:
-        if (found := self.of(value)) != _MAPPING:
+        if (kind := self.of(value)) != _MAPPING:
             raise OwnClaimError(
-                f"{self.text(node)} asks {found} for keys; expected one of {', '.join(MAPPINGS)}"
+                f"{self.text(node)} asks {kind} for keys; expected one of {', '.join(MAPPINGS)}"
             )
 
     def _arguments(self, name: str, given: Sequence[ast.expr], node: ast.expr) -> None:
@@ -305,34 +305,34 @@ class _PartTypes:
             number = len(_ARGUMENTS[name])
             raise OwnClaimError(f"{self.text(node)} has {len(given)} arguments; expected {number}")
         elif _ARGUMENTS[name] == (_VECTOR,):
-            found, inner = self.of(given[0]), self.text(given[0]).strip("'")
-            if found == _MAPPING and name != "len":
+            kind, inner = self.of(given[0]), self.text(given[0]).strip("'")
+            if kind == _MAPPING and name != "len":
                 raise OwnClaimError(
                     f"{self.text(node)} is of a mapping; write {name}({inner}.values()) or "
                     f"{name}({inner}.keys())"
                 )
-            if found not in (_VECTOR, _MAPPING):
-                raise OwnClaimError(f"{self.text(node)} is of {found}; expected a vector")
+            if kind not in (_VECTOR, _MAPPING):
+                raise OwnClaimError(f"{self.text(node)} is of {kind}; expected a vector")
         else:
             self._all(given, _NUMBER, node)
 
     def _all(self, parts: Sequence[ast.expr], wanted: str, node: ast.expr) -> str:
         """Return the type that all parts must have."""
         for part in parts:
-            if (found := self.of(part)) != wanted:
+            if (kind := self.of(part)) != wanted:
                 raise OwnClaimError(
-                    f"{self.text(part)} in {self.text(node)} is {found}; expected {wanted}"
+                    f"{self.text(part)} in {self.text(node)} is {kind}; expected {wanted}"
                 )
         return wanted
 
     def _logic(self, parts: Sequence[ast.expr], node: ast.expr) -> None:
         """Refuse what is neither true nor false beside ``and``, ``or``, ``not``, ``implies``."""
         for part in parts:
-            if (found := self.of(part)) != _TRUTH:
+            if (kind := self.of(part)) != _TRUTH:
                 meant = self._meant(node)
                 remedy = f"Did you mean {meant}?" if meant else "Compare it, as in m >= 3"
                 raise OwnClaimError(
-                    f"{self.text(part)} in {self.text(node)} is {found}; expected a truth value on "
+                    f"{self.text(part)} in {self.text(node)} is {kind}; expected a truth value on "
                     f"each side of and, or, not, implies. {remedy}"
                 )
 

@@ -179,11 +179,11 @@ def _hint(result: Record) -> str:
 
 def _figures(result: Record) -> list[tuple[Markup, str, bool]]:
     """Return pictures, captions, and whether they are broad."""
-    found = []
+    listed = []
     for svg, caption in pictures(result) if not _hint(result) else ():
         width = float(svg.partition('width="')[2].partition("pt")[0])
-        found.append((Markup(svg), caption, width > BROAD))
-    return found
+        listed.append((Markup(svg), caption, width > BROAD))
+    return listed
 
 
 def _deciding(result: Record) -> Sequence[Record]:
@@ -203,11 +203,11 @@ def _cells(case: Record) -> list[str]:
 def python_lines(result: Record) -> str:
     """Return three lines of Python that decide the claim again."""
     given, name = result.get("file"), json.dumps(result["id"])
-    source, found = ("load", f"load({json.dumps(given)})") if given else ("registry", "registry()")
+    source, known = ("load", f"load({json.dumps(given)})") if given else ("registry", "registry()")
     seed = f", {result['seed']}" if result.get("seed") else ""
     return (
         f"from proofs_check import evaluate, {source}\n"
-        f"result = evaluate({found}[{name}]{seed})\n"
+        f"result = evaluate({known}[{name}]{seed})\n"
         "print(result.verdict.value, result.evidence.counterexample, sep='\\n')"
     )
 
@@ -248,24 +248,24 @@ def drawn(result: Record) -> Iterator[Drawn]:
     counterexample = (result.get("counterexample") or {}).get("instance")
     for view in result.get("views") or [{"name": "", "caption": "", "options": {}}]:
         instance, name = view.get("instance") or counterexample or {}, view["name"]
-        found: tuple[Drawings, Any, str, dict[str, Any]] | None = None
+        drawing: tuple[Drawings, Any, str, dict[str, Any]] | None = None
         if instance.get("planes"):
             known = {
                 key: instance[key] for key in ("planes", "offsets", "field") if key in instance
             }
             planes = read_arrangement({"schema_version": 1, **known})
             if name or (planes.dimension == 3 and planes.is_central):
-                found = (OF_PLANES, planes, name or "dual", view["options"])
+                drawing = (OF_PLANES, planes, name or "dual", view["options"])
         elif instance.get("contacts"):
             grasp = Grasp.from_dict({k: v for k, v in instance.items() if k != "wrench"})
             options = view["options"]
             if not name and "wrench" in instance:
                 options = {"wrench": instance["wrench"]}
                 name = "grasp" if solve(grasp, options["wrench"]).stable else "proof"
-            found = (OF_GRASPS, grasp, name or "grasp", options)
-        if found:
+            drawing = (OF_GRASPS, grasp, name or "grasp", options)
+        if drawing:
             label = (result.get("counterexample") or {}).get("label", "")
-            yield (*found, view["caption"] or f"Counterexample: {label}")
+            yield (*drawing, view["caption"] or f"Counterexample: {label}")
 
 
 def pictures(result: Record) -> Iterator[tuple[str, str]]:

@@ -1,6 +1,6 @@
-"""A record as a report, and with what it was found.
+"""The JSON record of a run: claims, evidence in words, cases, versions, and a digest of all.
 
-Text, Markdown and HTML are made from it in `text`, `forms` and `page`.
+Each form of a report is made from it alone: text in `text`, Markdown in `forms`, HTML in `page`.
 """
 
 from __future__ import annotations

@@ -57,16 +57,16 @@ def flags(signs: Signs, n: int) -> Flags:
 
 def f_vectors(signs: Signs, n: int) -> Integers:
     """Return rays, facets and regions of each chirotope, counted one by one: (N, 3)."""
-    found = flags(signs, n)
-    regions = np.hstack([found.edge, found.edge | (1 << found.element)])
-    facets = found.edge + (found.element << n)
-    rays = found.vertex + (found.through << n)
+    all_flags = flags(signs, n)
+    regions = np.hstack([all_flags.edge, all_flags.edge | (1 << all_flags.element)])
+    facets = all_flags.edge + (all_flags.element << n)
+    rays = all_flags.vertex + (all_flags.through << n)
     return np.stack([_different(x) for x in (rays, facets, regions)], 1)
 
 
 def _different(rows: Integers) -> Integers:
-    found: Integers = (np.diff(np.sort(rows, axis=1), axis=1) > 0).sum(1) + 1
-    return found
+    numbers: Integers = (np.diff(np.sort(rows, axis=1), axis=1) > 0).sum(1) + 1
+    return numbers
 
 
 def cycle_bases_are_faces(signs: Signs, n: int) -> Booleans:
@@ -77,19 +77,21 @@ def cycle_bases_are_faces(signs: Signs, n: int) -> Booleans:
     faces on its side away from the face left out. No cycle is shorter than 4, so faces with 4
     edges need no look.
     """
-    found = flags(signs, n)
-    most, minimum = np.bitwise_count(found.through).max(1), np.ones(len(signs), dtype=bool)
+    all_flags = flags(signs, n)
+    most, minimum = np.bitwise_count(all_flags.through).max(1), np.ones(len(signs), dtype=bool)
     for lines in np.unique(most[most > 2]):
         chosen = np.flatnonzero(most == lines)
         for rows in np.array_split(chosen, -(-len(chosen) // _TOGETHER)):
-            minimum[rows] = _are_minimum(Flags(found.element, *(x[rows] for x in found[1:])), n)
+            minimum[rows] = _are_minimum(
+                Flags(all_flags.element, *(x[rows] for x in all_flags[1:])), n
+            )
     return minimum
 
 
-def _are_minimum(found: Flags, n: int) -> Booleans:
-    edges = _pad(found.edge + (found.element << n))
+def _are_minimum(all_flags: Flags, n: int) -> Booleans:
+    edges = _pad(all_flags.edge + (all_flags.element << n))
     edge, element = edges & ((1 << n) - 1), edges >> n
-    lengths, crossed = _ways(found, edge, element, n)
+    lengths, crossed = _ways(all_flags, edge, element, n)
     return _no_shorter(edge, element, crossed, lengths, n)
 
 
@@ -102,13 +104,13 @@ def _pad(keys: Integers) -> Integers:
     return np.where(rows < 0, rows[:, -1:], rows)
 
 
-def _ways(found: Flags, edge: Integers, element: Integers, n: int) -> tuple[Integers, Integers]:
+def _ways(all_flags: Flags, edge: Integers, element: Integers, n: int) -> tuple[Integers, Integers]:
     """Lay ways from a largest face of each type to all others with over 4 edges, along lines.
 
     Returns the numbers of edges of those faces (N, R), 0 where there are fewer, and for each edge
     the set of the faces whose way crosses it (N, edges).
     """
-    rays = _pad(found.vertex + (found.through << n))
+    rays = _pad(all_flags.vertex + (all_flags.through << n))
     positive, zero = rays & ((1 << n) - 1), rays >> n
     degree = 2 * np.bitwise_count(zero).astype(np.int64)
     degree[:, 1:][rays[:, 1:] == rays[:, :-1]] = 0  # padded
@@ -126,8 +128,8 @@ def _ways(found: Flags, edge: Integers, element: Integers, n: int) -> tuple[Inte
     pair = np.zeros((1 << n, 1 << n), dtype=np.intp)
     e, f = np.nonzero(~np.eye(n, dtype=bool))
     pair[1 << e, 1 << f] = np.arange(len(e))
-    turn = np.where(common, goal, np.take_along_axis(found.vertex, pair[one, other], 1))
-    bend = np.where(common, end, np.take_along_axis(found.through, pair[one, other], 1))
+    turn = np.where(common, goal, np.take_along_axis(all_flags.vertex, pair[one, other], 1))
+    bend = np.where(common, end, np.take_along_axis(all_flags.through, pair[one, other], 1))
     ways = np.zeros(edge.shape, dtype=np.int64)
     line = 1 << element
     for k in range(order.shape[1]):
@@ -150,8 +152,8 @@ def _is_between(line: Integers, edge: Integers, on: Integers, *ends: Integers) -
     within = ((edge ^ other[:, None]) & near) == 0
     half = (edge & near) == 0
     within &= ((edge ^ one[:, None]) & far) == 0
-    found: Booleans = (line == on[:, None]) & np.where(opposite, half, within)
-    return found
+    between: Booleans = (line == on[:, None]) & np.where(opposite, half, within)
+    return between
 
 
 def _lowest(sets: Integers) -> Integers:
@@ -207,8 +209,8 @@ def _no_shorter(
 
 def have_weights(signs: Signs, n: int) -> Booleans:
     """Return whether weights between 0 and 1/2 on all edges can sum to 1 at every region: (N,)."""
-    found = flags(signs, n)
-    ends = np.stack([found.edge, found.edge | (1 << found.element)], 2).tolist()
+    all_flags = flags(signs, n)
+    ends = np.stack([all_flags.edge, all_flags.edge | (1 << all_flags.element)], 2).tolist()
     return np.array([edges_have_weights(edges) for edges in ends])
 
 
