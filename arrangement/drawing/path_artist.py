@@ -39,7 +39,6 @@ from arrangement.drawing.scene import (
     Label,
     Mark,
     NarrowError,
-    PageMap,
     Path,
     Scene,
     require_matplotlib,
@@ -132,20 +131,20 @@ def patch(item: Path, axes: Any, page: Transform) -> PathPatch:
 
 
 def figure(scene: Scene, made: Figure | None = None) -> Figure:
-    """Return a scene as a figure; each panel has axes over the whole sheet with its coordinates.
+    """Return a scene as a figure with axes over the whole sheet, in which the picture is.
 
-    The first ones hold the picture. They have the coordinates of the model where `PageMap` says
-    that these are to scale, else points of the sheet. What is added to them is drawn on top.
+    They have the coordinates of the model where `PageMap` says that these are to scale, else points
+    of the sheet. What is added to them is drawn on top.
 
     Args:
-        made: an empty figure to be filled, instead of a new one.
+        made: an empty figure to be filled, instead of a new one; each further panel has axes, too.
     """
+    panels = scene.maps[1:] if made is not None else []
     made = Figure() if made is None else made
     made.set_dpi(DPI)
     made.set_size_inches(scene.paper[0] / 25.4, scene.paper[1] / 25.4)
-    panels: list[Any] = [made.add_axes((0.0, 0.0, 1.0, 1.0)) for _ in scene.maps or [PageMap()]]
-    axes = panels[0]
-    for k, panel in enumerate(panels):
+    axes: Any = made.add_axes((0.0, 0.0, 1.0, 1.0))
+    for k, panel in enumerate([axes, *(made.add_axes((0.0, 0.0, 1.0, 1.0)) for _ in panels)]):
         _set_coordinates(panel, scene, k)
     _fill(axes, scene, lambda paths, page: [Paths(paths, page)])
     return made
