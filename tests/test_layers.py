@@ -120,6 +120,24 @@ def test_a_planted_circle_is_found(module, text, circle):
     assert any(circle <= part for part in circles_without(planted=planted))
 
 
+def test_methods_that_work_in_higher_layers_are_registered():
+    """The packages are imported as by a user, and by the import of a class alone."""
+    program = """
+from equilibrium.model.grasp import Grasp
+from arrangement.console import plugins
+import arrangement, equilibrium
+methods = plugins._ATTACHED
+assert {"Arrangement.draw", "Grasp.draw", "Verdict._repr_html_"} <= methods.keys()
+for method in methods:
+    owner, name = method.split(".")
+    package = arrangement if owner == "Arrangement" else equilibrium
+    assert callable(getattr(getattr(package, owner), name)), method
+    plugins.attached(method)
+"""
+    run = subprocess.run([sys.executable, "-c", program], cwd=ROOT, timeout=120, check=False)
+    assert run.returncode == 0
+
+
 #: A module, what it must not import, and the contract that says so.
 PLANTED = [
     ("arrangement/numbers/exact", "equilibrium.model.grasp", "Import order"),

@@ -28,7 +28,7 @@ from equilibrium.model.unit_normal import unit_normal
 from . import RESISTED
 from .corners import corners
 from .meeting import meeting
-from .nearby import DEPENDS, FAILS, HOLDS, OPEN, Robustness, WithinError
+from .nearby import DEPENDS, FAILS, HOLDS, OPEN, Decide, Robustness, WithinError
 from .proofs_for_all import NO_DEADLINE, proof_for_all, standing_proof
 
 if TYPE_CHECKING:
@@ -120,12 +120,13 @@ def within_error(verdict: Verdict, deadline: Deadline = NO_DEADLINE) -> WithinEr
         if proof is not None:
             return WithinError(verdict=verdict.verdict, certificate=proof)
     asked, left, reason = 0, 0, ""
+    decide = _decider(verdict, deadline)
     for subject in others(verdict, deadline):
         if deadline.passed:
             reason = str(deadline)
             break
         asked += 1
-        other = _soon(verdict, effort_within(deadline), subject, verdict.load)
+        other = decide(subject, verdict.load)
         if other is None:
             left += 1
         elif verdict.verdict not in (OPEN, other.verdict):
@@ -148,13 +149,9 @@ def others(verdict: Verdict, deadline: Deadline = NO_DEADLINE) -> Iterator[Subje
     yield from met_within_error(verdict, deadline)
     if not _fits_floats(verdict):
         return
-
-    def decide(*asked: Any) -> Any:
-        return _soon(verdict, effort_within(deadline), *asked)
-
     if verdict.verdict == RESISTED or known_error(verdict.subject).as_given:
         bounds, _ = _error_bounds(verdict.subject)
-        yield from corners(verdict, bounds, decide)
+        yield from corners(verdict, bounds, _decider(verdict, deadline))
 
 
 def met_within_error(verdict: Verdict, deadline: Deadline = NO_DEADLINE) -> Iterator[Subject]:
@@ -163,11 +160,9 @@ def met_within_error(verdict: Verdict, deadline: Deadline = NO_DEADLINE) -> Iter
     Raises:
         GraspError: the data were not converted.
     """
-
-    def decide(*asked: Any) -> Any:
-        return _soon(verdict, effort_within(deadline), *asked)
-
-    if _fits_floats(verdict) and (subject := meeting(verdict, decide)) is not None:
+    if not _fits_floats(verdict):
+        return
+    if (subject := meeting(verdict, _decider(verdict, deadline))) is not None:
         yield subject
 
 
@@ -204,6 +199,15 @@ def _soon(
     return None if other.verdict == OPEN else other
 
 
+def _decider(verdict: Verdict, deadline: Deadline) -> Decide:
+    """Return what decides other data in the same way, each with the effort for one grasp."""
+
+    def decide(subject: Subject, load: RationalVector) -> Verdict | None:
+        return _soon(verdict, effort_within(deadline), subject, load)
+
+    return decide
+
+
 def robust(verdict: Verdict, bounds: Bounds, deadline: Deadline = NO_DEADLINE) -> Robustness:
     """Decide, if possible, whether a verdict holds for all grasps within bounds.
 
@@ -232,10 +236,7 @@ def robust(verdict: Verdict, bounds: Bounds, deadline: Deadline = NO_DEADLINE) -
         return answer(answer=OPEN)
     if proof := proof_for_all(verdict, bounds, deadline):
         return answer(answer=HOLDS, certificate=proof)
-
-    def decide(subject: Subject, load: RationalVector) -> Any:
-        return _soon(verdict, effort_within(deadline), subject, load)
-
+    decide = _decider(verdict, deadline)
     # Bounds that leave a load at its limit, such as those of preloads that are 0.
     if proof := standing_proof(verdict, bounds, verdict):
         return answer(answer=HOLDS, certificate=proof)

@@ -10,7 +10,17 @@ import pytest
 from hypothesis import given, strategies as st
 
 from arrangement.errors import InputError
-from equilibrium import Contact, Grasp, GraspError, read_grasp, solve, solve_many, verify
+from equilibrium import (
+    Assembly,
+    AssemblyVerdict,
+    Contact,
+    Grasp,
+    GraspError,
+    read_grasp,
+    solve,
+    solve_many,
+    verify,
+)
 from equilibrium.cli.program import main
 from equilibrium.decide import solver
 from equilibrium.decide.solver import Solver
@@ -71,6 +81,23 @@ def test_forces_are_a_table_with_heads_and_unit(capsys, tmp_path):
     head, row, *_ = capsys.readouterr().out.splitlines()[2:]
     assert head == "               state  normal  tangential"
     assert row == "    contact 1  stick  1       (-3/20, -1/5)"
+
+
+def test_one_class_answers_for_a_grasp_and_for_bodies():
+    grasp = solve(THREE, (0, 1, 0))
+    bodies = solve(Assembly.of_grasp(THREE), {"object": (0, 1, 0)})
+    assert type(grasp) is type(bodies) is AssemblyVerdict
+    assert (grasp.forces, bodies.forces) == (grasp.solution.forces, bodies.solution.forces)
+    assert (grasp.grasp, bodies.grasp) == (THREE, bodies.assembly)
+    assert bodies.wrench == bodies.wrenches == {"object": grasp.wrench}
+    assert bodies.motions == {"object": bodies.solution.motion}
+    for name, use in (
+        ("assembly", "grasp"),
+        ("wrenches", "wrench"),
+        ("motions", "solution.motion"),
+    ):
+        with pytest.raises(AttributeError, match=f"'{name}'; use {use}$"):
+            getattr(grasp, name)
 
 
 def test_function_takes_wrenches_alone():
