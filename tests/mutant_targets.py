@@ -179,13 +179,11 @@ TARGETS = {
     "pieces": Target("equilibrium.plane.states.equilibrium", STATES, 12),
     "leaves": Target("equilibrium.plane.search.virtual_motions", SEARCH, 12),
     "guess": Target("equilibrium.plane.search.state_equilibrium", SEARCH, 12),
-    "splits": Target("equilibrium.plane.search.state_splits", SEARCH, 12),
-    "program": Target(
-        "equilibrium.plane.search.part_program",
+    "splits": Target(
+        "equilibrium.plane.search.region_states",
         (*SEARCH, "tests/equilibrium/test_displacement.py"),
         12,
     ),
-    "part": Target("equilibrium.plane.search.part_guess", SEARCH, 12),
     "decide.assemblies.ends": Target(
         "equilibrium.decide.assemblies.ends", ("tests/equilibrium/test_ends.py",), 40
     ),

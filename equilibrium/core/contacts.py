@@ -170,10 +170,7 @@ class IntegerContacts:
         return whole(found, (len(rows), 4)), scales
 
     def bound_leaf(
-        self,
-        motion: Sequence[int],
-        used: Mapping[int, Fraction | int],
-        multipliers: Mapping[str, Any] | None = None,
+        self, motion: Sequence[int], used: Mapping[int, Fraction | int]
     ) -> dict[str, Any]:
         """Return the leaf of a virtual motion with some rows of `bounds` times numbers above 0."""
         numbers: dict[int, list[Fraction]] = {}
@@ -183,7 +180,7 @@ class IntegerContacts:
             row[j] += sign * multiplier * self.bounds[1][k]
         return {
             "virtual_motion": list(map(to_text, motion)),
-            "multipliers": multipliers or {},
+            "multipliers": {},
             "displacements": {str(i): list(map(to_text, row)) for i, row in numbers.items()},
         }
 

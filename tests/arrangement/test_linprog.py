@@ -213,23 +213,20 @@ def test_a_hair_decides():
 
 @given(st.data(), st.integers(1, 4))
 def test_float_guess_is_near_the_exact_answer(data, n):
-    """The greatest last coordinate in a cone cut off by a cube, with some rows added later."""
+    """The greatest last coordinate in a cone cut off by a cube, and the rows that bound it."""
     row = st.lists(st.integers(-3, 3), min_size=n, max_size=n)
     cone = [(*entries, 0) for entries in data.draw(st.lists(row, max_size=8))]
     cube = [(*(s * (j == k) for j in range(n)), 1) for k in range(n) for s in (1, -1)]
-    rows = np.array([*cube, *cone], dtype=float)
-    early = data.draw(st.integers(2 * n, len(rows)))
-    program = FloatDictionary(rows[:early])
-    program.enter([*range(0, 2 * n - 2, 2), 2 * n - 1])
-    assert program.raise_last()
-    if early < len(rows):
-        program.add(rows[early:])
-        assert program.raise_last()
-    exact = minimize([0] * (n - 1) + [-1], [*cube, *cone])
-    assert program.point[-1] == pytest.approx(-exact.value, abs=1e-8)
-    multipliers = program.multipliers()
-    assert multipliers.min() >= 0
-    assert multipliers @ rows == pytest.approx([*[0] * (n - 1), -1, -exact.value], abs=1e-8)
+    rows = [*cube, *cone]
+    program = FloatDictionary.of_integers(rows, n + 1, 0)
+    assert program.start() == -1
+    objective = [0] * (n - 1) + [-1]
+    assert program.minimize(objective) == -1
+    tight = np.array([rows[k] for k in program.tight], dtype=float)
+    point = np.linalg.solve(tight[:, :-1], -tight[:, -1])
+    exact = minimize(objective, rows)
+    assert point[-1] == pytest.approx(-exact.value, abs=1e-8)
+    assert (np.array(rows) @ [*point, 1]).min() > -1e-8
 
 
 @pytest.mark.parametrize("bits", [3, 2000])

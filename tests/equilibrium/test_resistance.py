@@ -6,10 +6,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from itertools import count, product
 from random import Random
-from types import SimpleNamespace
 from typing import Any
 
-import numpy as np
 import pytest
 
 from arrangement.errors import OutOfReachError
@@ -23,14 +21,13 @@ from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.model.effort import STEPS, Effort
 from equilibrium.plane.search import units
 from equilibrium.plane.search.motion_regions import HALF_SPACE, MotionRegions
-from equilibrium.plane.search.part_program import PartProgram
+from equilibrium.plane.search.region_states import StateSplits, TooManyParts
 from equilibrium.plane.search.state_equilibrium import (
     Guess,
     Solution,
     exact_equilibrium,
     find_equilibrium,
 )
-from equilibrium.plane.search.state_splits import StateSplits, TooManyParts
 from equilibrium.plane.search.units import SearchUnits
 from equilibrium.wrench_sets.line import resisted_magnitudes
 
@@ -257,28 +254,6 @@ def test_a_contact_that_pushes_all_over_a_region_needs_no_state():
     found = StateSplits(contacts, wrench, HALF_SPACE, 10).decide()
     assert isinstance(found, Solution)
     assert found.motion == (0, Fraction(1, 2), 0)
-
-
-def test_violations_are_those_of_contacts_that_are_not_settled():
-    """Friction of 1/2: sliding one way, the other, resting, pulling, pressing less, and settled."""
-    rows = np.array(
-        [[4, 0.5, 4, -2], [4, -0.5, 4, 2], [4, 0, 4, 1], [-3, 0, 1, 0], [4, 1, 3, 0], [4, 1, 0, 5]]
-    )
-    part = SimpleNamespace(_unsettled=np.array([True] * 5 + [False]))
-    found = PartProgram.violations(part, *rows.T, np.full(6, 0.5))
-    assert found.tolist() == [0, 0, 0, 4, 4 + 1.5, 0]
-    found = PartProgram.violations(part, *(rows * [1, -1, 1, 1]).T, np.full(6, 0.5))
-    assert found.tolist() == [4, 4, 0, 4, 4 + 1.5, 0]
-
-
-def test_leaves_name_the_multipliers_that_do_not_follow():
-    part = SimpleNamespace(alpha={0: 3, 1: 4, 2: 5, 3: 6}, h={1: 7}, pins={})
-    part.states = {0: "detached", 1: "detached", 2: "attached", 3: "detached"}
-    leaf = PartProgram.written(part, [1, -2, 3, 5, 0, 0, 0, 9])
-    named = {"0": ["5"], "1": ["0", "9"], "2": ["0"]}
-    assert leaf == {"virtual_motion": ["1", "-2", "3"], "multipliers": named}
-    part.states[2] = "detached"
-    assert PartProgram.written(part, [1, -2, 3, *[0] * 5]) == ["1", "-2", "3"]
 
 
 def test_numbers_of_leaves_are_integers_or_fractions():

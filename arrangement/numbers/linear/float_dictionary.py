@@ -2,8 +2,8 @@
 
 The method is that of `programs.Dictionary`, with the largest pivots instead of Bland's rule, and
 with any cost above 0 in the search for a point, which then hardly ever comes back to where it was.
-Rows may be added: the next solution starts from the last one. Nothing here is proved: whoever uses
-a guess solves for it exactly and checks, and does without where there is none.
+Nothing here is proved: whoever uses a guess solves for it exactly and checks, and does without
+where there is none.
 """
 
 from __future__ import annotations
@@ -76,57 +76,6 @@ class FloatDictionary:
         found = self._feasible()
         self._table = self._table[:-1]
         return found
-
-    def enter(self, rows: Sequence[int]) -> None:
-        """Make columns of as many independent rows as there are variables."""
-        chosen = self._table[list(rows)]
-        inverse = np.linalg.inv(chosen[:, :-1])
-        self._columns = np.array(rows)
-        left = np.delete(np.arange(self._k), self._columns)
-        self._rows = np.append(left, np.arange(self._k, self._k + len(inverse)))
-        self._table = np.concatenate([self._table[left], np.eye(len(inverse), len(inverse) + 1)])
-        self._table[:, -1] -= self._table[:, :-1] @ (inverse @ chosen[:, -1])
-        self._table[:, :-1] = self._table[:, :-1] @ inverse
-
-    def add(self, rows: Floats) -> None:
-        """Take in further rows, where all variables are in rows of the table."""
-        more = rows[:, :-1] @ self._variables
-        more[:, -1] += rows[:, -1]
-        self._table = np.concatenate([self._table, more])
-        # The symbols of variables come last.
-        self._rows[self._rows >= self._k] += len(rows)
-        self._rows = np.append(self._rows, np.arange(self._k, self._k + len(rows)))
-        self._k += len(rows)
-        self._first_equality = self._k
-
-    @property
-    def _variables(self) -> Floats:
-        """The rows of the variables in the table, in order."""
-        order = np.argsort(self._rows)
-        variables: Floats = self._table[order[self._rows[order] >= self._k]]
-        return variables
-
-    @property
-    def point(self) -> Floats:
-        """The point that was reached, where all variables are in rows of the table."""
-        return self._variables[:, -1]
-
-    def raise_last(self) -> bool:
-        """Go to the greatest last variable that the rows allow; return whether that ended well.
-
-        The columns at the start must be no obstacle to a larger one, but for bounds of it.
-        """
-        cost = np.maximum(-self._variables[-1], 0.0)
-        self._table = np.concatenate([self._table, [cost]])
-        end = self._feasible()
-        self._table = self._table[:-1]
-        return end == -1 and bool(np.isfinite(self.point).all())
-
-    def multipliers(self) -> Floats:
-        """Return (k,), at least 0, after `raise_last`: of rows that add up to a bound of it."""
-        weights = np.zeros(self._k)
-        weights[self._columns] = np.maximum(-self._variables[-1, :-1], 0.0)
-        return weights
 
     def _eliminate(self, chosen: Booleans) -> None:
         """Make columns of chosen rows, the largest pivot first; fix those that are equalities."""

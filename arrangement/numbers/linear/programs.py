@@ -221,7 +221,7 @@ def scale_of(row: Row, integers: Sequence[Any]) -> Fraction:
     """Return t > 0 with ``row = t * integers`` but for the constant."""
     for x, whole in zip(row, integers, strict=False):
         if whole:
-            return Fraction(Fraction(x) / whole)
+            return Fraction(1) if x == whole else Fraction(Fraction(x) / whole)
     return Fraction(1)
 
 

@@ -24,9 +24,8 @@ from equilibrium.core.contacts import IntegerContacts
 from equilibrium.core.continuation import motion_scale
 from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Solution
-from equilibrium.plane.search.part_program import Node
+from equilibrium.plane.search.region_states import Node, StateSplits, TooManyParts
 from equilibrium.plane.search.state_equilibrium import find_equilibrium
-from equilibrium.plane.search.state_splits import StateSplits, TooManyParts
 from equilibrium.plane.search.virtual_motions import Regions, VirtualMotions, closed
 
 EDGES = tuple(itertools.combinations(range(4), 2))
@@ -167,7 +166,7 @@ class MotionRegions:
             self._look_inside(region)
         loose = self._floats(self._scaled([region.generators])[0])
         count = int(np.sum(loose.mixed | (loose.touching & (loose.slip == 0))))
-        if self.solution is not None or count > region.depth - _CUTS_BEFORE_STATES // 2:
+        if self.solution is not None or count > region.depth - _CUTS_BEFORE_STATES:
             return self.solution is not None
         return self._by_states(region, 10 * 2.0 ** (region.depth // 8))
 

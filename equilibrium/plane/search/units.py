@@ -28,7 +28,7 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Solution
 
 from .motion_regions import HALF_SPACE, ORTHANTS
-from .part_program import Node
+from .region_states import Node
 
 #: Bits of a number that is a unit itself.
 _MAX_UNIT_BITS = 48
