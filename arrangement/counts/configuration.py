@@ -151,8 +151,8 @@ def is_generic(config: Configuration) -> bool:
 
 def _subsets(n: int, k: int) -> NDArray[np.intp]:
     """Return the subsets of k of n numbers, increasing each, in the order of their places."""
-    found = np.array(list(combinations(range(n), k)), dtype=np.intp)
-    return found[np.argsort(_place(found))]
+    subsets = np.array(list(combinations(range(n), k)), dtype=np.intp)
+    return subsets[np.argsort(_place(subsets))]
 
 
 def _place(subsets: NDArray[np.intp]) -> NDArray[np.intp]:

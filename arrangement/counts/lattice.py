@@ -123,14 +123,14 @@ class IntersectionLattice(ReprMixin):
         levels = [{bottom: 1}]
         for level in range(rank, len(self.masks) - 1):
             masks, above = self.masks[level], self.masks[level + 1]
-            found: dict[int, int] = {}
+            values: dict[int, int] = {}
             for index, value in here.items():
                 for cover in self.covers[level][index]:
                     beside = above[cover] & ~bottom
                     lowest = beside & -beside
                     if not masks[index] & lowest:
-                        found[cover] = found.get(cover, 0) - value
-            here = found
+                        values[cover] = values.get(cover, 0) - value
+            here = values
             levels.append({above[cover]: value for cover, value in here.items()})
         return levels
 
@@ -173,8 +173,8 @@ def intersection_lattice(arrangement: Planes) -> IntersectionLattice:
             covers.append(((0,),) * len(masks[-1]))
             masks.append((everything,))
         else:
-            found, above = quotients.extend(keep=len(masks) < config.rank - 1)
-            masks.append(found)
+            flats, above = quotients.extend(keep=len(masks) < config.rank - 1)
+            masks.append(flats)
             covers.append(above)
     covers.append(((),) * len(masks[-1]))
     return IntersectionLattice(arrangement, tuple(masks), tuple(covers))
@@ -272,14 +272,14 @@ class _Quotients:
     def _check_cost(self) -> None:
         """Refuse what is out of reach, on this level or a later one."""
         planes, known = self.infinity, max(self.rank, 2)
-        found: float = len(self.masks)
+        total: float = len(self.masks)
         if self.rank == 1:  # each is counted as often as planes contain it
             sizes = (Counter(vectors.values()).values() for vectors in self.vectors)
-            found = sum(1 / (size + 1) for row in sizes for size in row)
+            total = sum(1 / (size + 1) for row in sizes for size in row)
         vectors = steps = bytes = 0.0
         for k in range(self.rank, self.top - 1 if self.rank else 1):
-            flats = flats_foreseen(planes, k, known, found)
-            kept = flats_foreseen(planes, k + 1, known, found) * (planes - k - 1)
+            flats = flats_foreseen(planes, k, known, total)
+            kept = flats_foreseen(planes, k + 1, known, total) * (planes - k - 1)
             kept *= k + 2 < self.top
             before, vectors = vectors, kept * (160 + (self.top - k) * self.bits * (k + 1) / 4)
             steps += flats * (planes - k) * 5 + kept * (20 + 0.6 * self.bits)
@@ -392,8 +392,8 @@ def _chain(arrangement: Planes) -> tuple[IntersectionLattice, list[int]] | None:
         top = chain[0]
         pencils = tuple(pencil for pencil in pencils if not pencil & ~top)
         below = (flat for flat in level if not flat & ~top)
-        found = next((flat for flat in below if all(flat & pencil for pencil in pencils)), None)
-        if found is None:
+        modular = next((flat for flat in below if all(flat & pencil for pencil in pencils)), None)
+        if modular is None:
             return None
-        chain.insert(0, found)
+        chain.insert(0, modular)
     return lattice, chain

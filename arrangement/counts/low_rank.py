@@ -166,9 +166,9 @@ def _rank_two_sums(config: Configuration) -> tuple[int, int]:
         vectors = vectors.astype(np.float64)
     alone = groups = 0
     for parts in _with_later(vectors, m):
-        found = (equal_slopes if distinct else close_slopes)(parts, len(vectors) > m)
-        alone += found[0]
-        groups += found[1]
+        sums = (equal_slopes if distinct else close_slopes)(parts, len(vectors) > m)
+        alone += sums[0]
+        groups += sums[1]
     return alone, alone + groups
 
 

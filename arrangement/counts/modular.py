@@ -231,10 +231,10 @@ def _inverses(values: Integers, prime: int) -> Integers:
         return _inverses(values, prime)[:-1]
     even, odd = values[0::2], values[1::2]
     product = _inverses(_modulo(even * odd, prime), prime)
-    found = np.empty_like(values)
-    found[0::2] = _modulo(product * odd, prime)
-    found[1::2] = _modulo(product * even, prime)
-    return found
+    inverses = np.empty_like(values)
+    inverses[0::2] = _modulo(product * odd, prime)
+    inverses[1::2] = _modulo(product * even, prime)
+    return inverses
 
 
 def _rank(labels: Integers) -> Integers:
@@ -243,6 +243,6 @@ def _rank(labels: Integers) -> Integers:
     ordered = np.take_along_axis(labels, order, axis=1)
     places = np.zeros_like(labels)
     np.cumsum(ordered[:, 1:] != ordered[:, :-1], axis=1, out=places[:, 1:])
-    found = np.empty_like(labels)
-    np.put_along_axis(found, order, places, axis=1)
-    return found
+    ranks = np.empty_like(labels)
+    np.put_along_axis(ranks, order, places, axis=1)
+    return ranks

@@ -212,12 +212,12 @@ def irreducible_factors(arrangement: Planes) -> list[Planes]:
     >>> [len(factor) for factor in irreducible_factors(Arrangement([[1, 1], [2, 2], [1, 0]]))]
     [1, 1]
     """
-    found = []
+    factors = []
     for planes in _parts(arrangement):
         kept = pivot_columns([plane[:-1] for plane in planes], arrangement.dimension)
         rows = [[plane[j] for j in kept] for plane in planes]
-        found.append(Planes(rows, [plane[-1] for plane in planes]))
-    return found
+        factors.append(Planes(rows, [plane[-1] for plane in planes]))
+    return factors
 
 
 def _parts(arrangement: Planes) -> list[list[IntegerVector]]:
@@ -265,12 +265,12 @@ def over_factors(
         return None
     if len(_parts(arrangement)) <= 1:
         return None
-    found = [1]
+    product = [1]
     for factor, times in Counter(irreducible_factors(arrangement)).items():
         own = numbers(factor)
         for _ in range(times):
-            found = np.convolve(np.array(found, object), own).tolist()
-    return tuple(found)
+            product = np.convolve(np.array(product, object), own).tolist()
+    return tuple(product)
 
 
 def _select(arrangement: AnyPlanes, planes: Sequence[int]) -> AnyPlanes:

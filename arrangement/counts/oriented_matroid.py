@@ -111,14 +111,14 @@ def circuits(arrangement: Planes) -> frozenset[SignVector]:
     """
     central = arrangement if arrangement.is_central else cone(arrangement)
     chi = chirotope(central)
-    found: set[SignVector] = set()
+    signed: set[SignVector] = set()
     for chosen in combinations(range(len(central)), len(next(iter(chi))) + 1):
         vector = [0] * len(central)
         for k, plane in enumerate(chosen):
             vector[plane] = (-1) ** k * chi[chosen[:k] + chosen[k + 1 :]]
         if any(vector):
-            found |= {tuple(vector), tuple(-x for x in vector)}
-    return frozenset(found)
+            signed |= {tuple(vector), tuple(-x for x in vector)}
+    return frozenset(signed)
 
 
 def bases(arrangement: Planes) -> tuple[tuple[int, ...], ...]:
@@ -189,9 +189,9 @@ def _cocircuit_masks(central: Planes) -> set[_Masks]:
     chi = chirotope(central)
     size = len(central)
     rank = len(next(iter(chi)))
-    found: set[_Masks] = set()
+    masks: set[_Masks] = set()
     if rank == 0:
-        return found
+        return masks
     for chosen in combinations(range(size), rank - 1):
         plus = minus = 0
         for plane in range(size):
@@ -199,8 +199,8 @@ def _cocircuit_masks(central: Planes) -> set[_Masks]:
             plus |= (value > 0) << plane
             minus |= (value < 0) << plane
         if plus or minus:
-            found |= {(plus, minus), (minus, plus)}
-    return found
+            masks |= {(plus, minus), (minus, plus)}
+    return masks
 
 
 def _sign_with(chi: Mapping[tuple[int, ...], int], chosen: tuple[int, ...], plane: int) -> int:
@@ -213,17 +213,17 @@ def _sign_with(chi: Mapping[tuple[int, ...], int], chosen: tuple[int, ...], plan
 
 def _compositions(generators: set[_Masks]) -> set[_Masks]:
     """Return all compositions of sign vectors, the zero vector included."""
-    found: set[_Masks] = {(0, 0)}
+    composed: set[_Masks] = {(0, 0)}
     waiting = [(0, 0)]
     while waiting:
         plus, minus = waiting.pop()
         free = ~(plus | minus)
         for more_plus, more_minus in generators:
             new = (plus | (more_plus & free), minus | (more_minus & free))
-            if new not in found:
-                found.add(new)
+            if new not in composed:
+                composed.add(new)
                 waiting.append(new)
-    return found
+    return composed
 
 
 def _as_signs(masks: _Masks, size: int) -> SignVector:

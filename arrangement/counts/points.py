@@ -190,11 +190,11 @@ class QuasiPolynomial(Mapping[int, "sympy.Poly"]):
             "look up the polynomials that you need, f[g] or f(q)",
             steps=sum(100 * budget.power(2, e.bit_length() / 4) for e in self._divisors),
         )
-        found: dict[int, int] = {}
+        exponents: dict[int, int] = {}
         for e in self._divisors:
             for p, n in factorint(e).items():
-                found[int(p)] = max(n, found.get(int(p), 0))
-        return found
+                exponents[int(p)] = max(n, exponents.get(int(p), 0))
+        return exponents
 
     def _polynomial(self, g: int) -> sympy.Poly:
         d, m = self._arrangement.dimension, len(self._arrangement.distinct)
@@ -226,13 +226,13 @@ class QuasiPolynomial(Mapping[int, "sympy.Poly"]):
             "use characteristic_polynomial, which is f[1]",
             steps=budget.power(2, len(planes)) * _DIVISORS_STEPS,
         )
-        found = Counter[tuple[int, tuple[int, ...]]]()
+        sets = Counter[tuple[int, tuple[int, ...]]]()
         for bits in range(1 << len(planes)):
             rows = [plane[:-1] for i, plane in enumerate(planes) if bits >> i & 1]
             divisors = [e for e in _elementary_divisors(rows) if e]
             kind = len(divisors), tuple(e for e in divisors if e > 1)
-            found[kind] += (-1) ** bits.bit_count()
-        return {kind: number for kind, number in found.items() if number}
+            sets[kind] += (-1) ** bits.bit_count()
+        return {kind: number for kind, number in sets.items() if number}
 
 
 def _elementary_divisors(rows: Sequence[IntegerVector]) -> list[int]:
@@ -243,8 +243,8 @@ def _elementary_divisors(rows: Sequence[IntegerVector]) -> list[int]:
 
     if not rows or not rows[0]:
         return []
-    found: Any = invariant_factors(DM([list(row) for row in rows], ZZ))
-    return [int(e) for e in found]
+    factors: Any = invariant_factors(DM([list(row) for row in rows], ZZ))
+    return [int(e) for e in factors]
 
 
 def _interpolate(arrangement: Planes, moduli: Iterable[int]) -> sympy.Poly:
@@ -293,7 +293,7 @@ def points_off(arrangement: Planes, q: int) -> int:
     )
     powers = q ** np.arange(d - 1)
     step = max(1, _CHUNK // max(1, columns))
-    found = 0
+    total = 0
     for first in range(0, q ** (d - 1), step):
         numbers = np.arange(first, min(first + step, q ** (d - 1)))
         points = numbers[:, None] // powers % q
@@ -301,8 +301,8 @@ def points_off(arrangement: Planes, q: int) -> int:
         points = points[~on]
         hits = [_hits(points, across[divisors == g], q, int(g)) for g in np.unique(divisors)]
         hit = np.sort(np.hstack([np.full((len(points), 1), q), *hits]), axis=1)
-        found += q * len(points) - int((hit[:, 1:] != hit[:, :-1]).sum())
-    return found
+        total += q * len(points) - int((hit[:, 1:] != hit[:, :-1]).sum())
+    return total
 
 
 def _points_steps(arrangement: Planes, q: int) -> float:

@@ -56,8 +56,8 @@ def tutte_polynomial(arrangement: Planes) -> sympy.Poly:
     _check_cost("the Tutte polynomial", len(config.vectors), arrangement.rank)
     sizes = map(len, arrangement.distinct)
     rows = tuple(zip(map(unoriented, config.vectors), sizes, strict=True))
-    found = _tutte(rows, config.infinity, {})
-    return sympy.Poly(found or {(0, 0): 0}, *sympy.symbols("x y"), domain=sympy.ZZ)
+    polynomial = _tutte(rows, config.infinity, {})
+    return sympy.Poly(polynomial or {(0, 0): 0}, *sympy.symbols("x y"), domain=sympy.ZZ)
 
 
 def _tutte(
@@ -80,19 +80,19 @@ def _tutte(
         if image != far:
             contracted[image] = contracted.get(image, 0) + number
     below = _tutte(tuple(contracted.items()), far, known)
-    found: _Polynomial = {}
+    polynomial: _Polynomial = {}
     for j in range(times):  # of parallel ones, the others are loops after the first
         for (a, b), number in below.items():
-            found[a, b + j] = found.get((a, b + j), 0) + number
+            polynomial[a, b + j] = polynomial.get((a, b + j), 0) + number
     if rank([*vectors, last]) > rank(vectors):  # in every basis
         for (a, b), number in below.items():
-            found[a, b] -= number
-            found[a + 1, b] = found.get((a + 1, b), 0) + number
+            polynomial[a, b] -= number
+            polynomial[a + 1, b] = polynomial.get((a + 1, b), 0) + number
     else:
         for power, number in _tutte(tuple(others), infinity, known).items():
-            found[power] = found.get(power, 0) + number
-    known[rows, infinity] = found
-    return found
+            polynomial[power] = polynomial.get(power, 0) + number
+    known[rows, infinity] = polynomial
+    return polynomial
 
 
 def nbc_sets(arrangement: Planes) -> tuple[tuple[tuple[int, ...], ...], ...]:

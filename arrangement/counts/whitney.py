@@ -133,15 +133,15 @@ def _first_numbers(
 ) -> tuple[int, ...]:
     if symmetry is None:
         one = partial(_first_numbers, symmetry=None, deadline=deadline)
-        found = over_factors(arrangement, one)
-        if found is not None:
-            return found
+        numbers = over_factors(arrangement, one)
+        if numbers is not None:
+            return numbers
     config = configuration(arrangement)
     if symmetry is None and config.rank > MAX_RANK and (generic := _generic_matrix(config)):
         return tuple((-1) ** k * value for k, value in enumerate(generic[0]))
     if (config.rank > MAX_RANK or (config.rank and symmetry is not None)) and (orbits := _orbits()):
-        found = orbits.first_numbers(arrangement, config, symmetry, deadline)
-        return tuple(found)
+        numbers = orbits.first_numbers(arrangement, config, symmetry, deadline)
+        return tuple(numbers)
     row = doubly_indexed_whitney_numbers(arrangement)[0]
     return tuple((-1) ** k * value for k, value in enumerate(row))
 
@@ -157,9 +157,9 @@ def _flats_and_faces(
 ) -> tuple[tuple[int, ...], tuple[int, ...]] | None:
     if config.rank <= MAX_RANK or not (orbits := _orbits()):
         return None
-    found: tuple[tuple[int, ...], tuple[int, ...]] | None
-    found = orbits.flats_and_faces(arrangement, config, faces=faces)
-    return found
+    totals: tuple[tuple[int, ...], tuple[int, ...]] | None
+    totals = orbits.flats_and_faces(arrangement, config, faces=faces)
+    return totals
 
 
 def characteristic_polynomial(
@@ -229,7 +229,7 @@ def level_vector(arrangement: Planes) -> dict[int, int]:
     """
     rows = arrangement.integer_planes
     moved = Planes([row[:-1] for row in rows], dimension=arrangement.dimension)
-    found: dict[int, int] = {}
+    levels: dict[int, int] = {}
     for flat in (flat for level in intersection_lattice(moved).flats for flat in level):
         along = Planes(
             [rows[i][:-1] for i in flat.planes],
@@ -238,8 +238,8 @@ def level_vector(arrangement: Planes) -> dict[int, int]:
         )
         if regions := bounded_region_count(along, relative=True):
             cones = region_count(restriction(moved, flat.planes))
-            found[flat.dimension] = found.get(flat.dimension, 0) + cones * regions
-    return dict(sorted(found.items()))
+            levels[flat.dimension] = levels.get(flat.dimension, 0) + cones * regions
+    return dict(sorted(levels.items()))
 
 
 def why_none_is_bounded(arrangement: Planes) -> str:

@@ -74,8 +74,8 @@ class SchlegelDiagram(ReprMixin):
         mirror[axis] += np.copysign(1.0, normal[axis])
         across = np.eye(4) - 2 * np.outer(mirror, mirror) / (mirror @ mirror)
         flat = seen @ np.delete(across, axis, axis=0).T
-        found: npt.NDArray[np.float64] = flat - flat[list(self.facets[self.outer])].mean(axis=0)
-        return found
+        places: npt.NDArray[np.float64] = flat - flat[list(self.facets[self.outer])].mean(axis=0)
+        return places
 
     @property
     def cells(self) -> tuple[tuple[tuple[int, ...], ...], ...]:
@@ -148,8 +148,8 @@ def _beyond(
 def _around(faces: npt.NDArray[np.int8], regions: npt.NDArray[np.int8]) -> list[list[int]]:
     """Return for each face the regions whose closure has it."""
     wide = regions.astype(np.float32)
-    found = faces.astype(np.float32) @ wide.T == np.abs(faces).sum(axis=1)[:, None]
-    return [np.flatnonzero(row).tolist() for row in found]
+    incident = faces.astype(np.float32) @ wide.T == np.abs(faces).sum(axis=1)[:, None]
+    return [np.flatnonzero(row).tolist() for row in incident]
 
 
 def _cycle(corners: Sequence[int], beside: Sequence[Sequence[int]]) -> tuple[int, ...]:

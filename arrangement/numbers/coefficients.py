@@ -49,29 +49,29 @@ class Coefficients:
     def array(self, rows: Sequence[Sequence[Any]], n: int) -> Integers:
         """Return vectors with n entries as an array (rows, n, c)."""
         rest = (0,) * (self.degree - 1)
-        found = [
+        vectors = [
             x
             for row in rows
             for y in row
             for x in (y.coefficients if isinstance(y, Irrational) else (y, *rest))
         ]
-        return as_integers([found]).reshape(len(rows), n, self.degree)
+        return as_integers([vectors]).reshape(len(rows), n, self.degree)
 
     def numbers(self, array: Integers) -> Integers:
         """Return the numbers themselves: the array without its last axis."""
         if self.field is None:
             return array[..., 0]
-        found = np.empty(array.shape[:-1], object)
+        result = np.empty(array.shape[:-1], object)
         made = self.field.made
         flat = array.reshape(-1, self.degree).tolist()
-        found.ravel()[:] = [made(tuple(x), 1) for x in flat]
-        return found
+        result.ravel()[:] = [made(tuple(x), 1) for x in flat]
+        return result
 
     def matrices(self, array: Integers) -> Integers:
         """Return (..., c, c): the matrices by which these numbers multiply rows of coefficients."""
         array = for_products(array, self.degree * largest_entry(self._table))
-        found = array.reshape(-1, self.degree) @ self._table
-        return found.reshape(*array.shape, self.degree)
+        products = array.reshape(-1, self.degree) @ self._table
+        return products.reshape(*array.shape, self.degree)
 
     def forms(self, vectors: Integers) -> Integers:
         """Return the matrix of the products with m vectors of n entries: (n c, m c)."""
@@ -90,13 +90,13 @@ class Coefficients:
         with np.errstate(invalid="ignore"):
             products = floats * powers
             values, sizes = products.sum(axis=-1), np.abs(products).sum(axis=-1)
-        found = signs_of(values)
+        signs = signs_of(values)
         # an entry, a power and their product are rounded, and the sums
         open_ = ~certain(values, sizes, error_bound(self.degree + 3)) & array.any(axis=-1)
         for at in zip(*np.nonzero(open_), strict=True):
             number: Any = self.field.made(tuple(array[at].tolist()), 1)
-            found[at] = sign(number)
-        return found
+            signs[at] = sign(number)
+        return signs
 
     def unoriented(self, rows: Integers) -> tuple[Integers, NDArray[np.intp], Signs]:
         """Return one vector for each line of vectors; vectors that are 0 stay.

@@ -178,10 +178,10 @@ def from_floats(values: Any, name: str = "value to convert") -> Any:
 
 def from_float(value: Any, name: str) -> Fraction:
     """Return one number as `from_floats` does; refuse sequences."""
-    found = from_floats(value, name)
-    if isinstance(found, tuple):
+    fraction = from_floats(value, name)
+    if isinstance(fraction, tuple):
         raise InputError(f"{name} is {shown(value)}; give one number")
-    return Fraction(found)
+    return Fraction(fraction)
 
 
 def rational_vector(
@@ -384,12 +384,12 @@ def bits(mask: int) -> tuple[int, ...]:
     >>> bits(0b1101)
     (0, 2, 3)
     """
-    found = []
+    places = []
     while mask:
         lowest = mask & -mask
-        found.append(lowest.bit_length() - 1)
+        places.append(lowest.bit_length() - 1)
         mask ^= lowest
-    return tuple(found)
+    return tuple(places)
 
 
 def to_text(value: Fraction | int) -> str:

@@ -157,8 +157,8 @@ class NumberField:
 
             terms = list(reversed(self.minimal_polynomial))
             polynomial = sympy.Poly(terms, sympy.Symbol("x"), modulus=prime)
-            found = [f for f, _ in polynomial.factor_list()[1] if f.degree() == 1]
-            self._roots[prime] = int(-found[0].TC()) % prime if found else None
+            factors = [f for f, _ in polynomial.factor_list()[1] if f.degree() == 1]
+            self._roots[prime] = int(-factors[0].TC()) % prime if factors else None
         return self._roots[prime]
 
     @cached_property
@@ -231,11 +231,11 @@ class NumberField:
     def _reduce(self, coefficients: Sequence[int]) -> IntegerVector:
         """Return a sum of powers up to 2n - 2 as one of powers up to n - 1."""
         n = self.degree
-        found = list(coefficients[:n])
+        reduced = list(coefficients[:n])
         for top, row in zip(coefficients[n:], self._tails, strict=False):
             if top:
-                found = [x + top * y for x, y in zip(found, row, strict=True)]
-        return tuple(found)
+                reduced = [x + top * y for x, y in zip(reduced, row, strict=True)]
+        return tuple(reduced)
 
     def made(self, coefficients: IntegerVector, denominator: int) -> Real:
         """Return a number in its one form."""
@@ -255,12 +255,12 @@ class NumberField:
         if n == 2:
             (a, b), (c, d) = left, right
             return a * c - b * d * self.minimal_polynomial[0], a * d + b * c
-        found = [0] * (2 * n - 1)
+        total = [0] * (2 * n - 1)
         for i, x in enumerate(left):
             if x:
                 for j, y in enumerate(right, i):
-                    found[j] += x * y
-        return self._reduce(found)
+                    total[j] += x * y
+        return self._reduce(total)
 
     def inverse(self, coefficients: IntegerVector) -> Real:
         """Return 1 over a number."""
@@ -268,11 +268,11 @@ class NumberField:
             a, b = coefficients
             norm = a * a + b * b * self.minimal_polynomial[0]
             return self.made((a, -b) if norm > 0 else (-a, b), abs(norm))
-        found = self._inverses.get(coefficients)
-        if found is None:
-            found = self.of_domain(self.domain(list(coefficients[::-1])) ** -1)
-            self._inverses[coefficients] = found
-        return found
+        number = self._inverses.get(coefficients)
+        if number is None:
+            number = self.of_domain(self.domain(list(coefficients[::-1])) ** -1)
+            self._inverses[coefficients] = number
+        return number
 
     @cached_property
     def float_powers(self) -> tuple[float, ...]:
@@ -401,10 +401,10 @@ def square_part(number: int) -> int:
 
 def value_at(polynomial: Sequence[Fraction | int], x: Fraction) -> Fraction:
     """Return the value of a polynomial at a rational number."""
-    found = Fraction(0)
+    value = Fraction(0)
     for c in reversed(polynomial):
-        found = found * x + c
-    return found
+        value = value * x + c
+    return value
 
 
 def to_rational(value: Fraction) -> Any:
@@ -500,8 +500,8 @@ class AlgebraicNumber(Irrational):
                 check_same_field(field, other.field)
             right, q = other.coefficients, other.denominator
             if p == q == 1:
-                found = tuple([x + y for x, y in zip(left, right, strict=True)])
-                return field.made(found, 1)
+                total = tuple([x + y for x, y in zip(left, right, strict=True)])
+                return field.made(total, 1)
             sums = tuple([x * q + y * p for x, y in zip(left, right, strict=True)])
             return field.made(sums, p * q)
         if isinstance(other, int):
@@ -546,10 +546,10 @@ class AlgebraicNumber(Irrational):
     __floordiv__, __rfloordiv__ = __truediv__, __rtruediv__
 
     def __pow__(self, exponent: int) -> Real:
-        found: Real = 1
+        power: Real = 1
         for _ in range(exponent):
-            found = found * self
-        return found
+            power = power * self
+        return power
 
     def __repr__(self) -> str:
         """Return the sum of the powers of the generator ``a``."""
@@ -594,28 +594,28 @@ class ValuesInField:
 
     def of(self, number: sympy.Expr) -> Real:
         """Return the value of a number, from those of its atoms."""
-        found = self._known.get(number)
-        if found is None:
-            found = self._known[number] = self._compute(number)
-        return found
+        value = self._known.get(number)
+        if value is None:
+            value = self._known[number] = self._compute(number)
+        return value
 
     def _compute(self, number: Any) -> Real:
-        found: Any
+        value: Any
         if number.is_Rational:
             return Fraction(int(number.p), int(number.q))
         if number.is_Pow:
             base = self.of(number.base)
             if not base:
                 raise InputError(f"{shown(number)} divides by zero")
-            found = 1
+            value = 1
             for _ in range(abs(int(number.exp))):
-                found = found * base
-            found = found if number.exp > 0 else quotient(1, found)
+                value = value * base
+            value = value if number.exp > 0 else quotient(1, value)
         else:
-            found = 0 if number.is_Add else 1
+            value = 0 if number.is_Add else 1
             for part in number.args:
-                found = found + self.of(part) if number.is_Add else found * self.of(part)
-        return cast("Real", found)
+                value = value + self.of(part) if number.is_Add else value * self.of(part)
+        return cast("Real", value)
 
     def _root(self, atom: sympy.Expr) -> Real | None:
         """Return an atom as a number of the present field, if it is one."""
@@ -646,9 +646,9 @@ class ValuesInField:
             total = sum(multiple**i * atom for i, atom in enumerate(atoms))
             self._field = None
             self._root(total)
-            found = {atom: self._root(atom) for atom in atoms}
-            if None not in found.values():
-                self._known.update(found)
+            roots = {atom: self._root(atom) for atom in atoms}
+            if None not in roots.values():
+                self._known.update(roots)
                 return
         raise AssertionError("some sum of multiples generates the field")
 
@@ -672,20 +672,20 @@ def _minimal_polynomial(number: Any) -> sympy.Poly:
             f"{shown(number)} has a float, which is not exact; write Rational(1, 10) for 0.1"
         )
     try:
-        found = sympy.minimal_polynomial(number, sympy.Symbol("x"), polys=True)
+        polynomial = sympy.minimal_polynomial(number, sympy.Symbol("x"), polys=True)
     except (NotAlgebraic, NotImplementedError):
         raise InputError(
             f"{shown(number)} is not known to be algebraic; give numbers such as sqrt(5), "
             "cos(2*pi/7) or CRootOf"
         ) from None
-    if found.degree() > MAX_DEGREE:
+    if polynomial.degree() > MAX_DEGREE:
         raise InputError(
-            f"the entries generate a field of degree {found.degree()} or more, with "
+            f"the entries generate a field of degree {polynomial.degree()} or more, with "
             f"{shown(number)}; at most {MAX_DEGREE} is possible"
         )
-    if number.is_real is False or not found.count_roots():
+    if number.is_real is False or not polynomial.count_roots():
         raise InputError(f"{shown(number)} is not real; give real algebraic numbers")
-    return found
+    return polynomial
 
 
 def _isolate(number: Any, polynomial: sympy.Poly) -> tuple[Fraction, Fraction]:

@@ -50,8 +50,8 @@ def certain(values: Any, sizes: Any, bound: float) -> Booleans:
         values, sizes: the computed sums of the products and of their absolute values.
         bound: see `error_bound`.
     """
-    found: Booleans = np.abs(values) > bound * sizes
-    return found
+    decided_signs: Booleans = np.abs(values) > bound * sizes
+    return decided_signs
 
 
 def signs_of(values: NDArray[Any]) -> Signs:
@@ -94,13 +94,13 @@ def least_sizes(rows: Sequence[IntegerVector]) -> Floats:
     """
     field = field_of(x for row in rows for x in row)
     power = 0 if field is None else field.degree - 1
-    found = []
+    sizes_of = []
     for row in rows:
         conjugates = max((abs(x) if isinstance(x, int) else x.size() for x in row), default=0)
         bits = max(abs(x) for x in row).bit_length()
         exponent = -bits - power * math.log2(3 * conjugates or 1) - 1e-6
-        found.append(2.0**exponent if exponent > -200 else 0.0)
-    return np.array(found)
+        sizes_of.append(2.0**exponent if exponent > -200 else 0.0)
+    return np.array(sizes_of)
 
 
 def scaled(rows: Sequence[IntegerVector]) -> tuple[Floats, Booleans]:

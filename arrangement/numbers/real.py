@@ -38,10 +38,10 @@ class Irrational:
 
     def residue(self, prime: int, root: int) -> int:
         """Return the number modulo a prime, with a root of the minimal polynomial for a."""
-        found = 0
+        value = 0
         for c in reversed(self.coefficients):
-            found = (found * root + c) % prime
-        return found * pow(self.denominator, -1, prime) % prime
+            value = (value * root + c) % prime
+        return value * pow(self.denominator, -1, prime) % prime
 
     def bit_length(self) -> int:
         """Return the number of bits of the integer part, as of an integer."""
@@ -58,8 +58,8 @@ class Irrational:
         return Fraction(total, self.denominator << k)
 
     def _enclosed(self, bits: int = _MORE_BITS) -> tuple[int, int]:
-        found: tuple[int, int] = self.field.enclosed(self.coefficients, bits)
-        return found
+        bounds: tuple[int, int] = self.field.enclosed(self.coefficients, bits)
+        return bounds
 
 
 def rational_near(value: int | Fraction | Irrational) -> Fraction:
@@ -80,14 +80,14 @@ def field_of(values: Any) -> Any:
     Raises:
         InputError: numbers of two different fields.
     """
-    found = None
+    field = None
     for value in values:
         if isinstance(value, Irrational):
-            if found is None:
-                found = value.field
-            elif value.field is not found:
-                check_same_field(found, value.field)
-    return found
+            if field is None:
+                field = value.field
+            elif value.field is not field:
+                check_same_field(field, value.field)
+    return field
 
 
 def residues(rows: Iterable[Sequence[Any]], prime: int) -> list[list[int]]:

@@ -153,9 +153,9 @@ class Face(ReprMixin):
             *normal, offset = self.planes.integer_planes[first]
             side = self.signs[first]
             sides[side].append(tuple((side or 1) * x for x in (*normal, -offset)))
-        found = from_conditions(sides[1] + sides[-1], sides[0], self.planes.dimension)
-        assert found is not None, "a face has a point"
-        return found
+        polyhedron = from_conditions(sides[1] + sides[-1], sides[0], self.planes.dimension)
+        assert polyhedron is not None, "a face has a point"
+        return polyhedron
 
     @property
     def sides(self) -> Planes:
@@ -247,8 +247,8 @@ class Face(ReprMixin):
 
     def faces(self) -> tuple[Face, ...]:
         """Return all faces of the arrangement in the closure, lowest first, itself last."""
-        found = self.closure.faces
-        return tuple(map(self._part, sorted(found, key=found.__getitem__)))
+        dimensions = self.closure.faces
+        return tuple(map(self._part, sorted(dimensions, key=dimensions.__getitem__)))
 
     @property
     def f_vector(self) -> tuple[int, ...]:

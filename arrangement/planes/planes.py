@@ -213,8 +213,8 @@ class Planes:
     @cached_property
     def field(self) -> NumberField | None:
         """The field of the entries; None if all are rational, in the stored scaling."""
-        found: NumberField | None = field_of(chain.from_iterable(self._integer_planes))
-        return found
+        field: NumberField | None = field_of(chain.from_iterable(self._integer_planes))
+        return field
 
     @cached_property
     def class_of(self) -> tuple[int, ...]:

@@ -77,15 +77,15 @@ def _run(
     """Return exit code and output."""
     import subprocess  # slow to load, and few commands need it
 
-    found = program()
-    if found is None:
+    path = program()
+    if path is None:
         raise error(
             f"the verified checker is not built: no program {PROGRAM}; run `make formal` in "
             "a checkout of the project, or omit --verified"
         )
     stdin = None if text is None else subprocess.PIPE
     with subprocess.Popen(
-        [found, *arguments], stdin=stdin, stdout=subprocess.PIPE, text=True, errors="replace"
+        [path, *arguments], stdin=stdin, stdout=subprocess.PIPE, text=True, errors="replace"
     ) as process:
         said = None
         try:
@@ -181,8 +181,8 @@ def _forecast(planes: Planes, deepest: int) -> float:
     steps = faces * (1 + 0.1 * m) * pace
     if steps > _MANY and m * rank <= _LARGEST:
         source = Random(0)
-        found = [_probe(rows, rank, central, deepest > 0, source) for _ in range(_PROBES)]
-        likely = [fmean(n) + 2 * stdev(n) / math.sqrt(_PROBES) for n in zip(*found, strict=True)]
+        sizes = [_probe(rows, rank, central, deepest > 0, source) for _ in range(_PROBES)]
+        likely = [fmean(n) + 2 * stdev(n) / math.sqrt(_PROBES) for n in zip(*sizes, strict=True)]
         faces, steps = min(faces, likely[0]), min(steps, likely[1] * _STEP * pace)
     budget.check_cost(
         f"counting {budget.about(faces)} faces by the verified program", long_steps=steps
@@ -244,8 +244,8 @@ def _restrict(rows: Iterable[IntegerVector], plane: IntegerVector) -> list[Integ
     """Return the planes on one of them, but for those that do not meet it and those with all."""
     j = next(i for i, x in enumerate(plane) if x)
     p = plane[j]
-    found = (
+    restricted = (
         unoriented([p * x - row[j] * y for x, y in zip(row, plane, strict=True)]) if row[j] else row
         for row in rows
     )
-    return [row for row in found if any(row[:-1])]
+    return [row for row in restricted if any(row[:-1])]

@@ -69,21 +69,21 @@ class Automorphisms:
     def generators(self, steps: int = SEARCH_STEPS) -> Permutations:
         """Return permutations that generate the group, or a part of it when the steps are used."""
         self._steps_left = steps
-        found: list[Permutations] = []
+        permutations: list[Permutations] = []
         for level in range(len(self._base) - 1, self._fixed - 1, -1):
-            tried = self._orbit(found, self._base[level])
+            tried = self._orbit(permutations, self._base[level])
             for plane in np.flatnonzero(self._keys[0] == self._keys[0][self._base[level]]):
                 if tried[plane]:
                     continue
                 if self._steps_left <= 0:
-                    return self._stack(found)
+                    return self._stack(permutations)
                 image = self._search([], level, int(plane))
                 if image is None:
-                    tried |= self._orbit(found, int(plane))
+                    tried |= self._orbit(permutations, int(plane))
                 else:
-                    found.append(image)
-                    tried |= self._orbit(found, self._base[level])
-        return self._stack(found)
+                    permutations.append(image)
+                    tried |= self._orbit(permutations, self._base[level])
+        return self._stack(permutations)
 
     def orbits(self, generators: Permutations) -> int:
         """Return the number of orbits of the vectors, infinity left out."""

@@ -168,20 +168,20 @@ def _prepare(root: Path, config: Configuration, parts: int) -> None:
             record |= {"parts": parts, "generators": search.generators().tolist()}
             content = json.dumps(record)
             write_bytes_atomically(plan, content.encode())
-        found = json.loads(plan.read_bytes())
+        document = json.loads(plan.read_bytes())
     except (OSError, ValueError) as error:
         raise InputError(f"cannot use the folder {root}: {reason(error)}; name another") from None
-    if isinstance(found, dict) and found.get("layout") != _LAYOUT:
+    if isinstance(document, dict) and document.get("layout") != _LAYOUT:
         raise InputError(
-            f"{plan} has layout {shown(found.get('layout'))}; expected {_LAYOUT}, with checksums. "
-            "Name another folder: what another version wrote cannot be checked"
+            f"{plan} has layout {shown(document.get('layout'))}; expected {_LAYOUT}, with "
+            "checksums. Name another folder: what another version wrote cannot be checked"
         )
-    if not isinstance(found, dict) or any(found.get(key) != record[key] for key in record):
+    if not isinstance(document, dict) or any(document.get(key) != record[key] for key in record):
         raise InputError(f"{root} has parts of other planes; name another folder")
     try:  # a file may come from anywhere
-        search.verified(found["generators"])
-        if type(found["parts"]) is not int or not 1 <= found["parts"] <= _MAX_PARTS:
-            raise ValueError(found["parts"])
+        search.verified(document["generators"])
+        if type(document["parts"]) is not int or not 1 <= document["parts"] <= _MAX_PARTS:
+            raise ValueError(document["parts"])
     except (KeyError, TypeError, ValueError, IndexError):
         raise InputError(
             f"{plan} has other parts or symmetries than planes can have; name another folder"
@@ -237,12 +237,12 @@ def _run(plan: tuple[str, int], part: int) -> None:
     root, rank = plan
     made = _made(root)
     with budget.limit(math.inf):
-        found, residues = made.classes.above(_below(root, rank, part), rank)
+        higher, residues = made.classes.above(_below(root, rank, part), rank)
     bucket = np.empty(0, dtype=np.uint64)
-    if len(found):
-        factors = np.cumprod(np.full(found.images.shape[1], _FACTOR))
+    if len(higher):
+        factors = np.cumprod(np.full(higher.images.shape[1], _FACTOR))
         parts = np.uint64(made.parts(rank + 1))
-        bucket = ((found.images * factors).sum(axis=1) >> np.uint64(32)) % parts
+        bucket = ((higher.images * factors).sum(axis=1) >> np.uint64(32)) % parts
     numbers, sizes = np.unique(bucket, return_counts=True)
     content: dict[str, Any] = {
         "residues": np.asarray(residues),
@@ -252,10 +252,10 @@ def _run(plan: tuple[str, int], part: int) -> None:
     for number in numbers:
         one = bucket == number
         flats = {
-            f"bases-{number}": found.bases[one].astype(np.int32),
-            f"members-{number}": found.members[one],
-            f"images-{number}": found.images[one],
-            f"values-{number}": found.values[:, one].astype(np.uint32),
+            f"bases-{number}": higher.bases[one].astype(np.int32),
+            f"members-{number}": higher.members[one],
+            f"images-{number}": higher.images[one],
+            f"values-{number}": higher.values[:, one].astype(np.uint32),
         }
         content |= flats | _checksum(made.plan, rank, part, flats)
     stream = io.BytesIO()
@@ -270,8 +270,8 @@ def _below(root: str, rank: int, part: int) -> Flats:
         return made.classes.bottom()
     gathered, waiting = [made.classes.bottom()[:0]], 0
     for number in range(made.parts(rank - 1)):
-        if found := _read(root, rank - 1, number, part):
-            bases, members, images, values = (found[f"{name}-{part}"] for name in _FLATS)
+        if arrays := _read(root, rank - 1, number, part):
+            bases, members, images, values = (arrays[f"{name}-{part}"] for name in _FLATS)
             flats = Flats(bases.astype(np.int64), members, images, values.astype(np.int64))
             gathered = [*gathered, flats] if len(gathered[0]) else [flats]
             waiting += len(flats)
@@ -308,8 +308,8 @@ def _array(file: ZipFile, name: str, most: float) -> NDArray[Any]:
         if math.prod(shape) * dtype.itemsize > most:
             raise ValueError(f"its {name} have the shape {shown(shape)}, which is not in it")
         stream.seek(0)
-        found: NDArray[Any] = npy.read_array(stream, allow_pickle=False)
-        return found
+        array: NDArray[Any] = npy.read_array(stream, allow_pickle=False)
+        return array
 
 
 def _read(root: str, rank: int, part: int, above: int | None = None) -> dict[str, NDArray[Any]]:

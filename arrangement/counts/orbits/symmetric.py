@@ -74,12 +74,12 @@ class Images:
 
     def low(self, sets: Bits) -> Words:
         """Return an image of each set (a row), packed, that no permutation of the list lowers."""
-        found = pack(sets)
+        images = pack(sets)
         if len(self._moves) > 1:
             order = sets.sum(axis=1).argsort(kind="stable")
             for part in chunks(len(sets), _BATCH):
-                found[order[part]] = pack(self._lower(sets[order[part]]))
-        return found
+                images[order[part]] = pack(self._lower(sets[order[part]]))
+        return images
 
     def steps(self, sets: Bits) -> float:
         """Return about how many steps their images take."""
@@ -92,7 +92,7 @@ class Images:
         names, vectors = np.nonzero(sets)
         members = np.full((sizes.max(), count), size)
         members[np.arange(len(names)) - (sizes.cumsum() - sizes)[names], names] = vectors
-        found = np.zeros((count, size + 1), dtype=np.bool_)
+        result = np.zeros((count, size + 1), dtype=np.bool_)
         names = np.arange(count)
         while len(names):
             heights = np.zeros((len(names), len(self._moves)), dtype=np.int64)
@@ -100,9 +100,9 @@ class Images:
                 heights += self._heights[member]
             lowest = heights.argmin(axis=1)
             goes = lowest > 0
-            found[names[~goes], members[:, ~goes]] = True
+            result[names[~goes], members[:, ~goes]] = True
             names, members = names[goes], self._moves[lowest[goes], members[:, goes]]
-        return found[:, :size]
+        return result[:, :size]
 
 
 def _heights(generators: Permutations) -> Integers:
@@ -129,7 +129,7 @@ def _products(generators: Permutations, count: int) -> Permutations:
     if not len(generators):
         return generators
     random = np.random.default_rng(0)
-    found = list(generators)
+    products = list(generators)
     state = [*generators] * (1 + 10 // len(generators))
     identity = np.arange(generators.shape[1])
     known = {identity.tobytes(), *(g.tobytes() for g in generators)}
@@ -138,10 +138,10 @@ def _products(generators: Permutations, count: int) -> Permutations:
         state[i] = state[i][state[j]] if random.integers(2) else state[j][state[i]]
         if step > 60 and state[i].tobytes() not in known:
             known.add(state[i].tobytes())
-            found.append(state[i])
-        if len(found) >= count:
+            products.append(state[i])
+        if len(products) >= count:
             break
-    return np.array(found)
+    return np.array(products)
 
 
 @dataclass(frozen=True)
@@ -206,7 +206,7 @@ def first_numbers(
 
 def _of_classes(planes: Planes, symmetry: Sequence[Sequence[int]]) -> list[list[int]]:
     """Return permutations of planes as permutations of the classes of coincident planes."""
-    found = []
+    masks = []
     for number, given in enumerate(symmetry):
         try:
             each_once = sorted(given) == list(range(len(planes)))
@@ -223,8 +223,8 @@ def _of_classes(planes: Planes, symmetry: Sequence[Sequence[int]]) -> list[list[
                 f"symmetry[{number}] takes coincident planes to planes that do not coincide; "
                 "give a permutation that keeps them together"
             )
-        found.append(image)
-    return found
+        masks.append(image)
+    return masks
 
 
 class Classes:
@@ -262,8 +262,8 @@ class Classes:
         def residues() -> Iterator[Integers]:
             nonlocal flats
             for rank in range(1, self.rank):
-                flats, found = self.above(flats, rank)
-                yield found
+                flats, sums = self.above(flats, rank)
+                yield sums
 
         yield from self.from_residues(residues())
 
@@ -276,8 +276,8 @@ class Classes:
 
         total = 1
         yield total
-        for rank, found in enumerate(residues, start=1):
-            size = int(crt(self._moduli, ((-1) ** rank * found % self._modulus[:, 0]).tolist())[0])
+        for rank, sums in enumerate(residues, start=1):
+            size = int(crt(self._moduli, ((-1) ** rank * sums % self._modulus[:, 0]).tolist())[0])
             total += (-1) ** rank * size
             yield (-1) ** rank * size
         if self._central:
@@ -334,10 +334,10 @@ class Classes:
                 images = self._images.low(above)
                 parts.append(self.merged(Flats(bases, pack(above), images, values)))
                 if done == min(2, len(pieces) - 1):
-                    found, share = Flats.joined(parts), (done + 1) / len(pieces)
-                    numbers = (found.bases, found.members, found.images, found.values)
+                    higher, share = Flats.joined(parts), (done + 1) / len(pieces)
+                    numbers = (higher.bases, higher.members, higher.images, higher.values)
                     budget.check_cost(
-                        f"{budget.about(len(found) / share)} orbits of flats of rank {rank}",
+                        f"{budget.about(len(higher) / share)} orbits of flats of rank {rank}",
                         "leave out planes, or count in parts (--store FOLDER)",
                         bytes=3 * sum(x.nbytes for x in numbers) / share,
                     )
@@ -370,10 +370,10 @@ def moduli_above(bound: int, below: int = 1 << 31) -> list[int]:
     """Return the largest primes below 2^31, or less, with a product above the bound."""
     from sympy import prevprime
 
-    found: list[int] = []
-    while prod(found) <= bound:
-        found.append(int(prevprime(found[-1] if found else below)))
-    return found
+    moduli: list[int] = []
+    while prod(moduli) <= bound:
+        moduli.append(int(prevprime(moduli[-1] if moduli else below)))
+    return moduli
 
 
 def flats_and_faces(

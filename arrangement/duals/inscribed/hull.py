@@ -37,11 +37,11 @@ def sphere_points(dual: DualPolyhedron) -> tuple[RationalVector, ...]:
     {Fraction(1, 1)}
     """
     planes = [plane[:3] for plane in dual.arrangement.integer_planes]
-    found = []
+    points = []
     for middle, signs in zip(_middles(dual), dual.signs.tolist(), strict=True):
         sides = [tuple(s * x for x in plane) for s, plane in zip(signs, planes, strict=True)]
-        found.append(_inside(middle, sides))
-    return tuple(found)
+        points.append(_inside(middle, sides))
+    return tuple(points)
 
 
 def _middles(dual: DualPolyhedron) -> list[IntegerVector]:
@@ -187,11 +187,11 @@ def sphere_hull(points: Sequence[RationalVector]) -> SphereHull:
     if len(set(homogeneous)) < len(homogeneous):
         raise InputError("two points are equal; give distinct points")
     for propose in (_qhull, _exact):
-        found = propose(homogeneous)
-        flat = _flat_edges_if_hull(homogeneous, found)
+        faces = propose(homogeneous)
+        flat = _flat_edges_if_hull(homogeneous, faces)
         if flat is not None:
-            edges = frozenset((min(e), max(e)) for triangle in found for e in cycle_edges(triangle))
-            return SphereHull(tuple(map(tuple, points)), tuple(found), edges, flat)
+            edges = frozenset((min(e), max(e)) for triangle in faces for e in cycle_edges(triangle))
+            return SphereHull(tuple(map(tuple, points)), tuple(faces), edges, flat)
     raise InputError("the origin is not strictly inside the hull of the points")
 
 

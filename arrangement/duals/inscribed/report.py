@@ -100,8 +100,8 @@ class DualDistances:
         shape = (len(self.across), len(self.across))
         # Without a length there would be no edge.
         table = csr_array((np.maximum(lengths, _TOLERANCE / 1000), (left, right)), shape=shape)
-        found: list[list[float]] = dijkstra(table, directed=False).tolist()
-        return found
+        distances: list[list[float]] = dijkstra(table, directed=False).tolist()
+        return distances
 
     def _others(self, u: int, v: int) -> list[int]:
         return [self.index[min(u, x), max(u, x)] for x in self.graph.neighbours[u] if x != v]

@@ -62,12 +62,12 @@ def both_ways(
     if finite:
         rows.insert(0, unit_vectors(dimension)[-1])
     cone = _cut_out(rows, flat, dimension, finite)
-    found = cone.generators
+    pair = cone.generators
     # Which rays are tight in each condition.
     masks = [mask for _, mask in cone.rays]
     tight = [sum((m >> i & 1) << k for k, m in enumerate(masks)) for i in range(len(rows))]
     if flat or cone.lines or (1 << len(masks)) - 1 in tight:
-        return found, generators(*found, dimension)
+        return pair, generators(*pair, dimension)
     # The cone is pointed and has interior points: what no other condition is tight with, and more
     # rays, is a facet.
     largest = {
@@ -75,7 +75,7 @@ def both_ways(
         for row, own in zip(rows, tight, strict=True)
         if not any(own & other == own != other for other in tight)
     }
-    return found, (tuple(sorted(largest)), ())
+    return pair, (tuple(sorted(largest)), ())
 
 
 def _cut_out(
@@ -175,10 +175,10 @@ def _value(row: Sequence[int], vector: IntegerVector) -> int:
 
 def _only_two(masks: Iterable[int], common: int) -> bool:
     """Return whether only two rays are tight in all common conditions: they are adjacent."""
-    found = 0
+    count = 0
     for mask in masks:
         if mask & common == common:
-            found += 1
-            if found > 2:
+            count += 1
+            if count > 2:
                 return False
     return True

@@ -73,9 +73,9 @@ class FloatDictionary:
         n = len(self._columns)
         cost = np.append(1.0 + np.arange(n) * 0.6180339887 % 1.0, 0.0)
         self._table = np.concatenate([self._table, [cost]])
-        found = self._feasible()
+        column = self._feasible()
         self._table = self._table[:-1]
-        return found
+        return column
 
     def _eliminate(self, chosen: Booleans) -> None:
         """Make columns of chosen rows, the largest pivot first; fix those that are equalities."""
@@ -134,9 +134,9 @@ class FloatDictionary:
         cost = weights[self._rows[variables] - self._k] @ self._table[variables]
         size = np.abs(cost).max() or 1.0
         self._table = np.concatenate([self._table, [cost / size]])
-        found = self._least()
+        column = self._least()
         self._table = self._table[:-1]
-        return found
+        return column
 
     def _least(self) -> int | None:
         """Primal simplex method; the cost stands in the last row."""

@@ -82,15 +82,15 @@ class Polyhedron:
         """The points and rays of every face that has a point, as bits, and its dimension."""
         rows, lines = self.homogeneous
         finite = sum(1 << j for j, x in enumerate(rows) if x[-1])
-        found = {(1 << len(rows)) - 1: self.dimension}
-        waiting = list(found)
+        dimensions = {(1 << len(rows)) - 1: self.dimension}
+        waiting = list(dimensions)
         while waiting:
             mask = waiting.pop()
             for part in {mask & facet for facet in self.facets if mask & facet & finite}:
-                if part not in found:
-                    found[part] = rank([*(rows[j] for j in bits(part)), *lines]) - 1
+                if part not in dimensions:
+                    dimensions[part] = rank([*(rows[j] for j in bits(part)), *lines]) - 1
                     waiting.append(part)
-        return found
+        return dimensions
 
     def cycle(self, face: int | None = None) -> tuple[int, ...]:
         """Return the points and rays around a face of dimension 2; rays, if any, at the ends.
@@ -108,23 +108,24 @@ class Polyhedron:
                 beside[j].append(k)
                 beside[k].append(j)
         # Rays are listed last.
-        found = [min(beside, key=lambda j: (len(beside[j]), -j))]
-        while follow := [k for k in beside[found[-1]] if k not in found]:
-            found.append(follow[0])
-        return tuple(found)
+        order = [min(beside, key=lambda j: (len(beside[j]), -j))]
+        while follow := [k for k in beside[order[-1]] if k not in order]:
+            order.append(follow[0])
+        return tuple(order)
 
     @cached_property
     def cycles(self) -> tuple[tuple[int, ...], ...]:
         """For each facet of a polytope in R^3 its points, counter-clockwise seen from outside."""
-        points, found = self.homogeneous[0], []
+        points = self.homogeneous[0]
+        corners: list[tuple[int, ...]] = []
         for row, facet in zip(self.inequalities, self.facets, strict=True):
             cycle = self.cycle(facet)
             (*p, u), (*q, v), (*r, w) = (points[j] for j in cycle[:3])
             one = [u * y - v * x for x, y in zip(p, q, strict=True)]
             two = [u * y - w * x for x, y in zip(p, r, strict=True)]
             inward = triple_product(row[:3], one, two) > 0
-            found.append(cycle[::-1] if inward else cycle)
-        return tuple(found)
+            corners.append(cycle[::-1] if inward else cycle)
+        return tuple(corners)
 
     @property
     def volume(self) -> Fraction:

@@ -121,16 +121,16 @@ class Rows:
         Args:
             tight: n rows, or n + j for the variable j at 0.
         """
-        found = self._solve([self._row(k) for k in tight])
-        if found is None:
+        solution = self._solve([self._row(k) for k in tight])
+        if solution is None:
             return None
-        numbers, common = found
+        numbers, common = solution
         at = [*numbers, common]
         for k, row in enumerate(self.integers):
             value = dot(row, at)
             if value < 0 or (value and k >= self.first_equality):
                 return None
-        return found
+        return solution
 
     def rational(self, found: Numbers) -> RationalVector:
         """Return a point in the units of the given rows."""
@@ -143,10 +143,10 @@ class Rows:
         Those of inequalities are at least 0.
         """
         columns = zip(*(self._row(k)[:-1] for k in tight), strict=True)
-        found = self._solve([[*c, -x] for c, x in zip(columns, target, strict=True)])
-        if found is None:
+        solution = self._solve([[*c, -x] for c, x in zip(columns, target, strict=True)])
+        if solution is None:
             return None
-        numbers, common = found
+        numbers, common = solution
         terms = {k: x for k, x in zip(tight, numbers, strict=True) if x}
         for k, x in terms.items():
             if k >= len(self.integers) or (x < 0 and k < self.first_equality):
@@ -156,10 +156,10 @@ class Rows:
     def ray(self, objective: Sequence[int], symbol: int, tight: Sequence[int]) -> Numbers | None:
         """Return the direction in which one tight row rises, if it lowers an objective for ever."""
         rows = [[*self._row(k)[:-1], -int(k == symbol)] for k in tight]
-        found = self._solve(rows)
-        if found is None:
+        solution = self._solve(rows)
+        if solution is None:
             return None
-        numbers, common = found
+        numbers, common = solution
         if symbol >= len(self.integers) and dot(objective, numbers) > 0:
             numbers = [-x for x in numbers]
         changes = [dot(row[:-1], numbers) for row in self.integers]
@@ -169,12 +169,12 @@ class Rows:
     def refutation(self, row: int, tight: Sequence[int]) -> Terms | None:
         """Return multipliers of a row and of tight ones whose sum is below 0, if there are some."""
         for flip in (1, -1) if row >= self.first_equality else (1,):
-            found = self.multipliers([-flip * x for x in self.integers[row][:-1]], tight)
-            if found is not None:
-                terms, common = found
+            multipliers = self.multipliers([-flip * x for x in self.integers[row][:-1]], tight)
+            if multipliers is not None:
+                terms, common = multipliers
                 terms[row] = terms.get(row, 0) + flip * common
                 if self._sum(terms) < 0:
-                    return found
+                    return multipliers
         return None
 
     def infeasible(self, found: Terms) -> tuple[RationalVector, RationalVector]:
@@ -507,12 +507,12 @@ class Program:
         """
         if not self.feasible:
             return self._infeasible()
-        weights, found = self._guess(objective)
-        if found is None or self._at is None:
+        weights, guess = self._guess(objective)
+        if guess is None or self._at is None:
             exact = self._pivots(objective)
             return exact.optimize() or exact.optimal()
         point = self._rows.rational(self._at)
-        numbers, common = found
+        numbers, common = guess
         if not isinstance(numbers, dict):
             return Unbounded(point, tuple(Fraction(int(x), int(common)) for x in numbers))
         scale = scale_of(objective, weights) / int(common)
@@ -527,11 +527,11 @@ class Program:
         """
         if not self.feasible:
             return None
-        weights, found = self._guess(objective)
-        if found is None or self._at is None:
+        weights, guess = self._guess(objective)
+        if guess is None or self._at is None:
             exact = self._pivots(objective)
             return None if exact.optimize() else exact.value()
-        if not isinstance(found[0], dict):
+        if not isinstance(guess[0], dict):
             return None
         numbers, common = self._at
         size = scale_of(objective, weights) / (int(common) * self._rows.unit)
