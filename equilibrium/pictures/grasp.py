@@ -149,6 +149,9 @@ class GraspLayout(PlaneLayout):
         self.scale_forces(forces or [[]] * len(grasp), loads, [c.preload for c in grasp])
         if motion is not None and self.by_model:
             self.states = states_at(grasp, motion)
+        pads = [np.array(self.places[group.start : group.stop]) for group in grasp.groups]
+        # Points of a pad lie on a line: the two that are farthest apart are its ends.
+        self.pads = [points[np.lexsort(points.T)[[0, -1]]] for points in pads if len(points) > 1]
         self.numbers = [
             (str(i), frame.paper(contact.point), -self.normals[group.start])
             for i, (group, contact) in enumerate(zip(grasp.groups, grasp.joined(), strict=True), 1)

@@ -92,6 +92,7 @@ class PlaneLayout:
         states: of contacts, at the motion that is drawn.
         origin: of the wrench, if it is marked.
         numbers: the text for each numbered contact, its place and the side to write it.
+        pads: the ends of each pad, whose points are contacts of their own.
         step: the exact factor that motions are drawn with, or None when nothing moves.
         reference: the largest force component; arrows of forces are `FORCE` for `longest` of it.
         arms: of each contact, the forces that act on bodies there.
@@ -111,6 +112,7 @@ class PlaneLayout:
         self.states: Sequence[str] = ()
         self.origin: Floats | None = None
         self.numbers: Sequence[tuple[str, Floats, Floats]] = ()
+        self.pads: Sequence[Floats] = ()
         # A round factor with which no contact moves further than `MOVED` on paper.
         shifts = [
             abs(x)
@@ -269,13 +271,17 @@ class PlanePicture:
         """Draw friction cones, pads, preloads, contact forces and states."""
         layout, scene, labels = self.layout, self.scene, self.labels
         seen: dict[RationalVector, int] = {}
+        for i, ends in enumerate(layout.pads, 1):
+            look: dict[str, Any] = {"ec": BLACK, "lw": 1.6, "role": "point", "zorder": 3}
+            scene.line(self.at(ends), gid=f"bar-{i}", **look)
+            labels.avoid(self.at(ends))
         for i, (contact, p, n) in enumerate(
             zip(layout.contacts, self.places, layout.normals, strict=True)
         ):
             t = np.array([-n[1], n[0]])
             if layout.cones:
                 rim = self.at(np.vstack([layout.places[i], layout.cones[i]]))
-                look: dict[str, Any] = {"fc": CONE_FILL, "ec": CONE_EDGE, "lw": 0.5}
+                look = {"fc": CONE_FILL, "ec": CONE_EDGE, "lw": 0.5}
                 scene.polygon(rim, zorder=1, gid=f"cone-{i + 1}", **look)
                 look = {"ec": CONE_EDGE, "lw": 0.5, "ls": _AXIS}
                 scene.line([p, rim[len(rim) // 2]], gid=f"normal-{i + 1}", zorder=1.1, **look)

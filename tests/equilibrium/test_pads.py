@@ -108,6 +108,7 @@ class TestOneContact:
     def test_picture_numbers_contacts(self, pinch):
         names = [item.name for item in draw_grasp.scene(read_csv(pinch).grasp).items]
         assert [x for x in names if x.startswith("number-")] == ["number-1", "number-2"]
+        assert [x for x in names if x.startswith("bar-")] == ["bar-1"]
         solid = SolidGrasp(read_csv(pinch).grasp.in_space())
         assert [text for _, _, text in solid.groups] == ["1", "2"]
 
