@@ -14,20 +14,21 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from typing import Any, Generic, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from arrangement.console.number_form import JsonMixin, ReprMixin
+from arrangement.console.number_form import JsonMixin, ReprMixin, vector
 from arrangement.console.progress import watched
 from arrangement.enumeration.sequence import Signs, primitive_rows
 from arrangement.errors import InputError, OutOfTimeError
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.coefficients import Integers, as_integers, for_products, largest_entry
 from arrangement.numbers.deadline import Deadline
-from arrangement.numbers.exact import IntegerVector, primitive, rational_vector
+from arrangement.numbers.exact import IntegerVector, primitive, rational_vector, sign_text
 from arrangement.numbers.linear.rank import unit_vectors
 from arrangement.numbers.packing import Bits
 from equilibrium.model.assembly import Assembly
@@ -311,6 +312,34 @@ class ContactModes(ReprMixin):
         """How many of them there are, without making each."""
         return sum(map(len, self._inside()))
 
+    def to_dict(self, count: bool = False) -> dict[str, Any]:
+        """Return a JSON form: all modes, or their numbers."""
+        if count:
+            return {
+                "contacting_separating": len(self.contacting_separating),
+                "sliding_sticking": self.sliding_sticking_count,
+            }
+        return {
+            "contacting_separating": [mode.to_dict() for mode in self.contacting_separating],
+            "sliding_sticking": [mode.to_dict() for mode in self.sliding_sticking()],
+        }
+
+    def lines(self, count: bool = False) -> Iterator[str]:
+        """Yield all modes, or their numbers, in lines for people."""
+        total = len(self.contacting_separating)
+        if count:
+            yield f"contacting-separating  {total:>7}"
+            yield f"sliding-sticking       {self.sliding_sticking_count:>7}"
+            return
+        yield f"contacting-separating modes: {total} (c: stays in contact, s: separates)"
+        for kept in self.contacting_separating:
+            signs = "".join("s" if sign else "c" for sign in kept.signs)
+            yield f"  {signs}  dim {kept.dimension}  {_scaled(kept.motion)}"
+        yield "sliding-sticking modes (0: no slip, + and -: slip along a tangent)"
+        for mode in self.sliding_sticking():
+            slips = " ".join("s" if slip is None else sign_text(slip) for slip in mode.signs)
+            yield f"  {slips}  dim {mode.dimension}  {_scaled(mode.motion)}"
+
     @cached_property
     def _cone(self) -> Fan:
         cone = Fan.space(self.n)
@@ -350,3 +379,9 @@ class ContactModes(ReprMixin):
 def _modes(fan: Fan) -> Iterator[tuple[tuple[int, ...], int, IntegerVector]]:
     for signs, dimension, motion in zip(fan.signs, fan.dimensions, fan.points, strict=True):
         yield tuple(signs.tolist()), int(dimension), tuple(motion.tolist())
+
+
+def _scaled(motion: Sequence[int]) -> str:
+    """Return a motion with its largest entry 1: a mode has its positive multiples, too."""
+    largest = max(map(abs, motion)) or 1
+    return vector(Fraction(x, largest) for x in motion)

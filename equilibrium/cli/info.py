@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from fractions import Fraction
 from itertools import chain
-from math import gcd
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import counted, number, vector
 from arrangement.console.progress import shown
 from arrangement.errors import OutOfReachError
-from arrangement.numbers.exact import sign_text
 from equilibrium.model.contact import contact_entry, contact_words, pyramid_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.solution import numbering_words
@@ -34,9 +32,7 @@ from .goes_with import ASSEMBLY, DESCRIPTION, REPORT, check_options
 
 if TYPE_CHECKING:
     from equilibrium.methods.force_closure import ForceClosure
-    from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
     from equilibrium.model.grasp import Grasp
-    from equilibrium.modes import ContactModes, Slips
 
 _WORDS = {True: "yes", False: "no", None: "undecided"}
 #: Contacts of a grasp that are printed; more are only counted.
@@ -179,8 +175,8 @@ def _force_closure(arguments: argparse.Namespace) -> int:
         document["pyramid"] = edges
         lines.append(f"linearised space {pyramid_words(edges)}, inside the round cones:")
     try:
-        document |= _hull_document(space)
-        lines += _hull_lines(space)
+        document |= space.to_dict()
+        lines += space.lines()
     except OutOfReachError as error:
         if arguments.cone is not None:
             raise
@@ -207,32 +203,6 @@ def _edges(arguments: argparse.Namespace, grasp: Grasp) -> int:
     return edges
 
 
-def _hull_document(space: GraspWrenchSpace) -> dict[str, Any]:
-    return {
-        "epsilon_squared": space.epsilon_squared,
-        "vertices": sorted(space.polytope.points),
-        # (normal, constant) with the normal outward and of coprime integers.
-        "facets": sorted([Fraction(-x, gcd(*row[:-1])) for x in row] for row in space.facets),
-    }
-
-
-def _hull_lines(space: GraspWrenchSpace) -> Iterator[str]:
-    units = space.grasp.units
-    # With torques divided by a length all axes are forces.
-    force = f" {units.force}" if units else ""
-    square, cube = (f"{force}^2", f"{force}^3") if units else ("", "")
-    root = number(space.epsilon_squared) + square
-    stuck = "; without adhesion" if any(space.grasp.adhesion_wrench) else ""
-    yield f"epsilon          {space.epsilon:.6g}{force}  (its square is {root}{stuck})"
-    length = f"{number(space.length)} {units.length}" if units else number(space.length)
-    flat = space.grasp.dimension == 2
-    what = "epsilon and volume depend" if flat else "epsilon depends"
-    yield f"torques over     {length}  ({what} on it; --torque-length)"
-    if flat:
-        yield f"volume           {number(space.volume)}{cube}"
-    yield f"facets           {len(space.facets)}"
-
-
 def _modes(arguments: argparse.Namespace) -> int:
     """Print the contact modes of a grasp, of an assembly, or of bodies given by normals."""
     from arrangement.library.files.json_files import read_document
@@ -250,47 +220,6 @@ def _modes(arguments: argparse.Namespace) -> int:
         grasp = grasp_of(arguments)
         modes, groups = ContactModes.of_grasp(grasp, time_limit=limit), grasp.groups
     with shown():
-        lines = chain(
-            _modes_lines(modes, arguments.count),
-            filter(None, [numbering_words(groups, "a mode")]),
-        )
-        return show(arguments, _modes_document(modes, arguments), lines)
-
-
-def _modes_document(modes: ContactModes, arguments: argparse.Namespace) -> dict[str, Any]:
-    if not arguments.json:
-        return {}
-    if arguments.count:
-        return {
-            "contacting_separating": len(modes.contacting_separating),
-            "sliding_sticking": modes.sliding_sticking_count,
-        }
-    return {
-        "contacting_separating": [mode.to_dict() for mode in modes.contacting_separating],
-        "sliding_sticking": [mode.to_dict() for mode in modes.sliding_sticking()],
-    }
-
-
-def _modes_lines(modes: ContactModes, count: bool) -> Iterator[str]:
-    total = len(modes.contacting_separating)
-    if count:
-        yield f"contacting-separating  {total:>7}"
-        yield f"sliding-sticking       {modes.sliding_sticking_count:>7}"
-        return
-    yield f"contacting-separating modes: {total} (c: stays in contact, s: separates)"
-    for kept in modes.contacting_separating:
-        signs = "".join("s" if sign else "c" for sign in kept.signs)
-        yield f"  {signs}  dim {kept.dimension}  {_scaled(kept.motion)}"
-    yield "sliding-sticking modes (0: no slip, + and -: slip along a tangent)"
-    for slid in modes.sliding_sticking():
-        yield f"  {_slips(slid.signs)}  dim {slid.dimension}  {_scaled(slid.motion)}"
-
-
-def _scaled(motion: Sequence[int]) -> str:
-    """Return a motion with its largest entry 1: a mode has its positive multiples, too."""
-    largest = max(map(abs, motion)) or 1
-    return vector(Fraction(x, largest) for x in motion)
-
-
-def _slips(signs: Slips) -> str:
-    return " ".join("s" if s is None else sign_text(s) for s in signs)
+        document = modes.to_dict(arguments.count) if arguments.json else {}
+        numbering = filter(None, [numbering_words(groups, "a mode")])
+        return show(arguments, document, chain(modes.lines(arguments.count), numbering))

@@ -44,12 +44,6 @@ AS_PRINTED = (
     "coincident-planes",
     "single-solution",
 )
-_WORDS = {True: "yes", False: "no", None: "-"}
-#: What a mark of the comparison means, for those that it has.
-_MARKS = {
-    "-": "the method has no verdict on this wrench",
-    "!": "another verdict than that of the full model",
-}
 
 
 def add_command_solve(commands: Any) -> None:
@@ -197,13 +191,8 @@ def _by_methods(arguments: argparse.Namespace, subject: Any, load: Any) -> int:
     if isinstance(subject, Grasp):
         question_document(subject, load, "compare")
     comparison = compare(subject, load, methods=arguments.methods or None, pyramid=arguments.cone)
-    lines, document = list[str](), comparison.to_dict()
+    lines, document = list(comparison.lines()), comparison.to_dict()
     yes = comparison.answers[0].accepts
-    for answer in comparison.answers:
-        mark = "!" if answer.method in comparison.disagreeing else " "
-        lines.append(f"{mark} {_WORDS[answer.accepts]:<4}{answer.title:<60}{answer.remark}")
-    marks = {line[0] for line in lines} | {line[2] for line in lines}
-    lines += [f"{mark}  {text}" for mark, text in _MARKS.items() if mark in marks]
     if subject.data_error is not None:
         rounding = solve(subject, load, pyramid=arguments.cone).within_error()
         document["within_error"] = rounding.to_dict()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,6 +19,13 @@ from equilibrium.wrench_sets.plane import FORCES, resisted_region
 
 from .grasp_wrench_space import GraspWrenchSpace
 from .registry import DECIDING, DECIDING_ASSEMBLIES, DECIDING_IN_SPACE, METHODS, method_named
+
+_WORDS = {True: "yes", False: "no", None: "-"}
+#: What a mark of the comparison means, for those that it has.
+_MARKS = {
+    "-": "the method has no verdict on this wrench",
+    "!": "another verdict than that of the full model",
+}
 
 
 @dataclass(frozen=True)
@@ -106,6 +113,16 @@ class Comparison:
             ],
             **question_entries(self.grasp, self.wrench),
         }
+
+    def lines(self) -> Iterator[str]:
+        """Yield a line for each method, then what its marks mean."""
+        marks: set[str] = set()
+        for answer in self.answers:
+            mark = "!" if answer.method in self.disagreeing else " "
+            word = _WORDS[answer.accepts]
+            yield f"{mark} {word:<4}{answer.title:<60}{answer.remark}"
+            marks |= {mark, word[0]}
+        yield from (f"{mark}  {text}" for mark, text in _MARKS.items() if mark in marks)
 
 
 def predict(method: str, grasp: Grasp, wrench: RationalVector) -> bool | None:

@@ -16,12 +16,12 @@ misses is not: force closure is decided with round cones, see
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import product
-from math import sqrt
+from math import gcd, sqrt
 from typing import Any, Literal
 
 from arrangement.console.number_form import number
@@ -182,6 +182,32 @@ class GraspWrenchSpace:
         """
         self.grasp.require_plane()
         return self.polytope.volume
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form of epsilon, vertices and facets."""
+        return {
+            "epsilon_squared": self.epsilon_squared,
+            "vertices": sorted(self.polytope.points),
+            # (normal, constant) with the normal outward and of coprime integers.
+            "facets": sorted([Fraction(-x, gcd(*row[:-1])) for x in row] for row in self.facets),
+        }
+
+    def lines(self) -> Iterator[str]:
+        """Yield epsilon, volume and the number of facets in lines for people."""
+        units = self.grasp.units
+        # With torques divided by a length all axes are forces.
+        force = f" {units.force}" if units else ""
+        square, cube = (f"{force}^2", f"{force}^3") if units else ("", "")
+        root = number(self.epsilon_squared) + square
+        stuck = "; without adhesion" if any(self.grasp.adhesion_wrench) else ""
+        yield f"epsilon          {self.epsilon:.6g}{force}  (its square is {root}{stuck})"
+        length = f"{number(self.length)} {units.length}" if units else number(self.length)
+        flat = self.grasp.dimension == 2
+        what = "epsilon and volume depend" if flat else "epsilon depends"
+        yield f"torques over     {length}  ({what} on it; --torque-length)"
+        if flat:
+            yield f"volume           {number(self.volume)}{cube}"
+        yield f"facets           {len(self.facets)}"
 
     def verdict(self, wrench: Iterable[Any]) -> WrenchSpaceVerdict:
         """Return whether the method counts a wrench as resisted; one exact linear program."""
