@@ -266,33 +266,33 @@ def read(arguments: argparse.Namespace) -> Grasp:
     """Return the grasp as its source has it; on stderr say what had to be rounded."""
     from equilibrium.grasps.inputs import read_any
 
-    found = read_any(
+    conversion = read_any(
         arguments.grasp, round_normals=arguments.round_normals, as_given=arguments.as_given
     )
-    tell_rounding(found)
-    arguments.remarks = found.remarks
+    tell_rounding(conversion)
+    arguments.remarks = conversion.remarks
     # In space proofs are long, and of converted data many roundings are asked.
-    if found.grasp.dimension == 3 or found.grasp.data_error is not None:
+    if conversion.grasp.dimension == 3 or conversion.grasp.data_error is not None:
         budget.allow(3 * budget.COMMAND_STEPS)
-    return found.grasp
+    return conversion.grasp
 
 
-def tell_rounding(found: Conversion) -> None:
+def tell_rounding(conversion: Conversion) -> None:
     """Report on stderr how much numbers changed, and which incidences are preserved."""
-    if not found.exact:
+    if not conversion.exact:
         point, angle = (
             float(max(map(abs, errors), default=0))
-            for errors in (found.point_errors, found.angle_errors)
+            for errors in (conversion.point_errors, conversion.angle_errors)
         )
-        value = f", values by {float(found.value_error):.2g}" if found.value_error else ""
+        value = f", values by {float(conversion.value_error):.2g}" if conversion.value_error else ""
         text = f"rounded: points by {point:.2g}, normals by {angle:.2g} radians{value}"
         print(text, file=sys.stderr)
-    for remark in found.remarks:
+    for remark in conversion.remarks:
         print(f"note: {remark}", file=sys.stderr)
-    for incidence in found.kept[:_MOST_KEPT]:
+    for incidence in conversion.kept[:_MOST_KEPT]:
         print(f"preserved: {incidence}", file=sys.stderr)
-    if len(found.kept) > _MOST_KEPT:
-        print(f"preserved: {len(found.kept) - _MOST_KEPT} more", file=sys.stderr)
+    if len(conversion.kept) > _MOST_KEPT:
+        print(f"preserved: {len(conversion.kept) - _MOST_KEPT} more", file=sys.stderr)
 
 
 def grasp_of(arguments: argparse.Namespace) -> Grasp:
@@ -337,11 +337,11 @@ def bodies_of(arguments: argparse.Namespace) -> Bodies | None:
 
     source, preload = arguments.grasp, getattr(arguments, "preload", None)
     if isinstance(source, (str, os.PathLike)) and str(source).lower().endswith(".csv"):
-        found = read_bodies(source, as_given=arguments.as_given)
-        if found is None:
+        table = read_bodies(source, as_given=arguments.as_given)
+        if table is None:
             return None
-        tell_rounding(found[1])
-        assembly, document = found[0], dict[str, Any]()
+        tell_rounding(table[1])
+        assembly, document = table[0], dict[str, Any]()
     else:
         document = read_contacts(source, floats=decimal_text)
         if "bodies" not in document:

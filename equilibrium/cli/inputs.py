@@ -182,16 +182,16 @@ def _converted(arguments: argparse.Namespace) -> int:
     read = getattr(inputs, arguments.reader)
     given = [getattr(arguments, name) for name in arguments.given]
     bodies = inputs.read_bodies(*given, **options) if read is inputs.read_csv else None
-    found: Conversion = read(*given, **options) if bodies is None else bodies[1]
-    document = found.to_dict()
+    conversion: Conversion = read(*given, **options) if bodies is None else bodies[1]
+    document = conversion.to_dict()
     if bodies is None:
-        document["grasp"] = _labelled(found.grasp, arguments).to_dict()
+        document["grasp"] = _labelled(conversion.grasp, arguments).to_dict()
     else:
         units = Units(*arguments.units) if arguments.units else None
         del document["grasp"]
         document["assembly"] = replace(bodies[0], units=units).to_dict()
     if not arguments.json:
-        tell_rounding(found)
+        tell_rounding(conversion)
     return _give(arguments, document)
 
 

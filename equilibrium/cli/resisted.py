@@ -155,13 +155,13 @@ def _candidates(arguments: argparse.Namespace, grasp: Grasp) -> Answer:
     from equilibrium.grasps.inputs import read_any
     from equilibrium.wrench_sets.text import Answer
 
-    found = read_any(arguments.candidates, round_normals=arguments.round_normals)
+    candidates = read_any(arguments.candidates, round_normals=arguments.round_normals)
     start = grasp.read_wrench(applied(arguments, grasp))
     loads = [start, grasp.read_wrench(arguments.base)] if arguments.base else [start]
     wrench = list(map(sum, zip(*loads, strict=True)))
-    sets = _set(arguments, grasp).with_contact(found.grasp)
+    sets = _set(arguments, grasp).with_contact(candidates.grasp)
     verdicts = [resisted.solve(wrench).verdict for resisted in sets]
-    tried = list(zip(found.grasp.parts, verdicts, strict=True))
+    tried = list(zip(candidates.grasp.parts, verdicts, strict=True))
     lines = [
         f"candidate {i}  {verdict:<12}  {contact_words(points)}"
         for i, (points, verdict) in enumerate(tried, 1)
@@ -223,5 +223,5 @@ def _search(arguments: argparse.Namespace, grasp: Grasp) -> Answer:
     from equilibrium.wrench_sets.text import search_answer
 
     chosen = {name: getattr(arguments, name) for name in ("rays", "tolerance", "max_magnitude")}
-    given = {name: value for name, value in chosen.items() if value is not None}
-    return search_answer(_set(arguments, grasp).search(**given), grasp)
+    options = {name: value for name, value in chosen.items() if value is not None}
+    return search_answer(_set(arguments, grasp).search(**options), grasp)

@@ -47,7 +47,7 @@ def with_rounding(verdict: Verdict, lines: list[str]) -> tuple[list[str], bool |
 
 
 def verdict_lines(
-    found: Verdict, every: bool | None = None, path: str | None = None
+    verdict: Verdict, every: bool | None = None, path: str | None = None
 ) -> Iterator[str]:
     """Yield the answer, its equilibria or the proof that there is none, and warnings.
 
@@ -55,23 +55,23 @@ def verdict_lines(
         every: see `Verdict.to_dict`.
         path: where the certificate was written, if it was.
     """
-    if isinstance(found.subject, Assembly):
-        yield from _body_lines(found, every)
+    if isinstance(verdict.subject, Assembly):
+        yield from _body_lines(verdict, every)
         return
-    about = pyramid_words(found.pyramid, before=", with ")
-    about += displacement_words(found.max_displacement)
-    solution = found.solution
-    if not found.decided:
-        yield f"undecided{about}: {found.reason}; no equilibrium and no proof was found"
-        yield f"best motion found: {found.residual:.2g} of the largest force is left over"
+    about = pyramid_words(verdict.pyramid, before=", with ")
+    about += displacement_words(verdict.max_displacement)
+    solution = verdict.solution
+    if not verdict.decided:
+        yield f"undecided{about}: {verdict.reason}; no equilibrium and no proof was found"
+        yield f"best motion found: {verdict.residual:.2g} of the largest force is left over"
     elif solution is None:
-        yield from _refusal(found, about, path)
-    elif found.lists_all(every):
-        yield from piece_lines(found.equilibria, found.grasp, found.max_displacement)
+        yield from _refusal(verdict, about, path)
+    elif verdict.lists_all(every):
+        yield from piece_lines(verdict.equilibria, verdict.grasp, verdict.max_displacement)
     else:
         how = (
             "the equilibrium found is below; there may be others, and --all lists them"
-            if found.grasp.dimension == 2
+            if verdict.grasp.dimension == 2
             else "an exact equilibrium"
             if solution.box is None
             else "exactly one equilibrium lies in a box of intervals"
@@ -79,11 +79,12 @@ def verdict_lines(
         yield f"resisted{about}: {how}"
         if solution.box is not None and solution.box.idle:
             yield f"  (but for motions {_UNFELT}, as a turn about the line of two)"
-        yield from _equilibrium_lines(found.grasp, solution, found.states)
-    if path and found.grasp.has_pads:
-        yield numbering_words(found.grasp.groups)
-    yield from found.warnings
-    if not has_unit(found.grasp) and (solution is not None or found.max_displacement is not None):
+        yield from _equilibrium_lines(verdict.grasp, solution, verdict.states)
+    if path and verdict.grasp.has_pads:
+        yield numbering_words(verdict.grasp.groups)
+    yield from verdict.warnings
+    says_motion = solution is not None or verdict.max_displacement is not None
+    if says_motion and not has_unit(verdict.grasp):
         yield STIFFNESS_ASSUMED
 
 
@@ -105,19 +106,19 @@ def piece_lines(
 
 
 def _equilibrium_lines(
-    grasp: Grasp, found: Equilibrium | Solution, states: Iterable[str], freedom: str = ""
+    grasp: Grasp, equilibrium: Equilibrium | Solution, states: Iterable[str], freedom: str = ""
 ) -> Iterator[str]:
-    rounded = getattr(found, "box", None) is not None
+    rounded = getattr(equilibrium, "box", None) is not None
     shown = _floats if rounded else vector
-    yield f"  motion {shown(found.motion)}{freedom}"
+    yield f"  motion {shown(equilibrium.motion)}{freedom}"
     named, rows = list(states), []
     for i, (points, group) in enumerate(zip(grasp.parts, grasp.groups, strict=True), 1):
         kinds = named[group.start : group.stop]
         # A pad is one contact: the sum of the forces of its points, and where it acts.
-        whole = PadForce.of(points, found.forces[group.start : group.stop])
+        whole = PadForce.of(points, equilibrium.forces[group.start : group.stop])
         at = f" at {shown(whole.at)}" if len(points) > 1 and whole.at else ""
         at += f", torque {shown((whole.torsion,))}" if at and whole.torsion else ""
-        moves = any(dot(row, found.motion) for c in points for row in c.tangential_wrenches)
+        moves = any(dot(row, equilibrium.motion) for c in points for row in c.tangential_wrenches)
         still = all(kind.startswith("slip") for kind in kinds) and not moves
         why = "  (not slipping: at the edge of its cone)" if still else ""
         state = kinds[0] if len({*kinds}) == 1 else " ".join(kinds)
@@ -130,27 +131,27 @@ def _equilibrium_lines(
     yield from force_lines(rows, grasp.units)
 
 
-def _refusal(found: Verdict, about: str, path: str | None) -> Iterator[str]:
-    if found.grasp.dimension == 2:
-        yield from piece_lines((), found.grasp, found.max_displacement)
-        yield from _proof_lines(found, path)
+def _refusal(verdict: Verdict, about: str, path: str | None) -> Iterator[str]:
+    if verdict.grasp.dimension == 2:
+        yield from piece_lines((), verdict.grasp, verdict.max_displacement)
+        yield from _proof_lines(verdict, path)
         return
-    leaves = found.verify().leaves
-    where = " in the plane of the contacts" if read_plane(found.proof["tree"]) else ""
+    leaves = verdict.verify().leaves
+    where = " in the plane of the contacts" if read_plane(verdict.proof["tree"]) else ""
     yield f"not resisted{about}: proof{where} with {counted(leaves, 'leaf', 'leaves')}"
     if leaves <= _MOST:
-        for leaf in spatial_leaves(found.proof):
-            yield from _leaf_lines(found, leaf)
+        for leaf in spatial_leaves(verdict.proof):
+            yield from _leaf_lines(verdict, leaf)
 
 
 def _proof_lines(verdict: Verdict, path: str | None) -> Iterator[str]:
     """Yield the cases of the proof of a "no" if they are few, else the number of its leaves."""
-    found = list(parts(verdict.proof))
+    closed = list(parts(verdict.proof))
     names = verdict.grasp.point_names
-    cases = _cases(found, names)
+    cases = _cases(closed, names)
     if not 0 < len(cases) <= _MOST:
         where = f", in {path}" if path else "; --certificate OUT.json writes it"
-        yield f"proof: {counted(len(found), 'leaf', 'leaves')}{where}"
+        yield f"proof: {counted(len(closed), 'leaf', 'leaves')}{where}"
         return
     about = displacement_words(verdict.max_displacement)
     loads = "the load and adhesion do" if any(verdict.grasp.adhesion_wrench) else "the load does"
@@ -166,13 +167,13 @@ def _proof_lines(verdict: Verdict, path: str | None) -> Iterator[str]:
             yield f"    {names[i]}  {work}"
 
 
-def _cases(found: list[ClosedPart], names: Sequence[str]) -> dict[str, list[ClosedPart]]:
+def _cases(closed: list[ClosedPart], names: Sequence[str]) -> dict[str, list[ClosedPart]]:
     """Return the parts by conditions in words; none if they cannot be told in signs and states.
 
     Orthants with one virtual motion are one case if they fill the part with their common signs.
     """
     groups: dict[Any, list[ClosedPart]] = {}
-    for part in found:
+    for part in closed:
         if any(sum(map(abs, g)) > 1 for g in part.region):
             return {}
         groups.setdefault((part.leaf.motion, *part.states.items()), []).append(part)

@@ -90,22 +90,22 @@ def along_answer(resisted: ResistedSet, magnitudes: Magnitudes) -> Answer:
 
 
 def end_lines(
-    resisted: ResistedSet, found: Magnitudes | Preloads
+    resisted: ResistedSet, magnitudes: Magnitudes | Preloads
 ) -> tuple[dict[str, Any], list[str]]:
     """Return what gives at the ends of magnitudes or preloads: JSON form and lines."""
-    ends = resisted.what_gives(found)
+    ends = resisted.what_gives(magnitudes)
     lines = [
-        f"  at {number(end)}: {given.words}"
-        for interval, pair in zip(found.intervals, ends, strict=True)
-        for end, given in zip(interval, pair, strict=True)
-        if end is not None and given is not None
+        f"  at {number(end)}: {giving.words}"
+        for interval, pair in zip(magnitudes.intervals, ends, strict=True)
+        for end, giving in zip(interval, pair, strict=True)
+        if end is not None and giving is not None
     ]
     return {"gives": [[x and x.to_dict() for x in pair] for pair in ends]}, lines
 
 
 def _with_rounding(
     resisted: ResistedSet,
-    found: Magnitudes,
+    magnitudes: Magnitudes,
     text: Callable[[Sequence[Interval]], str],
     ends: Sequence[str],
 ) -> tuple[dict[str, Any], list[str], bool]:
@@ -115,12 +115,12 @@ def _with_rounding(
         text: of the magnitudes, or factors.
         ends: what gives there.
     """
-    stated = text(found.intervals)
+    stated = text(magnitudes.intervals)
     if resisted.grasp.data_error is None:
         return {}, [stated, *ends], False
     # A wrench of zero has no direction in which others are compared.
-    zero = not isinstance(found.direction, dict) and not any(found.direction)
-    if zero or (again := resisted.within_error(found)) is None:
+    zero = not isinstance(magnitudes.direction, dict) and not any(magnitudes.direction)
+    if zero or (again := resisted.within_error(magnitudes)) is None:
         return {"as_rounded": True}, [f"{stated}, {AS_ROUNDED}", *ends], False
     more = {"as_rounded": True, "within_error": again.to_dict()}
     if again.turned is not None:
@@ -146,7 +146,7 @@ def spatial_answer(magnitudes: SpatialMagnitudes) -> Answer:
     yes = {"resisted": True, "not resisted": False}.get(magnitudes.verdict)
     gives = magnitudes.what_gives()
     lines, document = list(_border_lines(magnitudes, gives)), magnitudes.to_dict()
-    document["gives"] = [given and given.to_dict() for given in gives]
+    document["gives"] = [giving and giving.to_dict() for giving in gives]
     if magnitudes.grasp.data_error is not None:
         document["as_rounded"] = True
     if (nearby := magnitudes.within_error()) is not None:
@@ -156,24 +156,24 @@ def spatial_answer(magnitudes: SpatialMagnitudes) -> Answer:
     return Answer(document, lines, yes)
 
 
-def _border_lines(found: SpatialMagnitudes, gives: Sequence[Giving | None]) -> Iterator[str]:
-    runs = [list(run) for _, run in groupby(found.samples, key=itemgetter(1))]
+def _border_lines(magnitudes: SpatialMagnitudes, gives: Sequence[Giving | None]) -> Iterator[str]:
+    runs = [list(run) for _, run in groupby(magnitudes.samples, key=itemgetter(1))]
     known = ", ".join(f"{run[0][1]} at {_samples(run)}" for run in runs)
-    tried = counted(len(found.samples), "magnitude")
-    yield f"{tried} t tried from 0 to {number(found.samples[-1][0])}: {known}"
-    doubt = "" if found.grasp.data_error is None else f", {AS_ROUNDED}"
-    if found.zero_only:
+    tried = counted(len(magnitudes.samples), "magnitude")
+    yield f"{tried} t tried from 0 to {number(magnitudes.samples[-1][0])}: {known}"
+    doubt = "" if magnitudes.grasp.data_error is None else f", {AS_ROUNDED}"
+    if magnitudes.zero_only:
         yield f"resisted at 0 only{doubt}"
         return
-    for border, given in zip(found.borders, gives, strict=True):
+    for border, giving in zip(magnitudes.borders, gives, strict=True):
         order = "resisted, then not" if border.resisted < border.refused else "not, then resisted"
         place = f"{number(border.resisted)} exactly" if border.exact else bracket(*border.ends)
         line = f"{order}: the boundary is {place}"
         left = len(border.undecided)
         yield line + (f"; {left} undecided between them" if left else "")
-        if given is not None:
-            yield f"  in an equilibrium at {number(border.resisted)}: {given.words}"
-    for a, b in found.gaps:
+        if giving is not None:
+            yield f"  in an equilibrium at {number(border.resisted)}: {giving.words}"
+    for a, b in magnitudes.gaps:
         yield f"a gap: not resisted from {number(a.refused)} to {number(b.refused)}"
     yield f"other t, between these and beyond, are not covered: the verdict may change there{doubt}"
 
@@ -209,10 +209,10 @@ def margin_answer(
     loads = [factors.wrench, *also]
     at_preloads: dict[str, Any] = {}
 
-    def preload_text(found: Preloads) -> str:
-        gives, ends = end_lines(resisted, found)
+    def preload_text(preloads: Preloads) -> str:
+        gives, ends = end_lines(resisted, preloads)
         at_preloads.update(gives)
-        first = f"resisted with {among_text(found.intervals, whose)}{_force(grasp)}{doubt}"
+        first = f"resisted with {among_text(preloads.intervals, whose)}{_force(grasp)}{doubt}"
         return "\n".join([first, *ends])
 
     doubt = "" if grasp.data_error is None else f", {ROUNDED}"
@@ -223,7 +223,7 @@ def margin_answer(
     )
     friction, coefficient = _or_undecided(
         lambda: factors.friction(tolerance, chosen),
-        lambda found: f"least {rubbing}: {_friction(found.low, found.high)}{doubt}",
+        lambda bounds: f"least {rubbing}: {_friction(bounds.low, bounds.high)}{doubt}",
         f"least {rubbing}",
     )
     gives, ends = end_lines(resisted, factors.magnitudes)
@@ -245,33 +245,33 @@ def _or_undecided(
 ) -> tuple[dict[str, Any], str]:
     """Return the JSON form and the text of an answer, or why what has this name is undecided."""
     try:
-        found = ask()
+        answer = ask()
     except UndecidedError as unknown:
         return undecided(unknown), f"{name}: undecided, {unknown}"
-    return found.to_dict(), text(found)
+    return answer.to_dict(), text(answer)
 
 
-def smallest_answer(found: SmallestUnresisted, grasp: Grasp) -> Answer:
+def smallest_answer(smallest: SmallestUnresisted, grasp: Grasp) -> Answer:
     """Return the size below which every wrench is resisted, and a wrench that is not."""
-    return Answer(found.to_dict(), _smallest_lines(found, grasp), found.size_squared != 0)
+    return Answer(smallest.to_dict(), _smallest_lines(smallest, grasp), smallest.size_squared != 0)
 
 
-def _smallest_lines(found: SmallestUnresisted, grasp: Grasp) -> Iterator[str]:
-    load = "with the base, " if any(found.base) else ""
-    if found.size is None or found.wrench is None or found.beyond is None:
+def _smallest_lines(smallest: SmallestUnresisted, grasp: Grasp) -> Iterator[str]:
+    load = "with the base, " if any(smallest.base) else ""
+    if smallest.size is None or smallest.wrench is None or smallest.beyond is None:
         yield f"{load}every wrench is resisted, whichever way it points and however large it is"
         return
-    if found.size_squared:
-        exact = found.size**2 == found.size_squared
-        size = number(found.size) if exact else number_text(found.size, longest=0)
-        squared = "" if exact else f" (its square is {number(found.size_squared)})"
+    if smallest.size_squared:
+        exact = smallest.size**2 == smallest.size_squared
+        size = number(smallest.size) if exact else number_text(smallest.size, longest=0)
+        squared = "" if exact else f" (its square is {number(smallest.size_squared)})"
         yield f"{load}every wrench smaller than {size}{_force(grasp)}{squared} is resisted"
-        length = f"length {number(found.length)} (--torque-length)"
+        length = f"length {number(smallest.length)} (--torque-length)"
         yield f"  where size^2 = f_x^2 + f_y^2 + (tau / length)^2, {length}"
-        yield f"on the boundary: {vector(found.wrench)}"
+        yield f"on the boundary: {vector(smallest.wrench)}"
     else:
         yield f"{load}no size is resisted in every direction"
-    yield f"not resisted: {vector(found.beyond)}"
+    yield f"not resisted: {vector(smallest.beyond)}"
 
 
 def region_answer(region: Region) -> Answer:
@@ -311,17 +311,20 @@ def _set_lines(whole: ResistedSet) -> Iterator[str]:
         yield from (f"    {vector(row)} = 0" for row in piece.polyhedron.equalities)
 
 
-def search_answer(found: SearchMap, grasp: Grasp) -> Answer:
+def search_answer(searched: SearchMap, grasp: Grasp) -> Answer:
     """Return what a search in many directions finds, beside the exact answers."""
-    return Answer(found.to_dict(), _search_lines(found, _force(grasp)), not found.disagreements)
-
-
-def _search_lines(found: SearchMap, unit: str) -> Iterator[str]:
-    yield (
-        f"{counted(len(found.entries), 'direction')}, tolerance {number(found.tolerance)}{unit}, "
-        f"limit {number(found.limit)}{unit}: the search errs in {len(found.disagreements)}"
+    return Answer(
+        searched.to_dict(), _search_lines(searched, _force(grasp)), not searched.disagreements
     )
-    for entry in found.entries:
+
+
+def _search_lines(searched: SearchMap, unit: str) -> Iterator[str]:
+    tolerance, limit = (f"{number(x)}{unit}" for x in (searched.tolerance, searched.limit))
+    yield (
+        f"{counted(len(searched.entries), 'direction')}, tolerance {tolerance}, limit {limit}: the "
+        f"search errs in {len(searched.disagreements)}"
+    )
+    for entry in searched.entries:
         answer = "unbounded" if entry.found is None else f"up to {number(entry.found)}{unit}"
         shown = ", ".join(f"{float(x):+.4f}" for x in entry.direction)
         wrong = "" if entry.agrees else f"; exactly {intervals_text(entry.exact)}"

@@ -27,7 +27,7 @@ from arrangement.errors import InputError
 from arrangement.library.files.json_files import read_bytes, read_text
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, from_floats, rational, shown
-from equilibrium.grasps.inputs.csv_file import check_header, exactly, read_rows, table_rows
+from equilibrium.grasps.inputs.csv_file import check_header, exact_contacts, read_rows, table_rows
 from equilibrium.model.contact import VALUES, WRENCH_SIZES
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import ask_contacts, read_wrench
@@ -165,7 +165,7 @@ def read_grasps(path: str) -> ManyGrasps:
     groups = _groups(path, lambda header: check_header(header, (_GRASP,)))
     for rows in groups.values():
         ask_contacts(len(rows))
-    conversions = {name: read_rows(rows, exactly()) for name, rows in groups.items()}
+    conversions = {name: read_rows(rows, exact_contacts()) for name, rows in groups.items()}
     remarks = ((name, x) for name, conversion in conversions.items() for x in conversion.remarks)
     return ManyGrasps(
         list(conversions),

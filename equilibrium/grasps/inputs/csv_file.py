@@ -87,11 +87,11 @@ def read_csv(
 def parse_csv(text: str, how: Rounding | None = None) -> Conversion:
     """Read a grasp from CSV text.
 
-    >>> found = parse_csv("x,y,normal_x,normal_y,friction\\n-1,0,2,0,0.5\\n")
-    >>> found.grasp.contacts[0].normal, found.exact
+    >>> conversion = parse_csv("x,y,normal_x,normal_y,friction\\n-1,0,2,0,0.5\\n")
+    >>> conversion.grasp.contacts[0].normal, conversion.exact
     ((Fraction(1, 1), Fraction(0, 1)), True)
     """
-    return read_rows(contact_rows(text), exactly(how))
+    return read_rows(contact_rows(text), exact_contacts(how))
 
 
 def read_bodies(
@@ -117,12 +117,12 @@ def read_bodies(
         return None
     pairs: list[tuple[str, str | None]] = []
     how = rounding(0, tolerance, angle_tolerance, as_given)
-    found = read_rows(contact_rows(text), exactly(how), pairs=pairs)
-    if len(found.grasp) != len(pairs):
+    conversion = read_rows(contact_rows(text), exact_contacts(how), pairs=pairs)
+    if len(conversion.grasp) != len(pairs):
         raise GraspError("pad is for one body; leave the column out")
-    contacts = [BodyContact(*pair, c) for pair, c in zip(pairs, found.grasp, strict=True)]
+    contacts = [BodyContact(*pair, c) for pair, c in zip(pairs, conversion.grasp, strict=True)]
     names = dict.fromkeys(name for pair in pairs for name in pair if name is not None)
-    return Assembly(names, contacts, data_error=found.grasp.data_error), found
+    return Assembly(names, contacts, data_error=conversion.grasp.data_error), conversion
 
 
 def _lines(text: str) -> Iterator[str]:
@@ -138,13 +138,13 @@ def tangential_arrangement(text: str) -> Arrangement | None:
     """
     if not re.search(r"\b(nx|normal_x)\b", next(_lines(text), "")):
         return None
-    found = parse_csv(text)
-    if not found.exact:
+    conversion = parse_csv(text)
+    if not conversion.exact:
         raise GraspError(
             "the table has normals without an exact length; equilibrium make csv writes a document "
             "with rounded ones, and reports the change"
         )
-    return found.grasp.tangential_arrangement()
+    return conversion.grasp.tangential_arrangement()
 
 
 def contact_rows(text: str) -> Rows:
@@ -153,7 +153,7 @@ def contact_rows(text: str) -> Rows:
     return table_rows(text, check_header)
 
 
-def exactly(how: Rounding | None = None) -> Convert:
+def exact_contacts(how: Rounding | None = None) -> Convert:
     """Return what makes contacts of exact numbers; it rounds normals of irrational length."""
     used = how or rounding(0, DEFAULT_TOLERANCE, DEFAULT_TOLERANCE, False)
 

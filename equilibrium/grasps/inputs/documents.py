@@ -87,23 +87,23 @@ def read_any(
         return completed(Conversion(Grasp.from_dict(document), (), ()), extras)
     for i, contact in enumerate(contacts):
         check_keys(contact, ("normal",), contact, f"contacts[{i}]")
-    given = [contact["normal"] for contact in contacts]
-    normals = unit_normals(given, angle_tolerance)
+    directions = [contact["normal"] for contact in contacts]
+    normals = unit_normals(directions, angle_tolerance)
     rounded = [
         {**contact, "normal": [to_text(x) for x in normal.normal]}
         for contact, normal in zip(contacts, normals, strict=True)
     ]
     grasp = Grasp.from_dict({**document, "contacts": rounded})
     whole = grasp.joined()
-    found = converted(
+    conversion = converted(
         [(contact.point, Fraction(0)) for contact in whole],
-        [given[group.start] for group in grasp.groups],
+        [directions[group.start] for group in grasp.groups],
         [{name: getattr(contact, name) for name in _WITH_MARK} for contact in whole],
         rounding(0, tolerance, angle_tolerance, as_given),
         outline=grasp.outline,
     )
-    found = replace(found, grasp=replace(found.grasp, units=grasp.units))
-    return completed(found.of_points(grasp.spread(found.grasp), grasp.groups), extras)
+    conversion = replace(conversion, grasp=replace(conversion.grasp, units=grasp.units))
+    return completed(conversion.of_points(grasp.spread(conversion.grasp), grasp.groups), extras)
 
 
 def with_unit_normals(
@@ -119,14 +119,14 @@ def with_unit_normals(
         check_keys(entry, _BODY_KEYS, entry, f"contacts[{i}]")
     bare = [{key: x for key, x in one.items() if key not in _BODY_KEYS} for one in entries]
     source = {"schema_version": 1, "contacts": bare}
-    found = read_any(source, round_normals=True, as_given=as_given)
+    conversion = read_any(source, round_normals=True, as_given=as_given)
     contacts = [
         {**{key: one[key] for key in _BODY_KEYS}, **contact.to_dict()}
-        for one, contact in zip(entries, found.grasp, strict=True)
+        for one, contact in zip(entries, conversion.grasp, strict=True)
     ]
-    error = found.grasp.data_error
+    error = conversion.grasp.data_error
     known = {} if error is None else {"data_error": error.to_dict()}
-    return {**document, **known, "contacts": contacts}, found
+    return {**document, **known, "contacts": contacts}, conversion
 
 
 def read_assembly(source: Source) -> Assembly:
@@ -139,13 +139,13 @@ def read_assembly(source: Source) -> Assembly:
         InputError: for anything that is not exactly a valid document or table.
     """
     if isinstance(source, (str, os.PathLike)) and str(source).lower().endswith(".csv"):
-        found = read_bodies(source)
-        if found is None:
+        bodies = read_bodies(source)
+        if bodies is None:
             raise GraspError(f"{source} has no columns body_a and body_b; expected an assembly")
-        if not found[1].exact:
+        if not bodies[1].exact:
             raise GraspError(
                 f"{source} has normals without an exact length; `equilibrium make csv` writes a "
                 "document with rounded ones, and reports the change"
             )
-        return found[0]
+        return bodies[0]
     return Assembly.from_dict(read_contacts(source))

@@ -159,29 +159,29 @@ def _ascii_stl(content: bytes) -> array[float]:
 
 
 def _obj(content: bytes) -> Triangles:
-    found = _Builder()
+    mesh = _Builder()
     # a backslash at the end continues a line
     whole = re.sub(rb"#.*|\\\r?\n", b" ", content)
     for number, (kind, *words) in enumerate((words or [""] for words in _lines(whole)), 1):
         try:
             if kind == "f":
-                found.add_facet([_obj_index(word, len(found.points) // 3) for word in words])
+                mesh.add_facet([_obj_index(word, len(mesh.points) // 3) for word in words])
             elif kind == "v":
                 # after x y z may come a weight, or a colour, or both
                 if len(words) not in (3, 4, 6, 7):
                     raise GraspError(f"a vertex has {len(words)} numbers; expected x y z")
-                found.points.extend(_floats(words)[:3])
+                mesh.points.extend(_floats(words)[:3])
         except InputError as error:
             if isinstance(error, OutOfReachError):
                 raise
             raise GraspError(f"line {number}: {error}") from None
-    return found.triangles()
+    return mesh.triangles()
 
 
 def _obj_index(word: str, points: int) -> int:
     """Return the number of a vertex, from 0; in the file from 1, or from the end if negative."""
-    found = re.fullmatch(r"(-?[0-9]{1,18})(/[-0-9]*){0,2}", word)
-    number = int(found[1]) if found else 0
+    match = re.fullmatch(r"(-?[0-9]{1,18})(/[-0-9]*){0,2}", word)
+    number = int(match[1]) if match else 0
     if not number:
         raise GraspError(
             f"a corner of a facet is {shown(word)}; expected a number such as 3 or 3/1/2"
@@ -251,7 +251,7 @@ def _ply(content: bytes) -> Triangles:
     if not end or lines[:1] != [["ply"]] or form not in _PLY_FORMATS:
         raise GraspError("a PLY file begins with ply, its format and a header up to end_header")
     body = _PlyBody(rest.removeprefix(b"\r").removeprefix(b"\n"), _PLY_FORMATS[form])
-    found = _Builder()
+    mesh = _Builder()
     for name, number, properties in _ply_elements(lines[2:]):
         names = {p.name for p in properties}
         corners = next((x for x in ("vertex_indices", "vertex_index") if x in names), "")
@@ -260,27 +260,27 @@ def _ply(content: bytes) -> Triangles:
         for _ in range(number if properties else 0):
             row = body.row(properties)
             if name == "vertex":
-                found.points.extend((row["x"][0], row["y"][0], row["z"][0]))
+                mesh.points.extend((row["x"][0], row["y"][0], row["z"][0]))
             elif name == "face" and corners:
-                found.add_facet(row[corners])
+                mesh.add_facet(row[corners])
     if not body.at_end():
         raise GraspError("it goes on after the last element of its header")
-    return found.triangles()
+    return mesh.triangles()
 
 
 def _ply_elements(lines: Iterable[list[str]]) -> list[tuple[str, int, list[_PlyProperty]]]:
     """Return name, number and properties of each element of a header."""
-    found: list[tuple[str, int, list[_PlyProperty]]] = []
+    elements: list[tuple[str, int, list[_PlyProperty]]] = []
     for words in lines:
         if not words or words[0] in ("comment", "obj_info"):
             continue
         if words[0] == "element" and len(words) == 3 and re.fullmatch("[0-9]{1,18}", words[2]):
-            found.append((words[1], int(words[2]), []))
-        elif words[0] == "property" and found:
-            found[-1][2].append(_PlyProperty(words[1:]))
+            elements.append((words[1], int(words[2]), []))
+        elif words[0] == "property" and elements:
+            elements[-1][2].append(_PlyProperty(words[1:]))
         else:
             raise GraspError(f"a line of its header is {shown(' '.join(words))}")
-    return found
+    return elements
 
 
 def _text(content: bytes) -> str:
@@ -442,7 +442,7 @@ def _placement(node: dict[str, Any]) -> Floats:
     """Return the transform of a node: its matrix, or scale, rotation and translation."""
     if "matrix" in node:
         return np.array(node["matrix"], float).reshape(4, 4).T
-    found = np.eye(4)
+    transform = np.eye(4)
     x, y, z, w = np.array(node.get("rotation", (0, 0, 0, 1)), float)
     turned = np.array(
         [
@@ -451,9 +451,9 @@ def _placement(node: dict[str, Any]) -> Floats:
             [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
         ]
     )
-    found[:3, :3] = turned * np.array(node.get("scale", (1, 1, 1)), float)
-    found[:3, 3] = np.array(node.get("translation", (0, 0, 0)), float)
-    return found
+    transform[:3, :3] = turned * np.array(node.get("scale", (1, 1, 1)), float)
+    transform[:3, 3] = np.array(node.get("translation", (0, 0, 0)), float)
+    return transform
 
 
 #: How each kind of file is read.
