@@ -155,7 +155,7 @@ class KnownMagnitudes:
         )
 
     def verdict(self, t: Fraction, **how: Any) -> str:
-        """Return what follows from earlier proofs, or decide; see `KnownLoads.ask`."""
+        """Return what follows from earlier proofs, or decide; see `KnownLoads.solve`."""
         if t and self.scales:
             t = Fraction(1)
         if self.refuting(t) is not None:

@@ -8,18 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any
 
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.exact import RationalVector, dot, to_text, vector_text
-from equilibrium.certificate.law import displacement_problem, joint_rows, law_problem
+from equilibrium.certificate.checker import proof_report
 from equilibrium.decide.engines import Engine, PlanarEngine
 from equilibrium.model.assembly import SIZE, Assembly, Wrenches
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import TimeLimitError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Open, Refutation, Solution, Tree
-from equilibrium.model.subject import by_body, flat
+from equilibrium.model.subject import LoadCase, by_body, flat
 
 from .magnitudes import PartEquilibrium, part_equilibria
 from .parts import AssemblyPart, parts_of, with_root_as_ground
@@ -41,7 +41,6 @@ class AssemblyEngine(Engine):
         self, load: RationalVector, effort: Effort, *, nodes: int | None = None, **_: Any
     ) -> Solution | Refutation | Open:
         """Search until a part refutes all, or a limit is reached."""
-        limits = _Limits(effort, nodes, self.max_displacement)
         parts, floating = parts_of(self.assembly, by_body(self.assembly, load))
         for bodies, total in floating:
             if any(total):
@@ -54,7 +53,10 @@ class AssemblyEngine(Engine):
         solutions, open_ = {}, []
         # Parts of one body are decided soonest.
         for part in sorted(parts, key=lambda part: len(part.bodies)):
-            outcome = _decide_part(self.assembly, part, limits)
+            if len(part.bodies) > 1:
+                outcome = self._of_bodies(part, effort, nodes)
+            else:
+                outcome = self._of_one_body(part, effort)
             if isinstance(outcome, Solution):
                 solutions[part.bodies] = outcome
             elif isinstance(outcome, Open):
@@ -64,6 +66,47 @@ class AssemblyEngine(Engine):
         if open_:
             return Open("; ".join(open_), 0.0)
         return self._joined([(part, solutions[part.bodies]) for part in parts])
+
+    def _of_one_body(self, part: AssemblyPart, effort: Effort) -> Solution | Refutation | Open:
+        """Return what the planar search ends with."""
+        (name,) = part.bodies
+        inside, load = with_root_as_ground(self.assembly, part), part.wrenches[name]
+        grasp = Grasp(c.contact for c in inside.contacts)
+        engine = PlanarEngine(grasp, self.max_displacement)
+        try:
+            outcome = engine.outcome(load, effort)
+        except (OutOfReachError, TimeLimitError) as late:
+            return Open(str(late).removeprefix("undecided: "), 0.0)
+        if isinstance(outcome, Refutation):
+            place = {"part": list(part.hanging[name]), "contacts": list(part.contacts)}
+            return _refuted(part, {**place, "tree": outcome.tree})
+        if len(grasp) > _FEW:
+            return outcome
+        # Where a contact slips freely the least motion is the one to show.
+        least = engine.choices.equilibria(load)[0]
+        return Solution(least.motion, least.forces)
+
+    def _of_bodies(
+        self, part: AssemblyPart, effort: Effort, nodes: int | None
+    ) -> Solution | Refutation | Open:
+        """Return what the search in R^(3b) ends with."""
+        from equilibrium.core.cones import LineCones
+        from equilibrium.core.contacts import FloatContacts
+        from equilibrium.core.tree import SETTINGS, SpatialSearch
+
+        inside, bound = with_root_as_ground(self.assembly, part), self.max_displacement
+        case = LoadCase(inside, flat(inside, part.wrenches), bound)
+
+        def accept(solution: Solution) -> bool:
+            return bool(proof_report(case, solution))
+
+        most = SETTINGS.max_nodes if nodes is None else nodes
+        question = FloatContacts(inside.rows), inside.rows.total_load(case.load), accept, effort
+        search = SpatialSearch(*question, most, max_displacement=bound, cones=LineCones())
+        outcome = search.decide()
+        if isinstance(outcome, Solution | Open):
+            return outcome
+        return _refuted(part, _lifted(outcome, part))
 
     def _joined(self, solved: Iterable[tuple[AssemblyPart, Solution]]) -> Solution:
         """Return the equilibrium of equilibria of the parts, those nearer to the ground first."""
@@ -91,63 +134,6 @@ class AssemblyEngine(Engine):
         """Return all equilibria of each part; those of different parts combine freely."""
         wrenches = by_body(self.assembly, load)
         return part_equilibria(self.assembly, wrenches, self.max_displacement)
-
-
-class _Limits(NamedTuple):
-    """What bounds the search for the equilibria of a part, and these themselves."""
-
-    effort: Effort
-    nodes: int | None
-    max_displacement: Fraction | None
-
-
-def _decide_part(
-    assembly: Assembly, part: AssemblyPart, limits: _Limits
-) -> Solution | Refutation | Open:
-    """Return an equilibrium of a part, the refutation of the assembly, or why it is open."""
-    inside = with_root_as_ground(assembly, part)
-    if len(part.bodies) > 1:
-        return _searched(inside, part, limits)
-    (name,) = part.bodies
-    grasp, load = Grasp(c.contact for c in inside.contacts), part.wrenches[name]
-    engine = PlanarEngine(grasp, limits.max_displacement)
-    try:
-        outcome = engine.outcome(load, limits.effort)
-    except (OutOfReachError, TimeLimitError) as late:
-        return Open(str(late).removeprefix("undecided: "), 0.0)
-    if isinstance(outcome, Refutation):
-        place = {"part": list(part.hanging[name]), "contacts": list(part.contacts)}
-        return _refuted(part, {**place, "tree": outcome.tree})
-    if len(grasp) > _FEW:
-        return outcome
-    # Where a contact slips freely the least motion is the one to show.
-    least = engine.choices.equilibria(load)[0]
-    return Solution(least.motion, least.forces)
-
-
-def _searched(
-    inside: Assembly, part: AssemblyPart, limits: _Limits
-) -> Solution | Refutation | Open:
-    """Return what the search in R^(3b) finds for a part of several bodies."""
-    from equilibrium.core.cones import LineCones
-    from equilibrium.core.contacts import FloatContacts
-    from equilibrium.core.tree import SETTINGS, SpatialSearch
-
-    rows, bound = joint_rows(inside), limits.max_displacement
-    load = tuple(x for name in part.bodies for x in part.wrenches[name])
-
-    def accept(solution: Solution) -> bool:
-        far = displacement_problem(rows, solution.motion, bound)
-        return not (far or law_problem(rows, load, solution.motion, solution.forces))
-
-    most = SETTINGS.max_nodes if limits.nodes is None else limits.nodes
-    total = inside.rows.total_load(load)
-    question = FloatContacts(inside.rows), total, accept, limits.effort, most
-    search = SpatialSearch(*question, max_displacement=bound, cones=LineCones())
-    outcome = search.decide()
-    if isinstance(outcome, Solution | Open):
-        return outcome
-    return _refuted(part, _lifted(outcome, part))
 
 
 def _refuted(part: AssemblyPart, tree: Tree) -> Refutation:
