@@ -91,8 +91,8 @@ class Arrangement(HintsMixin, Planes):
         """
         if engine is None and type(dimension) is int and dimension == self.dimension:
             return self.regions()
-        found = self._faces if engine is None else enumerate_faces(self, engine, f_vector)
-        return found if dimension is None else found.of_dimension(dimension)
+        faces = self._faces if engine is None else enumerate_faces(self, engine, f_vector)
+        return faces if dimension is None else faces.of_dimension(dimension)
 
     @cached_property
     def _faces(self) -> FaceSequence:
@@ -155,14 +155,14 @@ class Arrangement(HintsMixin, Planes):
         Raises:
             InputError: if a plane goes through the point; `face_at` has no such rule.
         """
-        found = self.face_at(point)
-        if not all(found.signs):
-            where = [i for i, sign in enumerate(found.signs) if not sign]
+        face = self.face_at(point)
+        if not all(face.signs):
+            where = [i for i, sign in enumerate(face.signs) if not sign]
             raise InputError(
-                f"the point {vector_text(found.witness)} lies on the planes {shown(where)}, so in "
+                f"the point {vector_text(face.witness)} lies on the planes {shown(where)}, so in "
                 "no region; move it, or use face_at"
             )
-        return found
+        return face
 
     def region_graph(self) -> nx.Graph[Face]:
         """Return the graph of regions: two are joined when they have a facet in common.
@@ -285,8 +285,8 @@ class Arrangement(HintsMixin, Planes):
         >>> Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]]).identify().planes
         3
         """
-        found: Identification = attached("Arrangement.identify")(self)
-        return found
+        identification: Identification = attached("Arrangement.identify")(self)
+        return identification
 
     def deletion(self, *planes: int) -> Arrangement:
         """Return the arrangement without the given hyperplanes; see `counts.deletion`."""

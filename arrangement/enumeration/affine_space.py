@@ -229,21 +229,21 @@ def _sizes(floats: Floats) -> Floats:
 
 
 def _dot3(minor: Numbers, row: Numbers) -> Numbers:
-    found: Numbers = (minor[..., :3] * row[..., :3]).sum(axis=-1)
-    return found
+    product: Numbers = (minor[..., :3] * row[..., :3]).sum(axis=-1)
+    return product
 
 
 def _dot6(left: Numbers, right: Numbers) -> Numbers:
     direction, moment = left[..., :3] * right[..., 3:], left[..., 3:] * right[..., :3]
-    found: Numbers = (direction + moment).sum(axis=-1)
-    return found
+    product: Numbers = (direction + moment).sum(axis=-1)
+    return product
 
 
 def _by_line(line: Floats, crossing: Floats) -> Floats:
     """Return D4 for each line (a row of minors) and each of its pairs of planes."""
     exchanged = np.concatenate([line[:, 3:], line[:, :3]], axis=1)
-    found: Floats = np.matmul(crossing, exchanged[:, :, None])[..., 0]
-    return found
+    product: Floats = np.matmul(crossing, exchanged[:, :, None])[..., 0]
+    return product
 
 
 def _value_on_line(minor: Numbers, row: Numbers, axis: Indices, minus: int) -> Numbers:
@@ -253,12 +253,12 @@ def _value_on_line(minor: Numbers, row: Numbers, axis: Indices, minus: int) -> N
     """
     at = np.arange(len(axis))
     a, c = (axis + 1) % 3, (axis + 2) % 3
-    found: Numbers = (
+    value: Numbers = (
         row[at, c] * minor[at, 3 + a]
         + minus * (row[at, a] * minor[at, 3 + c])
         + minus * (row[at, 3] * minor[at, axis])
     )
-    return found
+    return value
 
 
 #: Pairs (line, plane) handled at once: temporary arrays stay in the cache.
@@ -508,12 +508,12 @@ class Points:
         """Return points between the ends of segments, or a step away from the only end."""
         upper = self._lines.upper
         above, below = upper[segments] >= 0, upper[segments - 1] >= 0  # the last one is unbounded
-        found = np.zeros((len(segments), 4), self._planes.dtype)
-        found[above] += self._upper_ends(segments[above])
-        found[below] += self._upper_ends(segments[below] - 1)
+        rows = np.zeros((len(segments), 4), self._planes.dtype)
+        rows[above] += self._upper_ends(segments[above])
+        rows[below] += self._upper_ends(segments[below] - 1)
         step = primitive_rows(self._minors(segments)[:, :3])
-        found[:, :3] += (below.astype(int) - above)[:, None] * step
-        return found
+        rows[:, :3] += (below.astype(int) - above)[:, None] * step
+        return rows
 
     def facets(self, rows: Indices) -> Integers:
         """Return points inside facets."""
@@ -569,9 +569,9 @@ def space_levels(planes: Planes) -> tuple[Level, ...]:
     def level(count: int, sides: _Sides, inside: Callable[[Indices], Integers]) -> Level:
         def signs(rows: Rows) -> Signs:
             positive, zero = sides(np.arange(count)[rows])
-            found = 2 * unpack(positive, len(table)).view(np.int8) - 1
-            found[unpack(zero, len(table))] = 0
-            return found[:, columns] * orientation
+            signs = 2 * unpack(positive, len(table)).view(np.int8) - 1
+            signs[unpack(zero, len(table))] = 0
+            return signs[:, columns] * orientation
 
         return Level(count, signs, lambda rows: inside(np.arange(count)[rows]))
 
@@ -629,11 +629,11 @@ def _central_levels(planes: Planes) -> tuple[Level, ...]:
             return whole
 
         def points(rows: Rows) -> Integers:
-            found = level.points(rows).astype(object)
+            points = level.points(rows).astype(object)
             if not side:
-                found[:, -1] = 0
-            found = (side or 1) * (found @ np.array(basis, object))
-            return np.hstack([found, np.ones((len(found), 1), object)])
+                points[:, -1] = 0
+            points = (side or 1) * (points @ np.array(basis, object))
+            return np.hstack([points, np.ones((len(points), 1), object)])
 
         return Level(level.count, signs, points)
 

@@ -58,8 +58,8 @@ def list_faces(planes: Planes) -> tuple[Level, ...]:
         low, n, half = d - rank(vectors), d + 1, len(first)
     numbers = Coefficients(vectors)
     levels = central_levels(numbers, numbers.array(vectors, n), half)
-    found = [_as_level(planes, numbers, faces) for faces in levels]
-    return (*[no_faces(m, d)] * low, *found[max(0, -low) :])
+    listed = [_as_level(planes, numbers, faces) for faces in levels]
+    return (*[no_faces(m, d)] * low, *listed[max(0, -low) :])
 
 
 @dataclass(frozen=True, slots=True)

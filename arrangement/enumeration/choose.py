@@ -175,8 +175,8 @@ def enumerate_regions_inside(planes: Planes, sides: Planes) -> FaceSequence:
             level = deletion_restriction.list_regions(joined, len(sides.distinct))
         except deletion_restriction.TooCloseError:
             every = enumerate_faces(joined).of_dimension(planes.dimension)
-            found = every.where(np.all(every.signs[:, : len(sides)] > 0, axis=1))
-            engine, (level,) = every.engine, found.levels
+            regions = every.where(np.all(every.signs[:, : len(sides)] > 0, axis=1))
+            engine, (level,) = every.engine, regions.levels
     inside = Level(
         level.count, lambda at: level.signs(at)[:, len(sides) :], level.points, scalable=False
     )
@@ -206,12 +206,12 @@ def most_faces(m: int, rank: int, central: bool) -> float:
     """
     if rank > 40:  # beyond 10^12: there are at least 2^rank regions
         return budget.power(2, rank)
-    found = 0
+    bound = 0
     for k in range(rank + 1):
         left = m - k - central
         regions = sum(comb(left, i) for i in range(rank - k + (not central))) if left >= 0 else 0
-        found += comb(m, k) * (regions * (1 + central) if k < rank or not central else 0)
-    return found + central
+        bound += comb(m, k) * (regions * (1 + central) if k < rank or not central else 0)
+    return bound + central
 
 
 def _check_cost(

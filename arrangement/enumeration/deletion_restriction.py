@@ -202,13 +202,13 @@ def restricted(above: Arrangements, onto: Places) -> tuple[Arrangements, Restric
     is_side = number < sides[below]
     sizes = np.bincount(below[first], minlength=n)
     new_sides = np.bincount(below[first[is_side[first]]], minlength=n)
-    found = _arrangements(images[first], sizes, new_sides)
+    restriction = _arrangements(images[first], sizes, new_sides)
     merged = np.where(sizes < before, before, 0)
     pairs = merged[below] > 0
-    member = (label - found.starts[below])[pairs]
+    member = (label - restriction.starts[below])[pairs]
     maps = Restrictions(onto, pivot, merged, member, turned[pairs])
     empty = np.bincount(below, turned & is_side, minlength=n) > 0
-    return found.chosen(~empty), maps.chosen(~empty)
+    return restriction.chosen(~empty), maps.chosen(~empty)
 
 
 def _images(
@@ -222,9 +222,9 @@ def _images(
     columns = other_columns(normals.shape[1], pivot)
     scale = normals[onto, pivot][:, None]
     others = normals[onto[:, None], columns] * np.where(scale > 0, 1, -1)
-    found = normals[rows[:, None], columns[below]] * np.abs(scale)[below]
-    found -= normals[rows, pivot[below]][:, None] * others[below]
-    return coefficients.primitive(found[..., None])[..., 0]
+    images = normals[rows[:, None], columns[below]] * np.abs(scale)[below]
+    images -= normals[rows, pivot[below]][:, None] * others[below]
+    return coefficients.primitive(images[..., None])[..., 0]
 
 
 def _classes(images: Integers, below: Places) -> tuple[Places, Places, Bits]:
@@ -248,8 +248,8 @@ def _classes(images: Integers, below: Places) -> tuple[Places, Places, Bits]:
 def other_columns(d: int, pivot: Places) -> Places:
     """Return (n, d - 1), all coordinates but the pivot."""
     columns = np.arange(d - 1)
-    found: Places = columns + (columns >= pivot[:, None])
-    return found
+    places: Places = columns + (columns >= pivot[:, None])
+    return places
 
 
 def _arrangements(normals: Integers, sizes: Places, sides: Places) -> Arrangements:
@@ -328,10 +328,10 @@ def _keep(found: HalfRegions, lines: Arrangements, units: Words) -> HalfRegions:
 
 def dot(left: Floats, right: Floats) -> Floats:
     """Return the scalar products along the last axis, summed over it in order."""
-    found: Floats = left[..., 0] * right[..., 0]
+    product: Floats = left[..., 0] * right[..., 0]
     for k in range(1, right.shape[-1]):
-        found += left[..., k] * right[..., k]
-    return found
+        product += left[..., k] * right[..., k]
+    return product
 
 
 def scaled(points: Floats) -> Floats:
@@ -339,8 +339,8 @@ def scaled(points: Floats) -> Floats:
     size: Floats = np.abs(points).max(axis=1, keepdims=True)
     if not size.all():
         raise TooCloseError
-    found: Floats = points / size
-    return found
+    unit_points: Floats = points / size
+    return unit_points
 
 
 def margin(d: int) -> float:
@@ -471,9 +471,9 @@ def _places(rows: Words, count: int) -> Places:
     place, which = order[again - 1], order[again] - count
     if len(place) != len(rows) - count or (place >= count).any() or (which < 0).any():
         raise TooCloseError
-    found = np.empty(len(place), np.intp)
-    found[which] = place
-    return found
+    places = np.empty(len(place), np.intp)
+    places[which] = place
+    return places
 
 
 def list_regions(planes: Planes, inside: int = 0) -> Level:
@@ -495,11 +495,11 @@ def list_regions(planes: Planes, inside: int = 0) -> Level:
         rows = [infinity, *((*row[:-1], -row[-1]) for row in rows)]
     whole = arrangement_of(rows, 1 + inside)
     points, there = _first_points(whole)
-    found = _regions(whole.chosen(there), points[there], unit_words(len(rows)))
-    check(found, whole)
-    if len(distinct_rows(found.signs)) < len(found.signs):
+    regions = _regions(whole.chosen(there), points[there], unit_words(len(rows)))
+    check(regions, whole)
+    if len(distinct_rows(regions.signs)) < len(regions.signs):
         raise TooCloseError
-    return from_dimension([_as_level(essential, rows, found)], planes, columns)[-1]
+    return from_dimension([_as_level(essential, rows, regions)], planes, columns)[-1]
 
 
 def _regions(above: Arrangements, points: Floats, units: Words) -> HalfRegions:
@@ -514,17 +514,17 @@ def _regions(above: Arrangements, points: Floats, units: Words) -> HalfRegions:
         kept, first = above.without_normals(), points
         above, points, onto = _all_restricted(above, units)
         levels.append((kept, first, onto))
-    found, onto = _in_planes(above, units)
+    regions, onto = _in_planes(above, units)
     levels.append((above.without_normals(), points, onto))
     del above
     while levels:
         kept, first, onto = levels.pop()
-        count = len(first) + len(found.of)
+        count = len(first) + len(regions.of)
         _check_growth(REGION_STEPS * count, count, kept.dimension + units.shape[1])
-        insertion = Insertion(kept, first, onto, found, units)
-        del found  # which the insertion has copied
-        found = insertion.regions()
-    return found
+        insertion = Insertion(kept, first, onto, regions, units)
+        del regions  # which the insertion has copied
+        regions = insertion.regions()
+    return regions
 
 
 def _all_restricted(above: Arrangements, units: Words) -> tuple[Arrangements, Floats, Restrictions]:
@@ -621,7 +621,7 @@ def _as_level(planes: Planes, rows: Sequence[IntegerVector], found: HalfRegions)
 
 def _integral(points: Floats, rows: Sequence[IntegerVector], sides: Bits) -> Integers:
     """Return short integral vectors on the given sides of all hyperplanes."""
-    found = np.zeros(points.shape, np.int64)
+    witnesses = np.zeros(points.shape, np.int64)
     left = np.arange(len(points))
     for bits in _BITS:
         rounded = np.rint(points[left] * 2.0**bits).astype(np.int64)
@@ -629,11 +629,11 @@ def _integral(points: Floats, rows: Sequence[IntegerVector], sides: Bits) -> Int
         normals = np.array(rows, np.int64) if small else np.array(fast_integers(rows), object)
         products = (rounded if small else rounded.astype(object)) @ normals.T
         right = ((products > 0) == sides[left]).all(axis=1) & (products != 0).all(axis=1)
-        found[left[right]] = rounded[right]
+        witnesses[left[right]] = rounded[right]
         left = left[~right]
     if not len(left):
-        return found
-    whole = found.astype(object)
+        return witnesses
+    whole = witnesses.astype(object)
     for i in left.tolist():
         ratios = [x.as_integer_ratio() for x in points[i].tolist()]
         scale = math.lcm(*(q for _, q in ratios))

@@ -131,17 +131,17 @@ def ask_steps(planes: int) -> None:
 
 def _regions(planes: list[IntegerVector]) -> list[SignVector]:
     """Step 1, Algorithm 1: split every region by one plane after the other."""
-    found: dict[SignVector, RationalVector] = {(): (Fraction(0),) * 3}
+    regions: dict[SignVector, RationalVector] = {(): (Fraction(0),) * 3}
     for i, plane in enumerate(planes):
         split: dict[SignVector, RationalVector] = {}
-        for signs, inside in found.items():
+        for signs, inside in regions.items():
             side = sign(dot(plane, inside))
             for s in (1, -1):
                 point = inside if s == side else _point_inside((*signs, s), planes[: i + 1])
                 if point is not None:
                     split[*signs, s] = point
-        found = split
-    return list(found)
+        regions = split
+    return list(regions)
 
 
 def _point_inside(signs: SignVector, planes: list[IntegerVector]) -> RationalVector | None:

@@ -60,9 +60,9 @@ def from_dimension(
 
     def embedded(level: Level) -> Level:
         def points(rows: Rows) -> Integers:
-            found = level.points(rows)
-            whole = np.zeros((len(found), d + 1), found.dtype)
-            whole[:, [*places, d]] = found[:, [*kept, -1]]
+            points = level.points(rows)
+            whole = np.zeros((len(points), d + 1), points.dtype)
+            whole[:, [*places, d]] = points[:, [*kept, -1]]
             return whole
 
         return Level(level.count, level.signs, points)
@@ -94,13 +94,13 @@ def joined(levels: Sequence[Level]) -> Level:
     def gathered(parts: Callable[[Level, Rows], NDArray[Any]], rows: Rows) -> NDArray[Any]:
         chosen = np.arange(ends[-1])[rows]
         of = np.searchsorted(ends, chosen, side="right")
-        found = np.concatenate(
+        result = np.concatenate(
             [
                 parts(level, chosen[of == i] - (ends[i] - level.count))
                 for i, level in enumerate(levels)
             ]
         )
-        return found[np.argsort(np.argsort(of, kind="stable"))]
+        return result[np.argsort(np.argsort(of, kind="stable"))]
 
     return Level(
         int(ends[-1]),

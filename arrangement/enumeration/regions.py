@@ -60,11 +60,11 @@ def levels(planes: Planes, regions: FaceSequence) -> NDArray[np.intp]:
     That is the closure of a face of the planes moved to the origin, and the largest one that has
     none of the signs of the region reversed.
     """
-    found = np.full(len(regions), planes.dimension - planes.rank)
+    levels = np.full(len(regions), planes.dimension - planes.rank)
     moved = enumerate_faces(Planes(planes.normals, dimension=planes.dimension))
     for dimension in range(planes.dimension - planes.rank + 1, planes.dimension + 1):
-        found[_recede_along(moved.of_dimension(dimension), regions)] = dimension
-    return found
+        levels[_recede_along(moved.of_dimension(dimension), regions)] = dimension
+    return levels
 
 
 def _recede_along(directions: FaceSequence, regions: FaceSequence) -> NDArray[np.bool_]:
@@ -122,8 +122,8 @@ def distances(planes: Planes, regions: FaceSequence, base: Face) -> list[int]:
         )
     first = list(planes.firsts)
     apart = regions.signs[:, first] != np.array(base.signs, np.int8)[first]
-    found: list[int] = apart.sum(axis=1).tolist()
-    return found
+    numbers: list[int] = apart.sum(axis=1).tolist()
+    return numbers
 
 
 def poset_of_regions(planes: Planes, faces: FaceSequence, base: Face) -> nx.DiGraph[Face]:
@@ -152,11 +152,11 @@ def distance_enumerator(planes: Planes, regions: FaceSequence, base: Face) -> sy
 
 def walls(planes: Planes, faces: FaceSequence) -> list[list[int]]:
     """Return for each region the classes of planes that have a facet of it."""
-    found: list[list[int]] = [[] for _ in range(faces.f_vector[-1])]
+    walls: list[list[int]] = [[] for _ in range(faces.f_vector[-1])]
     for below, above, label in neighbours(planes, faces):
-        found[below].append(label)
-        found[above].append(label)
-    return found
+        walls[below].append(label)
+        walls[above].append(label)
+    return walls
 
 
 def simplicial_regions(planes: Planes, faces: FaceSequence) -> FaceSequence:

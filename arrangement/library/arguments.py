@@ -38,10 +38,10 @@ def whole(value: Any, name: str) -> int:
 
 def at_least(value: Any, least: int, name: str) -> int:
     """Return an integer argument of at least this size, or refuse it."""
-    found = whole(value, name)
-    if found < least:
-        raise InputError(f"{name} is {shown(found)}; it must be at least {least}")
-    return found
+    number = whole(value, name)
+    if number < least:
+        raise InputError(f"{name} is {shown(number)}; it must be at least {least}")
+    return number
 
 
 def flag(value: Any, name: str) -> bool:

@@ -111,25 +111,25 @@ def list_classes(arguments: argparse.Namespace) -> int:
     planes = arguments.classes
     if not 3 <= planes <= MOST_PLANES:
         raise InputError(f"--classes is {planes}; expected 3 to {MOST_PLANES} hyperplanes")
-    found = table(planes)
+    content = table(planes)
     counted, alike = counted_alike(planes) if arguments.verified else (0, 0)
     code = terminal.YES if counted == alike else terminal.NO
     if arguments.json:
-        record = asdict(found)
-        points = [{"t": row, "types": number} for row, number in found.by_points.items()]
+        record = asdict(content)
+        points = [{"t": row, "types": number} for row, number in content.by_points.items()]
         proved = {"proved": {"types": counted, "alike": alike}} if arguments.verified else {}
         terminal.print_json({**record, "by_points": points, **proved})
         return code
-    print(f"classes          {found.types:,} (published {PUBLISHED[planes]:,})")
-    print(f"simple           {found.simple:,} (published {PUBLISHED_SIMPLE[planes]:,})")
-    print(f"simplicial       {found.simplicial}")
-    print(f"SHA-256          {found.digest}")
+    print(f"classes          {content.types:,} (published {PUBLISHED[planes]:,})")
+    print(f"simple           {content.simple:,} (published {PUBLISHED_SIMPLE[planes]:,})")
+    print(f"simplicial       {content.simplicial}")
+    print(f"SHA-256          {content.digest}")
     if arguments.verified:
         print(f"verified program rays, facets and regions of {counted:,} classes: {alike:,} equal")
     print("regions          classes")
-    for regions, number in found.by_regions.items():
+    for regions, number in content.by_regions.items():
         print(f"{regions:>7}  {number:>13,}")
-    print(f"points           {len(found.by_points)} t-vectors; --json lists them")
+    print(f"points           {len(content.by_points)} t-vectors; --json lists them")
     return code
 
 
@@ -183,9 +183,9 @@ def list_file(arguments: argparse.Namespace) -> int:
     """Print the arrangements of a file, each with its isomorphism class."""
     from .census import identify
 
-    found = _entries(arguments)
-    for number in watched(range(1, len(found) + 1), "arrangements", len(found)):
-        planes = found[number]
+    entries = _entries(arguments)
+    for number in watched(range(1, len(entries) + 1), "arrangements", len(entries)):
+        planes = entries[number]
         name = identify(planes).label or "-"
         row = {"number": number, "planes": len(planes), "central": planes.is_central, "type": name}
         if arguments.json:

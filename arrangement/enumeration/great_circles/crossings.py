@@ -66,14 +66,14 @@ def sort_crossings(normals: Integers) -> Crossings:
     """
     count = len(normals)
     shape = (count, max(count - 1, 0))
-    found = Crossings(np.empty(shape, np.int32), np.empty(shape, np.int8), np.zeros(shape, bool))
+    result = Crossings(np.empty(shape, np.int32), np.empty(shape, np.int8), np.zeros(shape, bool))
     if not count:
-        return found
+        return result
     signs = FilteredSigns(normals) if normals.dtype == object else ExactSigns(normals)
     step = max(1, BLOCK // count)
     for start in range(0, count, step):
-        _sort_block(signs, slice(start, min(start + step, count)), found)
-    return found
+        _sort_block(signs, slice(start, min(start + step, count)), result)
+    return result
 
 
 def _sort_block(signs: ExactSigns, block: slice, found: Crossings) -> None:

@@ -313,12 +313,12 @@ class _Stars:
         """
         least = _merge(np.minimum, self.others, self.starts)
         new = least > self.slots
-        found = slot_line[self.slots[0] : self.slots[-1] + 1]
-        np.cumsum(new, out=found)
-        found += np.int32(lines - 1)
+        numbers = slot_line[self.slots[0] : self.slots[-1] + 1]
+        np.cumsum(new, out=numbers)
+        numbers += np.int32(lines - 1)
         # Where both circles of a line are among these, what the first one reads is written already.
         told = slot_line.take(np.minimum(least, self.slots), mode="clip")
-        found -= (found - told) * ~new
+        numbers -= (numbers - told) * ~new
         at = np.flatnonzero(new)
         sizes = self.size.take(at)
         ends = np.cumsum(sizes, dtype=np.int32) + np.int32(filled)
@@ -381,8 +381,8 @@ def _number_regions(region: Indices) -> Indices:
             here = region[part]
             places = np.flatnonzero(here < 0)
             hints = ~here.take(places, mode="clip").astype(np.intp)
-            here[places] = found = region.take(hints, mode="clip")
-            left += int(np.count_nonzero(found < 0))
+            here[places] = numbers = region.take(hints, mode="clip")
+            left += int(np.count_nonzero(numbers < 0))
     around = np.flatnonzero(region < 0)
     ends = [around[around % 2 == side] for side in (0, 1)]
     region[ends[0]], region[ends[1]] = 0, regions

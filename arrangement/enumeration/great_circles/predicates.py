@@ -72,12 +72,12 @@ def integer_array(
 def turns(directions: Components) -> Signs:
     """Return +1 where a vector is positive, -1 where its negative is, 0 where it is zero."""
     x, y, z = directions
-    found = signs_of(x)
-    undecided = np.nonzero(found == 0)
+    signs = signs_of(x)
+    undecided = np.nonzero(signs == 0)
     if len(undecided[0]):
         second, third = signs_of(y[undecided]), signs_of(z[undecided])
-        found[undecided] = np.where(second != 0, second, third)
-    return found
+        signs[undecided] = np.where(second != 0, second, third)
+    return signs
 
 
 def slope_functions(normals: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any], Signs]:
@@ -169,10 +169,10 @@ class FilteredSigns(ExactSigns):
 
             def minor(numbers: NDArray[Any], at: tuple[Any, Any], sign: int) -> NDArray[Any]:
                 left, right = numbers[at[0]], numbers[at[1]]
-                found: NDArray[Any] = left[..., after] * right[..., before] + sign * (
+                minors: NDArray[Any] = left[..., after] * right[..., before] + sign * (
                     left[..., before] * right[..., after]
                 )
-                return found
+                return minors
 
             return decided(
                 minor(self._numbers, (here, there), -1),
@@ -199,10 +199,10 @@ class FilteredSigns(ExactSigns):
 def _products(rows: Numbers, columns: Numbers) -> Numbers:
     """Return the matrix product of (r, 3) and (3, c) in NumPy alone, not in a library."""
     a, b, c = rows[:, :, None].transpose(1, 0, 2)
-    found: Numbers = a * columns[0]
-    found += b * columns[1]
-    found += c * columns[2]
-    return found
+    products: Numbers = a * columns[0]
+    products += b * columns[1]
+    products += c * columns[2]
+    return products
 
 
 def _determinants(rows: Sequence[Numbers], sign: int = -1) -> Numbers:
@@ -210,12 +210,12 @@ def _determinants(rows: Sequence[Numbers], sign: int = -1) -> Numbers:
     a, b, c = rows
     parts = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
     x, y, z = (a[:, i] * (b[:, j] * c[:, k] + sign * (b[:, k] * c[:, j])) for i, j, k in parts)
-    found: Numbers = x + y + z
-    return found
+    determinants: Numbers = x + y + z
+    return determinants
 
 
 def along_rows(values: NDArray[Any], columns: Indices) -> NDArray[Any]:
     """Return the entries of each row at its columns, as `numpy.take_along_axis`, but faster."""
     starts = np.arange(len(values))[:, None] * values.shape[1]
-    found: NDArray[Any] = values.take(columns + starts, mode="clip")
-    return found
+    entries: NDArray[Any] = values.take(columns + starts, mode="clip")
+    return entries

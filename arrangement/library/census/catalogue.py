@@ -162,8 +162,8 @@ def places(signs: Signs) -> NDArray[np.intp]:
         rows, going = np.arange(len(signs)), low < high
         low = np.where(going, ends[rows, before] + 1, low)
         high = np.where(going, ends[rows, before + 1], high)
-    found = place_keys(chirotopes(MOST_PLANES, low.clip(max=total - 1)))
-    return np.where((found == wanted).all(1), low, -1)
+    places = place_keys(chirotopes(MOST_PLANES, low.clip(max=total - 1)))
+    return np.where((places == wanted).all(1), low, -1)
 
 
 def place_keys(signs: Signs) -> Integers:

@@ -44,24 +44,24 @@ def _check(arguments: argparse.Namespace) -> int:
             f"--sample is {arguments.sample}; expected 0 to {PUBLISHED[MOST_PLANES - 1]}"
         )
     with limit(math.inf):  # its progress is shown
-        found = check(arguments.sample, arguments.seed, proved=arguments.verified)
+        result = check(arguments.sample, arguments.seed, proved=arguments.verified)
     checker = "verified" if arguments.verified else "Python"
     if arguments.json:
         name = "proved" if arguments.verified else "python"
-        terminal.print_json({**asdict(found), "checker": name, "holds": found.holds})
+        terminal.print_json({**asdict(result), "checker": name, "holds": result.holds})
     else:
-        words = "all different" if found.different else "NOT in order: some may be the same"
+        words = "all different" if result.different else "NOT in order: some may be the same"
         print(f"the list's classes are {words}")
         print(
-            f"{found.proofs} classes have no coordinates, by proofs that hold (by the {checker} "
+            f"{result.proofs} classes have no coordinates, by proofs that hold (by the {checker} "
             "checker)"
         )
         print(
-            f"{found.parents} classes of eight hyperplanes have {found.extensions:,} extensions: "
-            f"{found.listed:,} in the list, {found.without} without coordinates, "
-            f"{found.extensions - found.listed - found.without} missing"
+            f"{result.parents} classes of eight hyperplanes have {result.extensions:,} extensions: "
+            f"{result.listed:,} in the list, {result.without} without coordinates, "
+            f"{result.extensions - result.listed - result.without} missing"
         )
-    return terminal.YES if found.holds else terminal.NO
+    return terminal.YES if result.holds else terminal.NO
 
 
 if __name__ == "__main__":

@@ -237,15 +237,15 @@ def _flags(chi: Signs, line: int, other: int) -> tuple[NDArray[np.generic], ...]
     vertex = contraction[:, other]
     missing = (vertex != 0).argmax(1)
     ahead = contraction[rows, missing]
-    found = []
+    parts = []
     for direction in (1, -1):
         sides = np.where(vertex != 0, vertex, direction * ahead).astype(np.int8)
         sides[:, line] = 1
         along = contraction * sides[:, :, None] * sides[:, None, :]
         sign = along[rows, other, missing]
         along *= sign[:, None, None]
-        found.append((of, np.full(len(of), line), sides, along, sign))
-    return tuple(np.concatenate(columns) for columns in zip(*found, strict=True))
+        parts.append((of, np.full(len(of), line), sides, along, sign))
+    return tuple(np.concatenate(columns) for columns in zip(*parts, strict=True))
 
 
 def _around_points(chi: Signs, n: int) -> Signs:
@@ -278,18 +278,18 @@ def extensions(signs: Signs, n: int) -> Signs:
     """
     chi = alternating(signs[None], n)[0]
     point, side = _points(chi)
-    found = np.zeros((1, point.max() + 1), dtype=np.int8)
+    values = np.zeros((1, point.max() + 1), dtype=np.int8)
     known = np.zeros(point.max() + 1, dtype=bool)
     for line in range(n):
         on, patterns = _along(chi, line, point, side)
         shared = known[on]
-        fits = (found[:, None, on[shared]] == patterns[None, :, shared]).all(2)
+        fits = (values[:, None, on[shared]] == patterns[None, :, shared]).all(2)
         row, pattern = np.nonzero(fits)
-        found = found[row]
-        found[:, on] = patterns[pattern]
+        values = values[row]
+        values[:, on] = patterns[pattern]
         known[on] = True
     i, j = pairs(n).T
-    all_signs: Signs = found[:, point[i, j]] * side[i, j]
+    all_signs: Signs = values[:, point[i, j]] * side[i, j]
     first = all_signs[np.arange(len(all_signs)), (all_signs != 0).argmax(1)]
     listed: Signs = all_signs[first > 0]
     return listed

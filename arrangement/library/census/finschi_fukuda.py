@@ -33,8 +33,8 @@ def number(planes: int, place: int) -> int:
 @lru_cache
 def _numbers(planes: int) -> NDArray[np.int32]:
     with files(__package__).joinpath(_FILE).open("rb") as stream, np.load(stream) as arrays:
-        found: NDArray[np.int32] = arrays[f"of_{planes}"]
-        return found
+        numbers: NDArray[np.int32] = arrays[f"of_{planes}"]
+        return numbers
 
 
 def texts(words: Integers) -> list[str]:
@@ -54,11 +54,11 @@ def representatives(signs: Signs, n: int) -> Integers:
     chi = alternating(signs, n)
     i, j = pairs(n).T
     most = (chi[:, i, j] == 0).sum(2).max(1)
-    found = np.empty((len(signs), n - 2), dtype=np.int64)
+    words = np.empty((len(signs), n - 2), dtype=np.int64)
     for lines in np.unique(most):
         rows = np.flatnonzero(most == lines)
-        found[rows] = _largest(chi[rows], int(lines))
-    return found
+        words[rows] = _largest(chi[rows], int(lines))
+    return words
 
 
 def _largest(chi: Signs, most: int) -> Integers:
@@ -108,10 +108,10 @@ def _first_point(chi: Signs, most: int) -> tuple[NDArray[np.intp], NDArray[np.in
     sides[:, 0] = 1
     turned = np.argsort(((around * sides[:, :, None] * sides[:, None, :]) > 0).sum(1), axis=1)
     on, sides = (np.take_along_axis(x, turned, 1) for x in (on, sides))
-    found = []
+    choices = []
     for _ in range(2 * most):
         on, sides = np.roll(on, -1, 1), np.roll(sides, -1, 1)
         sides[:, -1] *= -1
-        found += [(on, sides), (on[:, ::-1], sides[:, ::-1])]
-    orders, turns = (np.concatenate(x) for x in zip(*found, strict=True))
+        choices += [(on, sides), (on[:, ::-1], sides[:, ::-1])]
+    orders, turns = (np.concatenate(x) for x in zip(*choices, strict=True))
     return np.tile(of, 4 * most), orders, turns

@@ -98,16 +98,16 @@ def _of_cone(arrangement: Planes) -> Identification:
     planes = arrangement.distinct_planes
     m = len(planes)
     affine = Arrangement([plane[:-1] for plane in planes], [plane[-1] for plane in planes])
-    found = identify(counts.cone(affine))
-    infinity = None if found.type is None else 0  # of parallel lines any is alike
-    automorphisms, order = found.automorphisms, found.order
-    if found.type is not None and automorphisms is not None:
-        representative = canonical(chirotopes(m + 1, slice(found.type - 1, found.type)), m + 1)
+    known = identify(counts.cone(affine))
+    infinity = None if known.type is None else 0  # of parallel lines any is alike
+    automorphisms, order = known.automorphisms, known.order
+    if known.type is not None and automorphisms is not None:
+        representative = canonical(chirotopes(m + 1, slice(known.type - 1, known.type)), m + 1)
         orbit = representative.orbits[0] == representative.orbits[0, order.index(m)]
         infinity, automorphisms = int(orbit.argmax()), automorphisms // int(orbit.sum())
     firsts = (*arrangement.firsts, len(arrangement))
     return replace(
-        found,
+        known,
         planes=m,
         rank=affine.rank,
         f_vector=affine.f_vector,

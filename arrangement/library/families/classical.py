@@ -270,13 +270,13 @@ def positive_roots(type: str) -> list[IntegerVector]:
 
 def _cartan_matrix(type: str) -> list[list[int]]:
     """Return the pairings of simple roots (rows) with simple coroots (columns)."""
-    found = _TYPE.fullmatch(type) if isinstance(type, str) else None
-    if found is None or int(found[2]) not in _RANKS[found[1]]:
+    match = _TYPE.fullmatch(type) if isinstance(type, str) else None
+    if match is None or int(match[2]) not in _RANKS[match[1]]:
         raise InputError(
             f"the type is {shown(type)}; there are A1, A2, ..., B2, C2, ..., D3, ..., E6, E7, E8, "
             "F4 and G2, and as mirrors H3, H4 and I2(m) for m from 3 on"
         )
-    letter, size = found[1], int(found[2])
+    letter, size = match[1], int(match[2])
     edges = [(i, i + 1) for i in range(size - 1)]
     if letter == "D":
         edges[-1] = (size - 3, size - 1)

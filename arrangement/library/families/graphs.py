@@ -92,10 +92,10 @@ def signed_graphical(graph: Graph) -> Arrangement:
     >>> signed_graphical("1-2,1+2,1").f_vector[-1]
     6
     """
-    found = _check_edges(graph)
-    place = {node: i for i, node in enumerate(found.nodes)}
+    checked = _check_edges(graph)
+    place = {node: i for i, node in enumerate(checked.nodes)}
     normals = []
-    for tail, head, sign in found.edges(data="sign", default=1):
+    for tail, head, sign in checked.edges(data="sign", default=1):
         if sign not in (1, -1):
             raise InputError(f"the edge {tail!r}, {head!r} has the sign {sign!r}; give 1 or -1")
         row = [0] * len(place)
@@ -107,35 +107,35 @@ def signed_graphical(graph: Graph) -> Arrangement:
 
 def edge_differences(graph: Graph) -> tuple[list[list[int]], int]:
     """Return e_u - e_v for every edge uv, u the earlier vertex, and the number of vertices."""
-    found = _check_edges(graph)
-    place = {node: i for i, node in enumerate(found.nodes)}
+    checked = _check_edges(graph)
+    place = {node: i for i, node in enumerate(checked.nodes)}
     normals = []
-    for edge in found.edges():
+    for edge in checked.edges():
         tail, head = sorted(map(place.__getitem__, edge))
         if tail == head:
             raise InputError(
                 f"the graph has a loop at {edge[0]!r}, which gives no plane; remove it"
             )
         normals.append([int(k == tail) - int(k == head) for k in range(len(place))])
-    if any(sign == -1 for *_, sign in found.edges(data="sign")):
+    if any(sign == -1 for *_, sign in checked.edges(data="sign")):
         raise InputError("the graph has negative edges; use signed_graphical, or leave them out")
     return normals, len(place)
 
 
 def _check_edges(graph: Graph) -> nx.Graph:
-    found: Any = _read(graph) if isinstance(graph, str) else graph
+    read: Any = _read(graph) if isinstance(graph, str) else graph
     if is_listed(graph) and not hasattr(graph, "edges"):
-        found = _of_pairs(entries(graph, "graph", "edges"))
-    if not (hasattr(found, "is_directed") and hasattr(found, "edges")) or isinstance(found, type):
+        read = _of_pairs(entries(graph, "graph", "edges"))
+    if not (hasattr(read, "is_directed") and hasattr(read, "edges")) or isinstance(read, type):
         raise InputError(
             f"the graph is {shown(graph)}; give a graph of networkx, edges such as [(1, 2), "
             "(2, 3)], or a text such as 1-2,2-3"
         )
-    if found.is_directed():
+    if read.is_directed():
         raise InputError("the graph is directed; give graph.to_undirected()")
-    if not len(found):
+    if not len(read):
         raise InputError("the graph has no vertices; give at least one")
-    return found
+    return read
 
 
 def _of_pairs(edges: tuple[Any, ...]) -> nx.Graph:
@@ -146,14 +146,14 @@ def _of_pairs(edges: tuple[Any, ...]) -> nx.Graph:
     for i, pair in enumerate(pairs):
         if len(pair) != 2 or not all(isinstance(node, Hashable) for node in pair):
             raise InputError(f"graph[{i}] is {shown(edges[i])}; give two vertices, such as (1, 2)")
-    found = nx.MultiGraph()
+    multigraph = nx.MultiGraph()
     nodes = dict.fromkeys(node for pair in pairs for node in pair)
     try:
-        found.add_nodes_from(sorted(nodes))
+        multigraph.add_nodes_from(sorted(nodes))
     except TypeError:  # they have no order
-        found.add_nodes_from(nodes)
-    found.add_edges_from(pairs)
-    return found
+        multigraph.add_nodes_from(nodes)
+    multigraph.add_edges_from(pairs)
+    return multigraph
 
 
 def _read(text: str) -> nx.Graph:
@@ -161,15 +161,19 @@ def _read(text: str) -> nx.Graph:
     import networkx as nx
 
     edges = [_EDGE.fullmatch(word.strip()) for word in text.split(",")]
-    found = nx.MultiGraph()
+    multigraph = nx.MultiGraph()
     for edge in edges:
         if edge is None:
             raise InputError(
                 f"the graph is {shown(text)}; write its edges as 1-2,2-3 for x1 = x2 and x2 = x3, "
                 "and in a signed graph 1+2 for x1 = -x2 and 1 for x1 = 0"
             )
-    found.add_nodes_from(range(1, 1 + max(int(x) for e in edges if e for x in e.group(1, 3) if x)))
+    multigraph.add_nodes_from(
+        range(1, 1 + max(int(x) for e in edges if e for x in e.group(1, 3) if x))
+    )
     for edge in edges:
         if edge:
-            found.add_edge(int(edge[1]), int(edge[3] or edge[1]), sign=-1 if edge[2] == "+" else 1)
-    return found
+            multigraph.add_edge(
+                int(edge[1]), int(edge[3] or edge[1]), sign=-1 if edge[2] == "+" else 1
+            )
+    return multigraph

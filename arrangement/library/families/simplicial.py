@@ -146,15 +146,15 @@ def mirrors(n: int) -> list[tuple[Any, Any]]:
     cosines, sines = _multiples(n)
     if n % 2:
         return [(-2 * s, c) for c, s in zip(cosines, sines, strict=True)]
-    found = []
+    normals = []
     sums = list(accumulate(cosines[1:], initial=1))
     for k in range(n):
         j = k // 2
         if k % 2:
-            found.append((-2 * sums[j], cosines[j] + cosines[j + 1]))
+            normals.append((-2 * sums[j], cosines[j] + cosines[j + 1]))
         else:
-            found.append((-2 * sines[j], cosines[j]))
-    return found
+            normals.append((-2 * sines[j], cosines[j]))
+    return normals
 
 
 def _multiples(n: int) -> tuple[list[Any], list[Any]]:

@@ -48,10 +48,10 @@ def arrangement_of(document: Any, name: str) -> Arrangement:
         InputError: for anything that is not exactly a valid document.
     """
     others = added("documents")
-    found = check_document(document, ["planes", *others], name)
-    kind = next((key for key in others if key in found), None)
+    fields = check_document(document, ["planes", *others], name)
+    kind = next((key for key in others if key in fields), None)
     read: Callable[[Mapping[str, Any]], Arrangement] = named(others[kind]) if kind else _planes
-    return read(found)
+    return read(fields)
 
 
 def _planes(document: Mapping[str, Any]) -> Arrangement:
@@ -92,7 +92,7 @@ def _of_field(value: Any, field: NumberField | None, where: str) -> Any:
             f'{where} is a list, which is a number of a field; add the key "field" with a minimal '
             "polynomial and an interval, or write a rational number"
         )
-    found: Any = 0
+    number: Any = 0
     if not 0 < len(value) <= field.degree:
         raise InputError(
             f"{where} has {len(value)} coefficients; a number of this field has 1 to {field.degree}"
@@ -100,8 +100,8 @@ def _of_field(value: Any, field: NumberField | None, where: str) -> Any:
     coefficients = rational_vector(value, where)
     budget.spend(sum(bit_size(c) for c in coefficients) ** 1.5 / 500)
     for c in reversed(coefficients):
-        found = found * field.root + c
-    return found
+        number = number * field.root + c
+    return number
 
 
 def _dimension(value: Any) -> int:

@@ -116,10 +116,10 @@ def described(kind: str) -> dict[str, str]:
 
 def instances() -> dict[str, Traversable]:
     """Return every built-in document by name, in alphabetical order."""
-    found: dict[str, Traversable] = {}
+    paths: dict[str, Traversable] = {}
     for place in added("instances").values():
-        found.update(named(place)())
-    return dict(sorted(found.items()))
+        paths.update(named(place)())
+    return dict(sorted(paths.items()))
 
 
 def _built_in(name: str) -> Traversable | None:
@@ -252,9 +252,9 @@ def _check_kind(
         )
     present = [kind for kind in kinds if kind in document]
     if len(present) != 1:
-        found = " and ".join(present) if present else "none"
+        text = " and ".join(present) if present else "none"
         raise InputError(
-            f"{name} must have exactly one of the keys {', '.join(sorted(kinds))}; it has {found}"
+            f"{name} must have exactly one of the keys {', '.join(sorted(kinds))}; it has {text}"
         )
 
 

@@ -73,8 +73,8 @@ def read_with_rest(source: str | os.PathLike[str]) -> tuple[Arrangement, str]:
         if text.strip() and text.lstrip()[0] not in '{["' and not str(source).endswith(".json"):
             raise InputError(f"{name} is in none of the formats that are read: {_named('read')}")
         document = parse_json(text, name)
-        found = documents.arrangement_of(document, name)
-        return found, ", ".join(key for key in document if key not in documents.KEYS)
+        arrangement = documents.arrangement_of(document, name)
+        return arrangement, ", ".join(key for key in document if key not in documents.KEYS)
     return Entries(form, text, name).only(), ""
 
 
@@ -96,8 +96,8 @@ def entries_of(source: str | os.PathLike[str], form: str | None = None) -> Entri
         form: the name of its format; if omitted, it is seen from the text.
     """
     text, name = read_text(source, "bytes of a file of many arrangements")
-    found = format_named(form) if form else _form_of(text, Path(source).suffix.lower())
-    return Entries(found, text, name)
+    reader = format_named(form) if form else _form_of(text, Path(source).suffix.lower())
+    return Entries(reader, text, name)
 
 
 class Entries:
@@ -121,9 +121,9 @@ class Entries:
         if not 1 <= number <= len(self):
             raise InputError(f"the number is {number}; {self._where} has 1 to {len(self)}")
         try:
-            found = self._read(self._texts[number - 1])
-            budget.check_size(found.dimension, "coordinates")
-            return found
+            arrangement = self._read(self._texts[number - 1])
+            budget.check_size(arrangement.dimension, "coordinates")
+            return arrangement
         except InputError as error:
             which = f", entry {number}" if len(self) > 1 else ""
             raise InputError(f"{self._where}{which}: {error}") from None

@@ -61,7 +61,7 @@ def realise(signs: Signs, n: int) -> list[IntegerVector]:
     firsts = np.unique(first)
     part = chi[np.ix_(firsts, firsts, firsts)][tuple(triples(len(firsts)).T)]
     tried = islice(_attempts(part, len(firsts)), _TRIES)
-    placed = next((found for found in tried if found is not None), None)
+    placed = next((vectors for vectors in tried if vectors is not None), None)
     if placed is not None:
         where = dict(zip(firsts.tolist(), placed, strict=True))
         result = []
@@ -98,9 +98,11 @@ def _attempts(signs: Signs, m: int) -> Iterator[list[IntegerVector] | None]:
     for last in reversed(range(m)):
         others = [k for k in range(m) if k != last]
         part = chi[np.ix_(others, others, others)][tuple(triples(m - 1).T)]
-        for found in _attempts(part, m - 1):
-            vector = None if found is None else _put_back(found, chi[last][np.ix_(others, others)])
-            yield None if vector is None else [*found[:last], vector, *found[last:]]  # type: ignore[index]
+        for vectors in _attempts(part, m - 1):
+            vector = (
+                None if vectors is None else _put_back(vectors, chi[last][np.ix_(others, others)])
+            )
+            yield None if vector is None else [*vectors[:last], vector, *vectors[last:]]  # type: ignore[index]
 
 
 def _of_census(signs: Signs, m: int) -> list[IntegerVector] | None:
@@ -131,8 +133,8 @@ def _put_back(others: list[IntegerVector], wanted: Signs) -> IntegerVector | Non
                 inequalities.append((*(side * x for x in ray), -1))
             else:
                 equalities.append((*ray, 0))
-    found = some_point(3, inequalities, equalities)
-    return None if found is None else primitive(found)
+    normal = some_point(3, inequalities, equalities)
+    return None if normal is None else primitive(normal)
 
 
 _SIGNS = re.compile(r"[-+0]+")
@@ -201,13 +203,13 @@ def read(text: str) -> Arrangement:
 
 def read_topcom(text: str) -> Arrangement:
     """Return an arrangement with these signs, in lexicographic order."""
-    found = TOPCOM.fullmatch(text)
-    if found is None:
+    match = TOPCOM.fullmatch(text)
+    if match is None:
         raise InputError("a chirotope of TOPCOM is n,r: and the signs +, -, 0")
-    signs = "".join(found[3].split())
-    if int(found[2]) != 3 or comb(int(found[1]), 3) != len(signs):
+    signs = "".join(match[3].split())
+    if int(match[2]) != 3 or comb(int(match[1]), 3) != len(signs):
         raise InputError(
-            f"the chirotope is of {found[1]} elements of rank {found[2]} and has {len(signs)} "
+            f"the chirotope is of {match[1]} elements of rank {match[2]} and has {len(signs)} "
             "signs; rank 3 with C(n, 3) signs is read"
         )
     return Arrangement(realise(signs_of(signs, ORDERS[1]), size_of(signs)))
@@ -296,8 +298,8 @@ def _sides(ours: list[int], theirs: list[int], n: int) -> list[int] | None:
         if equation == 1:
             return None
         equations[equation.bit_length()] = equation
-    found = 0
+    mask = 0
     for length, equation in sorted(equations.items()):
-        if length > 1 and ((equation & found).bit_count() + equation) % 2:
-            found |= 1 << length - 1
-    return [-1 if found >> k + 2 & 1 else 1 for k in range(n)]
+        if length > 1 and ((equation & mask).bit_count() + equation) % 2:
+            mask |= 1 << length - 1
+    return [-1 if mask >> k + 2 & 1 else 1 for k in range(n)]

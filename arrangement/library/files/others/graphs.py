@@ -36,14 +36,14 @@ def lattice(arrangement: Arrangement) -> nx.Graph[int]:
     """Return the intersection lattice with its labels."""
     import networkx as nx
 
-    found = counts.intersection_lattice(arrangement)
-    arrows = sum(len(above) for covers in found.covers for above in covers)
+    flats = counts.intersection_lattice(arrangement)
+    arrows = sum(len(above) for covers in flats.covers for above in covers)
     budget.check_cost(
         f"a graph of {arrows:,} covers of flats", "draw fewer planes", bytes=700 * arrows
     )
     graph: nx.DiGraph[int] = nx.DiGraph()
     first = 0
-    for level, covers in zip(found.flats, found.covers, strict=True):
+    for level, covers in zip(flats.flats, flats.covers, strict=True):
         for k, flat in enumerate(level):
             planes = " ".join(map(str, flat.planes))
             graph.add_node(first + k, label=planes, rank=flat.rank)
@@ -74,8 +74,8 @@ def off(arrangement: Arrangement) -> str:
     """Write the dual polyhedron."""
     from arrangement.duals.zonohedron import dual_polyhedron
 
-    found = dual_polyhedron(arrangement)
-    vertices, edges, faces = found.f_vector
-    rows = [*found.integer_vertices, *((len(face), *face) for face in found.faces)]
+    polyhedron = dual_polyhedron(arrangement)
+    vertices, edges, faces = polyhedron.f_vector
+    rows = [*polyhedron.integer_vertices, *((len(face), *face) for face in polyhedron.faces)]
     lines = ["OFF", f"{vertices} {faces} {edges}", *(" ".join(map(str, row)) for row in rows)]
     return "\n".join(lines) + "\n"

@@ -32,7 +32,7 @@ _MARK = 20
 
 def read_form(text: str, names: Sequence[str]) -> list[Fraction | int]:
     """Return the coefficients of the named variables, and the constant last."""
-    found: list[Fraction | int] = [0] * (len(names) + 1)
+    row: list[Fraction | int] = [0] * (len(names) + 1)
 
     def refused(_: str) -> str:
         return f"{shown(text)} is not a linear form such as 3*x + 2*y - 7 in {', '.join(names)}"
@@ -42,8 +42,8 @@ def read_form(text: str, names: Sequence[str]) -> list[Fraction | int]:
             raise InputError(
                 f"{shown(text)} has {shown(name)}; the variables are {', '.join(names)}"
             )
-        found[names.index(name) if name else -1] += number
-    return found
+        row[names.index(name) if name else -1] += number
+    return row
 
 
 def form_text(plane: Sequence[int], names: Sequence[str]) -> str:
@@ -68,11 +68,11 @@ def split_outside(text: str) -> list[str]:
     """Split a text at the commas that stand in no bracket; a last empty part is left out."""
     plain = _BRACKETS.search(text) is None  # as most are
     parts, depth, begun = text.split(",")[:-1] if plain else [], 0, 0
-    for found in () if plain else _MARKS.finditer(text):
-        depth += (found[0] in "([{") - (found[0] in ")]}")
-        if found[0] == "," and not depth:
-            parts.append(text[begun : found.start()])
-            begun = found.end()
+    for mark in () if plain else _MARKS.finditer(text):
+        depth += (mark[0] in "([{") - (mark[0] in ")]}")
+        if mark[0] == "," and not depth:
+            parts.append(text[begun : mark.start()])
+            begun = mark.end()
     parts.append(text.rpartition(",")[2] if plain else text[begun:])
     return [part.strip() for part in (parts if parts[-1].strip() else parts[:-1])]
 
@@ -119,16 +119,16 @@ def _read_printed(text: str) -> tuple[list[_Item], list[str]]:
     ``Hyperplane x + 0*y + 1`` has all of them; of ``Arrangement <y | x - y>`` they are those that
     occur, in the order of `named_coordinates`.
     """
-    found: list[_Item] = re.findall(r"\bHyperplane ([^,()\[\]\n]+)", text)
-    if not found and (joined := _JOINED.search(text)):
+    forms: list[_Item] = re.findall(r"\bHyperplane ([^,()\[\]\n]+)", text)
+    if not forms and (joined := _JOINED.search(text)):
         return [*map(str.strip, joined[1].split("|"))], named_coordinates(
             re.findall(r"[A-Za-z]\w*", joined[1])
         )
-    if not found:
+    if not forms:
         raise InputError(
             "there is no line such as H.<x,y> = HyperplaneArrangements(QQ), and A = H(x, y - 1)"
         )
-    return found, re.findall(r"[A-Za-z]\w*", str(found[0]))
+    return forms, re.findall(r"[A-Za-z]\w*", str(forms[0]))
 
 
 def _names(text: str) -> list[str]:
@@ -212,23 +212,23 @@ ARRANGEMENT = re.compile(r"\barrangement\s*(?:\(\s*)?(matrix\s*(?:\(\s*)?(?:(\w+
 def read_macaulay2(text: str) -> Arrangement:
     """Read the first arrangement of a text, in the ring that it names or the last one before it."""
     plain = re.sub("--.*", "", text)
-    found = ARRANGEMENT.search(plain)
-    if found is None:
+    match = ARRANGEMENT.search(plain)
+    if match is None:
         raise InputError("there is no arrangement {...} outside remarks")
-    if re.search(r"\bdual\s*\(?\s*$", plain[: found.start()]):
+    if re.search(r"\bdual\s*\(?\s*$", plain[: match.start()]):
         raise InputError("the dual of an arrangement is not a list of planes; write its planes")
-    content = inside(plain, found.end(), "{}")
-    rings = _RING.finditer(plain, 0, found.start())
+    content = inside(plain, match.end(), "{}")
+    rings = _RING.finditer(plain, 0, match.start())
     known = [(ring[1], ring[2], _variables(ring[3])) for ring in rings]
-    named = _IN_RING.match(plain, found.end() + len(content) + 1)
-    used = set(re.findall(r"[A-Za-z]\w*", "" if found[1] else content))
+    named = _IN_RING.match(plain, match.end() + len(content) + 1)
+    used = set(re.findall(r"[A-Za-z]\w*", "" if match[1] else content))
     fitting = [ring for ring in known if used <= {*ring[2]}]
     of_name = [ring for ring in known if named and ring[0] == named[1]]
     ring = (known[-1:] + fitting + of_name)[-1:]
     if ring:
         _check_ring(ring[0][1])
-    if found[1]:
-        _check_ring(found[2] or "QQ")
+    if match[1]:
+        _check_ring(match[2] or "QQ")
         columns = [split_outside(row.strip()[1:-1]) for row in split_outside(content)]
         if len({len(column) for column in columns}) != 1:
             raise InputError("the rows of the matrix are not of one length")
