@@ -14,7 +14,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import EXACT, LABEL, counted
 from arrangement.console.progress import note
 from arrangement.drawing.colours import SKIN, DrawnRegion, Painter, painter, pale, plane_colour
-from arrangement.drawing.pages.solid_page import PageFace, SolidPage
+from arrangement.drawing.pages import PageFace, SolidPage
 from arrangement.drawing.scene import Floats, Scene, millimetres
 from arrangement.drawing.solids.depth_tree import plane_tree
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes, triangles

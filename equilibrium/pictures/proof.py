@@ -13,7 +13,7 @@ import numpy as np
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLUE, GREY, VERMILION, pale, plane_colour
 from arrangement.drawing.labels import Labels, inside, near, pole, write_if_free
-from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, Template, floats, one_page
+from arrangement.drawing.pages import BASE_SCRIPT, BASE_STYLE, Template, floats, one_page
 from arrangement.drawing.scene import (
     FONT,
     POINTS,

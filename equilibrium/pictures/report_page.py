@@ -13,7 +13,7 @@ from html import escape
 from typing import NamedTuple
 
 from arrangement.console.number_form import LABEL, counted
-from arrangement.drawing.pages.html_page import BASE_STYLE, CARD_STYLE, Template, framed
+from arrangement.drawing.pages import BASE_STYLE, CARD_STYLE, Template, framed
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.intervals import Interval
 from equilibrium.decide.verdict import Verdict

@@ -14,7 +14,7 @@ import numpy as np
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
 from arrangement.drawing.labels import Labels, near
-from arrangement.drawing.pages.solid_page import PageFace, SolidPage, page_face
+from arrangement.drawing.pages import PageFace, SolidPage, page_face
 from arrangement.drawing.scene import AROUND, Floats, Key, Legend, PageMap, Scene, millimetres
 from arrangement.drawing.solids.depth_tree import Node, SolidSheet, depth_tree
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes, volume

@@ -18,7 +18,7 @@ import numpy as np
 
 from arrangement.console.number_form import LABEL, counted
 from arrangement.drawing.colours import BLACK, GREY, VERMILION, pale
-from arrangement.drawing.pages.solid_page import PageFace, SolidPage, page_face
+from arrangement.drawing.pages import PageFace, SolidPage, page_face
 from arrangement.drawing.scene import Floats, Legend, Scene
 from arrangement.drawing.solids.depth_tree import Node, SolidSheet, depth_tree
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes

@@ -16,7 +16,7 @@ from typing import Any, TypeAlias
 
 from arrangement.console.number_form import counted
 from arrangement.console.safe_text import safe_lines
-from arrangement.drawing.pages.html_page import BASE_STYLE, CARD_STYLE, Template, framed
+from arrangement.drawing.pages import BASE_STYLE, CARD_STYLE, Template, framed
 from arrangement.drawing.scene import require_matplotlib
 from arrangement.drawing.views import Drawings
 from arrangement.errors import InputError, MissingExtraError, extra

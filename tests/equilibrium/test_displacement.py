@@ -8,7 +8,7 @@ from random import Random
 
 import pytest
 
-from arrangement.drawing.pages.html_page import _text
+from arrangement.drawing.pages import _text
 from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, read_grasp, solve
 from equilibrium.certificate.checker import check

@@ -16,8 +16,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from arrangement.drawing.pages import solid_page as solids
-from arrangement.drawing.pages.html_page import BASE_SCRIPT, Template, place
+from arrangement.drawing.pages import BASE_SCRIPT, SOLID_SCRIPTS, Template, place
 from arrangement.pictures.lab import arrangement_page as arrangement, lines
 from arrangement.pictures.lab.page import SHARED
 from equilibrium.pictures.lab import page as slip
@@ -28,7 +27,7 @@ HERE = Path(__file__).parent
 PAGES: dict[str, Sequence[Template]] = {
     "slip lab": [*slip.DECIDES, BASE_SCRIPT, *SHARED, *slip.SCRIPTS],
     "arrangement": arrangement.SCRIPTS,
-    "solids": solids.SCRIPTS,
+    "solids": SOLID_SCRIPTS,
     "proof": PROOF,
     "arrangement lab": [BASE_SCRIPT, *SHARED, *lines.SCRIPTS],
 }

@@ -12,7 +12,7 @@ import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
-from arrangement.drawing.pages.html_page import (
+from arrangement.drawing.pages import (
     BASE_SCRIPT,
     BASE_STYLE,
     Template,

@@ -14,7 +14,7 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.counts import essentialization
-from arrangement.drawing.pages.html_page import Template
+from arrangement.drawing.pages import Template
 from arrangement.errors import InputError
 from arrangement.library.census import census
 from arrangement.library.families import simplicial, simplicial_entries
@@ -163,7 +163,7 @@ _LAB = ("charts", "state", "plane_view", "numbers", "moves", "drags", "planes", 
 SCRIPTS: tuple[Template, ...] = (
     RATIONAL,
     VECTORS,
-    *(("arrangement.drawing.pages", f"{name}.js") for name in ("dual", "ball")),
+    *(("arrangement.drawing", f"{name}.js") for name in ("dual", "ball")),
     *((_OWN, f"{name}.js") for name in (*_COUNTS, *_SHOWS, *_LAB)),
 )
 

@@ -9,7 +9,7 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from arrangement.drawing.pages.html_page import BASE_SCRIPT, BASE_STYLE, POLYGON, Template, one_page
+from arrangement.drawing.pages import BASE_SCRIPT, BASE_STYLE, POLYGON, Template, one_page
 from arrangement.errors import InputError
 from arrangement.library.files.json_files import check_keys, check_list, read_document
 from arrangement.numbers import budget

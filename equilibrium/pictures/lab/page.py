@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, get_args
 
 from arrangement.console.number_form import counted
-from arrangement.drawing.pages.html_page import Template, own
+from arrangement.drawing.pages import Template, own
 from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import shown

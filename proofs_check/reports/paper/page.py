@@ -11,7 +11,7 @@ from typing import Any
 from arrangement.console.progress import watched
 from arrangement.console.writing import make_folder, reason
 from arrangement.drawing.output import LEGENDS, THEMES, own_settings
-from arrangement.drawing.pages.html_page import BASE_STYLE, Template, framed
+from arrangement.drawing.pages import BASE_STYLE, Template, framed
 from arrangement.drawing.scene import require_matplotlib
 from arrangement.errors import InputError, extra
 from arrangement.numbers.exact import shown

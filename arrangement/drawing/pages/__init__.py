@@ -1,1 +1,0 @@
-"""Pages: each one HTML file that needs nothing from outside."""
