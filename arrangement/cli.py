@@ -330,14 +330,14 @@ def _faces(arguments: argparse.Namespace) -> int:
         raise InputError("--bounded lists regions; omit --dimension")
     if _counts_are_cheap(arrangement):
         _ask_to_print(_face_count(arrangement, arguments), arrangement)
-    found = (
+    faces = (
         arrangement.bounded_regions()
         if arguments.bounded
         else arrangement.faces(arguments.dimension)
     )
     if not _counts_are_cheap(arrangement):
-        _ask_to_print(len(found), arrangement)
-    for face in found:
+        _ask_to_print(len(faces), arrangement)
+    for face in faces:
         if arguments.json:
             terminal.print_json(
                 {"signs": face.signs, "dimension": face.dimension, "witness": face.witness}
@@ -368,25 +368,27 @@ def _ask_to_print(faces: int, arrangement: Arrangement) -> None:
 def _identify(arguments: argparse.Namespace) -> int:
     from .library.census import MOST_PLANES, identify
 
-    found = identify(_read(arguments))
+    identification = identify(_read(arguments))
     if arguments.json:
-        terminal.print_json(asdict(found))
+        terminal.print_json(asdict(identification))
         return terminal.YES
     name = f"not in the catalogue; it has rank 3 and up to {MOST_PLANES} distinct planes"
-    if found.type is not None:
-        name = ", ".join([found.label, *found.names])
-    order = zip(found.order or (), found.sides or (), strict=True)
+    if identification.type is not None:
+        name = ", ".join([identification.label, *identification.names])
+    order = zip(identification.order or (), identification.sides or (), strict=True)
     rows = {
         "type": name,
-        "Finschi-Fukuda": found.finschi_fukuda
-        and f"IC({len(found.order)},3,{found.finschi_fukuda})",
-        "distinct planes": found.planes,
-        "rank": found.rank,
-        "f-vector": " ".join(map(str, found.f_vector)),
-        "points": ", ".join(f"t{k} = {number}" for k, number in (found.t_vector or {}).items()),
-        "automorphisms": found.automorphisms,
-        "simple": "yes" if found.is_simple else "no",
-        "simplicial": "yes" if found.is_simplicial else "no",
+        "Finschi-Fukuda": identification.finschi_fukuda
+        and f"IC({len(identification.order)},3,{identification.finschi_fukuda})",
+        "distinct planes": identification.planes,
+        "rank": identification.rank,
+        "f-vector": " ".join(map(str, identification.f_vector)),
+        "points": ", ".join(
+            f"t{k} = {number}" for k, number in (identification.t_vector or {}).items()
+        ),
+        "automorphisms": identification.automorphisms,
+        "simple": "yes" if identification.is_simple else "no",
+        "simplicial": "yes" if identification.is_simplicial else "no",
         "as in the list": " ".join(("-" if side < 0 else "+") + str(k) for k, side in order),
     }
     return _print_rows({k: value for k, value in rows.items() if value not in ("", None)})

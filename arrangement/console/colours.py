@@ -37,13 +37,13 @@ def print_verdict(text: str, verdict: str = "") -> None:
             in parentheses or a hypothesis; the words at the start of the text if omitted.
     """
     column = re.compile(rf"(?m)  ({re.escape(verdict)})(?= \(| under |$)")
-    found = column.search(text) if verdict else _FIRST.match(text)
-    if found is None or not _wanted():
+    match = column.search(text) if verdict else _FIRST.match(text)
+    if match is None or not _wanted():
         print(text)
         return
-    start, stop = found.span(1)
+    start, stop = match.span(1)
     print(text[:start], end="")
-    _control((_COLOURS | _STRENGTHS)[found[1]])
+    _control((_COLOURS | _STRENGTHS)[match[1]])
     print(text[start:stop], end="")
     _control(0)
     print(text[stop:])

@@ -78,11 +78,11 @@ def lazy_names(
             raise absent
 
         return unavailable, list
-    found, names, known = attach_stub(package, file)
+    get_known, names, known = attach_stub(package, file)
 
     def get(name: str) -> Any:
         if name in known:
-            return found(name)
+            return get_known(name)
         raise missing_attribute(sys.modules[package], name, synonyms or {})
 
     return get, names

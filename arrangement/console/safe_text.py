@@ -38,7 +38,7 @@ def error_text(message: str) -> str:
     >>> len(error_text("cannot read " + "x" * 5000))
     67
     """
-    return printable(_LONG.sub(lambda found: f"{found[0][:40]}...{found[0][-12:]}", message))
+    return printable(_LONG.sub(lambda word: f"{word[0][:40]}...{word[0][-12:]}", message))
 
 
 def one_line(text: str) -> str:

@@ -139,21 +139,21 @@ def colouring(
     if isinstance(colour, str) and "=" in colour:
         colour = _some_regions(colour, regions)
     name, own = _read_choice(colour)
-    found = _colouring(name, regions, pairs, firsts, orbits)
-    return found.with_own(own, regions) if own else found
+    scheme = _colouring(name, regions, pairs, firsts, orbits)
+    return scheme.with_own(own, regions) if own else scheme
 
 
 def _read_choice(colour: Choice | None) -> tuple[str | Painter | None, list[str]]:
     if colour is None or callable(colour):
         return colour, []
-    name, found = "", list(colour)
+    name, fills = "", list(colour)
     if isinstance(colour, str):
         name, colon, listed = colour.partition(":")
         if not colon and (colour in COLOURINGS or ("," not in colour and "#" not in colour)):
             return colour, []
         name, listed = (name, listed) if colon else ("", colour)
-        found = listed.split(",")
-    return name or None, [_hex(text) for text in found]
+        fills = listed.split(",")
+    return name or None, [_hex(text) for text in fills]
 
 
 def _hex(text: str) -> str:

@@ -96,12 +96,12 @@ def _add_target(parser: Parser, drawings: Drawings, more: Mapping[str, str]) -> 
 
 def _uses(drawings: Drawings) -> dict[str, list[_Use]]:
     """Return the options by their flags, each with all that have it."""
-    found: dict[str, list[_Use]] = {}
+    uses: dict[str, list[_Use]] = {}
     for kind in KINDS:
         for name in drawings.entries(kind):
             for option in drawings.options(kind, name).values():
-                found.setdefault(option.flag, []).append(_Use(kind, name, option))
-    return found
+                uses.setdefault(option.flag, []).append(_Use(kind, name, option))
+    return uses
 
 
 def _add(parser: Parser, uses: list[_Use], asked: set[str] | None) -> None:
@@ -119,8 +119,8 @@ def _add(parser: Parser, uses: list[_Use], asked: set[str] | None) -> None:
 
 def _asked(words: Collection[str]) -> set[str]:
     """Return the views, models and pages that are named on a command line."""
-    found = re.findall(r"--(?:view|model)[ =]([^ ]+)", " ".join(words))
-    return {name for names in found for name in names.split(",")}
+    lists = re.findall(r"--(?:view|model)[ =]([^ ]+)", " ".join(words))
+    return {name for names in lists for name in names.split(",")}
 
 
 def _help(uses: list[_Use], asked: set[str] | None) -> str:

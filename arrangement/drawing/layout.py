@@ -49,20 +49,20 @@ def laid_out(scene: Scene, legend: str = "below") -> Scene:
         legend: "below", in text so small, from 7 to 5 points, that keys and lines take at most a
             sixth of the height; "right", in a strip that makes the sheet wider; or "none".
     """
-    found = scene.legend
+    entries = scene.legend
     strip = side = None
     paper = scene.width, scene.height
     if legend == "right":
-        side = _strip(found, scene.width * BESIDE / (1 - BESIDE), _SIZES[0], scene.height)
+        side = _strip(entries, scene.width * BESIDE / (1 - BESIDE), _SIZES[0], scene.height)
     elif legend == "below":
         for size in _SIZES:
-            strip = _strip(found, scene.width, size, min(paper))
-            rest = _strip(Legend(found.lines, found.keys), scene.width, size, 0.0)
+            strip = _strip(entries, scene.width, size, min(paper))
+            rest = _strip(Legend(entries.lines, entries.keys), scene.width, size, 0.0)
             table = strip.height - rest.height
             if strip.height - table <= BELOW * (scene.height + strip.height - table):
                 break
     width = scene.width + (side.width if side else 0.0)
-    captions = _captions(found.captions, width)
+    captions = _captions(entries.captions, width)
     below = captions.height + (strip.height if strip else 0.0)
     height = below + max(scene.height, side.height if side else 0.0)
     sheet = Scene(width / POINTS, height / POINTS)

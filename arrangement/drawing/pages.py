@@ -153,8 +153,8 @@ def place(template: Template) -> Path:
     """Return the file of a template."""
     package, name = template
     folder = Path(str(files(package).joinpath("templates")))
-    (found,) = folder.rglob(name)
-    return found
+    (path,) = folder.rglob(name)
+    return path
 
 
 def _text(template: Template) -> str:
@@ -251,16 +251,16 @@ class SolidPage:
 
 
 def _face(face: PageFace) -> dict[str, Any]:
-    found: dict[str, Any] = {
+    data: dict[str, Any] = {
         "at": floats(face.corners),
         "fill": face.fill,
         "edges": floats(face.edges),
         "piece": face.piece if face.piece >= 0 else None,
     }
     if face.normal is not None and face.normal.any():
-        found["normal"] = floats(unit(face.normal))
+        data["normal"] = floats(unit(face.normal))
     if face.middle is not None:
-        found["middle"] = floats(face.middle)
-    return found | {
+        data["middle"] = floats(face.middle)
+    return data | {
         key: getattr(face, key) for key in ("sheet", "faint", "ink") if getattr(face, key)
     }

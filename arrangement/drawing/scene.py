@@ -225,7 +225,7 @@ _LENGTHS = ("points", "radius", "place", "centre", "size")
 
 def scaled(item: Item, factor: float) -> Item:
     """Return an item with all lengths enlarged."""
-    found: dict[str, Any] = {
+    lengths: dict[str, Any] = {
         key: _grown(getattr(item, key), factor) for key in _LENGTHS if hasattr(item, key)
     }
     style = dict(item.style)
@@ -236,7 +236,7 @@ def scaled(item: Item, factor: float) -> Item:
     if "pad" in (style.get("plate") or {}):
         style["plate"] = {**style["plate"], "pad": factor * style["plate"]["pad"]}
     clip = None if item.clip is None else _grown(item.clip, factor)
-    return replace(item, style=style, clip=clip, **found)
+    return replace(item, style=style, clip=clip, **lengths)
 
 
 def _grown(value: Any, factor: float) -> Any:
@@ -265,10 +265,10 @@ class PageMap:
         Raises:
             InputError: it has another number of them.
         """
-        found = np.array([float(Fraction(x) if isinstance(x, str) else x) for x in point])
-        if len(found) != self.size:
-            raise InputError(f"the point has {len(found)} coordinates; expected {self.size}")
-        return found
+        coordinates = np.array([float(Fraction(x) if isinstance(x, str) else x) for x in point])
+        if len(coordinates) != self.size:
+            raise InputError(f"the point has {len(coordinates)} coordinates; expected {self.size}")
+        return coordinates
 
     def at(self, point: Iterable[Any]) -> Floats:
         """Return a point of the model on the sheet.
@@ -281,8 +281,8 @@ class PageMap:
             placed = placed if self.place is None else self.place(placed)
         if not np.isfinite(placed).all():
             raise InputError("the point lies at infinity in this picture; choose another view")
-        found: Floats = self.scale * placed + np.asarray(self.shift)
-        return found
+        spot: Floats = self.scale * placed + np.asarray(self.shift)
+        return spot
 
     @property
     def is_to_scale(self) -> bool:
@@ -510,7 +510,7 @@ class Scene:
         """Return the same sheet enlarged: paper, text and lines."""
         grown = Scene(*(factor * length for length in self.paper))
         grown.items = [scaled(item, factor) for item in self.items]
-        grown.maps = [found.moved(0.0, 0.0, factor) for found in self.maps]
+        grown.maps = [lengths.moved(0.0, 0.0, factor) for lengths in self.maps]
         return grown
 
     def measure(self, text: str, size: float = FONT, rotation: float = 0.0) -> tuple[float, float]:
@@ -633,7 +633,7 @@ class Scene:
         self.items += [moved(item, x, y) for item in other.items]
         self.boxes += [(l + x, b + y, r + x, t + y) for l, b, r, t in other.boxes]  # noqa: E741
         self.legend.extend(other.legend)
-        self.maps += [found.moved(x, y) for found in other.maps]
+        self.maps += [own.moved(x, y) for own in other.maps]
 
 
 #: Room beside and above what is drawn, in points.

@@ -175,8 +175,8 @@ def _oklab(rgb: tuple[float, ...]) -> Floats:
     """Return lightness, from 0 to 1, and two coordinates of hue and strength."""
     given = np.array(rgb[:3])
     linear = np.where(given <= 0.04045, given / 12.92, ((given + 0.055) / 1.055) ** 2.4)
-    found: Floats = _LAB @ np.cbrt(_CONES @ linear)
-    return found
+    lab: Floats = _LAB @ np.cbrt(_CONES @ linear)
+    return lab
 
 
 def _is_grey(colour: Rgba) -> bool:
@@ -186,8 +186,8 @@ def _is_grey(colour: Rgba) -> bool:
 def _night(colour: Rgba, least: float = 0.0) -> Rgba:
     """Return the colour of the same hue at the opposite lightness; greys may be darker still."""
     light, a, b = _oklab(colour)
-    found = _NIGHT + (1 - light) * (_DAY - _NIGHT)
-    return _from_oklab((found if _is_grey(colour) else max(found, least), a, b), colour[3])
+    lightness = _NIGHT + (1 - light) * (_DAY - _NIGHT)
+    return _from_oklab((lightness if _is_grey(colour) else max(lightness, least), a, b), colour[3])
 
 
 def _from_oklab(lab: tuple[float, float, float], alpha: float) -> Rgba:

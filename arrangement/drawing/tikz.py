@@ -105,7 +105,7 @@ def _line(line: str) -> str:
     bare = line.replace("\u200a", "")
     if bare and set(bare) <= set(_SIGNS) and bare != "0":
         return "$" + "".join(_SIGNS[sign] for sign in bare) + "$"
-    tokens = [(str(found.lastgroup), found.group()) for found in _TOKEN.finditer(line)]
+    tokens = [(str(match.lastgroup), match.group()) for match in _TOKEN.finditer(line)]
     wordless = all(kind != "word" for kind, _ in tokens)
     depth, kinds = 0, []
     for kind, text in tokens:
@@ -141,30 +141,30 @@ def _mixed(tokens: list[tuple[str, str]], wordless: bool) -> str:
 
 
 def _maths(tokens: list[tuple[str, str]]) -> str:
-    found = ""
+    formula = ""
     for k, (kind, text) in enumerate(tokens):
         if kind == "norm":
-            found += f"L_{SIGNS.get(text[1:], text[1:]).strip()}"
+            formula += f"L_{SIGNS.get(text[1:], text[1:]).strip()}"
         elif kind == "power":
             base, mark, power = text.partition("^") if "^" in text else text.partition("e")
-            found += (f"{base}\\cdot 10" if mark == "e" else base) + f"^{{{int(power)}}}"
+            formula += (f"{base}\\cdot 10" if mark == "e" else base) + f"^{{{int(power)}}}"
         elif kind == "signs":
-            found += "".join(_SIGNS.get(sign, "") for sign in text)
+            formula += "".join(_SIGNS.get(sign, "") for sign in text)
         elif text[0] in _RAISED:
-            found += "^{" + "".join(_RAISED[x] for x in text) + "}"
+            formula += "^{" + "".join(_RAISED[x] for x in text) + "}"
         elif text[0] in _LOWERED:
-            found += "_{" + "".join(_LOWERED[x] for x in text) + "}"
+            formula += "_{" + "".join(_LOWERED[x] for x in text) + "}"
         elif text.isspace():
             ends = (tokens[k - 1], tokens[k + 1])
             apart = all(kind in ("number", "variable", "power", "signs") for kind, _ in ends)
-            found += (r"\;" if ends[1][0] == "signs" else r"\,") if apart else ""
+            formula += (r"\;" if ends[1][0] == "signs" else r"\,") if apart else ""
         elif text == "\u2212" and _begins_number(tokens, k):
-            found += r"\;{-}"
+            formula += r"\;{-}"
         elif text == "," and k + 1 < len(tokens) and not tokens[k + 1][1].isspace():
-            found += "{,}"
+            formula += "{,}"
         else:
-            found += SIGNS.get(text, text)
-    return found.strip()
+            formula += SIGNS.get(text, text)
+    return formula.strip()
 
 
 def _begins_number(tokens: list[tuple[str, str]], k: int) -> bool:
@@ -184,14 +184,14 @@ def escaped(text: str) -> str:
     >>> print(escaped("Möbius_1"))
     M\"{o}bius\_1
     """
-    found = ""
+    safe = ""
     for sign in text:
         letters = normalize("NFD", sign)
         if len(letters) == 2 and letters[1] in _ACCENTS:
-            found += f"{_ACCENTS[letters[1]]}{{{letters[0]}}}"
+            safe += f"{_ACCENTS[letters[1]]}{{{letters[0]}}}"
         else:
-            found += _TEXT.get(sign, sign)
-    return found
+            safe += _TEXT.get(sign, sign)
+    return safe
 
 
 #: Lines a x + b y = (k + c / 2) d, for each sign (a, b), d in points and c; this many signs stand
@@ -378,12 +378,12 @@ class _Writer:
 
     def _styles(self) -> dict[str, Options]:
         """Return for each role the options that most of its items have."""
-        found: dict[str, Counter[tuple[tuple[str, str], ...]]] = {}
+        styles: dict[str, Counter[tuple[tuple[str, str], ...]]] = {}
         for written in self.written:
             # A rotation cannot be taken back.
             shared = tuple((key, x) for key, x in written.options.items() if key != "rotate")
-            found.setdefault(written.item.role, Counter())[shared] += 1
-        return {role: dict(counts.most_common(1)[0][0]) for role, counts in sorted(found.items())}
+            styles.setdefault(written.item.role, Counter())[shared] += 1
+        return {role: dict(counts.most_common(1)[0][0]) for role, counts in sorted(styles.items())}
 
     def _scopes(self) -> Iterator[str]:
         """Yield the scopes of neighbours with one role and one clip."""
@@ -425,13 +425,13 @@ class _Writer:
         top = self.scene.height  # hatching is counted from the left upper corner of the sheet
         if share := _CIRCLES.get(hatch[0]):
             circles = _circles(low, high, 12 / len(hatch), share, top)
-            found = [disc(*circle) for circle in circles]
+            discs = [disc(*circle) for circle in circles]
         else:
             lines = _lines(hatch, low, high, top)
-            found = [f"{point(start)} -- {point(end)}" for start, end in lines]
+            discs = [f"{point(start)} -- {point(end)}" for start, end in lines]
         line = {"ec": item.style.get("ec", "black"), "lw": WIDTH}
         line |= {"fc": line["ec"]} if hatch[0] == "." else {}
-        return self._path_options(line, filled=hatch[0] == "."), " ".join(found)
+        return self._path_options(line, filled=hatch[0] == "."), " ".join(discs)
 
     def _path_options(self, style: Mapping[str, Any], filled: bool) -> Options:
         filled = filled and style.get("fill", True)

@@ -337,13 +337,13 @@ class Drawings:
 
     def options(self, kind: str, name: str) -> dict[str, Option]:
         """Return the options of a view, model or page by name; of panels those of all."""
-        found: dict[str, Option] = {}
+        options: dict[str, Option] = {}
         for part in name.split(",") if kind == "view" else [name]:
-            found |= options_of(self.function(kind, part), keywords=True)
-        found |= {key: replace(found[key], syntax=_LENGTH) for key in LENGTHS & found.keys()}
-        if "," in name and "width" in found:
-            found["width"] = replace(found["width"], default=WHOLE)
-        return found
+            options |= options_of(self.function(kind, part), keywords=True)
+        options |= {key: replace(options[key], syntax=_LENGTH) for key in LENGTHS & options.keys()}
+        if "," in name and "width" in options:
+            options["width"] = replace(options["width"], default=WHOLE)
+        return options
 
     def of(self, subject: Any) -> Drawings:
         """Return what suits a subject, the best view, model and page first."""
@@ -497,14 +497,14 @@ class Drawings:
     def _check_options(self, kind: str, name: str, options: Iterable[str]) -> None:
         """Refuse a name that is unknown, and options that it lacks or needs."""
         self._check_name(kind, name)
-        found = self.options(kind, name)
-        check_renamed(options, found)
+        known = self.options(kind, name)
+        check_renamed(options, known)
         for option in options:
-            if option not in found:
+            if option not in known:
                 raise refusal(
-                    f"the {kind} {name} has no option {shown(option)}", option, found, "it has"
+                    f"the {kind} {name} has no option {shown(option)}", option, known, "it has"
                 )
-        for needed in found.values():
+        for needed in known.values():
             if needed.required and needed.name not in options:
                 raise InputError(f"the {kind} {name} needs {needed.name}; give at least one")
 

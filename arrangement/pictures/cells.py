@@ -175,15 +175,15 @@ def _cells(
 
 def _faces(points: Floats, cell: Cell, number: int) -> list[PageFace]:
     middle, walls = centroid(points, cell.faces), walls_of_edges(cell)
-    found = []
+    faces = []
     for face, wall in zip(cell.faces, cell.walls, strict=True):
         corners = points[list(face)]
         edges = [points[[a, b]] for a, b in cycle_edges(face) if sharp(*walls[a, b], smooth=False)]
         normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
         fill = SKIN if wall < 0 else pale(plane_colour(wall))
         lines = np.array(edges).reshape(-1, 2, 3)
-        found.append(PageFace(corners, fill, normal, lines, number, middle))
-    return found
+        faces.append(PageFace(corners, fill, normal, lines, number, middle))
+    return faces
 
 
 def cells_model(

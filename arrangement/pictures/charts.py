@@ -179,7 +179,7 @@ class _Whole:
     def _fill(self) -> list[tuple[DrawnRegion, Floats]]:
         """Fill the outer region first, then all others; return all but it with outlines."""
         globe = self.globe
-        found: list[tuple[DrawnRegion, Floats]] = []
+        filled: list[tuple[DrawnRegion, Floats]] = []
         outside = globe.whole.arrangement.signs_at([-x for x in globe.direction])
         numbers = sorted(enumerate(globe.regions), key=lambda item: item[1].signs != outside)
         for r, region in numbers:
@@ -191,8 +191,8 @@ class _Whole:
             else:
                 outline = self.on_paper(self.drawn.outline(r))
                 self.scene.curve(outline, **style)
-                found.append((region, flattened(outline)))
-        return found
+                filled.append((region, flattened(outline)))
+        return filled
 
     def _corners(self) -> Floats:
         signs = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
@@ -341,9 +341,9 @@ def _central_direction(globe: Globe) -> IntegerVector:
         far = far_direction(arrangement, lines)
         at_ray, at_far = np.abs(unit_vectors([ray, far]) @ lines.T).min(axis=1)
         return ray if at_ray > 0.98 * at_far else far
-    found = symmetry(arrangement)
-    if found is not None:
-        kept = found.stabilizers(lines)
+    group = symmetry(arrangement)
+    if group is not None:
+        kept = group.stabilizers(lines)
         # Of equal ones that from which the rays that are not at infinity are nearest.
         nearest = np.where(inside > _AT_LIMB, inside, 1.0).min(axis=1).round(3)
         best = max(range(len(rays)), key=lambda v: (kept[v], nearest[v], rays[v]))

@@ -227,13 +227,13 @@ def point_map(coordinates: str | None, arrangement: Arrangement) -> Callable[[Fl
         if normals is None:
             return None
         rows, scale = rounded_map(normals, 1 << 10)
-        found: Floats = scale * np.linalg.inv(np.array(rows, float)).T
-        return found
+        inverse: Floats = scale * np.linalg.inv(np.array(rows, float)).T
+        return inverse
 
     def moved(point: Floats) -> Floats:
         chosen = matrix()
-        found: Floats = point if chosen is None else chosen @ point
-        return found
+        inverse: Floats = point if chosen is None else chosen @ point
+        return inverse
 
     return moved
 
@@ -297,10 +297,10 @@ def root_map(arrangement: Planes) -> Floats | None:
 
 def symmetric_map(arrangement: Arrangement) -> Floats | None:
     """Return the matrix for normals that makes planes symmetric; None where it changes nothing."""
-    found = symmetry(arrangement)
-    if found is None or np.allclose(found.shape, np.eye(arrangement.dimension), atol=1e-6):
+    group = symmetry(arrangement)
+    if group is None or np.allclose(group.shape, np.eye(arrangement.dimension), atol=1e-6):
         return None
-    return found.shape
+    return group.shape
 
 
 def symmetry(arrangement: Planes) -> Symmetry | None:
@@ -349,11 +349,11 @@ def orbits(arrangement: Planes, regions: Sequence[tuple[int, ...]]) -> list[int]
     signs = np.array(regions, dtype=np.int8).reshape(len(regions), -1)[:, list(arrangement.firsts)]
     number = {row.tobytes(): k for k, row in enumerate(signs)}
     graph: Any = nx.empty_graph(len(regions))
-    found = symmetry(arrangement)
+    group = symmetry(arrangement)
     images = [-signs]
     normals = unit_vectors([plane[:-1] for plane in arrangement.distinct_planes])
-    for matrix in () if found is None else found.group:
-        units = unit(normals @ found.frame.T) if found else normals
+    for matrix in () if group is None else group.group:
+        units = unit(normals @ group.frame.T) if group else normals
         cosines = units @ matrix @ units.T
         to = np.abs(cosines).argmax(axis=0)
         image = np.zeros_like(signs)
@@ -420,14 +420,14 @@ def _group(units: Floats) -> Floats:
         rows, added = np.nonzero(np.all(alike, axis=0))
         images = np.column_stack([images[rows], added])
     back = np.linalg.inv(units[base].T)
-    found = []
+    group = []
     for signs in itertools.product((1, -1), repeat=size - 1):
         maps = (units[images] * np.array([1, *signs])[:, None]).transpose(0, 2, 1) @ back
         square = maps.transpose(0, 2, 1) @ maps
         maps = maps[np.abs(square - np.eye(size)).max(axis=(1, 2), initial=0) < 10 * _CLOSE]
         taken = np.abs(units @ maps @ units.T).max(axis=1, initial=0)
-        found.append(maps[taken.min(axis=1, initial=1) > 1 - _CLOSE])
-    return np.concatenate(found)
+        group.append(maps[taken.min(axis=1, initial=1) > 1 - _CLOSE])
+    return np.concatenate(group)
 
 
 def even_map(normals: Floats) -> Floats:

@@ -138,8 +138,8 @@ def _generic(panel: _CountsPanel) -> None:
         name = label.split()[0]
         printed = [(m, formula(m)) for m in numbers[2:]]
         panel.curve(printed, f"printed-{name}", ec=colour, lw=0.8)
-        found = [sum(v) if k is None else v[k] for v in vectors]
-        points = zip(numbers, found, strict=True)
+        counts = [sum(v) if k is None else v[k] for v in vectors]
+        points = zip(numbers, counts, strict=True)
         panel.marks(points, shape, f"generic-{name}", label, colour)
     bounds = (
         ("faces", "bound on all faces, any planes", every, (5, 2)),

@@ -195,11 +195,11 @@ def symmetric_diagram(arrangement: Arrangement, coordinates: str | None) -> Schl
     """
     budget.check_size(region_count(arrangement), "regions in a picture")
     arrangement, _ = in_coordinates(coordinates, arrangement)
-    found = symmetry(arrangement)
+    group = symmetry(arrangement)
     units = unit_vectors([plane[:-1] for plane in arrangement.distinct_planes])
 
     def fitness(ray: IntegerVector) -> tuple[float, ...]:
-        kept = 1 if found is None else int(found.stabilizers(unit_vectors([ray]))[0])
+        kept = 1 if group is None else int(group.stabilizers(unit_vectors([ray]))[0])
         own = units[[not dot(plane[:-1], ray) for plane in arrangement.distinct_planes]]
         return kept, round(float(np.linalg.eigvalsh(own.T @ own)[1]), 6)
 
@@ -286,9 +286,11 @@ def draw_dual(
     if hull:
         from arrangement.duals.inscribed.hull import representative_hull
 
-        found = representative_hull(dual_polyhedron(arrangement))
-        solid = hull_solid(found, globe.direction, globe.axes)
-        points = np.array([[float(x) for x in p] for p in found.hull.points]) @ globe.axes.T
+        representatives = representative_hull(dual_polyhedron(arrangement))
+        solid = hull_solid(representatives, globe.direction, globe.axes)
+        points = (
+            np.array([[float(x) for x in p] for p in representatives.hull.points]) @ globe.axes.T
+        )
     else:
         solid, points = dual_solid(arrangement, globe.direction, globe.axes), None
     beside = width >= SIDE_BY_SIDE
@@ -332,8 +334,8 @@ def _oblique_direction(globe: Globe) -> IntegerVector:
 
     def apart(seen: Sequence[IntegerVector]) -> Floats:
         near = np.abs(unit_vectors(seen) @ corners.T).max(axis=1)
-        found: Floats = np.sqrt(np.maximum(0, 1 - near**2))
-        return found
+        gaps: Floats = np.sqrt(np.maximum(0, 1 - near**2))
+        return gaps
 
     return clear_direction(*globe.lines(), apart)
 

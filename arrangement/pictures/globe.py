@@ -139,8 +139,8 @@ class Drawn:
 
     def place(self, point: Floats) -> Floats:
         """Return the place of a unit vector in the axes of the picture."""
-        found: Floats = self.projection(across(point), point, 1e-3)[0]
-        return found
+        spot: Floats = self.projection(across(point), point, 1e-3)[0]
+        return spot
 
     @cached_property
     def _arcs(self) -> dict[int, Floats]:
@@ -191,8 +191,8 @@ class CutChart(Drawn):
 
     def place(self, point: Floats) -> Floats:
         """Return the place of a unit vector, or of its antipode, which is the same point here."""
-        found: Floats = point[:2] / point[2] / self.reach
-        return found
+        spot: Floats = point[:2] / point[2] / self.reach
+        return spot
 
     @cached_property
     def _far(self) -> float:
@@ -345,8 +345,8 @@ class Globe:
         beside = self.whole.incidence.region[: 2 * self.whole.arc_count].tolist()
         pairs = list(zip(beside[::2], beside[1::2], strict=True))
         planes, signs = self.whole.arrangement, [region.signs for region in self.regions]
-        found = partial(orbits, planes, signs)
-        return colouring(colour, self.regions, pairs, planes.firsts, found)
+        find_orbits = partial(orbits, planes, signs)
+        return colouring(colour, self.regions, pairs, planes.firsts, find_orbits)
 
     @cached_property
     def limb(self) -> int:
@@ -384,8 +384,8 @@ def clear_direction(
         )
         # A line alone is not seen from straight ahead.
         least = np.minimum(least, 1.2 - least)
-        found: Floats = least if also is None else np.minimum(least, also(seen))
-        return found
+        scores: Floats = least if also is None else np.minimum(least, also(seen))
+        return scores
 
     return best_view(views(range(1, 8), range(-7, 8), range(1, 7), low=0.25, high=0.75), score)
 
@@ -483,7 +483,7 @@ class Disc:
 
     def _hidden(self) -> list[Floats]:
         """Draw the half of each circle on the far side, dashed; return points along them."""
-        globe, found = self.globe, []
+        globe, curves = self.globe, []
         for circle, normal in enumerate(globe.normals if self.solid else ()):
             if circle != globe.limb:
                 start = np.array([normal[1], -normal[0], 0.0]) / math.hypot(normal[0], normal[1])
@@ -492,12 +492,12 @@ class Disc:
                 style = {**HIDDEN, "lw": HIDDEN["lw"] * thinner(globe.whole.circle_count)}
                 name = f"back-{globe.whole.arrangement.firsts[circle] + 1}"
                 self.scene.curve(curve, fill=False, ec=ink, gid=name, **style)
-                found.append(along(curve))
-        return found
+                curves.append(along(curve))
+        return curves
 
     def _arcs(self) -> list[Floats]:
         """Draw the arcs on the near side and the limb; return points along them."""
-        globe, drawn, found = self.globe, self.drawn, []
+        globe, drawn, curves = self.globe, self.drawn, []
         is_plane = len(globe.cut.arrangement.distinct[globe.limb]) > 1
         for arc, circle in enumerate(drawn.sphere.incidence.arc_circle.tolist()):
             colour = self.ink(circle) if self.ink is not None else "black"
@@ -517,8 +517,8 @@ class Disc:
             if not len(curve):
                 continue
             self.scene.curve(curve, **style)
-            found.append(along(curve))
-        return found
+            curves.append(along(curve))
+        return curves
 
     def _names(self, both_ends: bool) -> None:
         """Write the numbers of the planes outside the rim, pushed apart along it."""

@@ -87,11 +87,11 @@ def tutte_places(count: int, faces: Sequence[Sequence[int]], outer: Sequence[int
 
 def _edges(faces: Sequence[Sequence[int]]) -> tuple[Indices, Indices]:
     """Return the edges (E, 2) of some faces, and for each the faces beside it (one: twice)."""
-    found: dict[tuple[int, int], list[int]] = {}
+    beside: dict[tuple[int, int], list[int]] = {}
     for f, cycle in enumerate(faces):
         for u, v in cycle_edges(cycle):
-            found.setdefault((min(u, v), max(u, v)), []).append(f)
-    return np.array(list(found)), np.array([(f[0], f[-1]) for f in found.values()])
+            beside.setdefault((min(u, v), max(u, v)), []).append(f)
+    return np.array(list(beside)), np.array([(f[0], f[-1]) for f in beside.values()])
 
 
 def _even(values: Floats) -> Floats:
@@ -204,16 +204,16 @@ def _projected(arrangement: Arrangement) -> PlacedGraph:
     """Return the graph with signed sums of unit normals as places, seen in a plane."""
     signs, edges = region_edges(arrangement)
     size = arrangement.dimension
-    found = symmetry(arrangement) if arrangement.is_central and arrangement.rank == size else None
-    even = arrangement.is_central and found is None
+    group = symmetry(arrangement) if arrangement.is_central and arrangement.rank == size else None
+    even = arrangement.is_central and group is None
     planes, _ = in_coordinates("even" if even else None, arrangement)
     units = unit_vectors([plane[:-1] for plane in planes.distinct_planes]).reshape(-1, size)
     sides = np.array(signs).reshape(len(signs), -1)[:, list(arrangement.firsts)]
     frame = np.eye(2)
     if size > 2:
         whole = np.zeros((2, size))
-        if found is not None:
-            whole = found.turned() @ found.frame @ np.linalg.inv(found.shape)
+        if group is not None:
+            whole = group.turned() @ group.frame @ np.linalg.inv(group.shape)
         frame = _clear_frame(sides @ units, units, whole)
     return PlacedGraph(np.round(sides @ units @ frame.T, 9) + 0.0, signs, edges)
 
@@ -255,10 +255,10 @@ def planar_graph(arrangement: Arrangement) -> PlacedGraph:
         return _cycle(arrangement)
     dual = dual_polyhedron(arrangement)
     degrees = np.bincount(dual.edges.ravel()).tolist()
-    found = symmetry(arrangement)
+    group = symmetry(arrangement)
     kept = [1] * len(dual.faces)
-    if found is not None:
-        kept = found.stabilizers(unit_vectors(dual.face_normals)).tolist()
+    if group is not None:
+        kept = group.stabilizers(unit_vectors(dual.face_normals)).tolist()
 
     def fitness(face: int) -> tuple[int, ...]:
         cycle = dual.faces[face]
@@ -297,9 +297,9 @@ class GraphPicture:
         degrees = np.bincount(np.ravel(pairs).astype(int), minlength=len(graph.signs)).tolist()
         self.regions = [DrawnRegion(s, d) for s, d in zip(graph.signs, degrees, strict=True)]
         full = arrangement.dimension in (3, arrangement.rank) and arrangement.is_central
-        found = partial(orbits, arrangement, graph.signs) if full else None
+        find_orbits = partial(orbits, arrangement, graph.signs) if full else None
         firsts = arrangement.firsts
-        self.colours = colouring(colour, self.regions, pairs, firsts, found)
+        self.colours = colouring(colour, self.regions, pairs, firsts, find_orbits)
         self.fills = [self.colours.paint(region) for region in self.regions]
         widest = max(
             (form for s in graph.signs for form in names.forms(s)[:1]), key=len, default=""

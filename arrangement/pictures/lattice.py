@@ -205,11 +205,11 @@ def layered_orders(sizes: Sequence[int], covers: Covers, fixed: int = 0) -> list
 
 
 def _reversed(covers: Sequence[Sequence[int]], size: int) -> list[list[int]]:
-    found: list[list[int]] = [[] for _ in range(size)]
+    below: list[list[int]] = [[] for _ in range(size)]
     for node, above in enumerate(covers):
         for cover in above:
-            found[cover].append(node)
-    return found
+            below[cover].append(node)
+    return below
 
 
 def _sorted(

@@ -116,8 +116,8 @@ class LineWindow:
 
         Lines without a crossing are shown around their points nearest to 0.
         """
-        found, boxes = _crossings(lines)
-        vertices = list(found.values())
+        crossings, boxes = _crossings(lines)
+        vertices = list(crossings.values())
         if not vertices:
             feet = (((a * c, b * c), a * a + b * b) for a, b, c in lines.integer_planes)
             nearest = [tuple(rational_near(quotient(x, square)) for x in p) for p, square in feet]
@@ -162,17 +162,17 @@ def _crossings(lines: Arrangement) -> tuple[dict[int, RationalVector], Floats]:
     A box is ``(left, low, right, high)``, shape (regions, 4).
     """
     sphere = Globe(cone(lines, (Fraction(0),) * 2, Fraction(1)), ABOVE).whole
-    found: dict[int, RationalVector] = {}
+    crossings: dict[int, RationalVector] = {}
     for v in range(sphere.vertex_count):
         x, y, w = sphere.ray(v)
         if w > 0:
-            found[v] = (rational_near(quotient(x, w)), rational_near(quotient(y, w)))
-    return found, _boxes(sphere, found)
+            crossings[v] = (rational_near(quotient(x, w)), rational_near(quotient(y, w)))
+    return crossings, _boxes(sphere, crossings)
 
 
-def _boxes(sphere: SphereArrangement, found: dict[int, RationalVector]) -> Floats:
+def _boxes(sphere: SphereArrangement, crossings: dict[int, RationalVector]) -> Floats:
     places = np.full((sphere.vertex_count, 2), np.nan)
-    for v, place in found.items():
+    for v, place in crossings.items():
         places[v] = [float(x) for x in place]
     boxes = [np.empty((0, 4))]
     for r in range(sphere.region_count if sphere.rank == 3 else 0):
@@ -232,20 +232,20 @@ class LinesChart:
     @cached_property
     def regions(self) -> dict[int, tuple[int, ...]]:
         """The sign vectors of the regions, by their numbers on the sphere."""
-        found = region_signs(self.sphere)
-        return {r: signs[:-1] for r, signs in enumerate(found) if signs[-1] > 0}
+        vectors = region_signs(self.sphere)
+        return {r: signs[:-1] for r, signs in enumerate(vectors) if signs[-1] > 0}
 
     @cached_property
     def edges(self) -> dict[int, tuple[int, ...]]:
         """The sign vectors of the edges, by their numbers on the sphere."""
-        found = sign_vectors(self.sphere, self.sphere.packed_arc_signs)
-        return {a: signs[:-1] for a, signs in enumerate(found) if signs[-1] > 0}
+        vectors = sign_vectors(self.sphere, self.sphere.packed_arc_signs)
+        return {a: signs[:-1] for a, signs in enumerate(vectors) if signs[-1] > 0}
 
     @cached_property
     def vertices(self) -> dict[int, tuple[int, ...]]:
         """The sign vectors of the vertices, by their numbers on the sphere."""
-        found = sign_vectors(self.sphere, self.sphere.packed_vertex_signs)
-        return {v: signs[:-1] for v, signs in enumerate(found) if signs[-1] > 0}
+        vectors = sign_vectors(self.sphere, self.sphere.packed_vertex_signs)
+        return {v: signs[:-1] for v, signs in enumerate(vectors) if signs[-1] > 0}
 
     @cached_property
     def parallels(self) -> list[int]:
@@ -303,14 +303,14 @@ class LinesChart:
         return _places(self._ends(label))
 
     def _ends(self, circle: int) -> list[IntegerVector]:
-        row, found = self.sphere.circle_normals[circle], []
+        row, ends = self.sphere.circle_normals[circle], []
         for p, q in cycle_edges(self.corners):
             at_p, at_q = dot(row, p), dot(row, q)
             if at_p == 0:
-                found.append(p)
+                ends.append(p)
             elif at_p * at_q < 0:
-                found.append(between(p, q, at_p, at_q))
-        return found
+                ends.append(between(p, q, at_p, at_q))
+        return ends
 
     def _clipped(self, loop: list[IntegerVector], region: int) -> list[IntegerVector]:
         """Return the part of a convex polygon of homogeneous points in the closure of a region."""

@@ -97,10 +97,10 @@ class RegionLabels:
             signs = ({"+": 1, "-": -1}.get(sign, 0) for sign in key)
         elif isinstance(key, (str, int)):
             signs = next((s for s, number in self._numbers.items() if number == int(key)), ())
-        found: tuple[int, ...] = tuple(signs)
-        if found not in self._numbers:
+        vector: tuple[int, ...] = tuple(signs)
+        if vector not in self._numbers:
             raise InputError(f"there is no region {shown(key)}; give signs or a number")
-        return found
+        return vector
 
     @cached_property
     def _numbers(self) -> dict[tuple[int, ...], int]:

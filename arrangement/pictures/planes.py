@@ -113,11 +113,11 @@ def cut_out(
     rows, scale = rounded_map(inverse_root(units @ units.T) / lengths, scale)
     axes = [[dot(row, column) for column in zip(*basis, strict=True)] for row in rows]
     square = dot(normal, normal)
-    found = [[square * dot(axis, row[:-1]) for axis in axes] for row in given]
-    if flat := [k + 1 for k, row in enumerate(found) if not any(row)]:
+    moved = [[square * dot(axis, row[:-1]) for axis in axes] for row in given]
+    if flat := [k + 1 for k, row in enumerate(moved) if not any(row)]:
         raise InputError(f"plane {flat[0]} does not meet the section, to which it is parallel")
     offsets = [-scale * offset * dot(normal, row[:-1]) for row in given]
-    return Arrangement(found, offsets), equation
+    return Arrangement(moved, offsets), equation
 
 
 def _clear_normal(normals: list[IntegerVector], space: Arrangement) -> IntegerVector:
@@ -134,12 +134,12 @@ def _clear_normal(normals: list[IntegerVector], space: Arrangement) -> IntegerVe
     basis = np.array([[float(x) for x in space.integer_planes[k][:-1]] for k in chosen])
     sums = sorted(itertools.product(range(-2, 3), repeat=4), key=lambda s: (sum(map(abs, s)), s))
     sums = [row for row in sums if any(row) and primitive(row) == row and row > (0, 0, 0, 0)]
-    found = np.array(sums) @ basis
-    found /= np.linalg.norm(found, axis=1, keepdims=True)
-    near = np.abs(found @ rays.T)
+    sums_on_axes = np.array(sums) @ basis
+    sums_on_axes /= np.linalg.norm(sums_on_axes, axis=1, keepdims=True)
+    near = np.abs(sums_on_axes @ rays.T)
     missed = near < _NEVER
     score = np.where(missed, 1.0, near).min(axis=1) - _COST * missed.any(axis=1)
-    score -= (np.abs(found @ drawn.T) > 1 - _NEVER).any(axis=1)
+    score -= (np.abs(sums_on_axes @ drawn.T) > 1 - _NEVER).any(axis=1)
     best = sums[int(np.argmax(np.round(score, 6)))]
     own = [normals[k] for k in chosen]
     return tuple(dot(best, column) for column in zip(*own, strict=True))
@@ -386,14 +386,14 @@ class PlanesSheet(SolidSheet):
 
     def _rim(self, label: int) -> Floats:
         """Return the points of a plane on the surface of the body that the viewer can see."""
-        found = {
+        rims = {
             i
             for facet in self.stage.facets
             if facet.label == label
             for k, i in enumerate(facet.corners)
             if facet.rim[k] or facet.rim[k - 1]
         }
-        points = self.stage.points[sorted(found)]
+        points = self.stage.points[sorted(rims)]
         reach = np.array([self._gauge(p[:2]) for p in points])
         seen = (points[:, 2] > 0) | (reach > 0.985)
         return points[seen] if seen.any() else points

@@ -91,9 +91,9 @@ class Stage:
     @cached_property
     def facets(self) -> tuple[Facet, ...]:
         """All facets, back to front."""
-        found = [facet for cell in self.cells.cells for facet in _facets_below(cell)]
-        found.sort(key=lambda facet: (facet.label, facet.sides))
-        nodes = back_to_front(self.tree((f.sides, f) for f in found), self.direction)
+        facets = [facet for cell in self.cells.cells for facet in _facets_below(cell)]
+        facets.sort(key=lambda facet: (facet.label, facet.sides))
+        nodes = back_to_front(self.tree((f.sides, f) for f in facets), self.direction)
         return tuple(facet for node in nodes for facet in node.patches)
 
     def tree(self, pieces: Iterable[tuple[Sequence[int], _Drawn]]) -> list[Node[_Drawn]]:
@@ -104,14 +104,14 @@ class Stage:
     def planes(self) -> tuple[tuple[Floats, float], ...]:
         """For each class the unit normal and offset of its first plane, in the picture."""
         body = self.cells.body
-        found = []
+        polygons = []
         for plane in self.arrangement.distinct_planes:
             offset = plane[3] - dot(body.centre, plane[:3])
             scale = max(map(abs, plane[:3]))
             length = float(np.linalg.norm([float(x / scale) for x in plane[:3]]))
             normal = self.axes @ unit_vectors([plane[:3]])[0]
-            found.append((normal, float(offset / body.radius / scale) / length))
-        return tuple(found)
+            polygons.append((normal, float(offset / body.radius / scale) / length))
+        return tuple(polygons)
 
     def body_edges(self) -> Iterator[tuple[Sides, Floats]]:
         """Yield sides and ends of the segments of the edges of a cube."""
@@ -144,17 +144,17 @@ def exact_points(cells: Cells) -> list[IntegerVector]:
 
 def _facets_below(cell: Cell) -> list[Facet]:
     """Return the facets of a cell that lie under it, so that each facet occurs once."""
-    found = []
+    facets = []
     for face, wall in zip(cell.faces, cell.walls, strict=True):
         if wall >= 0 and cell.sides[wall] > 0:
             sides = tuple(0 if k == wall else s for k, s in enumerate(cell.sides))
-            found.append((wall, sides, face))
-    if not found:
+            facets.append((wall, sides, face))
+    if not facets:
         return []
     walls = walls_of_edges(cell)
     return [
         Facet(wall, sides, face, tuple(min(walls[edge]) < 0 for edge in cycle_edges(face)))
-        for wall, sides, face in found
+        for wall, sides, face in facets
     ]
 
 
@@ -235,8 +235,8 @@ def clear_sight(cells: Cells, lifted: Sequence[tuple[int, ...]] = ()) -> Integer
     Lifted cells move sideways in the picture, a little towards the viewer. The choice is one of a
     fixed list, so that it is exact and repeats.
     """
-    found = views(range(-7, 8), range(-7, 8), range(1, 6), low=0.25, high=0.62)
-    return best_view(found, lambda seen: _score(unit_vectors(seen), cells, lifted))
+    directions = views(range(-7, 8), range(-7, 8), range(1, 6), low=0.25, high=0.62)
+    return best_view(directions, lambda seen: _score(unit_vectors(seen), cells, lifted))
 
 
 def _score(units: Floats, cells: Cells, lifted: Sequence[tuple[int, ...]]) -> Floats:
@@ -262,8 +262,8 @@ def _lines(cells: Cells, normals: Sequence[IntegerVector]) -> list[IntegerVector
     # Of entries short enough for machine integers.
     small = np.array([n for n in normals if max(map(abs, n)) < 2**30]).reshape(-1, 3)
     first, second = np.triu_indices(len(small), 1)
-    found = set(map(tuple, np.cross(small[first], small[second]).tolist()))
-    crosses = {unoriented(primitive(line)) for line in found}
+    lines = set(map(tuple, np.cross(small[first], small[second]).tolist()))
+    crosses = {unoriented(primitive(line)) for line in lines}
     fixed = {(1, 0, 0), (0, 1, 0), (0, 0, 1)}
     if cells.body.kind == "cube":
         fixed |= {(1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)}

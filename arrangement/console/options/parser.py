@@ -79,15 +79,15 @@ class Parser(argparse.ArgumentParser):
         self.arguments = words = sys.argv[1:] if args is None else args
         self._seen = []
         self.add_lazy_options()
-        found, rest = super().parse_known_args(list(self._split_numbers(words)), namespace)
+        arguments, rest = super().parse_known_args(list(self._split_numbers(words)), namespace)
         for word in rest:
             self.error(self._unknown(word))
-        self._refuse_empty(found)
-        return found, rest
+        self._refuse_empty(arguments)
+        return arguments, rest
 
-    def _refuse_empty(self, found: argparse.Namespace) -> None:
+    def _refuse_empty(self, arguments: argparse.Namespace) -> None:
         for action in self._actions:
-            if getattr(found, action.dest, None) == "" and action.dest != "title":
+            if getattr(arguments, action.dest, None) == "" and action.dest != "title":
                 name = "/".join(action.option_strings) or action.metavar
                 self.error(f"argument {name}: it is empty; give a name")
 

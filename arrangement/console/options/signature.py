@@ -116,15 +116,15 @@ def options_of(function: Callable[..., Any], keywords: bool = False) -> dict[str
     """
     texts = argument_texts(inspect.getdoc(function) or "")
     names = vars(sys.modules[inspect.unwrap(function).__module__])
-    found = {}
+    options = {}
     for name, parameter in inspect.signature(function).parameters.items():
         if keywords and parameter.kind is not parameter.KEYWORD_ONLY:
             continue
         hint = SimpleNamespace(__annotations__={name: parameter.annotation})
         kind, several = _kind(get_type_hints(hint, names, include_extras=True)[name])
         text, required = texts.get(name, ""), parameter.default is parameter.empty
-        found[name] = Option(name, _syntax(kind), several, parameter.default, text, required)
-    return found
+        options[name] = Option(name, _syntax(kind), several, parameter.default, text, required)
+    return options
 
 
 def _kind(hint: Any) -> tuple[Any, bool]:

@@ -62,12 +62,12 @@ def times_argument(text: str) -> float:
 
 def shard_argument(text: str) -> tuple[int, int]:
     """Read which part of a computation a machine does, such as 2/5."""
-    found = re.fullmatch(r"([0-9]{1,6})/([0-9]{1,6})", text, re.ASCII)
-    if found is None or not 1 <= int(found[1]) <= int(found[2]):
+    match = re.fullmatch(r"([0-9]{1,6})/([0-9]{1,6})", text, re.ASCII)
+    if match is None or not 1 <= int(match[1]) <= int(match[2]):
         raise argparse.ArgumentTypeError(
             f"{text!r} is not a shard; write 2/5 for the second of five"
         )
-    return int(found[1]), int(found[2])
+    return int(match[1]), int(match[2])
 
 
 def digits_argument(text: str) -> int:

@@ -165,16 +165,16 @@ def _best_row(group: Sequence[Patch]) -> IntegerVector:
 
 def halves(patches: Iterable[Patch], row: IntegerVector, side: int) -> list[Patch]:
     """Return the parts of patches on one side of a plane; none of those that lie in it."""
-    found = []
+    parts = []
     for patch in patches:
         values = [side * dot(row, p) for p in patch.corners]
         if min(values) >= 0 and any(values):
-            found.append(patch)
+            parts.append(patch)
         elif max(values) > 0:
             edges = tuple(part for edge in patch.edges for part in _part(edge, row, side))
             corners = tuple(clipped(patch.corners, values))
-            found.append(replace(patch, corners=corners, edges=edges))
-    return found
+            parts.append(replace(patch, corners=corners, edges=edges))
+    return parts
 
 
 def _part(edge: Segment, row: IntegerVector, side: int) -> list[Segment]:

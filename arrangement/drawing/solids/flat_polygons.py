@@ -84,9 +84,9 @@ def lifted(row: IntegerVector, point: IntegerVector) -> IntegerVector:
     gone = _dropped(row)
     rest = [x for k, x in enumerate(row) if k != gone]
     scale = abs(row[gone])
-    found = [scale * x for x in point]
-    found.insert(gone, -sign(row[gone]) * dot(rest, point))
-    return reduced(found)
+    entries = [scale * x for x in point]
+    entries.insert(gone, -sign(row[gone]) * dot(rest, point))
+    return reduced(entries)
 
 
 def _split(loop: Loop, line: IntegerVector) -> tuple[Loop, Loop]:
@@ -130,15 +130,15 @@ def boxed(loop: Loop) -> Boxed:
 
 def without(parts: Iterable[Boxed], cover: Boxed) -> list[Boxed]:
     """Return convex pieces of polygons outside another one."""
-    found = []
+    rest = []
     (left, lowest), (right, highest) = cover.low, cover.high
     for part in parts:
         (x, y), (x_end, y_end) = part.low, part.high
         if x > right or x_end < left or y > highest or y_end < lowest:
-            found.append(part)
+            rest.append(part)
         else:
-            found += map(boxed, minus(part.loop, cover.loop))
-    return found
+            rest += map(boxed, minus(part.loop, cover.loop))
+    return rest
 
 
 def creases_of(loops: Sequence[Loop]) -> list[list[Segment]]:
@@ -155,15 +155,15 @@ def creases_of(loops: Sequence[Loop]) -> list[list[Segment]]:
             sides.setdefault(line, []).append(part)
             own.append((line, k, part))
         listed.append(own)
-    found = []
+    rows = []
     for own in listed:
         creases = []
         for line, k, part in own:
             across = sides.get(tuple(-x for x in line), ())
             rest = remainder(part, across)
             creases += [(_at(line, k, low), _at(line, k, high)) for low, high in rest]
-        found.append(creases)
-    return found
+        rows.append(creases)
+    return rows
 
 
 def _at(line: IntegerVector, k: int, value: Fraction | None) -> IntegerVector:

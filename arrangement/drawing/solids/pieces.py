@@ -60,10 +60,10 @@ def arrow_pieces(arrow: Arrow) -> list[Patch]:
     if arrow.headless:
         return segment(arrow.start, arrow.end, arrow.name)
     tip, ring = head_of(arrow)
-    found = segment(arrow.start, ring.mean(axis=0), arrow.name)
+    shaft = segment(arrow.start, ring.mean(axis=0), arrow.name)
     for p, q in zip(ring, np.roll(ring, -1, axis=0), strict=True):
-        found += flat([tip, p, q], arrow.name, [])
-    return found + flat(list(ring[::-1]), arrow.name, [])
+        shaft += flat([tip, p, q], arrow.name, [])
+    return shaft + flat(list(ring[::-1]), arrow.name, [])
 
 
 def _exact(point: Floats) -> IntegerVector:
@@ -87,13 +87,13 @@ def flat(
     lines = tuple((_exact(p), _exact(q)) for p, q in edges)
     if len({row for row in rows if row}) == 1:
         return [Patch(next(row for row in rows if row), tuple(points), lines, name=name)]
-    found = []
+    pieces = []
     for k, row in enumerate(rows):
         if row:
             triangle = (points[0], points[k + 1], points[k + 2])
             own = tuple(line for line in lines if set(line) <= set(triangle))
-            found.append(Patch(row, triangle, own, name=name))
-    return found
+            pieces.append(Patch(row, triangle, own, name=name))
+    return pieces
 
 
 #: Numbers of points, counter-clockwise seen from outside.
@@ -118,7 +118,7 @@ def drawn_edges(
     for face in faces:
         normal = face_normal(points[list(face)])
         normals.update(dict.fromkeys(cycle_edges(face), normal))
-    found = set()
+    edges = set()
     for (a, b), normal in normals.items():
         other = normals.get((b, a))
         drawn = other is None or float(normal @ other) < _SHARP
@@ -126,8 +126,8 @@ def drawn_edges(
             seen, behind = bool(normal @ towards > 0), bool(other @ towards > 0)
             drawn = (drawn or seen != behind) and (seen, a < b) > (behind, b < a)
         if drawn:
-            found.add((a, b))
-    return found
+            edges.add((a, b))
+    return edges
 
 
 def open_edges(faces: Sequence[Cycle]) -> Iterator[tuple[int, int]]:

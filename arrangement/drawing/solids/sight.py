@@ -39,8 +39,8 @@ def unit(vectors: Any) -> Floats:
 
 def unit_vectors(vectors: Sequence[Sequence[Any]]) -> Floats:
     """Return unit vectors, zeros for 0; exact numbers are divided before they become floats."""
-    found = unit([[float(x / (max(map(abs, v)) or 1)) for x in v] for v in vectors])
-    return found if len(found) else found.reshape(0, 3)
+    units = unit([[float(x / (max(map(abs, v)) or 1)) for x in v] for v in vectors])
+    return units if len(units) else units.reshape(0, 3)
 
 
 def face_normal(corners: Floats) -> Floats:
@@ -85,9 +85,9 @@ def turned(direction: IntegerVector, azimuth: float) -> IntegerVector:
 
 def views(*entries: Iterable[int], low: float = -1.0, high: float = 1.0) -> list[IntegerVector]:
     """Return the primitive directions with these entries, their height between two bounds."""
-    found = [v for v in product(*entries) if any(v) and primitive(v) == v]
-    heights = unit_vectors(found)[:, 2]
-    return [v for v, z in zip(found, heights, strict=True) if low <= z <= high]
+    directions = [v for v in product(*entries) if any(v) and primitive(v) == v]
+    heights = unit_vectors(directions)[:, 2]
+    return [v for v, z in zip(directions, heights, strict=True) if low <= z <= high]
 
 
 def best_view(candidates: Sequence[IntegerVector], *scores: Score) -> IntegerVector:

@@ -122,11 +122,11 @@ class _Polytope:
     def section(self, row: IntegerVector) -> Loop:
         """Return what it covers of a plane, if that has an area."""
         values = {p: dot(row, p) for p in self.points}
-        found = {p for p, at in values.items() if at == 0}
+        corners = {p for p, at in values.items() if at == 0}
         for p, q in self.edges:
             if values[p] * values[q] < 0:
-                found.add(between(p, q, values[p], values[q]))
-        return ordered(row, found) if len(found) > 2 else []
+                corners.add(between(p, q, values[p], values[q]))
+        return ordered(row, corners) if len(corners) > 2 else []
 
 
 class _Polytopes:
@@ -158,9 +158,9 @@ class _Polytopes:
         corners, far = rounded(loop), 4 * self.far
         values = self.points @ _unit_rows([row])[0, :3] + _unit_rows([row])[0, 3]
         most = np.maximum.reduceat(values, self.starts)
-        found = (self.low <= corners.max(axis=0) + far) & (self.high >= corners.min(axis=0) - far)
+        boxes = (self.low <= corners.max(axis=0) + far) & (self.high >= corners.min(axis=0) - far)
         near = (
-            found.all(axis=1) & (np.minimum.reduceat(values, self.starts) <= far) & (most >= -far)
+            boxes.all(axis=1) & (np.minimum.reduceat(values, self.starts) <= far) & (most >= -far)
         )
         # One row for each corner, one column for each facet.
         sides = corners @ self.rows[:, :3].T + self.rows[:, 3]

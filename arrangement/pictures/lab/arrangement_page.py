@@ -153,5 +153,5 @@ def _summary(arrangement: Arrangement) -> str:
 
 def _unit(vector: IntegerVector) -> list[float]:
     """Return a unit vector; the zero vector stays."""
-    found: list[float] = floats(unit_vectors([vector])[0], _DIGITS)
-    return found
+    entries: list[float] = floats(unit_vectors([vector])[0], _DIGITS)
+    return entries
