@@ -3,7 +3,8 @@
 Counts and sizes that a file states are compared with what is in it before anything is made of
 them. Materials, textures, colours, normals and animations are ignored; nothing that is only named
 is opened. The readers of trimesh accept damaged text, round the numbers of PLY text to single
-precision, read no binary PLY files of mixed polygons, and differ between its versions.
+precision, read no binary PLY files of mixed polygons, place the meshes of a GLB scene with other
+last digits, and differ between its versions.
 """
 
 from __future__ import annotations
