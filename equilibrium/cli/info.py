@@ -73,11 +73,12 @@ def add_command_info(commands: Any) -> None:
 
 def _info(arguments: argparse.Namespace) -> int:
     form, answer = DESCRIPTION, _description
+    load = has_load(arguments)
     if arguments.modes:
         form, answer = "--modes", _modes
     elif arguments.force_closure:
         form, answer = "--force-closure", _force_closure
-    elif has_load(arguments) or arguments.output is not None:
+    elif load or arguments.output is not None:
         form, answer = REPORT, _description
     check_options(arguments, "info", None, form)
     return answer(arguments)

@@ -200,6 +200,8 @@ def test_info_describes_a_grasp(capsys):
     [
         ("info ladder --count", "--count goes with --modes"),
         ("info ladder --modes --norm L1", "--norm goes with --force-closure"),
+        ("info ladder --modes --at 0 1", "--at goes with --force or --weight"),
+        ("info ladder --force-closure --at 0 1", "--at goes with --force or --weight"),
         ("info ladder --modes --preload 1", "--preload does not go with --modes"),
         (
             "solve ladder --weight 1 --methods --robust friction=1%",
