@@ -12,7 +12,6 @@ from functools import cached_property
 from itertools import chain, combinations
 from typing import TYPE_CHECKING, Any, Self
 
-from arrangement.console.number_form import counted
 from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import (
@@ -173,6 +172,11 @@ class Planes:
         stored = ("dimension", "axes", "_integer_planes")
         return {name: self.__dict__[name] for name in stored}
 
+    def __copy__(self) -> Self:
+        made = object.__new__(type(self))
+        made.__dict__.update(self.__getstate__())
+        return made
+
     @property
     def integer_planes(self) -> tuple[IntegerVector, ...]:
         """The planes as coprime integers ``(n_1, ..., n_d, b)``, in input order."""
@@ -206,7 +210,7 @@ class Planes:
 
     def __repr__(self) -> str:
         kind = "central" if self.is_central else "affine"
-        planes = f"{counted(len(self), 'plane')} ({len(self.distinct)} distinct)"
+        planes = f"{len(self)} plane{'s' * (len(self) != 1)} ({len(self.distinct)} distinct)"
         where = f"R^{self.dimension}, rank {self.rank}, {kind}"
         return f"<{type(self).__name__}: {planes} in {where}>"
 

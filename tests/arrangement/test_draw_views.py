@@ -2,9 +2,11 @@
 
 import math
 import re
+import sys
 from collections import Counter
 from fractions import Fraction
-from itertools import combinations, pairwise
+from itertools import combinations, groupby, pairwise
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,6 +14,7 @@ import pytest
 from hypothesis import assume, given, strategies as st
 from matplotlib.image import imread
 
+import arrangement
 from arrangement import Arrangement, InputError, read_arrangement
 from arrangement.console import progress
 from arrangement.counts import bounded_region_count, f_vector, whitney_numbers
@@ -62,6 +65,8 @@ RANK_THREE = [name for name in NAMES if name not in ("pencil", "coincident-plane
 VIEW = (5, 3, 4)
 #: Affine planes, in other spaces, and many.
 OTHERS = ["shi-a2-affine", "parallel-planes-affine", "braid-a3-in-r4", "nine-generic-planes"]
+
+PACKAGE = Path(arrangement.__file__).parent
 
 
 # Numbers of elements.
@@ -743,3 +748,24 @@ def test_a_gnomonic_chart_shows_lines_where_the_planes_meet_it(planes):
             assert tuple(np.sign(heights.mean(axis=0)).astype(int)) == signs[name]
             whole += area((points @ globe.T)[::3, :2])
     assert whole == pytest.approx(np.pi * reach**2, rel=2e-3)
+
+
+def test_a_call_of_draw_enters_each_package_once_and_25_files():
+    """Before the first line of the view, `drawing` and `pictures` are entered once each."""
+    read_arrangement("braid-a3").draw("sphere")  # imports what is imported when it is used
+    planes, walk = read_arrangement("braid-a3"), []
+
+    def record(frame: Any, event: str, _: Any) -> None:
+        place = Path(frame.f_code.co_filename)
+        if event == "call" and place.is_relative_to(PACKAGE):
+            walk.append((place.relative_to(PACKAGE), frame.f_code.co_name))
+
+    sys.setprofile(record)
+    try:
+        planes.draw("sphere")
+    finally:
+        sys.setprofile(None)
+    assert len({path for path, _ in walk}) <= 25
+    before = [path for path, _ in walk[: walk.index((Path("pictures/globe.py"), "draw_sphere"))]]
+    packages = [path.parts[0] for path in before if path.parts[0] in ("drawing", "pictures")]
+    assert [package for package, _ in groupby(packages)] == ["drawing", "pictures"]

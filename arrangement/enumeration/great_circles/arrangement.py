@@ -364,6 +364,8 @@ def list_faces(planes: Planes) -> tuple[Level, ...]:
     """
     if not planes.is_central:
         return tuple(upper_half(level) for level in list_faces(cone(planes))[1:])
+    if planes.rank == planes.dimension == 3:
+        return _levels(sphere_arrangement(planes))
     reduced, columns = in_dimension(planes, 3)
     return from_dimension(_levels(sphere_arrangement(reduced)), planes, columns)
 
