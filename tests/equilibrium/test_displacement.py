@@ -220,6 +220,17 @@ def test_regions_across_a_bound_are_closed_with_its_multiplier():
     assert verdict.verify().leaves == len(leaves) < 400
 
 
+@pytest.mark.parametrize("bound", ["1e-5000", "1e5000"])
+@pytest.mark.parametrize("size", ["1", "1e-5000", "1e5000"])
+def test_bounds_beyond_floats_are_decided(bound, size):
+    preload = Fraction(size)
+    fingers = Grasp(Contact([-n, 0], [n, 0], "1/2", 1, preload) for n in (1, -1))
+    for load in (preload, 2 * preload):
+        verdict = solve(fingers, [0, -load, 0], max_displacement=bound)
+        assert verdict.stable is (load == preload)
+        assert verdict.verify()
+
+
 def test_an_equilibrium_beyond_the_bound_is_refused():
     found = solve(read_grasp(THREE), TURNED)
     document, most = found.certificate.to_dict(), displacement(found.grasp, found.solution.motion)
