@@ -477,6 +477,25 @@ def _integer_text(value: int) -> str:
     return str(fmpz(value))
 
 
+def simplest_between(low: Fraction, high: Fraction) -> Fraction:
+    """Return the rational of least denominator in a closed interval (then of least size).
+
+    >>> simplest_between(Fraction(31, 100), Fraction(34, 100))
+    Fraction(1, 3)
+    """
+    if low > high:
+        raise InputError(f"the interval from {shown(low)} to {shown(high)} is empty")
+    if low <= 0 <= high:
+        return Fraction(0)
+    if high < 0:
+        return -simplest_between(-high, -low)
+    whole = -(-low.numerator // low.denominator)
+    if whole <= high:
+        return Fraction(whole)
+    floor = low.numerator // low.denominator
+    return floor + 1 / simplest_between(1 / (high - floor), 1 / (low - floor))
+
+
 def sign(value: Fraction | int) -> int:
     """Return -1, 0 or 1."""
     return (value > 0) - (value < 0)

@@ -41,9 +41,9 @@ from arrangement.numbers.exact import (
     number_text,
     primitive,
     reduced,
+    simplest_between,
 )
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
-from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.labels import AS_ROUNDED
 from equilibrium.wrench_sets import Piece, ResistedSet

@@ -29,12 +29,12 @@ from arrangement.numbers.exact import (
     primitive,
     rational,
     shown,
+    simplest_between,
 )
 from arrangement.numbers.linear.cones import Cone
 from arrangement.numbers.linear.polyhedron import Polyhedron
 from arrangement.numbers.linear.rank import difference
 from equilibrium.core.contact_rows import negated, sum_row
-from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import read_wrench
 from equilibrium.wrench_sets.outline import polygons_near, tight

@@ -19,11 +19,10 @@ from typing import Any
 from arrangement.console.number_form import JsonMixin
 from arrangement.console.progress import watched
 from arrangement.numbers import budget
-from arrangement.numbers.exact import RationalVector, rational, shown
+from arrangement.numbers.exact import RationalVector, rational, shown, simplest_between
 from equilibrium.core.contact_program import ContactProgram, LinearQuestion
 from equilibrium.decide.assemblies.magnitudes import Survivors, surviving_states
 from equilibrium.decide.solver import Solver, prepare
-from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, chosen_contacts, read_wrench

@@ -14,7 +14,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-from arrangement.numbers.exact import RationalVector, rational, shown, to_text
+from arrangement.numbers.exact import RationalVector, rational, shown, simplest_between, to_text
 from equilibrium.core.contact_rows import sum_row
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
 from equilibrium.decide.assemblies.ends import Giving
@@ -22,7 +22,6 @@ from equilibrium.decide.known_loads import Border, KnownLoads, KnownMagnitudes
 from equilibrium.decide.nearby import WithinError
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
-from equilibrium.grasps.inputs.conversion import simplest_between
 from equilibrium.model.displacement import read_displacement
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import GraspError

@@ -4,10 +4,11 @@ Everything that had to be rounded is rounded here, once, on purpose, and the err
 exactly; the grasp that comes out is exact.
 """
 
+from arrangement.numbers.exact import simplest_between as simplest_between
+
 from .conversion import (
     ContactIncidence as ContactIncidence,
     Conversion as Conversion,
-    simplest_between as simplest_between,
     snapped as snapped,
 )
 from .csv_file import read_bodies as read_bodies, read_csv as read_csv

@@ -18,6 +18,7 @@ from arrangement.numbers.exact import (
     rational,
     rational_vector,
     shown,
+    simplest_between,
     to_text,
     vector_text,
 )
@@ -117,25 +118,6 @@ class Conversion:
             "kept": [str(incidence) for incidence in self.kept],
             **({"remarks": list(self.remarks)} if self.remarks else {}),
         }
-
-
-def simplest_between(low: Fraction, high: Fraction) -> Fraction:
-    """Return the rational of least denominator in a closed interval (then of least size).
-
-    >>> simplest_between(Fraction(31, 100), Fraction(34, 100))
-    Fraction(1, 3)
-    """
-    if low > high:
-        raise GraspError(f"the interval from {shown(low)} to {shown(high)} is empty")
-    if low <= 0 <= high:
-        return Fraction(0)
-    if high < 0:
-        return -simplest_between(-high, -low)
-    whole = -(-low.numerator // low.denominator)
-    if whole <= high:
-        return Fraction(whole)
-    floor = low.numerator // low.denominator
-    return floor + 1 / simplest_between(1 / (high - floor), 1 / (low - floor))
 
 
 def snapped(value: Any, tolerance: Any = DEFAULT_TOLERANCE) -> tuple[Fraction, Fraction]:

@@ -8,13 +8,18 @@ from fractions import Fraction
 from random import Random
 from typing import Any
 
-from arrangement.numbers.exact import RationalVector, dot, from_float, shown, to_text
+from arrangement.numbers.exact import (
+    RationalVector,
+    dot,
+    from_float,
+    shown,
+    simplest_between,
+    to_text,
+)
 from arrangement.numbers.linear.rank import cross
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.unit_normal import UnitNormal, angle_error, unit_normal
-
-from .conversion import simplest_between
 
 
 @dataclass(frozen=True)
